@@ -1,0 +1,116 @@
+#include <Teuchos_ParameterList.hpp>
+#include <Trilinos_version.h>
+#include <mpi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "commands.hpp"
+#include "core/documentation.hpp"
+#include "simulation/plugin.hpp"
+
+namespace mudline::cli {
+
+namespace {
+
+bool root() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank == 0;
+}
+
+/// All documentation, with a plugin's if one is named.
+std::vector<EntryDoc> documentation(const std::string& plugin) {
+  Registries registries;
+  register_all(registries);
+  if (!plugin.empty()) {
+    Teuchos::ParameterList list("plugins");
+    list.set("files", Teuchos::Array<std::string>(1, std::filesystem::absolute(plugin).string()));
+    load_plugins(Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""), registries);
+  }
+  return document_all(registries);
+}
+
+}  // namespace
+
+int list(const std::string& kind, bool markdown_wanted, bool xsd_wanted, const std::string& plugin) {
+  const std::vector<EntryDoc> docs = documentation(plugin);
+  std::vector<std::string> kinds;
+  for (const EntryDoc& entry : docs)
+    if (std::find(kinds.begin(), kinds.end(), entry.kind) == kinds.end()) kinds.push_back(entry.kind);
+  const std::string wanted = kind == "material" ? "skeleton" : kind;
+  if (!wanted.empty() && std::find(kinds.begin(), kinds.end(), wanted) == kinds.end())
+    throw InputError("unknown kind '" + kind + "'" + suggestion(kind, kinds));
+  if (!root()) return 0;
+  if (xsd_wanted) {
+    std::cout << xsd(docs);
+    return 0;
+  }
+  if (markdown_wanted) {
+    std::cout << "# Parameter reference\n\nWritten by `mudline list --markdown`; do not edit.\n\n";
+    for (const EntryDoc& entry : docs) std::cout << markdown(entry) << "\n";
+    return 0;
+  }
+  for (const std::string& k : kinds) {
+    if (!wanted.empty() && k != wanted) continue;
+    std::cout << k << "\n";
+    for (const EntryDoc& entry : docs)
+      if (entry.kind == k) std::cout << "  " << entry.name << std::string(std::max<std::size_t>(2, 26 - std::min<std::size_t>(24, entry.name.size())), ' ') << entry.summary << "\n";
+  }
+  return 0;
+}
+
+int explain(const std::string& name, const std::string& plugin) {
+  const std::vector<EntryDoc> docs = documentation(plugin);
+  std::vector<std::string> names;
+  bool found = false;
+  for (const EntryDoc& entry : docs) {
+    names.push_back(entry.name);
+    if (entry.name != name) continue;
+    if (root()) std::cout << (found ? "\n" : "") << mudline::explain(entry);
+    found = true;
+  }
+  if (!found) throw InputError("nothing is called '" + name + "'" + suggestion(name, names));
+  return 0;
+}
+
+int report(const std::vector<std::string>& arguments) {
+  // Beside the program: in the source tree, or in share/ of an installation.
+  if (!root()) return 0;
+  std::vector<std::string> places;
+  if (const char* given = std::getenv("MUDLINE_REPORT")) places.push_back(given);
+  places.push_back(MUDLINE_REPORT_SOURCE);
+  const auto self = std::filesystem::read_symlink("/proc/self/exe");
+  places.push_back((self.parent_path().parent_path() / "share/mudline/report/mudline_report.py").string());
+  for (const std::string& script : places) {
+    if (!std::filesystem::exists(script)) continue;
+    std::string python = std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
+    std::vector<char*> argv{python.data(), const_cast<char*>(script.c_str())};
+    std::vector<std::string> copy = arguments;
+    for (std::string& a : copy) argv.push_back(a.data());
+    argv.push_back(nullptr);
+    execvp(python.c_str(), argv.data());
+    throw std::runtime_error("python3 cannot be started; install python3, python3-h5py and python3-matplotlib");
+  }
+  throw std::runtime_error("the report script is not installed");
+}
+
+int version() {
+  if (!root()) return 0;
+  std::cout << "mudline " << MUDLINE_VERSION << "\n"
+            << "plugins: " << MUDLINE_ABI << "\n"
+            << "gmsh:    " <<
+#ifdef MUDLINE_HAVE_GMSH
+      "yes"
+#else
+      "no"
+#endif
+            << std::endl;
+  return 0;
+}
+
+}  // namespace mudline::cli

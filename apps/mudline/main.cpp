@@ -1,0 +1,143 @@
+#include <CLI/CLI.hpp>
+#include <Tpetra_Core.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "commands.hpp"
+#include "core/errors.hpp"
+#include "core/log.hpp"
+
+namespace {
+
+using namespace mudline;
+
+void add_deck_options(CLI::App& command, cli::DeckOptions& deck) {
+  command.add_option("deck", deck.decks, "deck, then overlays that replace single parameters of it")->required();
+  command.add_option("--set", deck.settings, "replace one parameter: --set \"stages/push/duration=2.0\"")->allow_extra_args(false);
+}
+
+/// The last line of a message with something in it, without the library's decoration.
+std::string last_line(const std::string& text) {
+  std::string line, best;
+  for (char c : text + "\n") {
+    if (c != '\n') {
+      line += c;
+      continue;
+    }
+    if (line.find_first_not_of(" \t") != std::string::npos) best = line;
+    line.clear();
+  }
+  return best;
+}
+
+/// A misspelt command gets a suggestion; the library would only say that a command is missing.
+void require_command(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.empty() || word[0] == '-') continue;
+    if (std::find(names.begin(), names.end(), word) == names.end())
+      throw InputError("unknown command '" + word + "'" + suggestion(word, names));
+    return;
+  }
+}
+
+int dispatch(int argc, char** argv, bool root) {
+  CLI::App app{"mudline: large-deformation dynamics of saturated porous media"};
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "help of all commands");
+  app.footer("examples:\n"
+             "  mudline run inputs/penetration/cone_indentation.xml\n"
+             "  mpirun -np 4 mudline run base.xml fine.xml --set \"stages/push/duration=0.02\"\n"
+             "  mudline explain \"modified cam clay\"");
+  bool verbose = false, quiet = false;
+  app.add_flag("-v,--verbose", verbose, "print more: every Newton iteration");
+  app.add_flag("-q,--quiet", quiet, "print warnings and errors only");
+  app.fallthrough();
+
+  cli::RunCommand run;
+  auto* run_command = app.add_subcommand("run", "run a deck");
+  add_deck_options(*run_command, run.deck);
+  run_command->add_flag("--restart", run.restart, "continue from the checkpoint that an earlier run of this deck left");
+  run_command->add_option("--steps", run.steps, "stop after so many steps, with a checkpoint")->check(CLI::Range(1, 1000000000));
+  run_command->footer("exit codes: 0 done, 2 input error, 3 no convergence (last state saved), 4 stopped by a signal (saved), 1 anything else\n"
+                      "example: mudline run deck.xml --set \"solver/residual tolerance=1e-8\"");
+
+  cli::DeckOptions check;
+  auto* check_command = app.add_subcommand("check", "read a deck and its mesh and report errors, without running");
+  add_deck_options(*check_command, check);
+  check_command->footer("example: mudline check deck.xml");
+
+  std::string kind, plugin;
+  bool markdown = false, xsd = false;
+  auto* list_command = app.add_subcommand("list", "list what a deck's \"type\" may name");
+  list_command->add_option("kind", kind, "only this kind: material, physics, boundary condition, ...");
+  list_command->add_flag("--markdown", markdown, "the whole parameter reference as markdown");
+  list_command->add_flag("--xsd", xsd, "an XML schema for editors");
+  list_command->add_option("--plugin", plugin, "load this plugin first");
+  list_command->footer("example: mudline list \"boundary condition\"");
+
+  std::string name;
+  auto* explain_command = app.add_subcommand("explain", "parameters of a type or a section");
+  explain_command->add_option("name", name, "e.g. \"modified cam clay\"")->required();
+  explain_command->add_option("--plugin", plugin, "load this plugin first");
+  explain_command->footer("example: mudline explain \"generalised alpha\"");
+
+  std::string template_name;
+  auto* template_command = app.add_subcommand("template", "print a commented deck of a physics, or the section of any type");
+  template_command->add_option("name", template_name, "e.g. biot")->required();
+  template_command->footer("example: mudline template biot > my_deck.xml");
+
+  auto* report_command = app.add_subcommand("report", "one HTML page of a result: histories, field pictures, balances");
+  report_command->allow_extras();
+  report_command->footer("example: mudline report results/cone_indentation -o cone.html");
+
+  auto* version_command = app.add_subcommand("version", "version, compiler and libraries");
+
+  // The report's options belong to its script, which has a help of its own.
+  if (argc > 1 && std::string(argv[1]) == "report") return cli::report(std::vector<std::string>(argv + 2, argv + argc));
+  try {
+    require_command(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (!root) return error.get_exit_code() == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << "error: " << last_line(error.what()) << " (see mudline --help)" << std::endl;
+    return 2;
+  }
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  log::configure(rank, quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);
+  if (*run_command) return cli::run(run);
+  if (*check_command) return cli::check(check);
+  if (*list_command) return cli::list(kind, markdown, xsd, plugin);
+  if (*explain_command) return cli::explain(name, plugin);
+  if (*template_command) return cli::print_template(template_name);
+  if (*version_command) return cli::version();
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The command line is ours: Kokkos would answer --help with its own options.
+  int own_count = 1;
+  Tpetra::ScopeGuard scope(&own_count, &argv);
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  try {
+    return dispatch(argc, argv, rank == 0);
+  } catch (const mudline::InputError& error) {
+    if (rank == 0) std::cerr << "error: " << error.what() << std::endl;
+    return 2;
+  } catch (const std::exception& error) {
+    // Not foreseen, and maybe on this rank only: end all of them.
+    std::cerr << "error: " << last_line(error.what()) << std::endl;
+    if (ranks > 1) MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
+  }
+}

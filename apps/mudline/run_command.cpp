@@ -1,0 +1,122 @@
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Core.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "commands.hpp"
+#include "core/deck.hpp"
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "discretisation/agree.hpp"
+#include "simulation/plugin.hpp"
+#include "simulation/run.hpp"
+
+namespace mudline::cli {
+
+namespace {
+
+/// Rank 0 reads, everybody gets the text; a missing file is an error on every rank alike.
+std::string read_everywhere(const Comm& comm, const std::string& path) {
+  std::string text;
+  int length = -1;
+  if (comm.getRank() == 0) {
+    std::ifstream file(path, std::ios::binary);
+    if (file && !std::filesystem::is_directory(path)) {
+      std::ostringstream buffer;
+      buffer << file.rdbuf();
+      text = buffer.str();
+      length = static_cast<int>(text.size());
+    }
+  }
+  Teuchos::broadcast(comm, 0, 1, &length);
+  if (length < 0) throw InputError(path + ": the deck does not exist or cannot be read");
+  text.resize(length);
+  if (length > 0) Teuchos::broadcast(comm, 0, length, text.data());
+  return text;
+}
+
+/// A deck with everything that reading it needs; lives as long as the model.
+struct Loaded {
+  Deck deck;
+  Registries registries;
+  std::unique_ptr<Section> root;
+  std::unique_ptr<Model> model;
+  OutputSettings output;
+};
+
+/// The nearest node of a probe far away would tell nothing of where the author looks.
+void check_probes(const Loaded& loaded) {
+  const auto box = loaded.model->mesh().bounds();
+  const double slack = 1e-6 * std::max(box[1] - box[0], box[3] - box[2]);
+  for (const auto& [name, at] : loaded.output.probes)
+    for (int i = 0; i < 2; ++i)
+      if (at[i] < box[2 * i] - slack || at[i] > box[2 * i + 1] + slack)
+        loaded.root->section("output").section("probes").fail(
+            std::string(i == 0 ? "x" : "y") + " = " + number_text(at[i]) + " lies outside the mesh, which reaches from " +
+                number_text(box[2 * i]) + " to " + number_text(box[2 * i + 1]), name);
+}
+
+/// Made before the run, so that a wrong place is an error of the deck.
+void make_folder(const Loaded& loaded) {
+  agree(*loaded.model->mesh().comm(), [&] {
+    std::error_code error;
+    std::filesystem::create_directories(loaded.output.folder, error);
+    if (error || !std::filesystem::is_directory(loaded.output.folder))
+      loaded.root->section("output").fail("the folder '" + loaded.output.folder + "' cannot be made" + (error ? ": " + error.message() : ""), "folder");
+  });
+}
+
+std::unique_ptr<Loaded> load(const DeckOptions& options) {
+  const RCP<const Comm> comm = Tpetra::getDefaultComm();
+  auto loaded = std::make_unique<Loaded>();
+  for (const std::string& path : options.decks) loaded->deck.overlay(read_everywhere(*comm, path), path);
+  for (const std::string& setting : options.settings) loaded->deck.set(setting);
+  register_all(loaded->registries);
+  loaded->root = std::make_unique<Section>(loaded->deck.root());
+  loaded->root->allow_parameters({});
+  loaded->root->allow_sections(deck_sections());
+  load_plugins(loaded->root->section("plugins"), loaded->registries);
+  loaded->output = OutputSettings::read(loaded->root->section("output"), std::filesystem::path(options.decks.front()).stem().string());
+  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries);
+  const std::vector<std::string> unused = loaded->root->unused();
+  if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
+  check_probes(*loaded);
+  return loaded;
+}
+
+void describe(const Model& model) {
+  const auto& dofs = *model.space().dofs();
+  std::string text = std::to_string(model.mesh().num_global_elements()) + " elements, " + std::to_string(model.mesh().num_global_nodes()) +
+                     " nodes, " + std::to_string(dofs.owned()->getGlobalNumElements()) + " unknowns (";
+  for (int f = 0; f < dofs.num_fields(); ++f) text += (f ? ", " : "") + dofs.field(f).name;
+  log::info(text + ") on " + std::to_string(dofs.comm()->getSize()) + (dofs.comm()->getSize() == 1 ? " rank" : " ranks"));
+}
+
+}  // namespace
+
+int run(const RunCommand& command) {
+  const auto loaded = load(command.deck);
+  describe(*loaded->model);
+  make_folder(*loaded);
+  catch_signals();
+  RunOptions options;
+  options.restart = command.restart;
+  options.maximum_steps = command.steps;
+  Run run(*loaded->model, loaded->output, loaded->deck.to_xml(), options);
+  return static_cast<int>(run.execute());
+}
+
+int check(const DeckOptions& options) {
+  const auto loaded = load(options);
+  describe(*loaded->model);
+  std::string stages;
+  for (const auto& stage : loaded->model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;
+  log::info("stages: " + stages);
+  log::info("the deck is valid");
+  return 0;
+}
+
+}  // namespace mudline::cli

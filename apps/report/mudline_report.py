@@ -1,0 +1,334 @@
+#!/usr/bin/python3
+"""One HTML file that shows a result of mudline: summary, histories, field pictures, balances, deck.
+
+mudline report results/cone                                  # writes results/cone_report.html
+mudline report results/cone.h5 --times 0.05,0.2 --fields "pore pressure,void ratio" -o cone.html
+mudline report results --mirror --png pictures
+"""
+
+import argparse
+import base64
+import html
+import io
+import re
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+import report_pictures as pictures
+from report_result import FieldResult, History, ReportError, find_files, text
+
+FAVOURITES = [
+    "excess pore pressure",
+    "pore pressure",
+    "displacement",
+    "mean effective stress",
+    "deviatoric stress",
+    "void ratio",
+    "preconsolidation pressure",
+    "velocity",
+]
+MAX_DEFAULT_FIELDS = 6
+ATTEMPTS = 3
+
+CSS = """
+:root { color-scheme: light; }
+body { font: 15px/1.5 "Source Sans 3", "Segoe UI", "DejaVu Sans", Helvetica, Arial, sans-serif; color: #222;
+       max-width: 1180px; margin: 2.2em auto 4em; padding: 0 1.5em; }
+h1 { font-size: 1.75em; margin: 0 0 .1em; } h2 { font-size: 1.25em; margin: 2.2em 0 .6em; padding-bottom: .25em;
+       border-bottom: 2px solid #0b5d8a; } h3 { font-size: 1.02em; margin: 1.5em 0 .3em; color: #0b5d8a; }
+.subtitle { color: #666; margin: 0 0 1.4em; }
+nav a { margin-right: 1.2em; color: #0b5d8a; text-decoration: none; } nav a:hover { text-decoration: underline; }
+table { border-collapse: collapse; margin: .4em 0 1em; } th, td { padding: .28em .9em .28em 0; text-align: left;
+       vertical-align: top; border-bottom: 1px solid #e6e6e6; } th { font-weight: 600; color: #555; }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; padding-left: 1.2em; }
+.row { display: flex; flex-wrap: wrap; gap: .8em 1.2em; } figure { margin: 0; } img { max-width: 100%; height: auto; }
+pre { background: #f6f7f8; border: 1px solid #e2e4e6; padding: .9em 1.1em; overflow: auto; font-size: 12.5px;
+      line-height: 1.4; max-height: 40em; }
+summary { cursor: pointer; color: #0b5d8a; }
+"""
+
+
+class Gallery:
+    """Turns figures into <img> tags and, on request, into PNG files of their own."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder) if folder else None
+        if self.folder:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        self.written = []
+
+    def add(self, figure, name, vector):
+        options = {"facecolor": "white", "bbox_inches": "tight", "pad_inches": 0.08}
+        if self.folder:
+            path = self.folder / (re.sub(r"[^A-Za-z0-9.-]+", "_", name) + ".png")
+            figure.savefig(path, dpi=200, **options)
+            self.written.append(path)
+        data = io.BytesIO()
+        figure.savefig(data, format="svg" if vector else "png", dpi=160, **options)
+        pictures.plt.close(figure)
+        width = figure.get_size_inches()[0] * 96
+        kind = "svg+xml" if vector else "png"
+        code = base64.b64encode(data.getvalue()).decode("ascii")
+        return (
+            f'<figure><img alt="{html.escape(name)}" width="{width:.0f}" '
+            f'src="data:image/{kind};base64,{code}"></figure>'
+        )
+
+
+def table(rows, header=None, numbers=()):
+    def line(cells, tag):
+        return (
+            "<tr>"
+            + "".join(f'<{tag}{" class=number" if i in numbers else ""}>{cell}</{tag}>' for i, cell in enumerate(cells))
+            + "</tr>"
+        )
+
+    return "<table>" + (line(header, "th") if header else "") + "".join(line(row, "td") for row in rows) + "</table>"
+
+
+def summary(result, history, name):
+    rows = [("result", html.escape(name))]
+    if result:
+        for key, value in result.metadata.items():
+            if key != "title" and "\n" not in value and len(value) < 200:
+                unit = " s" if key.replace("_", " ") == "wall time" and re.fullmatch(r"[0-9.eE+-]+", value) else ""
+                rows.append((html.escape(key.replace("_", " ")), html.escape(value) + unit))
+        rows += [
+            ("geometry", "axisymmetric" if result.axisymmetric else "plane strain"),
+            (
+                "mesh",
+                f"{result.file.attrs['nodes']} nodes, {result.file.attrs['elements']} elements; "
+                f"regions: {html.escape(', '.join(result.regions))}",
+            ),
+        ]
+        bodies = [text(body.attrs["name"]) for body in result.file.get("bodies", {}).values()]
+        if bodies:
+            rows.append(("bodies", html.escape(", ".join(bodies))))
+    if history is not None and len(history.time):
+        rows.append(
+            (
+                "histories",
+                f"{len(history.columns)} columns, {len(history.time)} rows, up to t = "
+                f"{pictures.nice_time(history.time[-1])}",
+            )
+        )
+    page = table([(f"<b>{key}</b>", value) for key, value in rows])
+    if result and result.steps:
+        page += "<h3>Stages</h3>" + table(
+            [
+                (html.escape(stage), f"{first:.6g}", f"{last:.6g}", str(count))
+                for stage, first, last, count in result.stage_spans()
+            ],
+            ("stage", "first output [s]", "last output [s]", "outputs"),
+            (1, 2, 3),
+        )
+    return page
+
+
+def contact_reactions(history):
+    """Vertical reactions of all contacts by name: the resistance that a body meets."""
+    reactions = {}
+    for group, units in history.groups().items():
+        if group.startswith("contact/") and np.any(units.get("N", {}).get("reaction y", 0)):
+            reactions[group.split("/", 1)[1]] = units["N"]["reaction y"]
+    return reactions
+
+
+def history_section(history, spans, gallery):
+    parts = []
+    for group, units in history.groups().items():
+        parts.append(f"<h3>{html.escape(group or 'run')}</h3><div class=row>")
+        if group.startswith("body/"):
+            newtons = units.get("N", {})
+            forces = {name: values for name, values in newtons.items() if name.endswith("force y") and np.any(values)}
+            forces.update(contact_reactions(history))
+            metres = units.get("m", {})
+            moved = metres.get("displacement y", metres.get("position y"))
+            if forces and moved is not None and np.ptp(moved) > 0:
+                body = group.split("/", 1)[1]
+                parts.append(
+                    gallery.add(pictures.resistance_figure(body, forces, moved[0] - moved), f"resistance {body}", True)
+                )
+        parts.append(
+            gallery.add(pictures.history_figure(units, history.time, spans), f"history {group or 'run'}", True)
+        )
+        parts.append("</div>")
+    return "".join(parts)
+
+
+def balance_table(history):
+    rows = []
+    for (group, name, unit), values in history.columns.items():
+        if group.split("/")[0] == "balance" and len(values):
+            rows.append(
+                (
+                    html.escape(f"{group.partition('/')[2]} {name}".strip()),
+                    html.escape(unit),
+                    f"{values[-1]:.6g}",
+                    f"{np.abs(values).max():.6g}",
+                )
+            )
+    return table(rows, ("balance", "unit", "at the end", "largest magnitude"), (2, 3)) if rows else ""
+
+
+def choose_steps(result, times):
+    if times:
+        return sorted({result.nearest_step(moment) for moment in times})
+    last_of_stage = [
+        i for i in range(len(result.steps)) if i + 1 == len(result.steps) or result.stages[i + 1] != result.stages[i]
+    ]
+    return last_of_stage[-4:]
+
+
+def choose_fields(result, step, wanted):
+    available = result.fields(step)
+    if wanted:
+        for name in wanted:
+            if name not in available:
+                raise ReportError(f"there is no field '{name}'; known: " + ", ".join(sorted(available)))
+        return wanted
+    # Components of vectors are there for who asks for them; their length says enough for an overview.
+    whole = [name for name in available if not (name[-2:] in (" x", " y") and name[:-2] in available)]
+    ordered = [name for name in FAVOURITES if name in whole] + [name for name in whole if name not in FAVOURITES]
+    return ordered[:MAX_DEFAULT_FIELDS]
+
+
+def field_section(result, steps, wanted, options, gallery):
+    names = choose_fields(result, steps[-1], wanted)
+    drawings = [(step, pictures.FieldPicture(result, step, options.mirror), result.fields(step)) for step in steps]
+    parts = []
+    for name in names:
+        parts.append(f"<h3>{html.escape(name)}</h3><div class=row>")
+        shown = [(step, drawing, fields[name]) for step, drawing, fields in drawings if name in fields]
+        limits = None
+        if options.common_scale:
+            limits = (min(f.values.min() for _, _, f in shown), max(f.values.max() for _, _, f in shown))
+        for step, drawing, field in shown:
+            figure = drawing.figure(field, limits, options.zoom)
+            parts.append(gallery.add(figure, f"{name} t={result.times[step]:.6g}", False))
+        parts.append("</div>")
+    return "".join(parts)
+
+
+def build(options, gallery):
+    fields_path, history_path = find_files(options.result)
+    result = FieldResult(fields_path) if fields_path else None
+    history = History(history_path) if history_path else None
+    stem = (fields_path or history_path).with_suffix("")
+    metadata = result.metadata if result else {}
+    deck_name = metadata.get("deck_name", stem.name)
+    title = metadata.get("title") or deck_name
+    spans = result.stage_spans() if result else []
+
+    sections = [("Summary", summary(result, history, str(stem)))]
+    if result and result.steps:
+        steps = choose_steps(result, options.times)
+        sections.append(("Fields", field_section(result, steps, options.fields, options, gallery)))
+    elif options.fields or options.times:
+        raise ReportError(f"{options.result}: no step with fields was written")
+    if history is not None and len(history.time):
+        sections.append(("Histories", history_section(history, spans, gallery)))
+        sections.append(("Balances", balance_table(history)))
+    long_texts = {key: value for key, value in metadata.items() if "\n" in value or len(value) >= 200}
+    sections.append(
+        (
+            "Deck",
+            "".join(
+                f"<details{' open' if key == 'deck' else ''}><summary>{html.escape(key.replace('_', ' '))}</summary>"
+                f"<pre>{html.escape(value)}</pre></details>"
+                for key, value in sorted(long_texts.items())
+            ),
+        )
+    )
+
+    sections = [(name, content) for name, content in sections if content]
+    links = "".join(f'<a href="#{name.lower()}">{name}</a>' for name, _ in sections)
+    body = "".join(f'<h2 id="{name.lower()}">{name}</h2>{content}' for name, content in sections)
+    page = (
+        f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>'
+        f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{CSS}</style></head><body>'
+        f"<h1>{html.escape(title)}</h1><p class=subtitle>{html.escape(deck_name)}</p>"
+        f"<nav>{links}</nav>{body}</body></html>\n"
+    )
+    output = Path(options.output) if options.output else stem.with_name(stem.name + "_report.html")
+    output.write_text(page, encoding="utf-8")
+    return output
+
+
+def numbers(text):
+    try:
+        return [float(part) for part in text.split(",") if part.strip()]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of numbers such as 0.1,2.5") from None
+
+
+def window(text):
+    if text == "none":
+        return []
+    values = numbers(text)
+    if len(values) != 4 or values[1] <= values[0] or values[3] <= values[2]:
+        raise argparse.ArgumentTypeError(f"'{text}' is not 'none' or xmin,xmax,ymin,ymax")
+    return values
+
+
+def names(text):
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="mudline report",
+        description=__doc__,
+        allow_abbrev=False,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "result", help="result without suffix, its .h5, .xdmf or .csv, or a folder that holds one result"
+    )
+    parser.add_argument("-o", "--output", help="HTML file (default: <result>_report.html)")
+    parser.add_argument(
+        "--times", type=numbers, help="draw the outputs nearest to these times [s] (default: the end of each stage)"
+    )
+    parser.add_argument("--fields", type=names, help="draw these fields, separated by commas (default: up to six)")
+    parser.add_argument("--mirror", action="store_true", help="draw both halves of an axisymmetric mesh")
+    parser.add_argument(
+        "--zoom",
+        type=window,
+        help="second panel: xmin,xmax,ymin,ymax [m], or none (default: around the bodies)",
+    )
+    parser.add_argument("--common-scale", action="store_true", help="one colour scale per field for all times")
+    parser.add_argument("--png", metavar="FOLDER", help="write every picture as a PNG file too")
+    return parser.parse_args(arguments)
+
+
+def build_patiently(options):
+    """Builds the report; a step that is just being written leaves the file inconsistent for a moment: tries again."""
+    for attempt in range(ATTEMPTS):
+        gallery = Gallery(options.png)
+        try:
+            return build(options, gallery), gallery.written
+        except (KeyError, RuntimeError, AttributeError) as error:  # what h5py raises for a half-written file
+            if attempt + 1 == ATTEMPTS:
+                reason = f"{type(error).__name__}: {error}".splitlines()[0]
+                raise ReportError(f"{options.result}: damaged, or a step is being written ({reason})") from error
+            time.sleep(0.5)
+
+
+def main(arguments=None):
+    options = parse(arguments)
+    try:
+        output, written = build_patiently(options)
+    except (ReportError, OSError) as error:
+        print(f"mudline report: {error}", file=sys.stderr)
+        return 2
+    for path in written:
+        print(path)
+    print(output)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

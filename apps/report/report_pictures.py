@@ -1,0 +1,366 @@
+"""Draws histories and fields with matplotlib."""
+
+import numpy as np
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.collections import LineCollection  # noqa: E402
+from matplotlib.patches import Polygon, Rectangle  # noqa: E402
+from matplotlib.ticker import MaxNLocator  # noqa: E402
+from matplotlib.tri import Triangulation  # noqa: E402
+
+STYLE = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.titlesize": 10,
+    "axes.titleweight": "bold",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": "#555555",
+    "axes.linewidth": 0.8,
+    "axes.grid": True,
+    "grid.color": "#e3e3e3",
+    "grid.linewidth": 0.7,
+    "axes.axisbelow": True,
+    "xtick.color": "#333333",
+    "ytick.color": "#333333",
+    "legend.frameon": False,
+    "lines.linewidth": 1.5,
+    "axes.prop_cycle": matplotlib.cycler(color=["#0b5d8a", "#d1622b", "#3a8f5c", "#8a4f9e", "#b8902a", "#5c5c5c"]),
+    "svg.fonttype": "path",
+    "svg.hashsalt": "mudline",
+    "figure.dpi": 100,
+}
+BODY = {"facecolor": "#9aa0a6", "edgecolor": "#3c4043", "linewidth": 1.2, "joinstyle": "round"}
+COLOUR_MAP = "viridis"
+MAX_POINTS = 3000
+
+
+def scaled(unit, largest):
+    """(factor, unit) that gives readable numbers: 52000 Pa becomes 52 kPa."""
+    if unit in ("Pa", "N", "J", "W", "N/m", "N m", "m", "s"):
+        steps = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m")]
+        if unit in ("m", "s"):
+            steps = steps[3:]
+        else:
+            steps = steps[:4]
+        for size, prefix in steps:
+            if largest >= size:
+                return 1 / size, prefix + unit
+    return 1.0, unit
+
+
+def ticks(count):
+    return MaxNLocator(count, steps=[1, 2, 2.5, 5, 10])
+
+
+def common_words(names):
+    """What all curves of an axes are: "force" of "force y" and "tip force y"."""
+    shared = set.intersection(*(set(name.split()) for name in names))
+    return " ".join(word for word in names[0].split() if word in shared and len(word) > 1)
+
+
+def years(unit, span):
+    """Long times read better in hours, days or years than in megaseconds."""
+    for size, name in ((2 * 31557600.0, "years"), (2 * 86400.0, "days"), (2 * 3600.0, "hours")):
+        if unit == "s" and span >= size:
+            return {"years": 1 / 31557600.0, "days": 1 / 86400.0, "hours": 1 / 3600.0}[name], name
+    return 1.0, unit
+
+
+def thinned(x, y):
+    """At most MAX_POINTS points that keep every peak: the extremes of equal pieces."""
+    if len(x) <= MAX_POINTS:
+        return x, y
+    keep = {0, len(x) - 1}
+    for piece in np.array_split(np.arange(len(x)), MAX_POINTS // 2):
+        keep.update((piece[np.argmin(y[piece])], piece[np.argmax(y[piece])]))
+    order = sorted(keep)
+    return x[order], y[order]
+
+
+def stage_rows(spans, time):
+    """[(stage, start, rows)]: the rows of each stage of the run, the first row of all in the first stage."""
+    parts = []
+    for i, (stage, first, last, _) in enumerate(spans):
+        start = spans[i - 1][2] if i else min(first, time[0])
+        end = last if i + 1 < len(spans) else np.inf
+        # The row at the start belongs to the stage before; it is drawn in both, so that curves join.
+        rows = np.flatnonzero((time >= start) & (time <= end))
+        if len(rows) > 1:
+            parts.append((stage, start, rows))
+    return parts
+
+
+def need_panels(parts, time):
+    """True when stages differ so much in length (milliseconds, years) that one time axis cannot show them all."""
+    lengths = [np.ptp(time[rows]) for _, _, rows in parts]
+    return len(lengths) > 1 and max(lengths) > 100 * min(lengths)
+
+
+def spread_over_decades(since):
+    steps = np.diff(since)
+    steps = steps[steps > 0]
+    return len(steps) > 3 and steps.max() > 1000 * steps.min()
+
+
+def mark_stages(axes, parts, factor):
+    """A dashed line where a stage begins and its name above its part of the time axis."""
+    low, high = axes.get_xlim()
+    for i, (stage, start, _) in enumerate(parts):
+        end = parts[i + 1][1] * factor if i + 1 < len(parts) else high
+        left = max(start * factor, low)
+        if i:
+            axes.axvline(left, color="#b0b0b0", linewidth=0.8, linestyle=(0, (4, 3)), zorder=0.5)
+        if end - left > 0.08 * (high - low):
+            middle = ((left + end) / 2 - low) / (high - low)
+            axes.text(
+                middle, 1.015, stage, transform=axes.transAxes, ha="center", va="bottom", fontsize=7.5, color="#777777"
+            )
+
+
+def draw_curves(axes, since, curves, rows, factor, decades=False):
+    """The curves over a time that belongs to `rows`; returns the factor of the time axis."""
+    time_factor, unit = (1.0, "s") if decades or not len(since) else years("s", since.max())
+    for name, values in curves.items():
+        axes.plot(*thinned(since * time_factor, values[rows] * factor), label=name, solid_joinstyle="round")
+    axes.margins(x=0.01)
+    axes.xaxis.set_major_locator(ticks(6))
+    axes.yaxis.set_major_locator(ticks(6))
+    axes.set_xlabel(f"time [{unit}]")
+    axes.ticklabel_format(axis="y", style="sci", scilimits=(-3, 4), useMathText=True)
+    return time_factor
+
+
+def label_curves(axes, curves, unit):
+    if len(curves) == 1:
+        axes.set_ylabel(f"{next(iter(curves))} [{unit}]")
+    else:
+        axes.set_ylabel(f"{common_words(list(curves))} [{unit}]".lstrip())
+        axes.legend(fontsize=8, loc="best", handlelength=1.4)
+
+
+def readable(unit, curves):
+    finite = [np.abs(v[np.isfinite(v)]).max() for v in curves.values() if np.isfinite(v).any()]
+    return scaled(unit, max(finite, default=0.0))
+
+
+def history_figure(units, time, spans):
+    """The curves of one group, by unit: one axes each, or one per stage where the stages' lengths differ too much."""
+    parts = stage_rows(spans, time)
+    with plt.rc_context(STYLE):
+        return staged_figure(units, time, parts) if need_panels(parts, time) else plain_figure(units, time, parts)
+
+
+def plain_figure(units, time, parts):
+    columns = 1 if len(units) == 1 else 2
+    rows = -(-len(units) // columns)
+    size = (4.9 * columns, 2.75 * rows)
+    figure, grid = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained")
+    for axes, (unit, curves) in zip(grid.flat, units.items()):
+        factor, shown_unit = readable(unit, curves)
+        time_factor = draw_curves(axes, time, curves, slice(None), factor)
+        label_curves(axes, curves, shown_unit)
+        if len(parts) > 1:
+            mark_stages(axes, parts, time_factor)
+    for axes in list(grid.flat)[len(units) :]:
+        axes.set_visible(False)
+    return figure
+
+
+def staged_figure(units, time, parts):
+    size = (max(6.0, 2.9 * len(parts) + 0.6), 2.5 * len(units) + 0.3)
+    figure, grid = plt.subplots(len(units), len(parts), figsize=size, squeeze=False, layout="constrained", sharey="row")
+    for line, (unit, curves) in zip(grid, units.items()):
+        factor, shown_unit = readable(unit, curves)
+        for axes, (stage, start, rows) in zip(line, parts):
+            since = time[rows] - start
+            if spread_over_decades(since):
+                later = since > 0
+                rows, since = rows[later], since[later]
+                draw_curves(axes, since, curves, rows, factor, decades=True)
+                axes.set_xscale("log")
+            else:
+                draw_curves(axes, since, curves, rows, factor)
+            if axes in grid[0]:
+                axes.set_title(stage, fontsize=9)
+            if axes not in grid[-1]:
+                axes.set_xlabel("")
+        label_curves(line[0], curves, shown_unit)
+    for axes in grid[-1]:
+        axes.set_xlabel(axes.get_xlabel().replace("time", "time in stage"))
+    return figure
+
+
+def resistance_figure(body, forces, penetration):
+    """Resistance over depth, depth downwards, as a cone penetration test is drawn."""
+    with plt.rc_context(STYLE):
+        figure, axes = plt.subplots(figsize=(4.6, 4.2), layout="constrained")
+        factor, unit = scaled("N", max(np.abs(values).max() for values in forces.values()))
+        depth_factor, depth_unit = scaled("m", np.abs(penetration).max())
+        for name, values in forces.items():
+            axes.plot(values * factor, penetration * depth_factor, label=name)
+        axes.invert_yaxis()
+        axes.set_xlabel(f"{'force y' if len(forces) == 1 else 'vertical force'} on {body} [{unit}]")
+        axes.set_ylabel(f"penetration [{depth_unit}]")
+        if len(forces) > 1:
+            axes.legend(fontsize=8)
+        return figure
+
+
+def zoom_window(contours, bounds, half):
+    """The neighbourhood of the bodies' lowest part, or None when it would show nearly everything."""
+    if not contours:
+        return None
+    points = np.vstack(list(contours.values()))
+    low, high = points.min(axis=0), points.max(axis=0)
+    x_min, x_max, y_min, y_max = bounds
+    # `half`: only one half of the body is drawn.
+    size = 1.8 * max((high - low)[0] * (2 if half else 1), 1e-3 * (x_max - x_min))
+    window = [max(x_min, low[0] - size), min(x_max, high[0] + size), max(y_min, low[1] - size), low[1] + size]
+    # The surface and the body's lower part are what matters; the sky above is not.
+    window[3] = min(window[3], max(y_max, low[1]) + 0.35 * size)
+    # As wide as high, where the mesh reaches that far.
+    window[1] = min(x_max, max(window[1], window[0] + window[3] - window[2]))
+    if (window[1] - window[0]) * (window[3] - window[2]) > 0.5 * (x_max - x_min) * (y_max - y_min):
+        return None
+    return window
+
+
+class FieldPicture:
+    """Draws one field of one step: the whole mesh and, where a body acts, its neighbourhood."""
+
+    def __init__(self, result, step, mirror):
+        self.result, self.step = result, step
+        self.points = result.coordinates(step)
+        self.triangles, self.cells, self.edges = result.triangles, result.triangle_cells, result.edges
+        self.boundary = result.boundary
+        self.contours = dict(result.bodies(step))
+        self.mirrored = mirror and result.axisymmetric
+        self.count = len(self.points)
+        if self.mirrored:
+            self.points = np.vstack([self.points, self.points * [-1, 1]])
+            self.triangles = np.vstack([self.triangles, self.triangles[:, ::-1] + self.count])
+            self.cells = np.concatenate([self.cells, self.cells])
+            self.edges = np.vstack([self.edges, self.edges + self.count])
+            self.boundary = np.vstack([self.boundary, self.boundary + self.count])
+            on_axis = np.abs(self.points[self.boundary][:, :, 0]).max(axis=1) < 1e-9 * np.ptp(self.points[:, 0])
+            self.boundary = self.boundary[~on_axis]
+            self.contours = {name: np.vstack([c, (c * [-1, 1])[::-1]]) for name, c in self.contours.items()}
+        self.mesh = Triangulation(self.points[:, 0], self.points[:, 1], self.triangles)
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        self.bounds = [low[0], high[0], low[1], high[1]]
+
+    def figure(self, field, limits=None, zoom=None):
+        """limits: (lowest, highest) in the field's unit; zoom: window or None for an automatic one, [] for none."""
+        largest = np.abs(field.values).max() if limits is None else max(abs(limits[0]), abs(limits[1]))
+        factor, unit = scaled(field.unit, largest)
+        values = field.values * factor
+        low, high = (values.min(), values.max()) if limits is None else (limits[0] * factor, limits[1] * factor)
+        if high - low <= 1e-12 * max(abs(high), abs(low), 1e-300):
+            low, high = low - (0.01 * abs(low) or 1.0), high + (0.01 * abs(high) or 1.0)
+        window = (
+            zoom_window(self.contours, self.bounds, self.result.axisymmetric and not self.mirrored)
+            if zoom is None
+            else (zoom or None)
+        )
+
+        with plt.rc_context({**STYLE, "axes.grid": False}):
+            sky = self.sky()
+            panels = [sky] + ([window] if window else [])
+            height = 4.3
+            widths = [np.clip(height * (p[1] - p[0]) / (p[3] - p[2]), 1.4, 6.5) for p in panels]
+            if window:
+                widths[0] *= 0.7  # the overview shows where, the window shows what
+            figure, grid = plt.subplots(
+                1,
+                len(panels),
+                squeeze=False,
+                layout="constrained",
+                figsize=(sum(widths) + 1.5 + 0.6 * len(panels), height + 0.95),
+                gridspec_kw={"width_ratios": widths},
+            )
+            for axes, panel in zip(grid[0], panels):
+                drawn = self.draw(axes, field, values, low, high, panel, detailed=panel is window or not window)
+            if window:
+                grid[0][0].add_patch(
+                    Rectangle(
+                        (window[0], window[2]),
+                        window[1] - window[0],
+                        window[3] - window[2],
+                        fill=False,
+                        edgecolor="#d1622b",
+                        linewidth=1.1,
+                        zorder=6,
+                    )
+                )
+                grid[0][0].set_anchor("NW")
+                for side in grid[0][1].spines.values():
+                    side.set(visible=True, color="#d1622b", linewidth=1.1)
+            bar = figure.colorbar(drawn, ax=list(grid[0]), shrink=0.92, pad=0.02, aspect=28)
+            bar.set_label(f"{field.name} [{unit}]")
+            bar.outline.set_visible(False)
+            bar.ax.yaxis.set_major_locator(ticks(7))
+            figure.suptitle(
+                f"{field.name}   t = {nice_time(self.result.times[self.step])}   " f"{self.result.stages[self.step]}",
+                fontsize=10.5,
+                x=0.012,
+                ha="left",
+                fontweight="bold",
+            )
+            return figure
+
+    def sky(self):
+        """The whole mesh, and as much of the bodies above it as fits well."""
+        x_min, x_max, y_min, y_max = self.bounds
+        top = max([c[:, 1].max() for c in self.contours.values()], default=y_max)
+        margin = 0.02 * max(x_max - x_min, y_max - y_min)
+        return [
+            x_min - margin,
+            x_max + margin,
+            y_min - margin,
+            min(max(top, y_max), y_max + 0.25 * (y_max - y_min)) + margin,
+        ]
+
+    def draw(self, axes, field, values, low, high, panel, detailed):
+        if field.by_cell:
+            drawn = axes.tripcolor(
+                self.mesh,
+                facecolors=values[self.cells],
+                cmap=COLOUR_MAP,
+                vmin=low,
+                vmax=high,
+                edgecolors="face",
+                linewidth=0.4,
+                antialiased=False,  # else the background shines through between the triangles
+                rasterized=True,
+            )
+        else:
+            nodal = np.concatenate([values, values]) if self.mirrored else values
+            drawn = axes.tripcolor(
+                self.mesh, nodal, cmap=COLOUR_MAP, vmin=low, vmax=high, shading="gouraud", rasterized=True
+            )
+            levels = np.linspace(low, high, 13)[1:-1]
+            if np.ptp(values) > 0:
+                axes.tricontour(self.mesh, nodal, levels=levels, colors="white", linewidths=0.5, alpha=0.55)
+        if detailed:
+            axes.add_collection(LineCollection(self.points[self.edges], colors="black", linewidths=0.35, alpha=0.28))
+        axes.add_collection(
+            LineCollection(self.points[self.boundary], colors="#3c4043", linewidths=0.8, capstyle="round")
+        )
+        for contour in self.contours.values():
+            axes.add_patch(Polygon(contour, closed=True, zorder=5, **BODY))
+        axes.set_xlim(panel[0], panel[1])
+        axes.set_ylim(panel[2], panel[3])
+        axes.set_aspect("equal")
+        axes.set_xlabel("r [m]" if self.result.axisymmetric else "x [m]")
+        axes.set_ylabel("z [m]" if self.result.axisymmetric else "y [m]")
+        axes.xaxis.set_major_locator(ticks(5))
+        axes.yaxis.set_major_locator(ticks(6))
+        return drawn
+
+
+def nice_time(seconds):
+    factor, unit = years("s", seconds)
+    return f"{seconds * factor:.4g} {unit}"

@@ -1,0 +1,217 @@
+"""Tests of the report on a tiny result written with h5py, in the layout of docs/output_format.md."""
+
+import contextlib
+import io
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+sys.dont_write_bytecode = True
+os.environ.setdefault("MPLCONFIGDIR", tempfile.gettempdir())
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import h5py  # noqa: E402
+import numpy as np  # noqa: E402
+
+import mudline_report  # noqa: E402
+import report_pictures  # noqa: E402
+from report_result import FieldResult, History, ReportError, stress_invariants  # noqa: E402
+
+
+def write_result(path, with_body=True):
+    """One quad9 and, right of it, two tri6 on [0, 2] x [0, 1]; two stages, and a step that is still being written."""
+    x, y = np.meshgrid(np.arange(5) * 0.5, np.arange(3) * 0.5)
+    points = np.column_stack([x.ravel(), y.ravel(), np.zeros(15)])
+    cells = [[35, 0, 2, 12, 10, 1, 7, 11, 5, 6], [36, 2, 4, 14, 3, 9, 8], [36, 2, 14, 12, 8, 13, 7]]
+    with h5py.File(path, "w") as file:
+        file.attrs.update(
+            {"format": "mudline fields", "format version": 1, "geometry": "axisymmetric", "nodes": 15, "elements": 3}
+        )
+        file["metadata/program"] = np.bytes_("mudline 0.1.0")
+        file["metadata/title"] = np.bytes_("A <small> test")
+        file["metadata/deck"] = np.bytes_("<ParameterList>\n</ParameterList>")
+        file["mesh/topology"] = np.concatenate(cells)
+        file["mesh/offset"] = np.array([0, 10, 17])
+        file["mesh/region"] = np.array([0, 1, 1])
+        file["mesh/region names"] = np.bytes_("clay\nsand")
+        file["mesh/coordinates"] = points
+        if with_body:
+            file["bodies/cone/contour"] = np.array([[0, 1], [0.2, 1.3], [0, 1.3]])
+            file["bodies/cone"].attrs["name"] = "cone"
+        for k, (time, stage) in enumerate([(0.0, "geostatic"), (1.0, "push"), (2.0, "push"), (None, None)]):
+            step = file.create_group(f"steps/{k:06d}")
+            step["coordinates"] = points * [1, 1 - 0.05 * k, 1]
+            for link, name, unit, values in [
+                ("nodal/pore_pressure", "pore pressure", "Pa", 1e4 * points[:, 1] * k),
+                ("nodal/displacement", "displacement", "m", 0.05 * k * points),
+                ("cell/effective_stress", "effective stress", "Pa", np.full((3, 6), -1e3)),
+            ]:
+                step[link] = values
+                step[link].attrs.update({"name": name, "unit": unit})
+            if with_body:
+                step.create_group("bodies/cone").attrs["displacement"] = [0.0, -0.05 * k]
+            if time is not None:
+                step.attrs.update({"step": k, "stage": stage, "time": time})
+
+
+HISTORY = """\
+time [s],body/cone/displacement y [m],body/cone/force y [N],"probe/a, b/pore pressure [Pa]",balance/water/error [-]
+0,0,0,1000,0
+1,-0.05,1500,2000,1e-9
+2,-0.1,4000,2500,-2e-9
+3,-0.1"""
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        write_result(self.folder / "cone.h5")
+        (self.folder / "cone.csv").write_text(HISTORY)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def run_report(self, *arguments):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            try:
+                code = mudline_report.main([str(a) for a in arguments])
+            except SystemExit as stop:  # argparse
+                code = stop.code
+        return code, out.getvalue(), err.getvalue()
+
+    def test_cells_are_split_and_covered(self):
+        result = FieldResult(self.folder / "cone.h5")
+        corners = result.coordinates(0)[result.triangles]
+        a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        areas = 0.5 * (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
+        self.assertEqual(len(areas), 8 + 4 + 4)
+        self.assertTrue((areas > 0).all())
+        self.assertAlmostEqual(areas.sum(), 2.0)
+        self.assertEqual(len(result.boundary), 12)  # half edges around the rectangle
+
+    def test_unfinished_step_is_left_out(self):
+        result = FieldResult(self.folder / "cone.h5")
+        self.assertEqual(result.stage_spans(), [["geostatic", 0, 0, 1], ["push", 1, 2, 2]])
+
+    def test_body_moves(self):
+        np.testing.assert_allclose(FieldResult(self.folder / "cone.h5").bodies(2)["cone"][0], [0, 0.9])
+
+    def test_history_drops_the_row_cut_short(self):
+        history = History(self.folder / "cone.csv")
+        self.assertEqual(list(history.time), [0, 1, 2])
+        self.assertEqual(list(history.groups()), ["body/cone", "probe/a, b", "balance/water"])
+
+    def test_stress_invariants(self):
+        tensor = np.array([[-1.0, 0, 0, -3.0, 0, -2.0], [0, 2.0, 0, 0, 0, 0]])
+        fields = stress_invariants("effective stress", "Pa", tensor, True)
+        np.testing.assert_allclose(fields["mean effective stress"].values, [2, 0])
+        np.testing.assert_allclose(fields["deviatoric stress"].values, [np.sqrt(3), np.sqrt(12)])
+
+    def test_units_get_prefixes(self):
+        self.assertEqual(report_pictures.scaled("Pa", 52000), (1e-3, "kPa"))
+        self.assertEqual(report_pictures.scaled("m", 0.02), (1e3, "mm"))
+        self.assertEqual(report_pictures.scaled("-", 1e6), (1.0, "-"))
+
+    def test_stages_of_very_different_length_get_panels_of_their_own(self):
+        time = np.concatenate([np.linspace(0, 0.1, 11), 0.1 + np.logspace(-3, 7, 50)])
+        spans = [["push", 0.0, 0.1, 2], ["consolidation", 1.0, 1e7, 2]]
+        figure = report_pictures.history_figure({"N": {"force y": time}, "m": {"displacement y": time}}, time, spans)
+        self.assertEqual(len(figure.axes), 4)
+        self.assertEqual([axes.get_xscale() for axes in figure.axes[:2]], ["linear", "log"])
+        self.assertEqual(len(report_pictures.history_figure({"N": {"f": time[:11]}}, time[:11], spans[:1]).axes), 1)
+
+    def test_page_is_complete_and_self_contained(self):
+        code, out, err = self.run_report(self.folder / "cone")
+        self.assertEqual((code, err), (0, ""))
+        page = Path(out.strip()).read_text()
+        for part in (
+            "A &lt;small&gt; test",
+            "mudline 0.1.0",
+            "&lt;ParameterList&gt;",
+            "geostatic",
+            "balance",
+            "2e-09",
+            "mean effective stress",
+            "regions: clay, sand",
+        ):
+            self.assertIn(part, page)
+        self.assertNotIn('src="http', page)
+        self.assertGreater(page.count("data:image/png;base64"), 3)
+        self.assertGreater(page.count("data:image/svg+xml;base64"), 3)
+
+    def test_choices_and_pictures(self):
+        code, out, _ = self.run_report(
+            self.folder,
+            "--times",
+            "0.9",
+            "--fields",
+            "pore pressure,displacement y",
+            "--mirror",
+            "--common-scale",
+            "--zoom",
+            "0,1,0,1",
+            "--png",
+            self.folder / "png",
+            "-o",
+            self.folder / "x.html",
+        )
+        self.assertEqual(code, 0)
+        self.assertIn(str(self.folder / "x.html"), out)
+        written = {path.name for path in (self.folder / "png").iterdir()}
+        self.assertLessEqual({"pore_pressure_t_1.png", "displacement_y_t_1.png", "resistance_cone.png"}, written)
+        self.assertNotIn("pore_pressure_t_2.png", written)
+
+    def test_fields_or_histories_alone(self):
+        (self.folder / "only.csv").write_text(HISTORY)
+        self.assertEqual(self.run_report(self.folder / "only.csv")[0], 0)
+        write_result(self.folder / "bare.h5", with_body=False)
+        self.assertEqual(self.run_report(self.folder / "bare.h5")[0], 0)
+
+    def test_errors_are_one_line_and_exit_2(self):
+        (self.folder / "text.h5").write_text("no HDF5")
+        (self.folder / "odd.csv").write_text("x,y\n1,2\n")
+        (self.folder / "empty").mkdir()
+        for arguments, part in [
+            ((self.folder / "none",), "there is no such result"),
+            ((self.folder / "none.h5",), "there is no such file"),
+            ((self.folder / "text.h5",), "cannot be read as an HDF5 file"),
+            ((self.folder / "odd",), "not a history"),
+            ((self.folder / "empty",), "holds no result"),
+            ((self.folder / "cone", "--fields", "temperature"), "there is no field 'temperature'; known: deviatoric"),
+        ]:
+            code, _, err = self.run_report(*arguments)
+            self.assertEqual(code, 2, arguments)
+            self.assertEqual(err.count("\n"), 1, err)
+            self.assertIn(part, err)
+        self.assertEqual(self.run_report(self.folder / "cone", "--times", "a,b")[0], 2)
+
+    def test_step_that_is_being_written_is_waited_for(self):
+        attempts = []
+
+        def half_written(options, gallery):
+            attempts.append(1)
+            raise KeyError("addr overflow")
+
+        with mock.patch.object(mudline_report, "build", half_written), mock.patch.object(mudline_report.time, "sleep"):
+            code, _, err = self.run_report(self.folder / "cone")
+        self.assertEqual((code, len(attempts)), (2, 3))
+        self.assertIn("a step is being written", err)
+
+    def test_program_runs_by_itself(self):
+        done = subprocess.run(
+            [sys.executable, "-B", str(Path(mudline_report.__file__)), str(self.folder / "none")],
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(done.returncode, 2)
+        self.assertTrue(done.stderr.startswith("mudline report: "))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,85 @@
+// Cost of one material point in the host loop, gather and scatter included (items per second are points per second).
+#include <benchmark/benchmark.h>
+
+#include "materials/skeleton/linear_elastic.hpp"
+#include "materials/skeleton/modified_cam_clay.hpp"
+
+namespace {
+
+using namespace mudline;
+
+constexpr int points = 512;
+
+struct Batch {
+  PointView old_stress{"old_stress", points, 6}, strain{"strain", points, 6}, e{"e", points, 1},
+      stress{"stress", points, 6}, tangent{"tangent", points, 36}, old_state, state;
+  Kokkos::View<int*> failed{"failed", points};
+
+  /// Points at p' = 50 to 150 kPa, sheared by `size` in directions that differ from point to point.
+  Batch(const Skeleton& law, double ocr, double size)
+      : old_state("old_state", points, law.state_size()), state("state", points, law.state_size()) {
+    for (int i = 0; i < points; ++i) {
+      const double p = 50e3 + 100e3 * i / points, turn = 0.1 * i;
+      InitialPoint start{{}, {-0.8 * p, -1.4 * p, -0.8 * p, 0.0, 0.0, 0.1 * p}, 1.0, ocr};
+      law.initialise(start, old_state.data() + i * old_state.extent(1));
+      for (int c = 0; c < 6; ++c) old_stress(i, c) = start.stress[c];
+      e(i, 0) = start.void_ratio;
+      strain(i, 0) = size * (0.2 + 0.1 * std::cos(turn));
+      strain(i, 1) = -size;
+      strain(i, 5) = size * std::sin(turn);
+    }
+  }
+  SkeletonWorkset workset(bool want_tangent) const {
+    return {points, 0.0, 0.0, want_tangent, old_stress, strain, e, old_state, stress, state, tangent, failed};
+  }
+};
+
+void run(benchmark::State& bench, const Skeleton& law, double ocr, double strain, bool want_tangent) {
+  const Batch batch(law, ocr, strain);
+  const SkeletonWorkset workset = batch.workset(want_tangent);
+  for (auto _ : bench)
+    if (law.evaluate(workset) != 0) bench.SkipWithError("points failed");
+  bench.SetItemsProcessed(bench.iterations() * points);
+  bench.counters["ns_per_point"] =
+      benchmark::Counter(1e-9 * points, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+ModifiedCamClay clay(bool lode) {
+  ModifiedCamClay law;
+  law.ratio = 1.2;
+  law.compression = 0.15;
+  law.swelling = 0.03;
+  law.poisson = 0.3;
+  law.lode = lode ? ModifiedCamClay::Lode::sheng : ModifiedCamClay::Lode::none;
+  return law;
+}
+
+void linear_elastic(benchmark::State& bench) {
+  run(bench, PointwiseSkeleton<LinearElastic>(), 1.0, 1e-4, bench.range(0) != 0);
+}
+BENCHMARK(linear_elastic)->ArgName("tangent")->Arg(0)->Arg(1);
+
+void cam_clay_elastic(benchmark::State& bench) {
+  run(bench, PointwiseSkeleton<ModifiedCamClay>(clay(false)), 20.0, 1e-4, bench.range(0) != 0);
+}
+BENCHMARK(cam_clay_elastic)->ArgName("tangent")->Arg(0)->Arg(1);
+
+/// range(1): strain increment in units of 1e-5.
+void cam_clay_plastic(benchmark::State& bench) {
+  run(bench, PointwiseSkeleton<ModifiedCamClay>(clay(false)), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
+}
+BENCHMARK(cam_clay_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {1, 10, 100, 1000}});
+
+void cam_clay_lode_plastic(benchmark::State& bench) {
+  run(bench, PointwiseSkeleton<ModifiedCamClay>(clay(true)), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
+}
+BENCHMARK(cam_clay_lode_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {10, 100}});
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Kokkos::ScopeGuard scope(argc, argv);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,70 @@
+# One package = one static library mudline_<name> (alias mudline::<name>), include root packages/,
+# and, when tests/ holds *_test.cpp, one gtest executable <name>_tests. Files named *_test.np2.cpp run on 2 ranks.
+#
+#   mudline_package(materials SOURCES a.cpp b.cpp DEPENDS core tensor [PRIVATE mudline::metis ...])
+#
+# DEPENDS are packages (the include arrows); PRIVATE are third-party targets.
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=lld MUDLINE_HAVE_LLD)
+if(MUDLINE_HAVE_LLD)
+  add_link_options(-fuse-ld=lld)
+endif()
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)  # Trilinos outside the system's folders is found after installation too
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS heavy=1 link=1)
+set(CMAKE_JOB_POOL_LINK link)
+
+add_library(mudline_flags INTERFACE)
+target_compile_features(mudline_flags INTERFACE cxx_std_17)
+target_compile_options(mudline_flags INTERFACE $<BUILD_INTERFACE:-Wall;-Wextra;-Wno-unused-parameter>)
+if(MUDLINE_WERROR)
+  target_compile_options(mudline_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
+endif()
+
+set(mudline_mpiexec ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none)
+
+function(mudline_package name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  add_library(mudline_${name} STATIC ${arg_SOURCES})
+  add_library(mudline::${name} ALIAS mudline_${name})
+  set_target_properties(mudline_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
+  target_include_directories(mudline_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/packages> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mudline>)
+  target_link_libraries(mudline_${name} PUBLIC mudline_flags)
+  foreach(dependency ${arg_DEPENDS})
+    target_link_libraries(mudline_${name} PUBLIC mudline_${dependency})
+  endforeach()
+  target_link_libraries(mudline_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY MUDLINE_PACKAGES mudline_${name})
+
+  if(MUDLINE_TESTS)
+    mudline_package_tests(${name})
+  endif()
+endfunction()
+
+function(mudline_package_tests name)
+  file(GLOB serial CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*_test.cpp)
+  file(GLOB parallel CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*_test.np2.cpp)
+  foreach(kind serial parallel)
+    if(NOT ${kind})
+      continue()
+    endif()
+    if("${kind}" STREQUAL "serial")
+      set(target ${name}_tests)
+      set(ranks 1)
+    else()
+      set(target ${name}_tests_np2)
+      set(ranks 2)
+    endif()
+    add_executable(${target} ${${kind}} ${CMAKE_SOURCE_DIR}/cmake/gtest_main.cpp)
+    target_link_libraries(${target} PRIVATE mudline_${name} mudline::trilinos GTest::gtest)
+    target_compile_definitions(${target} PRIVATE MUDLINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    add_test(NAME unit.${target} COMMAND ${mudline_mpiexec} -n ${ranks} $<TARGET_FILE:${target}>)
+    set_tests_properties(unit.${target} PROPERTIES LABELS unit TIMEOUT 300 PROCESSORS ${ranks}
+      ENVIRONMENT "OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1")
+  endforeach()
+endfunction()

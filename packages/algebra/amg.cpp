@@ -1,0 +1,75 @@
+#include "algebra/amg.hpp"
+
+#include <Ifpack2_Factory.hpp>
+#include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <TpetraExt_MatrixMatrix.hpp>
+#include <TpetraExt_TripleMatrixMultiply.hpp>
+
+#include <cstdlib>
+
+#include "algebra/tpetra_compat.hpp"
+
+namespace mudline {
+
+namespace {
+
+// Eigenvalue estimates start from random vectors; a fixed seed makes every set-up, and so a restarted run, repeatable.
+void fix_random_start() { std::srand(1); }
+
+Teuchos::ParameterList multigrid_list(const AmgInput& input) {
+  Teuchos::ParameterList list;
+  list.set("verbosity", "none");
+  list.set("number of equations", input.equations);
+  list.set("multigrid algorithm", "sa");
+  list.set("smoother: type", "RELAXATION");
+  Teuchos::ParameterList& smoother = list.sublist("smoother: params");
+  smoother.set("relaxation: type", "Symmetric Gauss-Seidel");
+  smoother.set("relaxation: sweeps", 1);
+  // One level more or less is worth six outer iterations at 200 000 unknowns, so the coarse size is the same for all.
+  list.set("coarse: max size", 1000);
+  if (parallel_klu2_is_wrong && input.matrix->getComm()->getSize() > 1) {
+    list.set("coarse: type", "RELAXATION");
+    Teuchos::ParameterList& coarse = list.sublist("coarse: params");
+    coarse.set("relaxation: type", "Symmetric Gauss-Seidel");
+    coarse.set("relaxation: sweeps", 40);
+  }
+  Teuchos::ParameterList& user = list.sublist("user data");
+  if (!input.null_space.is_null()) user.set("Nullspace", input.null_space);
+  if (!input.coordinates.is_null()) user.set("Coordinates", input.coordinates);
+  return list;
+}
+
+}  // namespace
+
+RCP<Operator> amg_cycle(const AmgInput& input) {
+  fix_random_start();
+  Teuchos::ParameterList list = multigrid_list(input);
+  return MueLu::CreateTpetraPreconditioner(RCP<Operator>(input.matrix), list);
+}
+
+RCP<Operator> chebyshev_smoother(const RCP<const CrsMatrix>& matrix, int degree) {
+  fix_random_start();
+  using Row = Tpetra::RowMatrix<>;
+  const auto smoother = Ifpack2::Factory().create<Row>("CHEBYSHEV", RCP<const Row>(matrix));
+  Teuchos::ParameterList list;
+  list.set("chebyshev: degree", degree);
+  list.set("chebyshev: ratio eigenvalue", 10.0);
+  list.set("chebyshev: eigenvalue max iterations", 10);
+  list.set("chebyshev: zero starting solution", true);
+  smoother->setParameters(list);
+  smoother->initialize();
+  smoother->compute();
+  return smoother;
+}
+
+RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const CrsMatrix& matrix) {
+  const auto product = rcp(new CrsMatrix(prolongator.getDomainMap(), 0));
+  Tpetra::TripleMatrixMultiply::MultiplyRAP(prolongator, true, matrix, false, prolongator, false, *product);
+  return product;
+}
+
+RCP<CrsMatrix> combination(double alpha, const CrsMatrix& a, double beta, const CrsMatrix& b) {
+  return Tpetra::MatrixMatrix::add(alpha, false, a, beta, false, b);
+}
+
+}  // namespace mudline

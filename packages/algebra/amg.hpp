@@ -1,0 +1,27 @@
+#pragma once
+
+#include "algebra/types.hpp"
+
+namespace mudline {
+
+/// What a multigrid cycle is built from.
+struct AmgInput {
+  RCP<CrsMatrix> matrix;         // global ids dense from 0, the equations of a node adjacent
+  int equations = 1;             // per node
+  RCP<MultiVector> null_space;   // null: constants
+  RCP<MultiVector> coordinates;  // one row per node; null: none
+};
+
+/// One V-cycle of smoothed aggregation, a fixed linear operator.
+RCP<Operator> amg_cycle(const AmgInput& input);
+
+/// Chebyshev smoother of the given degree, started from zero: y ~ A^-1 x on the upper part of the spectrum.
+RCP<Operator> chebyshev_smoother(const RCP<const CrsMatrix>& matrix, int degree);
+
+/// P^T A P
+RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const CrsMatrix& matrix);
+
+/// alpha A + beta B, on the row map of A.
+RCP<CrsMatrix> combination(double alpha, const CrsMatrix& a, double beta, const CrsMatrix& b);
+
+}  // namespace mudline

@@ -1,0 +1,103 @@
+#include "algebra/block_amg_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "algebra/block_triangular.hpp"
+#include "algebra/krylov.hpp"
+#include "core/text.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Added to the growth limit, so that a handful of iterations does not trigger a rebuild.
+constexpr int rebuild_slack = 5;
+
+}  // namespace
+
+BlockAmgSolver::BlockAmgSolver() = default;
+BlockAmgSolver::~BlockAmgSolver() = default;
+
+void BlockAmgSolver::parameters(Parameters& p) {
+  p.add("maximum iterations", maximum_iterations_, "-", closed(1, 100000),
+        "GMRES iterations after which a solve fails");
+  p.add("rebuild growth", rebuild_growth_, "-", closed(1, 100),
+        "The preconditioner is rebuilt when the iterations exceed this factor of its first count, plus 5");
+}
+
+std::string BlockAmgSolver::prepare(RCP<const DofMap> dofs) {
+  reset();
+  dofs_ = std::move(dofs);
+  gmres_ = std::make_unique<FieldGmres>(dofs_);
+  const int displacement = dofs_->find("displacement"), pressure = dofs_->find("pore pressure");
+  if (displacement < 0) return "linear solver 'block amg' needs the field 'displacement'; use 'direct'";
+  if (dofs_->field(displacement).components != 2)
+    return "linear solver 'block amg' treats two displacement components; use 'direct'";
+  for (int f = 0; f < dofs_->num_fields(); ++f)
+    if (f != displacement && f != pressure)
+      return "linear solver 'block amg' treats displacement and pore pressure only, not '" + dofs_->field(f).name +
+             "'; use 'direct'";
+  return "";
+}
+
+void BlockAmgSolver::set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) {
+  matrix_ = std::move(matrix);
+  block_data_ = block_data;
+}
+
+void BlockAmgSolver::reset() {
+  preconditioner_ = Teuchos::null;
+  blocks_.reset();
+  fresh_iterations_ = -1;
+  stale_ = false;
+}
+
+void BlockAmgSolver::build() {
+  preconditioner_ = Teuchos::null;
+  if (!blocks_ || !blocks_->fits(*matrix_)) blocks_ = std::make_unique<FieldBlocks>(*matrix_, dofs_);
+  preconditioner_ = rcp(new BlockTriangular(*matrix_, *dofs_, *blocks_, block_data_()));
+  fresh_iterations_ = -1;
+  stale_ = false;
+}
+
+int BlockAmgSolver::most_iterations_before_rebuild() const {
+  return static_cast<int>(rebuild_growth_ * fresh_iterations_) + rebuild_slack;
+}
+
+LinearReport BlockAmgSolver::solve(const Vector& b, Vector& x, double tolerance) {
+  if (matrix_.is_null()) throw std::logic_error("block amg solver used before it has a matrix");
+  LinearReport report;
+  KrylovResult krylov;
+  // The blocks of another graph cannot be refilled, though they still precondition.
+  const bool old = !preconditioner_.is_null() && !stale_ && blocks_->fits(*matrix_) && fresh_iterations_ >= 0;
+  if (old) {
+    // Twice the limit: a solve that only just exceeds it is finished, and the next matrix pays for the rebuild.
+    const int limit = most_iterations_before_rebuild();
+    krylov = gmres_->solve(matrix_, preconditioner_, b, x, tolerance, std::min(2 * limit, maximum_iterations_));
+    stale_ = krylov.iterations > limit;
+  }
+  if (!krylov.converged) {
+    const int spent = krylov.iterations;
+    build();
+    report.factored = true;
+    krylov = gmres_->solve(matrix_, preconditioner_, b, x, tolerance, maximum_iterations_);
+    fresh_iterations_ = krylov.iterations;
+    krylov.iterations += spent;
+  }
+  report.converged = krylov.converged;
+  report.iterations = krylov.iterations;
+  report.relative_residual = krylov.relative_residual;
+  if (!krylov.converged) {
+    stale_ = true;
+    report.reason = std::isfinite(krylov.relative_residual)
+                        ? "no convergence in " + std::to_string(maximum_iterations_) +
+                              " iterations (relative residual " + number_text(krylov.relative_residual) + ")"
+                        : "the matrix or the right-hand side is not finite, or the matrix is singular";
+  }
+  return report;
+}
+
+}  // namespace mudline

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "algebra/linear_solver.hpp"
+
+namespace mudline {
+
+class BlockTriangular;
+class FieldBlocks;
+class FieldGmres;
+
+/// "block amg": GMRES on the current matrix, preconditioned by block_triangular.hpp. The preconditioner is kept for
+/// later matrices until the iterations grow.
+class BlockAmgSolver : public LinearSolver {
+ public:
+  BlockAmgSolver();
+  ~BlockAmgSolver() override;
+  void parameters(Parameters& p);
+  std::string prepare(RCP<const DofMap> dofs) override;
+  void set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) override;
+  LinearReport solve(const Vector& b, Vector& x, double tolerance) override;
+  void reset() override;
+
+ private:
+  void build();
+  int most_iterations_before_rebuild() const;
+
+  int maximum_iterations_ = 200;
+  double rebuild_growth_ = 1.3;
+  RCP<const DofMap> dofs_;
+  RCP<const CrsMatrix> matrix_;
+  std::function<BlockData()> block_data_;
+  std::unique_ptr<FieldGmres> gmres_;
+  std::unique_ptr<FieldBlocks> blocks_;
+  RCP<BlockTriangular> preconditioner_;
+  int fresh_iterations_ = -1;  // of the first solve with this preconditioner
+  bool stale_ = false;
+};
+
+}  // namespace mudline

@@ -1,0 +1,153 @@
+#include "algebra/field_blocks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "algebra/tpetra_compat.hpp"
+
+namespace mudline {
+
+namespace {
+
+using IdVector = Tpetra::Vector<GlobalOrdinal>;
+
+/// A value per row, carried to the columns.
+std::vector<GlobalOrdinal> on_columns(const std::vector<GlobalOrdinal>& by_row, const Map& rows,
+                                      const RCP<const Map>& columns) {
+  IdVector source(rcpFromRef(rows)), target(columns);
+  {
+    const auto values = source.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t i = 0; i < by_row.size(); ++i) values(i, 0) = by_row[i];
+  }
+  target.doImport(source, Import(rcpFromRef(rows), columns), Tpetra::INSERT);
+  const auto values = target.getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<GlobalOrdinal> result(local_size(*columns));
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = values(i, 0);
+  return result;
+}
+
+}  // namespace
+
+RCP<CrsMatrix> make_matrix(const RCP<const Map>& rows, const RCP<const Map>& columns, const RCP<const Map>& domain,
+                           const std::vector<std::size_t>& row_begin, const std::vector<LocalOrdinal>& entries,
+                           const std::vector<double>& values) {
+  using Local = CrsMatrix::local_matrix_device_type;
+  typename Local::row_map_type::non_const_type begin_view("row begin", row_begin.size());
+  typename Local::index_type::non_const_type entry_view("entries", entries.size());
+  typename Local::values_type::non_const_type value_view("values", values.size());
+  const auto begin_host = Kokkos::create_mirror_view(begin_view);
+  const auto entry_host = Kokkos::create_mirror_view(entry_view);
+  const auto value_host = Kokkos::create_mirror_view(value_view);
+  std::copy(row_begin.begin(), row_begin.end(), begin_host.data());
+  std::copy(entries.begin(), entries.end(), entry_host.data());
+  std::copy(values.begin(), values.end(), value_host.data());
+  Kokkos::deep_copy(begin_view, begin_host);
+  Kokkos::deep_copy(entry_view, entry_host);
+  Kokkos::deep_copy(value_view, value_host);
+  const auto matrix = rcp(new CrsMatrix(rows, columns, begin_view, entry_view, value_view));
+  matrix->expertStaticFillComplete(domain, rows);
+  return matrix;
+}
+
+FieldBlocks::FieldBlocks(const CrsMatrix& matrix, RCP<const DofMap> dofs)
+    : graph_(matrix.getCrsGraph()), dofs_(std::move(dofs)) {
+  std::vector<GlobalOrdinal> field(dofs_->num_owned_dofs()), id(dofs_->num_owned_dofs());
+  for (int f = 0; f < dofs_->num_fields(); ++f) {
+    const int begin = dofs_->owned_begin(f), end = dofs_->owned_end(f);
+    maps_.push_back(make_dense_map(end - begin, dofs_->comm()));
+    for (int dof = begin; dof < end; ++dof) {
+      field[dof] = f;
+      id[dof] = maps_[f]->getGlobalElement(dof - begin);
+    }
+  }
+  const std::vector<GlobalOrdinal> column_field = on_columns(field, *dofs_->owned(), matrix.getColMap());
+  column_field_.assign(column_field.begin(), column_field.end());
+  column_id_ = on_columns(id, *dofs_->owned(), matrix.getColMap());
+}
+
+FieldBlocks::Block FieldBlocks::cut(const CrsMatrix& matrix, int f, int g) const {
+  std::vector<LocalOrdinal> block_column(column_field_.size(), -1);
+  std::vector<GlobalOrdinal> column_ids;
+  for (std::size_t column = 0; column < column_field_.size(); ++column)
+    if (column_field_[column] == g) {
+      block_column[column] = static_cast<LocalOrdinal>(column_ids.size());
+      column_ids.push_back(column_id_[column]);
+    }
+  const auto local = matrix.getLocalMatrixHost();
+  Block block;
+  std::vector<std::size_t> row_begin{0};
+  std::vector<LocalOrdinal> entries;
+  for (int row = dofs_->owned_begin(f); row < dofs_->owned_end(f); ++row) {
+    for (std::size_t k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      const LocalOrdinal column = block_column[local.graph.entries(k)];
+      if (column < 0) continue;
+      entries.push_back(column);
+      block.source.push_back(k);
+    }
+    row_begin.push_back(entries.size());
+  }
+  block.matrix = make_matrix(maps_[f], make_map(column_ids, dofs_->comm()), maps_[g], row_begin, entries,
+                             std::vector<double>(entries.size(), 0.0));
+  return block;
+}
+
+RCP<CrsMatrix> FieldBlocks::block(const CrsMatrix& matrix, int f, int g) {
+  const auto key = std::make_pair(f, g);
+  auto found = blocks_.find(key);
+  if (found == blocks_.end()) found = blocks_.emplace(key, cut(matrix, f, g)).first;
+  const Block& block = found->second;
+  const auto source = matrix.getLocalMatrixHost().values;
+  const auto target = block.matrix->getLocalMatrixHost().values;
+  for (std::size_t k = 0; k < block.source.size(); ++k) target(k) = source(block.source[k]);
+  return block.matrix;
+}
+
+RCP<CrsMatrix> FieldBlocks::renumbered(const CrsMatrix& matrix, int f) const {
+  std::vector<GlobalOrdinal> id;
+  for (int dof = dofs_->owned_begin(f); dof < dofs_->owned_end(f); ++dof)
+    id.push_back(maps_[f]->getGlobalElement(dof - dofs_->owned_begin(f)));
+  const RCP<const Map> columns = make_map(on_columns(id, *dofs_->field_map(f), matrix.getColMap()), dofs_->comm());
+  const auto local = matrix.getLocalMatrixHost();
+  std::vector<std::size_t> row_begin(local_rows(matrix) + 1, 0);
+  for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) row_begin[row + 1] = local.graph.row_map(row + 1);
+  const std::vector<LocalOrdinal> entries(local.graph.entries.data(), local.graph.entries.data() + row_begin.back());
+  const std::vector<double> values(local.values.data(), local.values.data() + row_begin.back());
+  return make_matrix(maps_[f], columns, maps_[f], row_begin, entries, values);
+}
+
+std::vector<char> FieldBlocks::isolated(const CrsMatrix& matrix, int f) const {
+  const auto local = matrix.getLocalMatrixHost();
+  std::vector<char> result;
+  for (int row = dofs_->owned_begin(f); row < dofs_->owned_end(f); ++row) {
+    const LocalOrdinal diagonal = matrix.getColMap()->getLocalElement(dofs_->owned()->getGlobalElement(row));
+    char alone = 1;
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1) && alone; ++k)
+      if (local.graph.entries(k) != diagonal && local.values(k) != 0) alone = 0;
+    result.push_back(alone);
+  }
+  return result;
+}
+
+RCP<const MultiVector> FieldBlocks::part(const MultiVector& v, int f) const {
+  return v.offsetView(maps_[f], dofs_->owned_begin(f));
+}
+
+RCP<MultiVector> FieldBlocks::part(MultiVector& v, int f) const {
+  return v.offsetViewNonConst(maps_[f], dofs_->owned_begin(f));
+}
+
+void isolate(CrsMatrix& matrix, const std::vector<char>& marked) {
+  const std::vector<GlobalOrdinal> by_row(marked.begin(), marked.end());
+  const std::vector<GlobalOrdinal> by_column = on_columns(by_row, *matrix.getRowMap(), matrix.getColMap());
+  const auto local = matrix.getLocalMatrixHost();
+  for (std::size_t row = 0; row < marked.size(); ++row) {
+    const LocalOrdinal diagonal =
+        matrix.getColMap()->getLocalElement(matrix.getRowMap()->getGlobalElement(static_cast<LocalOrdinal>(row)));
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      const LocalOrdinal column = local.graph.entries(k);
+      if (column != diagonal && (marked[row] || by_column[column])) local.values(k) = 0;
+    }
+  }
+}
+
+}  // namespace mudline

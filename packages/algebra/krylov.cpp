@@ -1,0 +1,121 @@
+#include "algebra/krylov.hpp"
+
+#include <BelosBlockGmresSolMgr.hpp>
+#include <BelosLinearProblem.hpp>
+#include <BelosTpetraAdapter.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mudline {
+
+namespace {
+
+/// D A, with the diagonal D that makes the fields comparable.
+class ScaledMatrix : public Operator {
+ public:
+  ScaledMatrix(RCP<const CrsMatrix> matrix, RCP<const Vector> scale) : matrix_(matrix), scale_(scale) {}
+  RCP<const Map> getDomainMap() const override { return matrix_->getDomainMap(); }
+  RCP<const Map> getRangeMap() const override { return matrix_->getRangeMap(); }
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode, double alpha, double beta) const override {
+    if (mode != Teuchos::NO_TRANS || alpha != 1 || beta != 0) throw std::logic_error("a scaled matrix applies plainly");
+    matrix_->apply(x, y);
+    y.elementWiseMultiply(1, *scale_, y, 0);
+  }
+
+ private:
+  RCP<const CrsMatrix> matrix_;
+  RCP<const Vector> scale_;
+};
+
+/// P D^-1, the preconditioner of D A.
+class ScaledPreconditioner : public Operator {
+ public:
+  ScaledPreconditioner(RCP<const Operator> preconditioner, const Vector& scale)
+      : preconditioner_(preconditioner), inverse_scale_(scale.getMap()), unscaled_(scale.getMap()) {
+    inverse_scale_.reciprocal(scale);
+  }
+  RCP<const Map> getDomainMap() const override { return preconditioner_->getDomainMap(); }
+  RCP<const Map> getRangeMap() const override { return preconditioner_->getRangeMap(); }
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const override {
+    unscaled_.elementWiseMultiply(1, inverse_scale_, *x.getVector(0), 0);
+    preconditioner_->apply(unscaled_, y);
+  }
+
+ private:
+  RCP<const Operator> preconditioner_;
+  Vector inverse_scale_;
+  mutable Vector unscaled_;
+};
+
+/// GMRES on D A P; the residual D r is brought below `tolerance` in absolute terms. Returns the iterations done.
+int gmres(const RCP<const Operator>& matrix, const RCP<const Operator>& preconditioner, const RCP<Vector>& x,
+          const RCP<const Vector>& b, double tolerance, int max_iterations) {
+  const auto problem = rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, x, b));
+  problem->setRightPrec(preconditioner);
+  problem->setProblem();
+  const auto list = Teuchos::parameterList();
+  list->set("Num Blocks", std::min(max_iterations, 100));
+  list->set("Maximum Restarts", 20);
+  list->set("Maximum Iterations", max_iterations);
+  list->set("Convergence Tolerance", tolerance);
+  list->set("Implicit Residual Scaling", "None");
+  list->set("Explicit Residual Scaling", "None");
+  list->set("Orthogonalization", "ICGS");
+  list->set("Verbosity", static_cast<int>(Belos::Errors));
+  Belos::BlockGmresSolMgr<double, MultiVector, Operator> solver(problem, list);
+  solver.solve();
+  return solver.getNumIters();
+}
+
+}  // namespace
+
+FieldGmres::FieldGmres(RCP<const DofMap> dofs) : dofs_(dofs), evaluate_(dofs) {}
+
+RCP<Vector> FieldGmres::row_scale(const FieldResidual& residual) const {
+  const auto scale = rcp(new Vector(dofs_->owned()));
+  const auto values = scale->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int f = 0; f < dofs_->num_fields(); ++f) {
+    const double reference = residual.reference[f] > 0 ? residual.reference[f] : 1;
+    for (int i = dofs_->owned_begin(f); i < dofs_->owned_end(f); ++i) values(i, 0) = 1 / reference;
+  }
+  return scale;
+}
+
+KrylovResult FieldGmres::solve(const RCP<const CrsMatrix>& matrix, const RCP<const Operator>& preconditioner,
+                               const Vector& b, Vector& x, double tolerance, int max_iterations) {
+  KrylovResult result;
+  Vector residual(dofs_->owned());
+  // A first guess only tells how large the terms are; it is not kept, GMRES finds it again in its first step.
+  preconditioner->apply(b, x);
+  FieldResidual state = evaluate_(*matrix, b, x, residual);
+  result.relative_residual = state.relative();
+  if (!std::isfinite(result.relative_residual)) return result;
+  if (result.relative_residual <= tolerance) {
+    result.converged = true;
+    return result;
+  }
+  x.putScalar(0);
+  residual.assign(b);
+
+  // The references follow x, so a second round may be needed when the first guess misjudged them.
+  for (int round = 0; round < 4 && result.iterations < max_iterations; ++round) {
+    const RCP<Vector> scale = row_scale(state);
+    const auto correction = rcp(new Vector(dofs_->owned()));
+    const auto right = rcp(new Vector(dofs_->owned()));
+    right->elementWiseMultiply(1, *scale, residual, 0);
+    const double target = 0.9 * tolerance;  // margin for the drift of the implicit residual
+    result.iterations +=
+        gmres(rcp(new ScaledMatrix(matrix, scale)), rcp(new ScaledPreconditioner(preconditioner, *scale)), correction,
+              right, target, max_iterations - result.iterations);
+    x.update(1, *correction, 1);
+    state = evaluate_(*matrix, b, x, residual);
+    result.relative_residual = state.relative();
+    result.converged = result.relative_residual <= tolerance;
+    if (result.converged || !std::isfinite(result.relative_residual)) return result;
+  }
+  return result;
+}
+
+}  // namespace mudline

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "algebra/dof_map.hpp"
+#include "algebra/field_residual.hpp"
+
+namespace mudline {
+
+struct KrylovResult {
+  bool converged = false;
+  int iterations = 0;
+  double relative_residual = 0;  // true, worst over the fields
+};
+
+/// Restarted GMRES, preconditioned from the right, that converges in every field: the rows of each field are divided by
+/// the size of the largest term in that field's balance, so that the norm GMRES minimises weighs the fields alike.
+class FieldGmres {
+ public:
+  explicit FieldGmres(RCP<const DofMap> dofs);
+  /// Solves A x = b from x = 0 until the true residual of each field is below `tolerance` times its reference.
+  /// `preconditioner` approximates the inverse of A.
+  KrylovResult solve(const RCP<const CrsMatrix>& matrix, const RCP<const Operator>& preconditioner, const Vector& b,
+                     Vector& x, double tolerance, int max_iterations);
+
+ private:
+  RCP<Vector> row_scale(const FieldResidual& residual) const;
+  RCP<const DofMap> dofs_;
+  FieldResidualEvaluator evaluate_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "algebra/dof_map.hpp"
+#include "core/registry.hpp"
+
+namespace mudline {
+
+/// What happened in one linear solve.
+struct LinearReport {
+  bool converged = false;
+  int iterations = 0;            // Krylov iterations; 0 for a plain direct solve
+  bool factored = false;         // a new factorisation or hierarchy was built for this solve
+  double relative_residual = 0;  // true, of each field's rows against the largest term in them (||b_f||, ||A_fg x_g||);
+                                 // the worst over the fields
+  std::string reason;            // why not converged, one line
+};
+
+/// Data that a block preconditioner needs beyond the matrix. Filled by the physics; absent parts are null or zero.
+struct BlockData {
+  int displacement = -1, pressure = -1;  // field indices in the dof map; pressure -1: no pore fluid
+  std::vector<double> coordinates;       // (owned displacement node, 2) current coordinates [m]
+  /// Owned displacement nodes that are not vertices: their parents' global displacement node ids (2 for an edge, 4 for
+  /// a cell centre); empty for vertices. The linear subspace of p-multigrid.
+  std::vector<std::vector<GlobalOrdinal>> parents;
+  /// Pressure mass and Laplacian matrices on the pressure field map (no constraints applied):
+  /// Q = int Np^T Np dv, L = int grad(Np)^T grad(Np) dv. Row map dofs.field_map(pressure), whose global ids are those
+  /// of the dof map.
+  RCP<const CrsMatrix> pressure_mass, pressure_laplacian;
+  std::vector<char> pressure_constrained;  // by owned pressure dof
+  /// Coefficients of the Jacobian [[c_m M + c_k K, -L c_p], [c_v L^T, c_s S + c_h H]], representative scalars:
+  double constrained_modulus = 0;  // lambda + 2G of K [Pa], times c_k
+  double drained_modulus = 0;      // lambda + G [Pa], times c_k (2-D fixed-stress modulus)
+  double inertia = 0;              // c_m rho [kg/(m3 s2)]
+  double coupling_u = 1;           // c_p alpha
+  double coupling_p = 1;           // c_v alpha [1/s]
+  double storage = 0;              // c_s / Q [1/(Pa s)]
+  double conduction = 0;           // c_h k/gamma_w [m2/(Pa s)]
+};
+
+/// Solves A x = b for a sequence of matrices of one graph.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  /// Called once with the dof map before the first matrix. Returns "" or why this solver cannot treat these fields.
+  virtual std::string prepare(RCP<const DofMap> dofs) = 0;
+  /// New values of A. `block_data` is evaluated only when the solver needs it (a rebuild of its preconditioner).
+  virtual void set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) = 0;
+  /// x starts from zero. `tolerance` bounds LinearReport::relative_residual.
+  virtual LinearReport solve(const Vector& b, Vector& x, double tolerance) = 0;
+  /// Forget factorisations and hierarchies (after a remap, a failed step, a stage change).
+  virtual void reset() = 0;
+  /// What a restarted run needs so that it goes on bit for bit; empty when nothing is kept. A solver that cannot tell
+  /// forgets what it keeps, so that both runs start afresh.
+  virtual std::vector<double> memory() {
+    reset();
+    return {};
+  }
+  /// Takes up what memory() gave. `matrix` has the graph of the matrices to come; its values may be overwritten. Collective.
+  virtual void restore(RCP<CrsMatrix> matrix, const std::vector<double>& memory) {}
+};
+
+/// "direct" and "block amg"; a plain list.
+void register_linear_solvers(Registry<LinearSolver>& registry);
+
+}  // namespace mudline

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "algebra/types.hpp"
+
+namespace mudline {
+
+/// LU factors of a sparse unsymmetric matrix by MUMPS, with the matrix distributed as Tpetra has it. All calls are
+/// collective over the matrix' communicator; one that fails returns the reason, else "".
+class MumpsFactor {
+ public:
+  /// Takes the graph of `matrix`, whose global ids are 0 .. N-1, and orders it (once per graph).
+  explicit MumpsFactor(const CrsMatrix& matrix);
+  ~MumpsFactor();
+  MumpsFactor(const MumpsFactor&) = delete;
+  MumpsFactor& operator=(const MumpsFactor&) = delete;
+
+  /// What the analysis objected to; "" if it went well.
+  const std::string& analysis() const { return analysis_; }
+  /// Factors the values of `matrix`, which has the graph given at construction.
+  std::string factor(const CrsMatrix& matrix);
+  /// x = A^-1 b with the matrix factored last. Not thread safe.
+  void solve(const MultiVector& b, MultiVector& x) const;
+
+ private:
+  struct Instance;
+  std::unique_ptr<Instance> instance_;
+  std::string analysis_;
+};
+
+}  // namespace mudline

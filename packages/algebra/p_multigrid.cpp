@@ -1,0 +1,172 @@
+#include "algebra/p_multigrid.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/amg.hpp"
+#include "algebra/tpetra_compat.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr int components = 2;
+constexpr int smoother_degree = 2;
+
+using IdVectors = Tpetra::MultiVector<GlobalOrdinal>;
+
+/// The vertices among the owned displacement nodes, numbered densely: node -> coarse node, or -1.
+struct Vertices {
+  std::vector<int> owned;             // owned node of each owned vertex
+  RCP<const Map> nodes, coarse_dofs;  // global displacement nodes; dofs of the linear space
+};
+
+Vertices find_vertices(const FieldLayout& field, const BlockData& data, const RCP<const Comm>& comm) {
+  Vertices result;
+  for (int i = 0; i < field.num_owned; ++i)
+    if (data.parents[i].empty()) result.owned.push_back(i);
+  result.nodes = make_map({field.node_ids.begin(), field.node_ids.begin() + field.num_owned}, comm);
+  result.coarse_dofs = make_dense_map(result.owned.size() * components, comm);
+  return result;
+}
+
+/// For every owned node and every parent of one: the first coarse dof (-1 off the vertices) and which components are
+/// constrained.
+struct NodeTable {
+  RCP<const Map> nodes;
+  RCP<IdVectors> columns;
+  GlobalOrdinal coarse_dof(GlobalOrdinal node) const { return get(node, 0); }
+  bool constrained(GlobalOrdinal node, int component) const { return get(node, 1 + component) != 0; }
+  GlobalOrdinal get(GlobalOrdinal node, int column) const {
+    return columns->getLocalViewHost(Tpetra::Access::ReadOnly)(nodes->getLocalElement(node), column);
+  }
+};
+
+NodeTable exchange_nodes(const FieldLayout& field, const BlockData& data, const Vertices& vertices,
+                         const std::vector<char>& constrained) {
+  IdVectors owned(vertices.nodes, 1 + components);
+  {
+    const auto values = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int i = 0; i < field.num_owned; ++i) {
+      values(i, 0) = -1;
+      for (int c = 0; c < components; ++c) values(i, 1 + c) = constrained[components * i + c];
+    }
+    for (std::size_t v = 0; v < vertices.owned.size(); ++v)
+      values(vertices.owned[v], 0) = vertices.coarse_dofs->getGlobalElement(static_cast<int>(components * v));
+  }
+  std::vector<GlobalOrdinal> needed;
+  for (const auto& parents : data.parents) needed.insert(needed.end(), parents.begin(), parents.end());
+  std::sort(needed.begin(), needed.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  NodeTable table;
+  table.nodes = make_map(needed, vertices.nodes->getComm());
+  table.columns = rcp(new IdVectors(table.nodes, 1 + components));
+  table.columns->doImport(owned, Import(vertices.nodes, table.nodes), Tpetra::INSERT);
+  return table;
+}
+
+/// Interpolation from the linear to the given space. Constrained dofs take part in neither: their rows hold at most the
+/// vertex itself, so that the coarse matrix keeps them isolated.
+RCP<CrsMatrix> make_prolongator(const RCP<const Map>& fine, const FieldLayout& field, const BlockData& data,
+                                const Vertices& vertices, const std::vector<char>& constrained) {
+  const NodeTable table = exchange_nodes(field, data, vertices, constrained);
+  const auto prolongator = rcp(new CrsMatrix(fine, 4));
+  std::size_t vertex = 0;
+  for (int i = 0; i < field.num_owned; ++i) {
+    const auto& parents = data.parents[i];
+    for (int c = 0; c < components; ++c) {
+      const GlobalOrdinal row = fine->getGlobalElement(components * i + c);
+      if (parents.empty()) {
+        const GlobalOrdinal column = vertices.coarse_dofs->getGlobalElement(static_cast<int>(components * vertex)) + c;
+        const double one = 1;
+        prolongator->insertGlobalValues(row, 1, &one, &column);
+        continue;
+      }
+      if (constrained[components * i + c]) continue;
+      for (const GlobalOrdinal parent : parents) {
+        if (table.constrained(parent, c)) continue;
+        const GlobalOrdinal column = table.coarse_dof(parent) + c;
+        const double weight = 1.0 / static_cast<double>(parents.size());
+        prolongator->insertGlobalValues(row, 1, &weight, &column);
+      }
+    }
+    if (parents.empty()) ++vertex;
+  }
+  prolongator->fillComplete(vertices.coarse_dofs, fine);
+  return prolongator;
+}
+
+/// Translations and the rotation about the centre of the domain, scaled to the size of a translation.
+void add_rigid_modes(AmgInput& input, const Vertices& vertices, const BlockData& data) {
+  const std::size_t count = vertices.owned.size();
+  const RCP<const Comm> comm = vertices.coarse_dofs->getComm();
+  double here[5] = {0, 0, 0, 0, static_cast<double>(count)}, sum[5];
+  for (const int node : vertices.owned)
+    for (int c = 0; c < components; ++c) {
+      const double coordinate = data.coordinates[components * node + c];
+      here[c] += coordinate;
+      here[2 + c] += coordinate * coordinate;
+    }
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, 5, here, sum);
+  const double centre[2] = {sum[0] / sum[4], sum[1] / sum[4]};
+  const double radius = std::sqrt((sum[2] + sum[3]) / sum[4] - centre[0] * centre[0] - centre[1] * centre[1]);
+
+  input.coordinates = rcp(new MultiVector(make_dense_map(count, comm), components));
+  input.null_space = rcp(new MultiVector(vertices.coarse_dofs, 3));
+  const auto points = input.coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const auto modes = input.null_space->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t v = 0; v < count; ++v) {
+    for (int c = 0; c < components; ++c) points(v, c) = data.coordinates[components * vertices.owned[v] + c];
+    for (int c = 0; c < components; ++c)
+      for (int mode = 0; mode < components; ++mode) modes(components * v + c, mode) = c == mode ? 1 : 0;
+    modes(components * v, 2) = -(points(v, 1) - centre[1]) / radius;
+    modes(components * v + 1, 2) = (points(v, 0) - centre[0]) / radius;
+  }
+}
+
+}  // namespace
+
+PMultigrid::PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
+                       const std::vector<char>& constrained)
+    : matrix_(matrix) {
+  const RCP<const Comm> comm = matrix->getComm();
+  const Vertices vertices = find_vertices(field, data, comm);
+  AmgInput input;
+  input.equations = components;
+  add_rigid_modes(input, vertices, data);
+  if (vertices.coarse_dofs->getGlobalNumElements() == matrix->getGlobalNumRows()) {
+    input.matrix = matrix;
+  } else {
+    prolongator_ = make_prolongator(matrix->getRowMap(), field, data, vertices, constrained);
+    smoother_ = chebyshev_smoother(matrix, smoother_degree);
+    input.matrix = galerkin_product(*prolongator_, *matrix);
+    residual_ = rcp(new MultiVector(matrix->getRowMap(), 1));
+    correction_ = rcp(new MultiVector(matrix->getRowMap(), 1));
+    coarse_residual_ = rcp(new MultiVector(vertices.coarse_dofs, 1));
+    coarse_correction_ = rcp(new MultiVector(vertices.coarse_dofs, 1));
+  }
+  coarse_ = amg_cycle(input);
+}
+
+void PMultigrid::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {
+  if (prolongator_.is_null()) {
+    coarse_->apply(x, y);
+    return;
+  }
+  const auto update_residual = [&] {
+    matrix_->apply(y, *residual_);
+    residual_->update(1, x, -1);
+  };
+  smoother_->apply(x, y);
+  update_residual();
+  prolongator_->apply(*residual_, *coarse_residual_, Teuchos::TRANS);
+  coarse_->apply(*coarse_residual_, *coarse_correction_);
+  prolongator_->apply(*coarse_correction_, y, Teuchos::NO_TRANS, 1, 1);
+  update_residual();
+  smoother_->apply(*residual_, *correction_);
+  y.update(1, *correction_, 1);
+}
+
+}  // namespace mudline

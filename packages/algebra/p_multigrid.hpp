@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra/linear_solver.hpp"
+
+namespace mudline {
+
+/// Approximate inverse of the displacement block: Chebyshev smoothing on the given (quadratic) space around an
+/// algebraic multigrid cycle on the linear one, whose functions are the vertex values with every other node at the mean
+/// of its parents. Going down in degree first leaves multigrid a smaller, sparser problem of the kind it is made for.
+/// A linear displacement space goes to multigrid at once.
+class PMultigrid : public Operator {
+ public:
+  /// `matrix`: the block on a map with dense ids, two components per node; `constrained` marks its isolated rows.
+  PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
+             const std::vector<char>& constrained);
+
+  RCP<const Map> getDomainMap() const override { return matrix_->getRowMap(); }
+  RCP<const Map> getRangeMap() const override { return matrix_->getRowMap(); }
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp = Teuchos::NO_TRANS, double = 1,
+             double = 0) const override;
+
+ private:
+  RCP<CrsMatrix> matrix_, prolongator_;
+  RCP<Operator> smoother_, coarse_;
+  mutable RCP<MultiVector> residual_, correction_, coarse_residual_, coarse_correction_;
+};
+
+}  // namespace mudline

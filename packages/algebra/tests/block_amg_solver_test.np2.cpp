@@ -1,0 +1,31 @@
+#include "algebra/block_amg_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include "algebra/tests/solver_cases.hpp"
+
+namespace mudline {
+namespace {
+
+using cases::at;
+
+TEST(BlockAmgTwoRanks, CountsOnTheModelProblem) {
+  EXPECT_LE(cases::check_block_amg(at(1e-1)), 33);
+  EXPECT_LE(cases::check_block_amg(at(1e-3)), 18);
+}
+
+TEST(BlockAmgTwoRanks, UndrainedAndImpermeable) {
+  EXPECT_LE(cases::check_block_amg(at(1e2, 1e-12)), 35);
+  model::Settings settings = at(1e-2);
+  settings.drained_top = false;
+  EXPECT_LE(cases::check_block_amg(settings), 33);
+}
+
+TEST(BlockAmgTwoRanks, DrySoil) {
+  model::Settings settings = at(1e-2);
+  settings.fluid = false;
+  EXPECT_LE(cases::check_block_amg(settings), 22);
+}
+
+}  // namespace
+}  // namespace mudline

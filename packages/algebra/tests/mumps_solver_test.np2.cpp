@@ -1,0 +1,15 @@
+#include "algebra/mumps_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include "algebra/tests/solver_cases.hpp"
+
+namespace mudline {
+namespace {
+
+TEST(MumpsSolverTwoRanks, SolvesASequenceOnOneGraph) { cases::check_direct(); }
+TEST(MumpsSolverTwoRanks, ReusesFactorsWithinTheTolerance) { cases::check_reuse(); }
+TEST(MumpsSolverTwoRanks, NamesASingularMatrixWithARankWithoutRows) { cases::check_singular(); }
+
+}  // namespace
+}  // namespace mudline

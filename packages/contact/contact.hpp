@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/registry.hpp"
+#include "physics/rigid_body/rigid_body.hpp"
+#include "physics/term.hpp"
+
+namespace mudline {
+
+/// What a contact may look at when it is made.
+struct ContactContext {
+  const Space& space;
+  const std::map<std::string, std::shared_ptr<RigidBody>>& bodies;  // by name
+  /// Representative constrained modulus lambda + 2 G [Pa] of the soil in an element (block, element): scale of
+  /// penalties.
+  std::function<double(int block, int element)> stiffness;
+};
+
+/// One entry of the deck's "contacts": a term that couples the soil's surface with a body. A contact type is
+/// constructible from a ContactContext, reads its parameters, and binds to sets and bodies in check(); all collective,
+/// every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
+class Contact : public Term {
+ public:
+  /// Normal pressure [Pa] on the soil, compression positive, by local node (owned and ghost), averaged from the contact
+  /// points around; 0 off the surface. For output. Collective.
+  virtual std::vector<double> nodal_pressure(const State& state) const = 0;
+};
+
+using ContactRegistry = Registry<Contact, const ContactContext&>;
+
+/// "frictionless penalty"; a plain list.
+void register_contact(ContactRegistry& registry);
+
+}  // namespace mudline

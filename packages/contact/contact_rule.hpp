@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "physics/rigid_body/rigid_body.hpp"
+
+namespace mudline {
+
+/// Where contact is checked on a side.
+enum class ContactPoints { quadrature, nodes };
+
+constexpr int max_side_nodes = 3;
+
+/// Coordinates of the nodes of one side [m]: two corners, then the middle of a quadratic side.
+using SideCoordinates = std::array<PlanePoint, max_side_nodes>;
+
+/// Contact points on a side of 2 or 3 nodes and their areas. Point c lies at sum_a shape[c][a] X_a, spreads its force
+/// to the nodes by the same shape, and has the area A_c = sum_q weight[c][q] |x'(q)| (2 pi r(q)) over Gauss points q.
+/// Surface quadrature: the points are the Gauss points. Nodes: shape is the identity and A_c = int N_c ds, the
+/// tributary area.
+struct ContactRule {
+  ContactRule(ContactPoints kind, int nodes, int degree);
+  int nodes, points, samples;
+  std::vector<std::array<double, max_side_nodes>> shape;  // (point, node)
+  std::vector<double> xi;                                 // (point) reference coordinate in [-1, 1]
+  std::vector<std::vector<double>> weight;                // (point, sample)
+  std::vector<std::array<double, max_side_nodes>> N, dN;  // (sample, node)
+};
+
+/// Current areas of the contact points of a side [m2], in plane strain per metre of depth, and their derivatives with
+/// respect to the nodes' coordinates. False when the side is degenerate: no length, or r < 0.
+struct SideAreas {
+  bool compute(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric);
+  std::vector<double> area;                                       // (point)
+  std::vector<std::array<double, 2 * max_side_nodes>> variation;  // (point, dof) [m]
+};
+
+/// What happens at one contact point.
+struct ContactPoint {
+  double gap, pressure;  // [m] negative: penetration; [Pa] >= 0
+  double force[2];       // [N] on the soil
+  double area;           // [m2]
+  bool active;           // gap < 0
+};
+
+/// Forces of one side on the soil [N] and their derivatives with respect to the nodes' coordinates [N/m], node after
+/// node, component after component.
+struct SideForce {
+  double f[2 * max_side_nodes];
+  double k[2 * max_side_nodes][2 * max_side_nodes];
+};
+
+/// Penalty law t = penalty <-gap> at the contact points of a side against a body whose reference point is at
+/// `position`: f_a = sum_c shape_ca t n A_c. The tangent is exact: variation of gap, normal (curvature of the body),
+/// length and radius of the side. penalty [Pa/m]. `points` receives rule.points results. False for a degenerate side.
+bool penalty_side(const ContactRule& rule, const RigidBody& body, const std::array<double, 2>& position, double penalty,
+                  const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  std::vector<ContactPoint>& points);
+
+}  // namespace mudline

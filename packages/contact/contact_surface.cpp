@@ -1,0 +1,94 @@
+#include "contact/contact_surface.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+namespace {
+
+/// Area of an element over the length of a side, times 2 for a triangle: its height above the side. Corners only.
+double height_above(const Mesh& mesh, const ElementBlock& block, const SurfaceSide& side) {
+  const int corners = num_corners(block.shape);
+  const auto& x = mesh.coordinates();
+  double twice_area = 0;
+  for (int i = 0; i < corners; ++i) {
+    const int a = block.nodes(side.element, i), b = block.nodes(side.element, (i + 1) % corners);
+    twice_area += x(a, 0) * x(b, 1) - x(b, 0) * x(a, 1);
+  }
+  const double length = std::hypot(x(side.node[1], 0) - x(side.node[0], 0), x(side.node[1], 1) - x(side.node[0], 1));
+  return (corners == 3 ? 1.0 : 0.5) * twice_area / length;
+}
+
+double chord(const ConstCoordinateView& x, const SurfaceSide& side) {
+  return std::hypot(x(side.node[1], 0) - x(side.node[0], 0), x(side.node[1], 1) - x(side.node[0], 1));
+}
+
+}  // namespace
+
+ContactSurface::ContactSurface(const Space& space, const std::string& side_set)
+    : mesh_(space.mesh()), exchange_(mesh_) {
+  int rows[2] = {0, 0};
+  for (const Side& side : mesh_.side_sets().at(side_set)) {
+    const ElementBlock& block = mesh_.blocks()[side.block];
+    SurfaceSide here{side.block, side.element, 0, {-1, -1, -1}, 0, 0};
+    for (int local : side_nodes(block.shape, side.side)) here.node[here.count++] = block.nodes(side.element, local);
+    here.row = rows[here.count - 2]++;
+    here.height = height_above(mesh_, block, here);
+    sides_.push_back(here);
+  }
+  const auto& first = space.node_dof(space.find("displacement"));
+  for (int count = 2; count <= 3; ++count) {
+    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", rows[count - 2], 2 * count);
+    for (const SurfaceSide& side : sides_)
+      for (int a = 0; a < count && side.count == count; ++a)
+        for (int i = 0; i < 2; ++i) table(side.row, 2 * a + i) = first(side.node[a]) + i;
+    dofs_[count - 2] = table;
+  }
+  const long long local = static_cast<long long>(sides_.size());
+  Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_SUM, local, Teuchos::outArg(num_global_sides_));
+  sides_at_node_ = count_sides(std::vector<char>(sides_.size(), 1));
+}
+
+double ContactSurface::shortest(const ConstCoordinateView& x) const {
+  double local = 1e300, global = 0;
+  for (const SurfaceSide& side : sides_) local = std::min(local, chord(x, side));
+  Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MIN, local, Teuchos::outArg(global));
+  return global;
+}
+
+double ContactSurface::longest(const ConstCoordinateView& x) const {
+  double local = 0, global = 0;
+  for (const SurfaceSide& side : sides_) local = std::max(local, chord(x, side));
+  Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MAX, local, Teuchos::outArg(global));
+  return global;
+}
+
+std::vector<double> ContactSurface::count_sides(const std::vector<char>& side_flags) const {
+  std::vector<double> count(mesh_.num_nodes(), 0.0);
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    if (side_flags[s])
+      for (int a = 0; a < sides_[s].count; ++a) count[sides_[s].node[a]] += 1;
+  exchange_.sum_shared(count);
+  return count;
+}
+
+std::vector<char> ContactSurface::enclosed(const std::vector<char>& side_flags) const {
+  const std::vector<double> flagged = count_sides(side_flags);
+  std::vector<char> result(flagged.size(), 0);
+  for (std::size_t node = 0; node < flagged.size(); ++node)
+    result[node] = sides_at_node_[node] > 0 && flagged[node] == sides_at_node_[node];
+  return result;
+}
+
+std::vector<double> ContactSurface::mean(std::vector<double> weighted, std::vector<double> weights) const {
+  exchange_.sum_shared(weighted);
+  exchange_.sum_shared(weights);
+  for (std::size_t node = 0; node < weighted.size(); ++node)
+    weighted[node] = weights[node] > 0 ? weighted[node] / weights[node] : 0.0;
+  return weighted;
+}
+
+}  // namespace mudline

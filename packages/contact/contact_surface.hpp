@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/nodal_exchange.hpp"
+#include "physics/space.hpp"
+#include "physics/state.hpp"
+
+namespace mudline {
+
+/// One side of the soil's surface on this rank.
+struct SurfaceSide {
+  int block, element;
+  int count;      // nodes: 2, or 3 with the middle last
+  int node[3];    // local
+  int row;        // in the dof table of its count
+  double height;  // [m] of the element above the side, in the source's mesh
+};
+
+/// The sides of a side set that may touch a body: nodes, dofs, neighbours over the ranks.
+class ContactSurface {
+ public:
+  /// Collective.
+  ContactSurface(const Space& space, const std::string& side_set);
+
+  const std::vector<SurfaceSide>& sides() const { return sides_; }
+  /// Over all ranks.
+  long long num_global_sides() const { return num_global_sides_; }
+  /// Displacement dofs of the sides with `count` nodes: (row, dof).
+  const ElementDofs& dofs(int count) const { return dofs_[count - 2]; }
+
+  /// Shortest and longest distance between the corners of a side [m], over all ranks. Collective.
+  double shortest(const ConstCoordinateView& x) const;
+  double longest(const ConstCoordinateView& x) const;
+
+  /// By local node (owned and ghost): 1 for a node all of whose sides, on every rank, have a nonzero flag. Collective.
+  std::vector<char> enclosed(const std::vector<char>& side_flags) const;
+  /// By local node: weighted mean over all ranks of values that were summed with their weights. Collective.
+  std::vector<double> mean(std::vector<double> weighted, std::vector<double> weights) const;
+
+ private:
+  std::vector<double> count_sides(const std::vector<char>& side_flags) const;
+  const Mesh& mesh_;
+  NodalExchange exchange_;
+  std::vector<SurfaceSide> sides_;
+  ElementDofs dofs_[2];
+  std::vector<double> sides_at_node_;
+  long long num_global_sides_ = 0;
+};
+
+}  // namespace mudline

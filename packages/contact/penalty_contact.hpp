@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "contact/contact_rule.hpp"
+#include "contact/contact_surface.hpp"
+
+namespace mudline {
+
+/// What the deck says of a frictionless penalty contact.
+struct PenaltyParameters {
+  enum class Drainage { sealed, drained };
+  void parameters(Parameters& p);
+
+  std::string body, surface;
+  ContactPoints method = ContactPoints::quadrature;
+  int quadrature_degree = 5;
+  double penalty = 0, penalty_factor = 10;  // [Pa/m], [-]
+  double capture_distance = 0;              // [m]
+  double advance_limit = 0.25;              // [-] of the shortest side
+  Drainage drainage = Drainage::sealed;
+  double sealing_gap = 0.1;                    // [-] of the side's length
+};
+
+/// Frictionless contact of a soil surface with a rigid body: R_u -= int N^T t n ds at n+1, t = penalty <-gap> [Pa],
+/// n from the body into the soil; axisymmetric forces are those of the whole circumference, plane strain ones per
+/// metre.
+///
+/// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area),
+/// "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step), "contact/<name>/work" (this
+/// rank's share of the work done on the soil, trapezoidal in the body's displacement).
+///
+/// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
+/// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set.
+class PenaltyContact : public Contact {
+ public:
+  explicit PenaltyContact(const ContactContext& context) : context_(context) {}
+  static void document(Parameters& p) { PenaltyParameters().parameters(p); }
+  void parameters(Parameters& p) { deck_.parameters(p); }
+  /// Binds to body and surface. InputError for unknown names, empty surfaces and deep initial overlap. Collective.
+  void check(const Section& section);
+
+  std::string name() const override { return "contact/" + name_; }
+  bool history() const override { return true; }
+  void declare_state(StateStore& store) override;
+  void sparsity(Assembler& assembler) override;
+  void begin(const StepView& view) override;
+  void constrain(const StepView& view, Constraints& constraints) override;
+  int residual(const StepView& view, const ResidualView& f) override;
+  double magnitude_squared(int field) const override { return field == displacement_ ? magnitude_ : 0.0; }
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  void histories(const StepView& view, std::map<std::string, double>& values) override;
+  double step_limit(const State& committed, double dt) const override;
+  std::vector<double> nodal_pressure(const State& state) const override;
+
+ private:
+  const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
+  SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
+  void check_overlap(const Section& section) const;
+  void set_penalties(const StepView& view) const;
+  void write_points(const PointView& rows, std::size_t side, const std::vector<ContactPoint>& points) const;
+  /// More than half of the side's points press or are nearer than the sealing gap; `length` of the side [m].
+  bool closed(const PointView& rows, std::size_t side, double length) const;
+  std::array<double, 2> local_force(const State& state) const;
+
+  ContactContext context_;
+  PenaltyParameters deck_;
+  std::string name_;
+  std::shared_ptr<RigidBody> body_;
+  std::unique_ptr<ContactSurface> surface_;
+  std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
+  std::vector<int> first_row_;      // (side) in the points array; one more: number of rows
+  std::vector<char> candidate_;     // (side) near enough to be evaluated in this step
+  double capture_ = 0;              // [m] of this step
+  double magnitude_ = 0;            // of the last residual call
+  bool axisymmetric_ = false;
+  int displacement_ = -1, pressure_ = -1;
+  int points_ = -1, penalties_ = -1, work_ = -1;  // state handles
+  int group_[2] = {-1, -1};
+};
+
+}  // namespace mudline

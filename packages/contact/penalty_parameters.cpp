@@ -1,0 +1,92 @@
+// What the deck says, and binding it to the model.
+#include <Teuchos_CommHelpers.hpp>
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "contact/penalty_contact.hpp"
+
+namespace mudline {
+
+void PenaltyParameters::parameters(Parameters& p) {
+  p.required("body", body, "Entry of 'bodies' that touches the soil");
+  p.required("surface", surface, "Side set of the soil that the body may touch");
+  p.choice("method", method, {{"surface quadrature", ContactPoints::quadrature}, {"nodes", ContactPoints::nodes}},
+           "Where contact is checked: at Gauss points of the sides, or at the nodes with their tributary areas");
+  p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
+        "Polynomial degree that the integration over a side is exact for");
+  p.add("penalty", penalty, "Pa/m", non_negative(),
+        "Pressure per penetration; 0: penalty factor times soil stiffness over element size");
+  p.add("penalty factor", penalty_factor, "-", positive(),
+        "Automatic penalty: multiple of constrained modulus over element height");
+  p.add("capture distance", capture_distance, "m", non_negative(),
+        "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
+  p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}},
+           "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
+           "prescribed");
+  p.add("sealing gap", sealing_gap, "-", non_negative(),
+        "Gap, as a fraction of a side's length, up to which the body still seals the side");
+  p.add("advance limit", advance_limit, "-", positive(),
+        "Largest advance of the body in one step, as a fraction of the surface's shortest side");
+}
+
+void PenaltyContact::check(const Section& section) {
+  name_ = section.name();
+  const Space& space = context_.space;
+  const Mesh& mesh = space.mesh();
+  const auto body = context_.bodies.find(deck_.body);
+  if (body == context_.bodies.end()) {
+    std::vector<std::string> names;
+    for (const auto& entry : context_.bodies) names.push_back(entry.first);
+    section.fail("unknown body '" + deck_.body + "'" + suggestion(deck_.body, names), "body");
+  }
+  body_ = body->second;
+  displacement_ = space.find("displacement");
+  pressure_ = space.find("pore pressure");
+  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
+  if (!mesh.has_side_set(deck_.surface))
+    section.fail("unknown side set '" + deck_.surface + "'" + suggestion(deck_.surface, mesh.side_set_names()),
+                 "surface");
+  if (deck_.penalty == 0 && !context_.stiffness)
+    throw std::logic_error("an automatic penalty needs the soil's stiffness");
+  surface_ = std::make_unique<ContactSurface>(space, deck_.surface);
+  if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
+  axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
+  rules_.clear();
+  for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(deck_.method, nodes, deck_.quadrature_degree);
+  first_row_.assign(1, 0);
+  for (const SurfaceSide& side : surface_->sides()) first_row_.push_back(first_row_.back() + rule(side).points);
+  candidate_.assign(surface_->sides().size(), 1);
+  check_overlap(section);
+}
+
+void PenaltyContact::check_overlap(const Section& section) const {
+  const auto& x = context_.space.mesh().coordinates();
+  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
+  double deepest = 0, worst[2] = {0, 0};
+  for (const SurfaceSide& side : surface_->sides())
+    for (int a = 0; a < side.count; ++a) {
+      const PlanePoint at{x(side.node[a], 0), x(side.node[a], 1)};
+      const double gap = body_->closest(body_->initial_position(), at).gap;
+      if (gap >= deepest) continue;
+      deepest = gap;
+      worst[0] = at[0];
+      worst[1] = at[1];
+    }
+  double everywhere = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, deepest, Teuchos::outArg(everywhere));
+  const double edge = surface_->shortest(x);
+  if (-everywhere <= edge) return;
+  const int mine = deepest == everywhere ? comm.getRank() : comm.getSize();
+  int teller = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(teller));
+  Teuchos::broadcast(comm, teller, 2, worst);
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "' overlaps the surface by %.4g m at (%.6g, %.6g) at the start, more than its shortest side, %.4g m; "
+                "move its 'position'",
+                -everywhere, worst[0], worst[1], edge);
+  section.fail("body '" + deck_.body + text, "body");
+}
+
+}  // namespace mudline

@@ -1,0 +1,11 @@
+#include "contact/contact.hpp"
+#include "contact/penalty_contact.hpp"
+
+namespace mudline {
+
+void register_contact(ContactRegistry& registry) {
+  registry.add<PenaltyContact>("frictionless penalty",
+                               "Soil surface against a smooth rigid body, normal penalty, no friction");
+}
+
+}  // namespace mudline

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <Tpetra_Core.hpp>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "contact/contact.hpp"
+#include "physics/tests/rigid_body_deck.hpp"
+
+namespace mudline {
+
+enum class Cells { quad9, tri6, quad4 };
+
+/// Nodes of the one or two cells whose lower left node is (a, b) on a grid with so many columns.
+inline std::vector<long long> cell_nodes(Cells cells, int a, int b, int columns) {
+  const auto n = [=](int i, int j) { return static_cast<long long>(b + j) * columns + a + i; };
+  if (cells == Cells::quad4) return {n(0, 0), n(1, 0), n(1, 1), n(0, 1)};
+  if (cells == Cells::quad9) return {n(0, 0), n(2, 0), n(2, 2), n(0, 2), n(1, 0), n(2, 1), n(1, 2), n(0, 1), n(1, 1)};
+  return {n(0, 0), n(2, 0), n(0, 2), n(1, 0), n(1, 1), n(0, 1), n(2, 0), n(2, 2), n(0, 2), n(2, 1), n(1, 2), n(1, 1)};
+}
+
+/// nx by ny cells over [x0, x0 + width] x [-depth, 0] with the side set "surface" on top. Inner nodes and those
+/// of the top are moved by about `distort` fifths of a cell.
+inline GlobalMesh strip(Cells cells, int nx, int ny, double x0, double width, double depth, double distort) {
+  GlobalMesh mesh;
+  const int order = cells == Cells::quad4 ? 1 : 2, columns = order * nx + 1, rows = order * ny + 1;
+  const double hx = width / (columns - 1), hy = depth / (rows - 1);
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const double wave = 0.2 * distort * order * std::sin(1.3 * i + 2.1 * j);
+      const double dx = i == 0 || i == columns - 1 ? 0 : wave * hx, dy = j == 0 ? 0 : wave * hy;
+      mesh.coordinates.push_back({x0 + i * hx + dx, (j - rows + 1) * hy + dy});
+    }
+  GlobalMesh::Block block{"soil",
+                          cells == Cells::quad9  ? CellShape::quad9
+                          : cells == Cells::tri6 ? CellShape::tri6
+                                                 : CellShape::quad4,
+                          {}};
+  long long element = 0;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      for (long long node : cell_nodes(cells, order * i, order * j, columns)) block.nodes.push_back(node);
+      element += cells == Cells::tri6 ? 2 : 1;
+      if (j == ny - 1) mesh.side_sets["surface"].push_back({0, element - 1, cells == Cells::tri6 ? 1 : 2});
+    }
+  mesh.blocks.push_back(block);
+  return mesh;
+}
+
+/// A soil strip, one body and one contact, driven by hand through steps: what a stepper would do.
+struct ContactModel {
+  ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
+               std::function<double(int, int)> stiffness = {})
+      : deck(bodies + "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" +
+             text_parameter("type", "frictionless penalty") + contact_parameters +
+             "</ParameterList>\n</ParameterList>\n"),
+        mesh(Tpetra::getDefaultComm(), geometry, std::move(global)),
+        space(mesh, {{"displacement", "m", "N", 2, Support::all_nodes, 2},
+                     {"pore pressure", "Pa", "m3/s", 1, Support::vertices, 1}}),
+        store(space),
+        assembler(space.dofs()) {
+    bodies_["b"] = deck.body("b", geometry);
+    register_contact(registry);
+    contact =
+        registry.create(deck.deck.root().section("contacts").section("c"), {space, bodies_, std::move(stiffness)});
+    contact->declare_state(store);
+    contact->sparsity(assembler);
+    assembler.finalise();
+  }
+
+  /// Starts a step of length dt from the committed state; the soil stays where it is until move() is called.
+  void begin(double dt) {
+    store.begin();
+    State& trial = store.trial();
+    trial.time = store.committed().time + dt;
+    view.time_old = store.committed().time;
+    view.time_end = trial.time;
+    view.dt = dt;
+    view.value_old = store.committed().value;
+    view.value_end = trial.value;
+    view.x_old = store.committed().coordinates;
+    view.x_end = trial.coordinates;
+    view.flow = view.inertia = true;
+    view.committed = &store.committed();
+    view.trial = &trial;
+    contact->begin(view);
+  }
+  /// Residual of the contact by overlap dof, this rank's part.
+  NodalView residual() {
+    NodalView f("f", space.dofs()->num_overlap_dofs());
+    failures = contact->residual(view, f);
+    return f;
+  }
+  std::map<std::string, double> step(double dt) {
+    begin(dt);
+    residual();
+    store.accept();
+    std::map<std::string, double> values;
+    contact->histories(view, values);
+    return values;
+  }
+  int dof(int node, int component) const { return space.node_dof(0)(node) + component; }
+  const PointView& points(const State& state) const { return state.arrays[store.find("contact/c/points")]; }
+
+  BodyDeck deck;
+  Mesh mesh;
+  Space space;
+  StateStore store;
+  Assembler assembler;
+  std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
+  ContactRegistry registry{"contact"};
+  std::unique_ptr<Contact> contact;
+  StepView view{};
+  int failures = 0;
+};
+
+/// A wide flat plate, its face at y, that moves down with the given speed.
+inline std::string plate_xml(double y, double speed = 0) {
+  return body_xml("b",
+                  text_parameter("type", "polyline") + array_parameter("x", "0, 10") + array_parameter("y", "0, 0"),
+                  text_parameter("type", "prescribed velocity") + number_parameter("velocity y", -speed),
+                  "0, " + std::to_string(y));
+}
+
+/// penalty 0: automatic.
+inline std::string contact_parameters(const std::string& method, double penalty, const std::string& body = "b") {
+  return text_parameter("body", body) + text_parameter("surface", "surface") + text_parameter("method", method) +
+         (penalty > 0 ? number_parameter("penalty", penalty) : std::string());
+}
+
+}  // namespace mudline

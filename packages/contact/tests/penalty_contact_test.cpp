@@ -1,0 +1,362 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "contact_model.hpp"
+#include "core/tests/input_error.hpp"
+
+namespace mudline {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double eps = 1e6;
+
+std::string cylinder_xml(double diameter, double y) {
+  return body_xml("b", text_parameter("type", "sphere") + number_parameter("diameter", diameter),
+                  text_parameter("type", "prescribed velocity"), "0, " + std::to_string(y));
+}
+
+std::string pile_xml(double diameter, double y, double speed) {
+  return body_xml("b", text_parameter("type", "flat pile") + number_parameter("diameter", diameter),
+                  text_parameter("type", "prescribed velocity") + number_parameter("velocity y", -speed),
+                  "0, " + std::to_string(y));
+}
+
+struct Case {
+  Geometry geometry;
+  Cells cells;
+  const char* method;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  return out << (c.geometry == Geometry::axisymmetric ? "axisymmetric" : "plane strain") << ", "
+             << (c.cells == Cells::quad9  ? "quad9"
+                 : c.cells == Cells::tri6 ? "tri6"
+                                          : "quad4")
+             << ", " << c.method;
+}
+
+class EveryContact : public testing::TestWithParam<Case> {};
+
+INSTANTIATE_TEST_SUITE_P(Contact, EveryContact,
+                         testing::Values(Case{Geometry::plane_strain, Cells::quad9, "surface quadrature"},
+                                         Case{Geometry::plane_strain, Cells::tri6, "nodes"},
+                                         Case{Geometry::plane_strain, Cells::quad4, "surface quadrature"},
+                                         Case{Geometry::plane_strain, Cells::quad4, "nodes"},
+                                         Case{Geometry::axisymmetric, Cells::quad9, "nodes"},
+                                         Case{Geometry::axisymmetric, Cells::tri6, "surface quadrature"},
+                                         Case{Geometry::axisymmetric, Cells::quad4, "nodes"}));
+
+TEST_P(EveryContact, FlatPlatePressesUniformly) {
+  const Case c = GetParam();
+  const double penetration = 0.01, width = 2;
+  ContactModel model(c.geometry, strip(c.cells, 5, 2, 0, width, 1, 0), plate_xml(-penetration),
+                     contact_parameters(c.method, eps));
+  const auto values = model.step(1);
+  const double area = c.geometry == Geometry::axisymmetric ? pi * width * width : width;
+  EXPECT_NEAR(values.at("contact/c/reaction y [N]"), eps * penetration * area, 1e-12 * eps * area);
+  EXPECT_NEAR(values.at("contact/c/reaction x [N]"), 0, 1e-9);
+  EXPECT_NEAR(values.at("contact/c/contact area [m2]"), area, 1e-12 * area);
+  EXPECT_NEAR(values.at("contact/c/maximum penetration [m]"), penetration, 1e-15);
+  const auto pressure = model.contact->nodal_pressure(model.store.committed());
+  for (int node = 0; node < model.mesh.num_nodes(); ++node)
+    EXPECT_NEAR(pressure[node], model.mesh.coordinates()(node, 1) == 0 ? eps * penetration : 0, 1e-6);
+}
+
+TEST_P(EveryContact, UniformPressureGivesConsistentNodalForces) {
+  const Case c = GetParam();
+  if (c.geometry == Geometry::axisymmetric) return;
+  const int sides = 4;
+  ContactModel model(c.geometry, strip(c.cells, sides, 1, 0, 4, 1, 0), plate_xml(-0.01),
+                     contact_parameters(c.method, eps));
+  model.begin(1);
+  const NodalView f = model.residual();
+  const double load = eps * 0.01;
+  for (int node = 0; node < model.mesh.num_nodes(); ++node) {
+    const double x = model.mesh.coordinates()(node, 0);
+    if (model.mesh.coordinates()(node, 1) != 0) continue;
+    const bool end = x == 0 || x == 4, vertex = model.mesh.is_vertex()[node];
+    const double share = c.cells == Cells::quad4 ? (end ? 0.5 : 1.0) : !vertex ? 4.0 / 6 : end ? 1.0 / 6 : 2.0 / 6;
+    // pressed down: the residual is minus the force on the soil
+    EXPECT_NEAR(f(model.dof(node, 1)), load * share, 1e-9) << x;
+    EXPECT_NEAR(f(model.dof(node, 0)), 0, 1e-9);
+  }
+}
+
+/// Random displacements of the trial coordinates, fixed seed; nodes of the axis stay on it.
+void deform(ContactModel& model, double size) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int node = 0; node < model.mesh.num_nodes(); ++node)
+    for (int i = 0; i < 2; ++i) {
+      const double change = size * unit(random);
+      if (i == 1 || model.mesh.coordinates()(node, 0) > 0) model.store.trial().coordinates(node, i) += change;
+    }
+}
+
+/// Largest difference of J d and the central difference of the residual, relative to the largest |J d|.
+double jacobian_error(ContactModel& model) {
+  model.residual();
+  model.assembler.begin(Kokkos::View<char*>("free", model.space.dofs()->num_overlap_dofs()));
+  model.contact->jacobian(model.view, model.assembler, 1.0);
+  model.assembler.end();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Vector d(model.space.dofs()->owned()), product(model.space.dofs()->owned());
+  const int n = model.space.dofs()->num_owned_dofs();
+  {
+    auto data = d.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int i = 0; i < n; ++i) data(i, 0) = unit(random);
+    // inside a sharp body the axis is a ridge of the gap: its nodes do not leave it
+    for (int node = 0; node < model.mesh.num_nodes(); ++node)
+      if (model.mesh.coordinates()(node, 0) == 0) data(model.dof(node, 0), 0) = 0;
+  }
+  model.assembler.matrix()->apply(d, product);
+  const auto data = d.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto move = [&](double h) {
+    for (int node = 0; node < model.mesh.num_nodes(); ++node)
+      for (int i = 0; i < 2; ++i) model.store.trial().coordinates(node, i) += h * data(model.dof(node, i), 0);
+  };
+  const double h = 1e-7;
+  move(h);
+  const NodalView plus = model.residual();
+  move(-2 * h);
+  const NodalView minus = model.residual();
+  move(h);
+  double error = 0, size = 0;
+  const auto jd = product.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int i = 0; i < n; ++i) {
+    error = std::max(error, std::abs((plus(i) - minus(i)) / (2 * h) - jd(i, 0)));
+    size = std::max(size, std::abs(jd(i, 0)));
+  }
+  return size > 0 ? error / size : error;
+}
+
+int active_points(ContactModel& model) {
+  int count = 0;
+  const PointView& rows = model.points(model.store.trial());
+  for (std::size_t i = 0; i < rows.extent(0); ++i) count += rows(i, 2) > 0;
+  return count;
+}
+
+TEST_P(EveryContact, JacobianIsTheDifferencedResidual) {
+  const Case c = GetParam();
+  const std::string cone = text_parameter("type", "cone") + number_parameter("diameter", 1.0) +
+                           number_parameter("apex angle [deg]", 120) + number_parameter("tip radius", 0.3) +
+                           number_parameter("shoulder radius", 0.2);
+  // first number: where the tip is; second: how many points must touch (all, some, none)
+  for (const auto& [tip, touching] : {std::pair<double, int>{0.3, 0}, {-0.12, 1}, {-0.45, 2}}) {
+    const auto body = body_xml(
+        "b", cone, text_parameter("type", "prescribed velocity") + number_parameter("velocity y", tip), "0, 0");
+    ContactModel model(c.geometry, strip(c.cells, 4, 2, 0, touching == 2 ? 0.4 : 1.0, 1, 0.5), body,
+                       contact_parameters(c.method, eps));
+    model.begin(1);
+    deform(model, 0.02);
+    EXPECT_LT(jacobian_error(model), 1e-6) << tip;
+    const int active = active_points(model), all = static_cast<int>(model.points(model.store.trial()).extent(0));
+    EXPECT_EQ(active == 0, touching == 0) << tip;
+    EXPECT_EQ(active == all, touching == 2) << tip;
+    EXPECT_EQ(model.failures, 0);
+  }
+}
+
+TEST_P(EveryContact, ForceIsTheIntegralOverTheTouchedArea) {
+  const Case c = GetParam();
+  const double radius = 1, depth = 0.02;
+  ContactModel model(c.geometry, strip(c.cells, 200, 1, 0, 0.6, 0.1, 0),
+                     body_xml("b", text_parameter("type", "sphere") + number_parameter("diameter", 2 * radius),
+                              text_parameter("type", "prescribed velocity") + number_parameter("velocity y", -depth)),
+                     contact_parameters(c.method, eps));
+  const auto values = model.step(1);
+  double force = 0;
+  const int n = 200000;
+  for (int i = 0; i < n; ++i) {
+    const double x = 0.6 * (i + 0.5) / n, height = radius - depth, distance = std::hypot(x, height);
+    if (distance >= radius) break;
+    force += eps * (radius - distance) * (height / distance) * (0.6 / n) *
+             (c.geometry == Geometry::axisymmetric ? 2 * pi * x : 1);
+  }
+  EXPECT_NEAR(values.at("contact/c/reaction y [N]") / force, 1, 2e-3);
+}
+
+TEST(PenaltyContact, ResidualIsPureAndWritesTheWholeTrial) {
+  ContactModel model(Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 1, 1, 0), plate_xml(-0.01, 0.02),
+                     contact_parameters("surface quadrature", eps));
+  model.step(0.5);
+  model.begin(0.5);
+  const NodalView first = model.residual();
+  std::vector<double> rows, committed;
+  const PointView& trial = model.points(model.store.trial());
+  const PointView& old = model.points(model.store.committed());
+  for (std::size_t i = 0; i < trial.extent(0); ++i)
+    for (std::size_t j = 0; j < trial.extent(1); ++j) {
+      rows.push_back(trial(i, j));
+      committed.push_back(old(i, j));
+    }
+  auto& x = model.store.trial().coordinates;
+  for (int node = 0; node < model.mesh.num_nodes(); ++node) x(node, 1) -= 1;
+  model.residual();
+  for (int node = 0; node < model.mesh.num_nodes(); ++node) x(node, 1) = model.mesh.coordinates()(node, 1);
+  Kokkos::deep_copy(trial, -7.0);
+  const NodalView again = model.residual();
+  for (std::size_t i = 0; i < first.extent(0); ++i) EXPECT_EQ(first(i), again(i));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(trial(i / trial.extent(1), i % trial.extent(1)), rows[i]);
+    EXPECT_EQ(old(i / trial.extent(1), i % trial.extent(1)), committed[i]);
+  }
+}
+
+void copy(const State& from, State& to) {
+  to.time = from.time;
+  Kokkos::deep_copy(to.coordinates, from.coordinates);
+  for (std::size_t i = 0; i < from.arrays.size(); ++i) Kokkos::deep_copy(to.arrays[i], from.arrays[i]);
+}
+
+TEST(PenaltyContact, HistoryContinuesBitForBitFromTheCommittedState) {
+  // the stiffness that the automatic penalty sees has changed at the restart: the frozen one counts
+  double modulus = 3e5;
+  const auto make = [&] {
+    return std::make_unique<ContactModel>(
+        Geometry::axisymmetric, strip(Cells::tri6, 4, 1, 0, 1, 1, 0.3),
+        body_xml("b",
+                 text_parameter("type", "cone") + number_parameter("diameter", 1) +
+                     number_parameter("tip radius", 0.2) + number_parameter("shoulder radius", 0.1),
+                 text_parameter("type", "prescribed velocity") + text_parameter("velocity y", "-0.1*(1+sin(3*t))") +
+                     number_parameter("ramp time", 0.35)),
+        contact_parameters("surface quadrature", 0), [&](int, int) { return modulus; });
+  };
+  const auto straight = make(), restarted = make(), first = make();
+  std::map<std::string, double> a, b;
+  for (int i = 0; i < 6; ++i) a = straight->step(0.1);
+  for (int i = 0; i < 3; ++i) first->step(0.1);
+  modulus = 9e5;
+  copy(first->store.committed(), restarted->store.committed());
+  for (int i = 0; i < 3; ++i) b = restarted->step(0.1);
+  EXPECT_EQ(a, b);
+  EXPECT_GT(a.at("contact/c/reaction y [N]"), 0);
+  EXPECT_GT(a.at("contact/c/work [J]"), 0);
+}
+
+TEST(PenaltyContact, WorkIsThatOfTheLinearSpring) {
+  ContactModel model(Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 2, 1, 0), plate_xml(0, 0.01),
+                     contact_parameters("surface quadrature", eps));
+  std::map<std::string, double> values;
+  for (int i = 0; i < 5; ++i) values = model.step(1);
+  EXPECT_NEAR(values.at("contact/c/work [J]"), 0.5 * eps * 2 * 0.05 * 0.05, 1e-9 * eps);
+  // the body rests when it is not active, and nothing is done
+  model.bodies_["b"]->set_active(false);
+  const auto rest = model.step(1);
+  EXPECT_EQ(rest.at("contact/c/work [J]"), values.at("contact/c/work [J]"));
+  EXPECT_EQ(rest.at("contact/c/reaction y [N]"), values.at("contact/c/reaction y [N]"));
+  EXPECT_EQ(model.bodies_["b"]->velocity(model.store.committed())[1], 0);
+}
+
+TEST(PenaltyContact, AutomaticPenaltyScalesWithStiffnessOverHeight) {
+  for (const Cells cells : {Cells::quad9, Cells::tri6}) {
+    ContactModel model(Geometry::plane_strain, strip(cells, 4, 2, 0, 1, 0.5, 0), plate_xml(-0.01),
+                       contact_parameters("surface quadrature", 0) + number_parameter("penalty factor", 5),
+                       [](int, int) { return 2e6; });
+    const auto values = model.step(1);
+    EXPECT_NEAR(values.at("contact/c/reaction y [N]"), 5 * 2e6 / 0.25 * 0.01, 1e-4);
+  }
+}
+
+TEST(PenaltyContact, DistantSidesAreSkippedAndSaySo) {
+  ContactModel model(Geometry::plane_strain, strip(Cells::quad4, 10, 1, 0, 10, 1, 0), cylinder_xml(1, -0.1),
+                     contact_parameters("surface quadrature", eps) + number_parameter("capture distance", 0.25));
+  model.step(1);
+  const PointView& rows = model.points(model.store.committed());
+  int touching = 0, skipped = 0;
+  for (std::size_t i = 0; i < rows.extent(0); ++i) {
+    touching += rows(i, 0) < 0;
+    skipped += rows(i, 0) == 0.25;
+    EXPECT_EQ(rows(i, 2), rows(i, 0) < 0 ? 1 : 0);
+  }
+  EXPECT_GT(touching, 0);
+  EXPECT_EQ(skipped, 9 * 3);
+}
+
+TEST(PenaltyContact, StepLimitFollowsTheFastestMotionAhead) {
+  ContactModel model(Geometry::plane_strain, strip(Cells::quad4, 10, 1, 0, 1, 1, 0),
+                     body_xml("b", text_parameter("type", "flat pile") + number_parameter("diameter", 1),
+                              text_parameter("type", "prescribed velocity") + number_parameter("velocity y", -2)),
+                     contact_parameters("nodes", eps) + number_parameter("advance limit", 0.5));
+  EXPECT_NEAR(model.contact->step_limit(model.store.committed(), 1.0), 0.5 * 0.1 / 2, 1e-12);
+  model.bodies_["b"]->set_active(false);
+  EXPECT_GE(model.contact->step_limit(model.store.committed(), 1.0), 1e300);
+}
+
+TEST(PenaltyContact, PressedVerticesAreSealedOneStepLater) {
+  for (const bool sealing : {true, false}) {
+    ContactModel model(
+        Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 1, 1, 0), pile_xml(1, 0, 0.01),
+        contact_parameters("surface quadrature", eps) + text_parameter("drainage", sealing ? "sealed" : "drained"));
+    const int p = model.space.find("pore pressure"), n = model.space.dofs()->num_overlap_dofs();
+    const auto released = [&] {
+      Constraints constraints{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+      Kokkos::deep_copy(constraints.mask, char(1));
+      model.contact->constrain(model.view, constraints);
+      std::vector<double> result;
+      for (int node = 0; node < model.mesh.num_nodes(); ++node) {
+        const int dof = model.space.node_dof(p)(node);
+        if (dof >= 0 && !constraints.mask(dof)) result.push_back(model.mesh.coordinates()(node, 0));
+        EXPECT_TRUE(constraints.mask(model.dof(node, 0)));
+      }
+      return result;
+    };
+    model.begin(1);
+    model.residual();
+    EXPECT_TRUE(released().empty());
+    model.store.accept();
+    model.begin(1);
+    // the pile's edge is at 0.5: the vertex there also belongs to a free side
+    const auto sealed = released();
+    ASSERT_EQ(sealed.size(), sealing ? 2u : 0u);
+    if (sealing) {
+      EXPECT_EQ(std::max(sealed[0], sealed[1]), 0.25);
+    }
+    model.view.flow = false;
+    EXPECT_TRUE(released().empty());
+    model.view.flow = true;
+    // the soil sinks away from the pile: open again one step later
+    for (int node = 0; node < model.mesh.num_nodes(); ++node) model.store.trial().coordinates(node, 1) -= 0.1;
+    model.residual();
+    EXPECT_EQ(released().size(), sealing ? 2u : 0u);
+    model.store.accept();
+    model.begin(1);
+    EXPECT_TRUE(released().empty());
+  }
+}
+
+TEST(PenaltyContact, DegenerateSidesAreCounted) {
+  ContactModel model(Geometry::plane_strain, strip(Cells::quad4, 2, 1, 0, 1, 1, 0), plate_xml(-0.01),
+                     contact_parameters("surface quadrature", eps));
+  model.begin(1);
+  for (int node = 0; node < model.mesh.num_nodes(); ++node) model.store.trial().coordinates(node, 0) = std::nan("");
+  model.residual();
+  EXPECT_EQ(model.failures, 2);
+}
+
+TEST(PenaltyContact, WrongEntriesAreNamed) {
+  const auto error = [](const std::string& body, const std::string& contact) {
+    return input_error(
+        [&] { ContactModel(Geometry::plane_strain, strip(Cells::quad4, 4, 1, 0, 1, 1, 0), body, contact); });
+  };
+  const auto has = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  has(error(plate_xml(-0.3), contact_parameters("nodes", eps)),
+      "contacts/c/body: body 'b' overlaps the surface by 0.3 m at (");
+  has(error(plate_xml(-0.3), contact_parameters("nodes", eps)),
+      ", 0) at the start, more than its shortest side, 0.25 m; move its 'position'");
+  has(error(plate_xml(0),
+            text_parameter("body", "b") + text_parameter("surface", "surfaces") + number_parameter("penalty", eps)),
+      "contacts/c/surface: unknown side set 'surfaces' (did you mean 'surface'?)");
+  has(error(plate_xml(0), contact_parameters("gauss", eps)), "method");
+  has(error(plate_xml(0), contact_parameters("nodes", eps) + number_parameter("penaly factor", 3)), "penaly factor");
+  has(error(plate_xml(0), contact_parameters("nodes", eps, "bb")), "contacts/c/body: unknown body 'bb'");
+}
+
+}  // namespace
+}  // namespace mudline

@@ -1,0 +1,127 @@
+#include "core/entry.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "core/text.hpp"
+
+namespace mudline {
+
+namespace {
+
+std::string text_of(double value) { return number_text(value); }
+std::string text_of(int value) { return std::to_string(value); }
+std::string text_of(const std::string& value) { return value; }
+
+template <class T>
+std::string array_text(const Teuchos::ParameterEntry& entry) {
+  std::vector<std::string> items;
+  for (const T& item : Teuchos::any_cast<Teuchos::Array<T>>(entry.getAny(false))) items.push_back(text_of(item));
+  return "{" + join(items) + "}";
+}
+
+template <class T>
+const T& value_of(const Teuchos::ParameterEntry& entry) {
+  return Teuchos::any_cast<T>(entry.getAny(false));  // false: looking at a value is not using it
+}
+
+double to_number(const std::string& text, const std::string& expected) {
+  const auto number = parse_number(text);
+  if (!number) throw InputError("expected " + expected + ", given '" + text + "'");
+  if (!std::isfinite(*number)) throw InputError("expected a finite number, given '" + text + "'");
+  return *number;
+}
+
+int to_integer(const std::string& text, const std::string& expected) {
+  const auto number = parse_integer(text);
+  if (!number) throw InputError("expected " + expected + ", given '" + text + "'");
+  return *number;
+}
+
+template <class T, class Convert>
+Teuchos::ParameterEntry make_array(const std::string& text, const std::string& expected, Convert convert) {
+  const auto items = parse_array(text);
+  if (!items) throw InputError("expected " + expected + " such as {1, 2}, given '" + text + "'");
+  Teuchos::Array<T> values;
+  for (const std::string& item : *items) values.push_back(convert(item));
+  return Teuchos::ParameterEntry(values);
+}
+
+}  // namespace
+
+const std::vector<std::string>& entry_types() {
+  static const std::vector<std::string> types{"double",        "int",        "bool",         "string",
+                                              "Array(double)", "Array(int)", "Array(string)"};
+  return types;
+}
+
+std::string entry_type(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<double>()) return "double";
+  if (entry.isType<int>()) return "int";
+  if (entry.isType<bool>()) return "bool";
+  if (entry.isType<std::string>()) return "string";
+  if (entry.isType<Teuchos::Array<double>>()) return "Array(double)";
+  if (entry.isType<Teuchos::Array<int>>()) return "Array(int)";
+  if (entry.isType<Teuchos::Array<std::string>>()) return "Array(string)";
+  return entry.getAny(false).typeName();
+}
+
+std::string entry_text(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<double>()) return number_text(value_of<double>(entry));
+  if (entry.isType<int>()) return std::to_string(value_of<int>(entry));
+  if (entry.isType<bool>()) return value_of<bool>(entry) ? "true" : "false";
+  if (entry.isType<std::string>()) return value_of<std::string>(entry);
+  if (entry.isType<Teuchos::Array<double>>()) return array_text<double>(entry);
+  if (entry.isType<Teuchos::Array<int>>()) return array_text<int>(entry);
+  if (entry.isType<Teuchos::Array<std::string>>()) return array_text<std::string>(entry);
+  return Teuchos::toString(entry.getAny(false));
+}
+
+std::string describe_entry(const Teuchos::ParameterEntry& entry) {
+  if (entry.isList()) return "a section";
+  const std::string text = entry_text(entry);
+  if (entry.isType<double>()) return "the number " + text;
+  if (entry.isType<int>()) return "the integer " + text;
+  if (entry.isType<bool>()) return "the bool " + text;
+  if (entry.isType<std::string>()) return "the string '" + text + "'";
+  return "the " + entry_type(entry) + " " + text;
+}
+
+Teuchos::ParameterEntry make_entry(const std::string& type, const std::string& text) {
+  if (type == "double") return Teuchos::ParameterEntry(to_number(text, "a number (double)"));
+  if (type == "int") return Teuchos::ParameterEntry(to_integer(text, "an integer (int)"));
+  if (type == "bool") {
+    const auto value = parse_bool(text);
+    if (!value) throw InputError("expected true or false (bool), given '" + text + "'");
+    return Teuchos::ParameterEntry(*value);
+  }
+  if (type == "string") return Teuchos::ParameterEntry(text);
+  if (type == "Array(double)")
+    return make_array<double>(text, "an array of numbers (Array(double))",
+                              [](const std::string& item) { return to_number(item, "a number in the array"); });
+  if (type == "Array(int)")
+    return make_array<int>(text, "an array of integers (Array(int))",
+                           [](const std::string& item) { return to_integer(item, "an integer in the array"); });
+  if (type == "Array(string)") {
+    const auto items = parse_array(text);
+    if (!items) throw InputError("expected an array of strings (Array(string)) such as {a, b}, given '" + text + "'");
+    return Teuchos::ParameterEntry(Teuchos::Array<std::string>(*items));
+  }
+  throw InputError("unknown parameter type '" + type + "'" + suggestion(type, entry_types()));
+}
+
+Teuchos::ParameterEntry infer_entry(const std::string& text) {
+  for (const char* type : {"bool", "int", "double", "Array(int)", "Array(double)", "Array(string)"}) {
+    try {
+      return make_entry(type, text);
+    } catch (const InputError&) {
+      continue;  // not of this type: the next one is wider
+    }
+  }
+  return Teuchos::ParameterEntry(text);
+}
+
+}  // namespace mudline

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Teuchos_ParameterEntry.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mudline {
+
+/// The types a <Parameter> may declare: double, int, bool, string, Array(double), Array(int), Array(string).
+const std::vector<std::string>& entry_types();
+
+/// One of entry_types(), or the C++ type's name for anything set from code.
+std::string entry_type(const Teuchos::ParameterEntry& entry);
+
+/// The value as it would stand in XML: "0.5", "true", "{1, 2}".
+std::string entry_text(const Teuchos::ParameterEntry& entry);
+
+/// For error messages: "the string 'abc'", "the number 0.5", "a section".
+std::string describe_entry(const Teuchos::ParameterEntry& entry);
+
+/// The value that `text` stands for; `type` is one of entry_types().
+/// Throws InputError without position ("expected a number (double), given 'abc'"); nan and inf are refused.
+Teuchos::ParameterEntry make_entry(const std::string& type, const std::string& text);
+
+/// The narrowest of bool, int, double, array and string that `text` fits.
+Teuchos::ParameterEntry infer_entry(const std::string& text);
+
+}  // namespace mudline

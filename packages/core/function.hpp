@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mudline {
+
+using Point = std::array<double, 3>;  // [m]; plane strain: x, y, 0; axisymmetric: r, z, 0
+
+/// A scalar function of time and position; immutable after construction.
+class FunctionBase {
+ public:
+  virtual ~FunctionBase() = default;
+  virtual double value(double time, const Point& x) const = 0;
+  /// True when value does not depend on time.
+  virtual bool steady() const { return false; }
+};
+
+/// A number, an expression (see make_expression), or the name of an entry of the deck's section "functions".
+/// Value semantics: copies share the immutable definition. Default-constructed: the constant 0.
+class Function {
+ public:
+  Function() : Function(0.0) {}
+  Function(double constant);  // NOLINT: a number is a function
+  Function(double constant, std::string text);
+  explicit Function(std::shared_ptr<const FunctionBase> definition, std::string text);
+
+  double operator()(double time, const Point& x) const { return definition_ ? definition_->value(time, x) : constant_; }
+  bool steady() const { return definition_ ? definition_->steady() : true; }
+  bool is_constant() const { return definition_ == nullptr; }
+  bool is_zero() const { return is_constant() && constant_ == 0.0; }
+  /// As the user wrote it.
+  const std::string& text() const { return text_; }
+  /// The same function that calls itself `text`.
+  Function with_text(std::string text) const;
+
+ private:
+  std::shared_ptr<const FunctionBase> definition_;
+  double constant_ = 0.0;
+  std::string text_;
+};
+
+/// The deck's named functions; resolves what a parameter of function kind may hold.
+class FunctionLibrary {
+ public:
+  void add(const std::string& name, Function function);
+  std::vector<std::string> names() const;
+  bool contains(const std::string& name) const { return functions_.count(name) != 0; }
+
+  /// A number ("3.5"), a function's name, or an expression ("10*sin(5*t)").
+  /// Throws InputError without position (the caller adds path and line) with the parser's reason.
+  Function resolve(const std::string& text) const;
+
+ private:
+  std::map<std::string, Function> functions_;
+};
+
+/// Expression in muParser's syntax: + - * / ^, comparisons, ?:, sin, exp, min, ... and the constant pi. Variables: t
+/// [s]; x and r, the first coordinate; y and z, the second one. Plane strain decks thus write (x, y), axisymmetric
+/// decks (r, z). An expression without variables becomes a constant. May be evaluated from several threads, one at a
+/// time. Throws InputError without position, naming the offending part.
+Function make_expression(const std::string& text);
+
+enum class Interpolation { linear, smooth };
+
+/// Table in time, constant outside its range. `smooth`: cubic with zero slope at every table point (monotone between
+/// points, C1), the usual smooth ramp. Throws InputError unless times increase strictly and sizes agree.
+Function make_table(const std::vector<double>& times, const std::vector<double>& values, Interpolation kind);
+
+}  // namespace mudline

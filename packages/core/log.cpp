@@ -1,0 +1,38 @@
+#include "core/log.hpp"
+
+#include <iostream>
+
+namespace mudline::log {
+
+namespace {
+
+struct Settings {
+  int rank = 0;
+  Level level = Level::normal;
+};
+
+/// The one process-wide setting of the program: a log passed through every call would hide the arguments that matter.
+Settings& settings() {
+  static Settings instance;
+  return instance;
+}
+
+void print(const std::string& line, Level from) {
+  if (settings().rank == 0 && settings().level >= from) std::cout << line << std::endl;
+}
+
+}  // namespace
+
+void configure(int rank, Level level) { settings() = {rank, level}; }
+
+Level level() { return settings().level; }
+
+void info(const std::string& line) { print(line, Level::normal); }
+
+void detail(const std::string& line) { print(line, Level::verbose); }
+
+void warn(const std::string& line) {
+  if (settings().rank == 0) std::cerr << "warning: " << line << std::endl;
+}
+
+}  // namespace mudline::log

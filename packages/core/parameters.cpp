@@ -1,0 +1,289 @@
+#include "core/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+#include "core/entry.hpp"
+#include "core/errors.hpp"
+#include "core/text.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What is wrong with one value, without position; the caller adds it.
+using Fault = InputError;
+
+[[noreturn]] void mismatch(const std::string& expected, const Teuchos::ParameterEntry& entry) {
+  throw Fault("expected " + expected + ", given " + describe_entry(entry));
+}
+
+template <class T>
+const T& value_of(const Teuchos::ParameterEntry& entry) {
+  return Teuchos::getValue<T>(entry);
+}
+
+void check_range(double value, const std::string& text, const Range& range) {
+  if (!std::isfinite(value)) throw Fault(text + " is not finite");
+  if (!range.contains(value)) throw Fault(text + " is out of range; allowed: " + range.describe());
+}
+
+void convert(const Teuchos::ParameterEntry& entry, const Range& range, double& member) {
+  if (entry.isType<int>()) {
+    member = value_of<int>(entry);
+  } else if (entry.isType<double>()) {
+    member = value_of<double>(entry);
+  } else {
+    mismatch("a number (double)", entry);
+  }
+  check_range(member, number_text(member), range);
+}
+
+void convert(const Teuchos::ParameterEntry& entry, const Range& range, int& member) {
+  if (!entry.isType<int>()) mismatch("an integer (int)", entry);
+  member = value_of<int>(entry);
+  check_range(member, std::to_string(member), range);
+}
+
+void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, bool& member) {
+  if (!entry.isType<bool>()) mismatch("true or false (bool)", entry);
+  member = value_of<bool>(entry);
+}
+
+void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, std::string& member) {
+  if (!entry.isType<std::string>()) mismatch("a string", entry);
+  member = value_of<std::string>(entry);
+}
+
+void convert(const Teuchos::ParameterEntry& entry, const Range& range, std::vector<double>& member) {
+  if (entry.isType<Teuchos::Array<int>>()) {
+    const auto& values = value_of<Teuchos::Array<int>>(entry);
+    member.assign(values.begin(), values.end());
+  } else if (entry.isType<Teuchos::Array<double>>()) {
+    member = value_of<Teuchos::Array<double>>(entry).toVector();
+  } else {
+    mismatch("an array of numbers (Array(double))", entry);
+  }
+  for (std::size_t i = 0; i < member.size(); ++i)
+    check_range(member[i], number_text(member[i]) + " (entry " + std::to_string(i + 1) + ")", range);
+}
+
+void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, std::vector<std::string>& member) {
+  if (entry.isType<Teuchos::Array<std::string>>()) {
+    member = value_of<Teuchos::Array<std::string>>(entry).toVector();
+  } else if (entry_text(entry) == "{}") {
+    member.clear();  // --set takes "{}" for an array of integers
+  } else {
+    mismatch("an array of strings (Array(string))", entry);
+  }
+}
+
+void convert(const Teuchos::ParameterEntry& entry, const Range& range, std::array<double, 2>& member) {
+  std::vector<double> values;
+  convert(entry, range, values);
+  if (values.size() != 2) throw Fault("expected 2 numbers, given " + std::to_string(values.size()));
+  std::copy(values.begin(), values.end(), member.begin());
+}
+
+/// Names of functions and expressions need the deck's library, the other conversions only the entry.
+Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibrary& library) {
+  if (entry.isType<std::string>()) return library.resolve(value_of<std::string>(entry));
+  if (!entry.isType<double>() && !entry.isType<int>())
+    mismatch("a number, an expression or the name of a function", entry);
+  double constant = 0.0;
+  convert(entry, any(), constant);
+  return Function(constant);
+}
+
+std::string list_text(const std::vector<std::string>& items) { return "{" + join(items) + "}"; }
+
+std::string text_of(double value) { return number_text(value); }
+std::string text_of(int value) { return std::to_string(value); }
+std::string text_of(bool value) { return value ? "true" : "false"; }
+std::string text_of(const std::string& value) { return value; }
+std::string text_of(const std::vector<std::string>& value) { return list_text(value); }
+template <class Numbers>
+std::string text_of(const Numbers& values) {
+  std::vector<std::string> items;
+  for (double value : values) items.push_back(number_text(value));
+  return list_text(items);
+}
+
+const char* type_of(double) { return "double"; }
+const char* type_of(int) { return "int"; }
+const char* type_of(bool) { return "bool"; }
+const char* type_of(const std::string&) { return "string"; }
+const char* type_of(const std::vector<double>&) { return "array of doubles"; }
+const char* type_of(const std::array<double, 2>&) { return "array of doubles"; }
+const char* type_of(const std::vector<std::string>&) { return "array of strings"; }
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+}
+
+std::string Range::describe() const {
+  if (low == -infinity && high == infinity) return "any";
+  return (low_open ? "(" : "[") + number_text(low) + ", " + number_text(high) + (high_open ? ")" : "]");
+}
+
+Range any() { return {-infinity, infinity, true, true}; }
+Range positive() { return {0.0, infinity, true, true}; }
+Range non_negative() { return {0.0, infinity, false, true}; }
+Range closed(double low, double high) { return {low, high, false, false}; }
+Range open(double low, double high) { return {low, high, true, true}; }
+Range half_open(double low, double high) { return {low, high, false, true}; }
+
+Parameters::Parameters(const Section& section) : section_(std::make_shared<Section>(section)) {}
+
+Parameters::Parameters() = default;
+
+void Parameters::declare(ParameterDoc doc) {
+  for (const ParameterDoc& known : docs_)
+    if (known.name == doc.name) throw std::logic_error("the parameter '" + doc.name + "' is declared twice");
+  docs_.push_back(std::move(doc));
+}
+
+const Teuchos::ParameterEntry* Parameters::entry(const ParameterDoc& doc) const {
+  if (documenting()) return nullptr;
+  Teuchos::ParameterEntry* found = section_->list().getEntryPtr(doc.name);
+  if (found == nullptr && doc.required) section_->fail("required parameter '" + doc.name + "' is missing");
+  return found;
+}
+
+template <class Read>
+void Parameters::read(const ParameterDoc& doc, Read convert_entry) {
+  declare(doc);
+  const Teuchos::ParameterEntry* found = entry(doc);
+  if (found == nullptr) return;
+  try {
+    convert_entry(*found);
+  } catch (const InputError& fault) {
+    section_->fail(fault.what(), doc.name);
+  }
+}
+
+template <class T>
+void Parameters::value(const std::string& name, T& member, const std::string& unit, const Range& range,
+                       const std::string& range_text, const std::string& doc, bool required) {
+  const std::string default_text = required ? "" : text_of(member);
+  read({name, type_of(member), unit, range_text, default_text, doc, required, {}},
+       [&](const Teuchos::ParameterEntry& entry) { convert(entry, range, member); });
+}
+
+void Parameters::function(const std::string& name, Function& member, const std::string& unit, const std::string& doc,
+                          bool required) {
+  read({name, "function", unit, "", required ? "" : member.text(), doc, required, {}},
+       [&](const Teuchos::ParameterEntry& entry) { member = read_function(entry, section_->functions()); });
+}
+
+void Parameters::path(const std::string& name, std::string& member, const std::string& doc, bool required) {
+  read({name, "file", "", "", required ? "" : member, doc, required, {}}, [&](const Teuchos::ParameterEntry& entry) {
+    std::string given;
+    convert(entry, any(), given);
+    const auto full = std::filesystem::absolute(std::filesystem::path(section_->folder()) / given).lexically_normal();
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(full, ignored))
+      throw Fault("the file '" + given + "' does not exist (looked for " + full.string() + ")");
+    member = full.string();
+  });
+}
+
+std::size_t Parameters::choose(const std::string& name, std::size_t fallback, const std::vector<std::string>& words,
+                               const std::string& doc) {
+  std::size_t chosen = fallback;
+  read({name, "choice", "", "", words.at(fallback), doc, false, words}, [&](const Teuchos::ParameterEntry& entry) {
+    std::string word;
+    convert(entry, any(), word);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) throw Fault("'" + word + "' is not a choice" + suggestion(word, words));
+    chosen = static_cast<std::size_t>(found - words.begin());
+  });
+  return chosen;
+}
+
+void Parameters::add(const std::string& name, double& member, const std::string& unit, Range range,
+                     const std::string& doc) {
+  value(name, member, unit, range, range.describe(), doc, false);
+}
+void Parameters::add(const std::string& name, int& member, const std::string& unit, Range range,
+                     const std::string& doc) {
+  value(name, member, unit, range, range.describe(), doc, false);
+}
+void Parameters::add(const std::string& name, bool& member, const std::string& doc) {
+  value(name, member, "", any(), "", doc, false);
+}
+void Parameters::add(const std::string& name, std::string& member, const std::string& doc) {
+  value(name, member, "", any(), "", doc, false);
+}
+void Parameters::add(const std::string& name, std::vector<double>& member, const std::string& unit, Range range,
+                     const std::string& doc) {
+  value(name, member, unit, range, range.describe(), doc, false);
+}
+void Parameters::add(const std::string& name, std::vector<std::string>& member, const std::string& doc) {
+  value(name, member, "", any(), "", doc, false);
+}
+void Parameters::add(const std::string& name, std::array<double, 2>& member, const std::string& unit,
+                     const std::string& doc) {
+  value(name, member, unit, any(), "2 numbers", doc, false);
+}
+void Parameters::add(const std::string& name, Function& member, const std::string& unit, const std::string& doc) {
+  function(name, member, unit, doc, false);
+}
+
+void Parameters::required(const std::string& name, double& member, const std::string& unit, Range range,
+                          const std::string& doc) {
+  value(name, member, unit, range, range.describe(), doc, true);
+}
+void Parameters::required(const std::string& name, int& member, const std::string& unit, Range range,
+                          const std::string& doc) {
+  value(name, member, unit, range, range.describe(), doc, true);
+}
+void Parameters::required(const std::string& name, std::string& member, const std::string& doc) {
+  value(name, member, "", any(), "", doc, true);
+}
+void Parameters::required(const std::string& name, std::vector<double>& member, const std::string& unit, Range range,
+                          const std::string& doc) {
+  value(name, member, unit, range, range.describe(), doc, true);
+}
+void Parameters::required(const std::string& name, std::vector<std::string>& member, const std::string& doc) {
+  value(name, member, "", any(), "", doc, true);
+}
+void Parameters::required(const std::string& name, std::array<double, 2>& member, const std::string& unit,
+                          const std::string& doc) {
+  value(name, member, unit, any(), "2 numbers", doc, true);
+}
+void Parameters::required(const std::string& name, Function& member, const std::string& unit, const std::string& doc) {
+  function(name, member, unit, doc, true);
+}
+
+void Parameters::file(const std::string& name, std::string& member, const std::string& doc) {
+  path(name, member, doc, false);
+}
+void Parameters::required_file(const std::string& name, std::string& member, const std::string& doc) {
+  path(name, member, doc, true);
+}
+
+void Parameters::passes_on(const std::string& name, const std::string& doc) {
+  subsections_.push_back({name, doc, {}, {}, true});
+  if (!documenting()) section_->section(name);
+}
+
+bool Parameters::given(const std::string& name) const { return !documenting() && section_->has_parameter(name); }
+
+void Parameters::finish() const {
+  if (documenting()) return;
+  std::vector<std::string> parameters, sections;
+  for (const ParameterDoc& doc : docs_) parameters.push_back(doc.name);
+  for (const SubsectionDoc& doc : subsections_) sections.push_back(doc.name);
+  section_->allow_parameters(parameters);
+  section_->allow_sections(sections);
+}
+
+}  // namespace mudline

@@ -1,0 +1,131 @@
+#include "core/section.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/entry.hpp"
+#include "core/errors.hpp"
+#include "core/text.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Teuchos' iterators of release 13.2 give name and entry only through the list; one place to know it.
+template <class Visit>
+void for_each_entry(const Teuchos::ParameterList& list, Visit visit) {
+  for (auto it = list.begin(); it != list.end(); ++it) visit(list.name(it), list.entry(it));
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Sections are not judged by themselves: Teuchos marks them used whenever something is put into them.
+void collect_unused(const Teuchos::ParameterList& list, const std::string& path, std::vector<std::string>& unused) {
+  for_each_entry(list, [&](const std::string& name, const Teuchos::ParameterEntry& entry) {
+    if (entry.isList()) {
+      collect_unused(Teuchos::any_cast<Teuchos::ParameterList>(entry.getAny(false)), join_path(path, name), unused);
+    } else if (!entry.isUsed()) {
+      unused.push_back(join_path(path, name));
+    }
+  });
+}
+
+}  // namespace
+
+Section::Section(Teuchos::ParameterList& root, std::shared_ptr<const Sources> sources,
+                 std::shared_ptr<const FunctionLibrary> functions, std::string folder)
+    : list_(&root), sources_(std::move(sources)), functions_(std::move(functions)), folder_(std::move(folder)) {
+  if (!sources_) sources_ = std::make_shared<Sources>();
+  if (!functions_) functions_ = std::make_shared<FunctionLibrary>();
+}
+
+std::string Section::name() const {
+  const auto slash = path_.rfind('/');
+  return slash == std::string::npos ? path_ : path_.substr(slash + 1);
+}
+
+bool Section::has_section(const std::string& name) const { return list_->isSublist(name); }
+
+bool Section::has_parameter(const std::string& name) const {
+  return list_->isParameter(name) && !list_->isSublist(name);
+}
+
+Section Section::section(const std::string& name) const {
+  if (has_parameter(name))
+    fail("expected a section (ParameterList), given " + describe_entry(list_->getEntry(name)), name);
+  Section result;
+  if (has_section(name)) {
+    result.list_ = &list_->sublist(name);
+    result.own_ = own_;
+  } else {
+    result.own_ = std::make_shared<Teuchos::ParameterList>(name);
+    result.list_ = result.own_.get();
+  }
+  result.sources_ = sources_;
+  result.functions_ = functions_;
+  result.path_ = join_path(path_, name);
+  result.folder_ = folder_;
+  return result;
+}
+
+std::vector<std::string> Section::section_names() const {
+  std::vector<std::string> names;
+  for_each_entry(*list_, [&](const std::string& name, const Teuchos::ParameterEntry& entry) {
+    if (entry.isList()) names.push_back(name);
+  });
+  return names;
+}
+
+std::vector<std::string> Section::parameter_names() const {
+  std::vector<std::string> names;
+  for_each_entry(*list_, [&](const std::string& name, const Teuchos::ParameterEntry& entry) {
+    if (!entry.isList()) names.push_back(name);
+  });
+  return names;
+}
+
+std::string Section::source(const std::string& entry) const {
+  std::string path = join_path(path_, entry);
+  // An entry that is not in the deck is reported at the section that should hold it.
+  while (true) {
+    const auto found = sources_->find(path);
+    if (found != sources_->end()) return found->second;
+    if (path.empty()) return "";
+    const auto slash = path.rfind('/');
+    path = slash == std::string::npos ? "" : path.substr(0, slash);
+  }
+}
+
+void Section::fail(const std::string& message, const std::string& entry) const {
+  std::string line;
+  for (const std::string& part : {source(entry), join_path(path_, entry)})
+    if (!part.empty()) line += part + ": ";
+  throw InputError(line + message);
+}
+
+void Section::allow_sections(const std::vector<std::string>& allowed) const {
+  for (const std::string& name : section_names())
+    if (!contains(allowed, name)) fail("unknown section" + suggestion(name, allowed), name);
+}
+
+void Section::allow_parameters(const std::vector<std::string>& allowed) const {
+  for (const std::string& name : parameter_names())
+    if (!contains(allowed, name)) fail("unknown parameter" + suggestion(name, allowed), name);
+}
+
+std::string Section::text(const std::string& name) const {
+  if (!list_->isParameter(name)) fail("required parameter '" + name + "' is missing");
+  const auto& entry = list_->getEntry(name);
+  if (!entry.isType<std::string>()) fail("expected a string, given " + describe_entry(entry), name);
+  return list_->get<std::string>(name);
+}
+
+std::vector<std::string> Section::unused() const {
+  std::vector<std::string> result;
+  collect_unused(*list_, path_, result);
+  return result;
+}
+
+}  // namespace mudline

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "core/errors.hpp"
+
+namespace mudline {
+
+/// Runs `action` on every rank; when it throws anywhere, every rank throws the error of the lowest such rank, so that
+/// what only one rank can see (a missing file, a bad mesh) ends all of them alike. Collective; the action itself must
+/// not communicate.
+template <class Action>
+void agree(const Teuchos::Comm<int>& comm, Action&& action) {
+  std::string message;
+  std::exception_ptr other;  // a programmer's error or exhausted memory: its own type is kept where it was thrown
+  int failed = comm.getSize();
+  try {
+    action();
+  } catch (const InputError& error) {
+    message = error.what();
+    failed = comm.getRank();
+  } catch (const std::exception& error) {
+    message = error.what();
+    other = std::current_exception();
+    failed = comm.getRank();
+  }
+  int first = failed;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &failed, &first);
+  if (first == comm.getSize()) return;
+
+  int header[2] = {static_cast<int>(message.size()), other ? 1 : 0};
+  Teuchos::broadcast(comm, first, 2, header);
+  message.resize(header[0]);
+  Teuchos::broadcast(comm, first, header[0], message.data());
+  if (header[1] == 0) throw InputError(message);
+  if (first == comm.getRank()) std::rethrow_exception(other);
+  throw std::runtime_error(message);
+}
+
+}  // namespace mudline

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "core/errors.hpp"
+#include "core/text.hpp"
+#include "discretisation/distribute.hpp"
+
+namespace mudline {
+
+namespace {
+
+std::string at(double x, double y) {
+  char text[80];
+  std::snprintf(text, sizeof(text), "(%.6g, %.6g)", x, y);
+  return text;
+}
+
+std::string at(const std::array<double, 2>& point) { return at(point[0], point[1]); }
+
+std::string centre(const GlobalMesh& mesh, const long long* nodes, CellShape shape) {
+  double x = 0, y = 0;
+  const int n = num_corners(shape);
+  for (int c = 0; c < n; ++c) {
+    x += mesh.coordinates[nodes[c]][0] / n;
+    y += mesh.coordinates[nodes[c]][1] / n;
+  }
+  return at(x, y);
+}
+
+/// Calls f(block, nodes of the element).
+template <class F>
+void for_each_element(const GlobalMesh& mesh, F&& f) {
+  for (const auto& block : mesh.blocks)
+    for (std::size_t first = 0; first < block.nodes.size(); first += num_nodes(block.shape))
+      f(block, block.nodes.data() + first);
+}
+
+void check_blocks(const GlobalMesh& mesh) {
+  const GlobalMesh::Block* previous = nullptr;
+  for (const auto& block : mesh.blocks) {
+    if (block.nodes.size() % num_nodes(block.shape) != 0) throw std::logic_error("a mesh block has half an element");
+    for (long long node : block.nodes)
+      if (node < 0 || node >= static_cast<long long>(mesh.coordinates.size()))
+        throw std::logic_error("a mesh block names a node that does not exist");
+    if (previous != nullptr && order(block.shape) != order(previous->shape))
+      throw InputError("the mesh mixes linear and quadratic elements: " + std::string(name(previous->shape)) +
+                       " in region '" + previous->region + "', " + name(block.shape) + " in '" + block.region + "'");
+    previous = &block;
+  }
+  if (std::all_of(mesh.blocks.begin(), mesh.blocks.end(), [](const auto& block) { return block.nodes.empty(); }))
+    throw InputError("the mesh has no elements");
+}
+
+void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
+  std::vector<char> used(mesh.coordinates.size(), 0);
+  for (const auto& block : mesh.blocks)
+    for (long long node : block.nodes) used[node] = 1;
+  const auto orphans = std::count(used.begin(), used.end(), 0);
+  if (orphans > 0) {
+    const auto first = std::find(used.begin(), used.end(), 0) - used.begin();
+    throw InputError(std::to_string(orphans) + " nodes of the mesh belong to no element; the first is at " +
+                     at(mesh.coordinates[first]));
+  }
+  if (geometry == Geometry::plane_strain) return;
+  double largest = 0;
+  for (const auto& point : mesh.coordinates) largest = std::max(largest, std::abs(point[0]));
+  for (const auto& point : mesh.coordinates)
+    if (point[0] < -1e-12 * largest)
+      throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + at(point));
+}
+
+/// Neighbours run along their common side in opposite directions and share its middle node; a direction met twice
+/// means that elements lie on one another.
+void check_fit(const GlobalMesh& mesh) {
+  const auto count = static_cast<unsigned long long>(mesh.coordinates.size());
+  std::unordered_map<unsigned long long, long long> middles;  // directed side -> middle node, or -1
+  for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
+    for (int side = 0; side < num_sides(block.shape); ++side) {
+      const std::vector<int> ends = side_nodes(block.shape, side);
+      const long long a = nodes[ends[0]], b = nodes[ends[1]], middle = ends.size() > 2 ? nodes[ends[2]] : -1;
+      if (!middles.emplace(a * count + b, middle).second)
+        throw InputError("elements overlap: two of them have the same side, one is in region '" + block.region +
+                         "' centred at " + centre(mesh, nodes, block.shape));
+      const auto other = middles.find(b * count + a);
+      if (other != middles.end() && other->second != middle)
+        throw InputError("neighbours do not share the middle node of their common side from " +
+                         at(mesh.coordinates[a]) + " to " + at(mesh.coordinates[b]));
+    }
+  });
+}
+
+/// Reference gradients (point; node, 2) where the Jacobian is looked at: the points of the usual quadrature, and the
+/// corners, where a curved side folds an element first.
+std::vector<std::vector<double>> gradients(CellShape shape) {
+  std::vector<std::array<double, 2>> points = cell_quadrature(shape, 4).points;
+  if (num_corners(shape) == 3) {
+    points.insert(points.end(), {{0, 0}, {1, 0}, {0, 1}});
+  } else {
+    points.insert(points.end(), {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+  }
+  std::vector<std::vector<double>> result;
+  std::vector<double> values(num_nodes(shape)), slopes(2 * num_nodes(shape));
+  for (const auto& point : points) {
+    evaluate_shape(shape, point.data(), values.data(), slopes.data());
+    result.push_back(slopes);
+  }
+  return result;
+}
+
+double jacobian(const GlobalMesh& mesh, const long long* nodes, const std::vector<double>& dN) {
+  double j[2][2] = {};
+  for (std::size_t k = 0; k < dN.size(); ++k)
+    for (int i = 0; i < 2; ++i) j[i][k % 2] += mesh.coordinates[nodes[k / 2]][i] * dN[k];
+  return j[0][0] * j[1][1] - j[0][1] * j[1][0];
+}
+
+void check_jacobians(const GlobalMesh& mesh) {
+  const GlobalMesh::Block* current = nullptr;
+  std::vector<std::vector<double>> points;
+  for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
+    if (&block != current) points = gradients(block.shape);
+    current = &block;
+    double lowest = std::numeric_limits<double>::max(), size = 0;
+    for (const std::vector<double>& dN : points) {
+      const double value = jacobian(mesh, nodes, dN);
+      if (!std::isfinite(value)) throw InputError("the mesh has a coordinate that is not finite");
+      lowest = std::min(lowest, value);
+    }
+    for (int c = 0; c < num_corners(block.shape); ++c)
+      for (int d = 0; d < 2; ++d)
+        size = std::max(size, std::abs(mesh.coordinates[nodes[c]][d] - mesh.coordinates[nodes[0]][d]));
+    const double round_off = 1e-10 * size * size;  // a sliver that cannot be told from a flat element is refused too
+    if (lowest > round_off) return;
+    throw InputError("element with " + std::string(lowest < -round_off ? "negative" : "zero") +
+                     " Jacobian in region '" + block.region + "' centred at " + centre(mesh, nodes, block.shape) +
+                     ": it is inverted, flat, or its sides are too curved");
+  });
+}
+
+void check_sets(const GlobalMesh& mesh) {
+  for (const auto& [name, sides] : mesh.side_sets) {
+    if (sides.empty()) throw InputError("the side set '" + name + "' is empty");
+    if (mesh.node_sets.count(name) != 0)
+      throw InputError("the name '" + name + "' belongs to a set of sides and to a set of points");
+    std::set<std::array<long long, 3>> seen;
+    for (const auto& side : sides)
+      if (!seen.insert({side.block, side.element, side.side}).second)
+        throw InputError("a side occurs twice in the side set '" + name + "'");
+  }
+  for (const auto& [name, nodes] : mesh.node_sets)
+    if (nodes.empty()) throw InputError("the set of points '" + name + "' is empty");
+}
+
+}  // namespace
+
+void check_mesh(const GlobalMesh& mesh, Geometry geometry) {
+  check_blocks(mesh);
+  check_nodes(mesh, geometry);
+  check_jacobians(mesh);
+  check_fit(mesh);
+  check_sets(mesh);
+}
+
+}  // namespace mudline

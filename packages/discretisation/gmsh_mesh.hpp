@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "discretisation/mesh.hpp"
+#include "discretisation/source_position.hpp"
+
+namespace mudline {
+
+/// A mesh file or geometry of Gmsh, in the x-y plane. Physical groups become regions (surfaces), side sets (curves) and
+/// node sets (points); a group without a name is called by its number. A curve between two elements stands for the
+/// side of the element on its left.
+class GmshMesh : public MeshSource {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  GlobalMesh generate() const override;
+
+ private:
+  void open_geometry() const;
+  void override_parameters() const;
+  GlobalMesh read_model() const;
+
+  std::string file_;
+  int order_ = 2;
+  std::map<std::string, double> overrides_;
+  SourcePosition position_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,120 @@
+#include "discretisation/mesh.hpp"
+
+#include <stdexcept>
+
+#include "core/errors.hpp"
+#include "discretisation/agree.hpp"
+#include "discretisation/distribute.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// A view of the default memory space filled from host values in row order.
+template <class T>
+Kokkos::View<T**, Kokkos::LayoutRight> filled(const std::string& label, const std::vector<T>& values,
+                                              std::size_t columns) {
+  Kokkos::View<T**, Kokkos::LayoutRight> view(label, values.size() / columns, columns);
+  const auto host = Kokkos::create_mirror_view(view);
+  for (std::size_t i = 0; i < values.size(); ++i) host(i / columns, i % columns) = values[i];
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+std::vector<std::string> names_of(const std::map<std::string, std::vector<Side>>& sets) {
+  std::vector<std::string> names;
+  for (const auto& item : sets) names.push_back(item.first);
+  return names;
+}
+
+[[noreturn]] void fail_unknown(const Section& section, const std::string& entry, const std::string& what,
+                               const std::string& name, const std::vector<std::string>& known) {
+  section.fail(
+      "unknown " + what + " '" + name + "'" + (known.empty() ? "; the mesh has none" : suggestion(name, known)), entry);
+}
+
+}  // namespace
+
+Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, GlobalMesh global)
+    : comm_(std::move(comm)), geometry_(geometry) {
+  agree(*comm_, [&] {
+    if (comm_->getRank() == 0) check_mesh(global, geometry_);
+  });
+  MeshPart part = distribute(*comm_, global);
+  global = {};
+
+  num_owned_nodes_ = part.num_owned_nodes;
+  num_global_nodes_ = part.num_global_nodes;
+  num_global_elements_ = part.num_global_elements;
+  node_ids_ = std::move(part.node_ids);
+  coordinates_ = filled("coordinates", part.coordinates, 2);
+  is_vertex_.assign(node_ids_.size(), 0);
+  for (MeshPart::Block& block : part.blocks) {
+    const int n = mudline::num_nodes(block.shape), elements = static_cast<int>(block.ids.size());
+    for (int e = 0; e < elements; ++e)
+      for (int c = 0; c < num_corners(block.shape); ++c) is_vertex_[block.nodes[e * n + c]] = 1;
+    blocks_.push_back({block.region, block.shape, elements, filled("nodes", block.nodes, n), std::move(block.ids)});
+  }
+  side_sets_ = std::move(part.side_sets);
+  node_sets_ = std::move(part.node_sets);
+  set_nodes_ = std::move(part.set_nodes);
+  regions_ = std::move(part.regions);
+  bounds_ = part.bounds;
+  region_bounds_ = std::move(part.region_bounds);
+}
+
+const std::vector<int>& Mesh::nodes_of_set(const std::string& name) const {
+  const auto found = set_nodes_.find(name);
+  if (found == set_nodes_.end()) throw std::logic_error("the mesh has no set '" + name + "'");
+  return found->second;
+}
+
+std::vector<std::string> Mesh::set_names() const {
+  std::vector<std::string> names;
+  for (const auto& item : set_nodes_) names.push_back(item.first);
+  return names;
+}
+
+std::vector<std::string> Mesh::side_set_names() const { return names_of(side_sets_); }
+
+void require_side_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
+  if (mesh.has_side_set(name)) return;
+  if (mesh.has_set(name))
+    section.fail("'" + name + "' is a set of points, a set of sides is needed; allowed: " + join(mesh.side_set_names()),
+                 entry);
+  fail_unknown(section, entry, "side set", name, mesh.side_set_names());
+}
+
+void require_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
+  if (!mesh.has_set(name)) fail_unknown(section, entry, "mesh set", name, mesh.set_names());
+}
+
+void require_region(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
+  if (mesh.region_bounds().count(name) == 0) fail_unknown(section, entry, "region", name, mesh.regions());
+}
+
+Geometry declare_geometry(Parameters& p) {
+  Geometry geometry = Geometry::plane_strain;
+  p.choice("geometry", geometry, {{"plane strain", Geometry::plane_strain}, {"axisymmetric", Geometry::axisymmetric}},
+           "What the x-y plane is: a cross-section of unit thickness, or a half-plane turned about x = 0");
+  return geometry;
+}
+
+std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
+                                const Section& section) {
+  Geometry geometry{};
+  GlobalMesh global;
+  agree(*comm, [&] {
+    const std::unique_ptr<MeshSource> source = sources.create(section);
+    Parameters p(section);
+    geometry = declare_geometry(p);
+    if (comm->getRank() == 0) global = source->generate();
+  });
+  try {
+    return std::make_unique<Mesh>(comm, geometry, std::move(global));
+  } catch (const InputError& error) {
+    section.fail(error.what());  // the mesh itself does not know the deck
+  }
+}
+
+}  // namespace mudline

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/registry.hpp"
+#include "discretisation/shapes.hpp"
+
+namespace mudline {
+
+enum class Geometry { plane_strain, axisymmetric };
+
+/// A whole mesh as a source delivers it, on rank 0 only and only until it is distributed.
+struct GlobalMesh {
+  struct Block {
+    std::string region;  // physical group or "soil"
+    CellShape shape;
+    std::vector<long long> nodes;  // (element, node) zero-based
+  };
+  struct Side {
+    int block;
+    long long element;  // in its block
+    int side;
+  };
+  std::vector<std::array<double, 2>> coordinates;  // [m]
+  std::vector<Block> blocks;
+  std::map<std::string, std::vector<Side>> side_sets;
+  std::map<std::string, std::vector<long long>> node_sets;  // nodes of zero-dimensional groups
+};
+
+/// Makes a mesh on rank 0. Throws InputError; the caller makes the other ranks throw alike. Every source declares the
+/// entry "geometry" of its section by declare_geometry().
+class MeshSource {
+ public:
+  virtual ~MeshSource() = default;
+  virtual GlobalMesh generate() const = 0;
+};
+
+/// The elements of one region and shape on this rank.
+struct ElementBlock {
+  std::string region;
+  CellShape shape;
+  int num_elements = 0;
+  Kokkos::View<int**, Kokkos::LayoutRight> nodes;  // (element, node) local node numbers
+  std::vector<long long> global_ids;               // (element) numbering over all blocks, independent of the rank count
+};
+
+/// One side of an element on the boundary.
+struct Side {
+  int block, element, side;
+};
+
+/// This rank's part of the mesh: its elements (each element lives on exactly one rank), and their nodes, owned ones
+/// first. Coordinates are those of the source, immutable; the moving geometry is part of the state.
+class Mesh {
+ public:
+  /// Distributes `global` (rank 0's; ignored elsewhere) by METIS. Checks orphan nodes, how elements fit together,
+  /// Jacobians at quadrature points and corners, and on an axisymmetric mesh r >= 0. InputError on every rank alike.
+  /// Collective.
+  Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, GlobalMesh global);
+
+  const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
+  Geometry geometry() const { return geometry_; }
+
+  int num_nodes() const { return static_cast<int>(node_ids_.size()); }
+  int num_owned_nodes() const { return num_owned_nodes_; }
+  long long num_global_nodes() const { return num_global_nodes_; }
+  long long num_global_elements() const { return num_global_elements_; }
+  /// Global ids 0..N-1 in the source's numbering, owned nodes first.
+  const std::vector<long long>& node_ids() const { return node_ids_; }
+  /// (node, 2) [m]
+  const Kokkos::View<double**, Kokkos::LayoutRight>& coordinates() const { return coordinates_; }
+  /// True for corner nodes, which carry the linear fields. By local node.
+  const std::vector<char>& is_vertex() const { return is_vertex_; }
+
+  const std::vector<ElementBlock>& blocks() const { return blocks_; }
+  /// The sides of this rank's elements in a named set; sets that are empty here are present.
+  const std::map<std::string, std::vector<Side>>& side_sets() const { return side_sets_; }
+  const std::map<std::string, std::vector<int>>& node_sets() const { return node_sets_; }
+  /// Region names of the whole mesh.
+  const std::vector<std::string>& regions() const { return regions_; }
+
+  /// Local nodes (owned and ghost) of a side set or node set, sorted, unique. A node whose side lives only on another
+  /// rank is included (the answer is consistent across ranks). Collective at construction, local here.
+  const std::vector<int>& nodes_of_set(const std::string& name) const;
+  bool has_side_set(const std::string& name) const { return side_sets_.count(name) != 0; }
+  bool has_set(const std::string& name) const { return has_side_set(name) || node_sets_.count(name) != 0; }
+  /// All side and node set names.
+  std::vector<std::string> set_names() const;
+  std::vector<std::string> side_set_names() const;
+
+  /// Lowest and highest coordinates of the whole mesh [m], and of one region.
+  std::array<double, 4> bounds() const { return bounds_; }  // xmin, xmax, ymin, ymax
+  const std::map<std::string, std::array<double, 4>>& region_bounds() const { return region_bounds_; }
+
+ private:
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  Geometry geometry_;
+  std::vector<long long> node_ids_;
+  int num_owned_nodes_ = 0;
+  long long num_global_nodes_ = 0, num_global_elements_ = 0;
+  Kokkos::View<double**, Kokkos::LayoutRight> coordinates_;
+  std::vector<char> is_vertex_;
+  std::vector<ElementBlock> blocks_;
+  std::map<std::string, std::vector<Side>> side_sets_;
+  std::map<std::string, std::vector<int>> node_sets_, set_nodes_;
+  std::vector<std::string> regions_;
+  std::array<double, 4> bounds_{};
+  std::map<std::string, std::array<double, 4>> region_bounds_;
+};
+
+/// The entry "geometry" ("plane strain" or "axisymmetric"), which make_mesh reads and every source lets pass.
+Geometry declare_geometry(Parameters& p);
+
+/// Fail with "unknown side set 'tpo' (did you mean 'top'?)" at `entry` of `section` unless the mesh has it.
+void require_side_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
+/// A side set or a node set.
+void require_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
+void require_region(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
+
+/// "box" and, when built with Gmsh, "gmsh"; a plain list.
+void register_mesh_sources(Registry<MeshSource>& registry);
+
+/// Reads the deck's "mesh" section: geometry and source; returns the distributed mesh. Collective.
+std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
+                                const Section& section);
+
+}  // namespace mudline

@@ -1,0 +1,121 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "discretisation/shapes.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Points that the symmetries of the triangle map onto each other, by two of their area coordinates.
+/// Weights are fractions of the area.
+class TriangleRule {
+ public:
+  TriangleRule& centre(double weight) {
+    add(1.0 / 3, 1.0 / 3, weight);
+    return *this;
+  }
+  /// (a, a, 1 - 2a) and its rotations.
+  TriangleRule& three(double a, double weight) {
+    add(a, a, weight);
+    add(1 - 2 * a, a, weight);
+    add(a, 1 - 2 * a, weight);
+    return *this;
+  }
+  /// All permutations of (a, b, 1 - a - b).
+  TriangleRule& six(double a, double b, double weight) {
+    const double c = 1 - a - b;
+    add(a, b, weight);
+    add(b, c, weight);
+    add(c, a, weight);
+    add(b, a, weight);
+    add(a, c, weight);
+    add(c, b, weight);
+    return *this;
+  }
+  operator QuadratureRule() const { return rule_; }
+
+ private:
+  void add(double xi, double eta, double weight) {
+    rule_.points.push_back({xi, eta});
+    rule_.weights.push_back(0.5 * weight);
+  }
+  QuadratureRule rule_;
+};
+
+/// Symmetric rules with positive weights and all points inside. Degrees 3 and 7 take the next even rule, because the
+/// smaller classical ones have a negative weight.
+/// Source: Dunavant 1985, Int. J. Numer. Meth. Engng 21, digits refined by Newton on the moment equations.
+QuadratureRule triangle_quadrature(int degree) {
+  TriangleRule rule;
+  switch (degree) {
+    case 1:
+      return rule.centre(1);
+    case 2:
+      return rule.three(1.0 / 6, 1.0 / 3);
+    case 3:
+    case 4:
+      return rule.three(0.44594849091596488632, 0.2233815896780114657)
+          .three(0.09157621350977074346, 0.10995174365532186764);
+    case 5:
+      return rule.centre(0.225)
+          .three(0.47014206410511508977, 0.13239415278850618074)
+          .three(0.1012865073234563388, 0.1259391805448271526);
+    case 6:
+      return rule.three(0.24928674517091042129, 0.11678627572637936603)
+          .three(0.06308901449150222834, 0.050844906370206816921)
+          .six(0.053145049844816947353, 0.31035245103378440542, 0.082851075618373575194);
+    case 7:
+    case 8:
+      return rule.centre(0.14431560767778716825)
+          .three(0.45929258829272315603, 0.095091634267284624794)
+          .three(0.17056930775176020662, 0.10321737053471825028)
+          .three(0.050547228317030975458, 0.032458497623198080311)
+          .six(0.0083947774099576053372, 0.26311282963463811342, 0.027230314174434994265);
+  }
+  throw std::invalid_argument("triangle quadrature exists for the degrees 1 to 8, not " + std::to_string(degree));
+}
+
+}  // namespace
+
+QuadratureRule line_quadrature(int degree) {
+  if (degree < 1 || degree > 11)
+    throw std::invalid_argument("line quadrature exists for the degrees 1 to 11, not " + std::to_string(degree));
+  const int n = degree / 2 + 1;
+  QuadratureRule rule;
+  rule.points.resize(n);
+  rule.weights.resize(n);
+  for (int i = 0; i < n; ++i) {
+    // Newton on the Legendre polynomial from the Chebyshev-like guess, from the left end to the right.
+    double x = -std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 1;
+    for (int sweep = 0; sweep < 10; ++sweep) {
+      double value = x, before = 1;
+      for (int k = 2; k <= n; ++k) {
+        const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+        before = value;
+        value = next;
+      }
+      slope = n * (x * value - before) / (x * x - 1);
+      x -= value / slope;
+    }
+    rule.points[i] = {x, 0};
+    rule.weights[i] = 2 / ((1 - x * x) * slope * slope);
+  }
+  return rule;
+}
+
+QuadratureRule cell_quadrature(CellShape shape, int degree) {
+  if (num_corners(shape) == 3) return triangle_quadrature(degree);
+  const QuadratureRule line = line_quadrature(degree);
+  QuadratureRule rule;
+  for (std::size_t j = 0; j < line.points.size(); ++j)
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      rule.points.push_back({line.points[i][0], line.points[j][0]});
+      rule.weights.push_back(line.weights[i] * line.weights[j]);
+    }
+  return rule;
+}
+
+}  // namespace mudline

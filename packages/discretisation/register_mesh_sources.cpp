@@ -1,0 +1,15 @@
+#include "discretisation/box_mesh.hpp"
+#ifdef MUDLINE_HAVE_GMSH
+#include "discretisation/gmsh_mesh.hpp"
+#endif
+
+namespace mudline {
+
+void register_mesh_sources(Registry<MeshSource>& registry) {
+  registry.add<BoxMesh>("box", "Rectangle of quadrilaterals or triangles, optionally graded and layered");
+#ifdef MUDLINE_HAVE_GMSH
+  registry.add<GmshMesh>("gmsh", "Mesh file (.msh) or geometry (.geo) of Gmsh; physical groups are regions and sets");
+#endif
+}
+
+}  // namespace mudline

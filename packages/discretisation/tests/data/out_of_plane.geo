@@ -1,0 +1,17 @@
+// A structured rectangle without names for its surface.
+Point(1) = {0, 0, 0};
+Point(2) = {4, 0, 0};
+Point(3) = {4, 3, 1};
+Point(4) = {0, 3, 1};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve {1, 3} = 5;
+Transfinite Curve {2, 4} = 4;
+Transfinite Surface {1};
+Recombine Surface {1};
+Physical Surface(1) = {1};
+Physical Curve("top") = {3};

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algebra/types.hpp"
+#include "core/parameters.hpp"
+
+namespace mudline {
+
+/// A square nonlinear system F(x) = 0 for Newton; x and F on one map.
+class NonlinearProblem {
+ public:
+  virtual ~NonlinearProblem() = default;
+  virtual RCP<const Map> map() const = 0;
+  /// Pure in x. Returns false where F cannot be evaluated (a failed point on any rank); F is then undefined. Collective.
+  virtual bool residual(const Vector& x, Vector& f) = 0;
+  /// Linearises at x.
+  virtual bool jacobian(const Vector& x) = 0;
+  virtual void apply_jacobian(const Vector& v, Vector& jv) = 0;
+  /// Solves J dx = f with the current linearisation.
+  virtual bool solve(const Vector& f, Vector& dx) = 0;
+  /// Norms per field, already divided by their scales: converged when all are <= 1.
+  virtual std::vector<double> residual_ratios(const Vector& f) = 0;
+  virtual std::vector<double> update_ratios(const Vector& dx, const Vector& x) = 0;
+};
+
+struct NewtonOptions {
+  int maximum_iterations = 15;
+  Teuchos::ParameterList nox;   // passes through to NOX (Line Search, Direction, ...)
+  void parameters(Parameters& p);
+};
+
+struct NewtonReport {
+  bool converged = false;
+  int iterations = 0;
+  int evaluations = 0;
+  std::string reason;                          // why not
+  std::vector<std::vector<double>> history;    // residual ratios of every iteration, by field
+};
+
+/// Newton's method by NOX with a test per field: residual below its tolerance and (after the first update) the update
+/// below its tolerance, or the residual far below (1e-2 of) its tolerance.
+NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& options, Vector& x);
+
+}  // namespace mudline

@@ -1,0 +1,76 @@
+#include "integrator/overlap.hpp"
+
+#include <cmath>
+
+namespace mudline {
+
+std::vector<std::pair<int, int>> overlap_ranges(const DofMap& dofs, int f) {
+  const FieldLayout& field = dofs.field(f);
+  const int nodes = static_cast<int>(field.node_ids.size()), owned = field.num_owned;
+  std::vector<std::pair<int, int>> ranges{{dofs.owned_begin(f), dofs.owned_end(f)}};
+  if (nodes > owned) {
+    const int begin = dofs.dof(f, owned);
+    ranges.push_back({begin, begin + (nodes - owned) * field.components});
+  }
+  return ranges;
+}
+
+void import_owned(const DofMap& dofs, const Vector& owned, const NodalView& overlap) {
+  Vector target(dofs.overlap());
+  target.doImport(owned, *dofs.import(), Tpetra::INSERT);
+  const auto data = target.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int i = 0; i < dofs.num_overlap_dofs(); ++i) overlap(i) = data(i, 0);
+}
+
+void export_overlap(const DofMap& dofs, const NodalView& overlap, Vector& owned) {
+  Vector source(dofs.overlap());
+  {
+    auto data = source.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int i = 0; i < dofs.num_overlap_dofs(); ++i) data(i, 0) = overlap(i);
+  }
+  owned.putScalar(0.0);
+  owned.doExport(source, *dofs.import(), Tpetra::ADD);
+}
+
+NodalView sum_overlap(const DofMap& dofs, const NodalView& overlap) {
+  Vector owned(dofs.owned());
+  export_overlap(dofs, overlap, owned);
+  NodalView result("sum", overlap.extent(0));
+  import_owned(dofs, owned, result);
+  return result;
+}
+
+std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v) {
+  std::vector<double> squares(dofs.num_fields(), 0.0);
+  {
+    const auto data = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (int f = 0; f < dofs.num_fields(); ++f)
+      for (int i = dofs.owned_begin(f); i < dofs.owned_end(f); ++i) squares[f] += data(i, 0) * data(i, 0);
+  }
+  squares = sum_over_ranks(*dofs.comm(), squares);
+  for (double& s : squares) s = std::sqrt(s);
+  return squares;
+}
+
+namespace {
+template <class T>
+T reduce(const Comm& comm, T value, Teuchos::EReductionType operation) {
+  T result;
+  Teuchos::reduceAll(comm, operation, 1, &value, &result);
+  return result;
+}
+}  // namespace
+
+int sum_over_ranks(const Comm& comm, int value) { return reduce(comm, value, Teuchos::REDUCE_SUM); }
+double sum_over_ranks(const Comm& comm, double value) { return reduce(comm, value, Teuchos::REDUCE_SUM); }
+double min_over_ranks(const Comm& comm, double value) { return reduce(comm, value, Teuchos::REDUCE_MIN); }
+double max_over_ranks(const Comm& comm, double value) { return reduce(comm, value, Teuchos::REDUCE_MAX); }
+
+std::vector<double> sum_over_ranks(const Comm& comm, const std::vector<double>& values) {
+  std::vector<double> result(values.size());
+  if (!values.empty())
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(values.size()), values.data(), result.data());
+  return result;
+}
+
+}  // namespace mudline

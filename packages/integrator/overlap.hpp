@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <utility>
+#include <vector>
+
+#include "physics/state.hpp"
+
+namespace mudline {
+
+/// Local (overlap) dof ranges of one field: owned, then ghost.
+std::vector<std::pair<int, int>> overlap_ranges(const DofMap& dofs, int field);
+/// Owned vector -> overlap view (ghost copies filled). Collective.
+void import_owned(const DofMap& dofs, const Vector& owned, const NodalView& overlap);
+/// Sum of all ranks' contributions of an overlap view -> owned vector. Collective.
+void export_overlap(const DofMap& dofs, const NodalView& overlap, Vector& owned);
+/// Sum of all ranks' contributions, ghost copies filled. Collective.
+NodalView sum_overlap(const DofMap& dofs, const NodalView& overlap);
+/// Two-norms of the owned entries of each field over all ranks. Collective.
+std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v);
+
+int sum_over_ranks(const Comm& comm, int value);
+double sum_over_ranks(const Comm& comm, double value);
+std::vector<double> sum_over_ranks(const Comm& comm, const std::vector<double>& values);
+double min_over_ranks(const Comm& comm, double value);
+double max_over_ranks(const Comm& comm, double value);
+
+}  // namespace mudline

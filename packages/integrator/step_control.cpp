@@ -1,0 +1,48 @@
+#include "integrator/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+void StepControl::parameters(Parameters& p) {
+  p.required("initial", initial, "s", positive(), "first step of the stage");
+  p.add("minimum", minimum, "s", non_negative(), "the run ends when a failing step would be cut below this; 0: initial * 1e-6");
+  p.add("maximum", maximum, "s", non_negative(), "largest step; 0: the stage's duration");
+  p.add("growth", growth, "-", closed(1, 10), "factor after an easy step; 1 keeps the step constant");
+  p.add("cut", cut, "-", open(0, 1), "factor after a failed or a hard step");
+  p.add("easy iterations", easy_iterations, "-", closed(1, 1000), "the step grows when Newton took no more iterations");
+  p.add("hard iterations", hard_iterations, "-", closed(1, 1000), "the step shrinks when Newton took more iterations");
+  p.add("error tolerance", error_tolerance, "-", non_negative(),
+        "local time error allowed per step relative to the largest displacement and pore pressure (Zienkiewicz and Xie); 0: off");
+  p.add("maximum steps", maximum_steps, "-", closed(1, 1e9), "accepted steps before the stage is given up");
+}
+
+void StepControl::check(const Section& section) const {
+  if (maximum > 0 && maximum < initial) section.fail("the maximum step must not be below the initial one", "maximum");
+  if (minimum > initial) section.fail("the minimum step must not be above the initial one", "minimum");
+  if (hard_iterations < easy_iterations) section.fail("must not be below 'easy iterations'", "hard iterations");
+}
+
+void StepControl::complete(double duration) {
+  if (minimum <= 0) minimum = initial * 1e-6;
+  if (maximum <= 0) maximum = std::max(duration, initial);
+}
+
+double StepControl::after_success(double dt, int iterations, double error) const {
+  double factor = 1;
+  if (iterations <= easy_iterations) factor = growth;
+  if (iterations > hard_iterations) factor = cut;
+  if (error_tolerance > 0 && error > 0) {
+    const double wanted = std::clamp(0.9 / std::cbrt(error), 0.25, 2.0);
+    factor = iterations > hard_iterations ? std::min(factor, wanted) : std::min(wanted, growth > 1 ? growth : 2.0);
+  }
+  return std::clamp(dt * factor, minimum, maximum);
+}
+
+double StepControl::after_failure(double dt) const {
+  const double next = dt * cut;
+  return next < minimum ? -1.0 : next;
+}
+
+}  // namespace mudline

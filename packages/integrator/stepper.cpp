@@ -1,0 +1,335 @@
+#include "integrator/stepper.hpp"
+
+#include <Teuchos_Time.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/log.hpp"
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Adds the time until it goes out of scope.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total), start_(Teuchos::Time::wallTime()) {}
+  ~Stopwatch() { total_ += Teuchos::Time::wallTime() - start_; }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& total_;
+  double start_;
+};
+
+}  // namespace
+
+void StepTolerances::parameters(Parameters& p) {
+  p.add("residual tolerance", residual, "-", open(0, 1), "forces and fluxes out of balance, relative to the element contributions, per field");
+  p.add("update tolerance", update, "-", open(0, 1), "last Newton update relative to the increment of the step, per field");
+  p.add("linear tolerance", linear, "-", open(0, 1), "residual of the linear solves, relative, per field");
+}
+
+Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms, LinearSolver& solver,
+                 std::function<BlockData(const StepView&)> block_data)
+    : space_(space), store_(store), terms_(std::move(terms)), solver_(solver), block_data_(std::move(block_data)),
+      assembler_(space.dofs()) {
+  int slots = 0;
+  for (Term* term : terms_) {
+    term->declare_state(store_);
+    term->sparsity(assembler_);
+    history_slot_.push_back(term->history() ? slots++ : -1);
+  }
+  store_.allocate_history(slots);
+  assembler_.finalise();
+  const int n = space.dofs()->num_overlap_dofs(), nodes = space.mesh().num_nodes();
+  for (NodalView* v : {&value_, &rate_, &velocity_, &acceleration_, &reaction_, &total_}) *v = NodalView("level", n);
+  for (CoordinateView* v : {&x_end_, &x_momentum_, &x_balance_}) *v = CoordinateView("coordinates", nodes, 2);
+  constraints_ = {Kokkos::View<char*>("constrained", n), NodalView("prescribed", n)};
+  reference_.assign(space.num_fields(), 0);
+  reference_floor_.assign(space.num_fields(), 0);
+  size_floor_.assign(space.num_fields(), 0);
+  double squares = 0;
+  for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
+    for (int i = 0; i < 2; ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
+  coordinate_norm_ = std::sqrt(sum_over_ranks(*space.dofs()->comm(), squares));
+  view_.constrained = constraints_.mask;
+  view_.sensitivity.resize(space.num_fields());
+  activate(terms_);
+}
+
+void Stepper::activate(const std::vector<Term*>& active) {
+  active_ = active;
+  force_.clear();
+  for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", value_.extent(0));
+  solver_.reset();
+}
+
+void Stepper::prepare_view(const StepRequest& request) {
+  store_.begin();
+  scheme_ = request.scheme;
+  const State& old = store_.committed();
+  State& trial = store_.trial();
+  trial.time = old.time + request.dt;
+  view_.time_old = old.time;
+  view_.time_end = trial.time;
+  view_.dt = request.dt;
+  view_.value_old = old.value;
+  view_.value_end = trial.value;
+  view_.value = value_;
+  view_.rate = rate_;
+  view_.velocity = velocity_;
+  view_.acceleration = acceleration_;
+  view_.x_old = old.coordinates;
+  view_.x_end = trial.coordinates;
+  const double momentum = 1 - scheme_.alpha_f;  // weight of the new level
+  // A balance over the whole step sees the midpoint geometry, on which div(Delta u) is the volume change to second order.
+  const double balance = scheme_.incremental ? 0.5 : momentum;
+  const double balance_time = scheme_.incremental ? scheme_.theta : momentum;
+  view_.momentum = {old.time + momentum * request.dt, x_momentum_, momentum};
+  view_.balance = {old.time + balance_time * request.dt, x_balance_, balance};
+  view_.inertia = scheme_.inertia;
+  view_.flow = scheme_.flow;
+  view_.committed = &old;
+  view_.trial = &trial;
+  set_sensitivities();
+}
+
+void Stepper::set_sensitivities() {
+  const double dt = view_.dt, af = scheme_.alpha_f;
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    Sensitivity& s = view_.sensitivity[f];
+    if (space_.field(f).time_order == 2) {
+      s.value = 1 - af;
+      s.velocity = scheme_.inertia ? (1 - af) * scheme_.gamma / (scheme_.beta * dt) : 1 / dt;
+      s.rate = scheme_.incremental ? 1 / dt : s.velocity;
+      s.acceleration = scheme_.inertia ? (1 - scheme_.alpha_m) / (scheme_.beta * dt * dt) : 0.0;
+    } else {
+      s.value = scheme_.incremental ? scheme_.theta : scheme_.flow_alpha_f;
+      s.rate = scheme_.incremental ? 1 / dt : scheme_.flow_alpha_m / (scheme_.theta * dt);
+      s.velocity = s.rate;
+      s.acceleration = 0;
+    }
+  }
+}
+
+void Stepper::levels_of_field(int f, int begin, int end) {
+  const State& old = store_.committed();
+  State& trial = store_.trial();
+  const double dt = view_.dt, af = scheme_.alpha_f, am = scheme_.alpha_m;
+  const bool second = space_.field(f).time_order == 2;
+  for (int i = begin; i < end; ++i) {
+    const double change = trial.value(i) - old.value(i), mean = change / dt;
+    if (second && scheme_.inertia) {
+      trial.acceleration(i) = (mean - old.rate(i)) / (scheme_.beta * dt) - (0.5 / scheme_.beta - 1) * old.acceleration(i);
+      trial.rate(i) = old.rate(i) + dt * ((1 - scheme_.gamma) * old.acceleration(i) + scheme_.gamma * trial.acceleration(i));
+      acceleration_(i) = (1 - am) * trial.acceleration(i) + am * old.acceleration(i);
+      velocity_(i) = (1 - af) * trial.rate(i) + af * old.rate(i);
+      value_(i) = old.value(i) + (1 - af) * change;
+      rate_(i) = scheme_.incremental ? mean : velocity_(i);
+    } else if (second) {
+      trial.rate(i) = velocity_(i) = rate_(i) = scheme_.flow ? mean : 0.0;
+      trial.acceleration(i) = acceleration_(i) = 0;
+      value_(i) = trial.value(i);
+    } else if (scheme_.incremental) {
+      trial.rate(i) = rate_(i) = velocity_(i) = scheme_.flow ? mean : 0.0;
+      value_(i) = old.value(i) + scheme_.theta * change;
+    } else {
+      trial.rate(i) = mean / scheme_.theta - (1 - scheme_.theta) / scheme_.theta * old.rate(i);
+      rate_(i) = velocity_(i) = old.rate(i) + scheme_.flow_alpha_m * (trial.rate(i) - old.rate(i));
+      value_(i) = old.value(i) + scheme_.flow_alpha_f * change;
+    }
+  }
+}
+
+void Stepper::levels(const Vector& x) {
+  const State& old = store_.committed();
+  State& trial = store_.trial();
+  import_owned(*space_.dofs(), x, trial.value);
+  for (int f = 0; f < space_.num_fields(); ++f)
+    for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f)) levels_of_field(f, begin, end);
+  const int displacement = space_.find("displacement");
+  const double momentum = view_.momentum.geometry_weight, balance = view_.balance.geometry_weight;
+  for (int node = 0; node < space_.mesh().num_nodes(); ++node)
+    for (int i = 0; i < 2; ++i) {
+      const int dof = displacement >= 0 ? space_.node_dof(displacement)(node) : -1;
+      const double change = dof >= 0 ? trial.value(dof + i) - old.value(dof + i) : 0.0;
+      trial.coordinates(node, i) = old.coordinates(node, i) + change;
+      x_momentum_(node, i) = old.coordinates(node, i) + momentum * change;
+      x_balance_(node, i) = old.coordinates(node, i) + balance * change;
+    }
+}
+
+void Stepper::constrain(const StepRequest& request) {
+  Kokkos::deep_copy(constraints_.mask, char(0));
+  Kokkos::deep_copy(constraints_.value, store_.committed().value);
+  request.prescribe(view_.time_old, view_.time_end, store_.committed(), constraints_);
+  if (!scheme_.flow)  // geostatic: what is not mechanical is given
+    for (int f = 0; f < space_.num_fields(); ++f)
+      if (space_.field(f).time_order == 1)
+        for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
+          for (int i = begin; i < end; ++i) {
+            constraints_.mask(i) = 1;
+            constraints_.value(i) = store_.committed().value(i);
+          }
+  for (Term* term : active_) term->constrain(view_, constraints_);
+}
+
+int Stepper::evaluate_terms() {
+  Kokkos::deep_copy(total_, 0.0);
+  int failures = 0;
+  failure_.clear();
+  const double new_weight = 1 - scheme_.alpha_f;
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    const NodalView force = force_[k];
+    Kokkos::deep_copy(force, 0.0);
+    const int failed = active_[k]->residual(view_, force);
+    if (failed > 0 && failure_.empty()) failure_ = active_[k]->name();
+    failures += failed;
+    const int slot = history_slot_[std::find(terms_.begin(), terms_.end(), active_[k]) - terms_.begin()];
+    if (slot >= 0) {
+      const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
+      Kokkos::deep_copy(now, force);
+      for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = new_weight * now(i) + scheme_.alpha_f * old(i);
+    }
+    for (std::size_t i = 0; i < force.extent(0); ++i) total_(i) += force(i);
+  }
+  return failures;
+}
+
+bool Stepper::residual(const Vector& x, Vector& f) {
+  const Stopwatch watch(times_.residual);
+  levels(x);
+  const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
+  if (failures > 0) {
+    failure_ = std::to_string(failures) + " points failed" + (failure_.empty() ? "" : " in " + failure_);
+    return false;
+  }
+  for (std::size_t i = 0; i < total_.extent(0); ++i) reaction_(i) = constraints_.mask(i) ? total_(i) : 0.0;
+  for (std::size_t i = 0; i < total_.extent(0); ++i)
+    if (constraints_.mask(i)) total_(i) = 0;
+  export_overlap(*space_.dofs(), total_, f);
+  update_references();
+  return true;
+}
+
+void Stepper::add_matrices() {
+  assembler_.begin(constraints_.mask);
+  for (Term* term : active_) term->jacobian(view_, assembler_, term->history() ? 1 - scheme_.alpha_f : 1.0);
+  assembler_.end();
+}
+
+bool Stepper::jacobian(const Vector& x) {
+  {
+    const Stopwatch watch(times_.jacobian);
+    levels(x);
+    add_matrices();
+  }
+  solver_.set_matrix(assembler_.matrix(), [this] { return block_data_(view_); });
+  return true;
+}
+
+void Stepper::apply_jacobian(const Vector& v, Vector& jv) { assembler_.matrix()->apply(v, jv); }
+
+bool Stepper::solve(const Vector& f, Vector& dx) {
+  const Stopwatch watch(times_.linear);
+  const LinearReport report = solver_.solve(f, dx, tolerances_.linear);
+  linear_iterations_ += report.iterations;
+  factorisations_ += report.factored ? 1 : 0;
+  if (!report.converged) failure_ = "linear solver: " + report.reason;
+  return report.converged;
+}
+
+void Stepper::update_references() {
+  const int fields = space_.num_fields();
+  std::vector<double> local(fields * active_.size(), 0.0);
+  for (std::size_t k = 0; k < active_.size(); ++k)
+    for (int f = 0; f < fields; ++f) {
+      double size = active_[k]->magnitude_squared(f);
+      if (size < 0) {
+        size = 0;
+        for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
+          for (int i = begin; i < end; ++i) size += force_[k](i) * force_[k](i);
+      }
+      local[k * fields + f] = size;
+    }
+  const std::vector<double> global = sum_over_ranks(*space_.dofs()->comm(), local);
+  for (std::size_t k = 0; k < active_.size(); ++k)
+    for (int f = 0; f < fields; ++f) reference_[f] = std::max(reference_[f], std::sqrt(global[k * fields + f]));
+}
+
+std::vector<double> Stepper::residual_ratios(const Vector& f) {
+  const std::vector<double> norms = owned_field_norms(*space_.dofs(), f);
+  std::vector<double> ratios;
+  for (int i = 0; i < space_.num_fields(); ++i) {
+    // late in a stage, when all rates have died out, rounding must not stop the run: the floor
+    const double reference = std::max(reference_[i], 1e-6 * reference_floor_[i]);
+    ratios.push_back(norms[i] == 0 ? 0.0 : norms[i] / (tolerances_.residual * std::max(reference, 1e-300)));
+  }
+  return ratios;
+}
+
+std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
+  Vector increment(x, Teuchos::Copy);
+  {
+    auto data = increment.getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) data(i, 0) -= store_.committed().value(i);
+  }
+  const auto update = owned_field_norms(*space_.dofs(), dx), step = owned_field_norms(*space_.dofs(), increment),
+             size = owned_field_norms(*space_.dofs(), x);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < update.size(); ++i) {
+    // coordinates carry the rounding of the mesh's size into every displacement; pressures that of the largest so far
+    const bool moves = space_.field(static_cast<int>(i)).name == "displacement";
+    const double rounding = 1e-14 * std::max(size[i], std::max(size_floor_[i], moves ? coordinate_norm_ : 0.0));
+    const double allowed = tolerances_.update * step[i] + rounding;
+    ratios.push_back(update[i] == 0 ? 0.0 : update[i] / std::max(allowed, 1e-300));
+  }
+  return ratios;
+}
+
+Vector Stepper::begin(const StepRequest& request, const StepTolerances& tolerances) {
+  tolerances_ = tolerances;
+  linear_iterations_ = factorisations_ = 0;
+  std::fill(reference_.begin(), reference_.end(), 0.0);
+  prepare_view(request);
+  constrain(request);
+  Vector x(map());
+  {
+    auto data = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i)
+      data(i, 0) = constraints_.mask(i) ? constraints_.value(i) : store_.committed().value(i);
+  }
+  levels(x);
+  for (Term* term : active_) term->begin(view_);
+  return x;
+}
+
+StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
+  Vector x = begin(request, tolerances);
+  const NewtonReport solved = newton_solve(*this, newton, x);
+  StepReport report{solved.converged, solved.iterations, linear_iterations_, factorisations_, solved.reason};
+  if (!solved.converged) {
+    if (!failure_.empty()) report.reason = failure_;
+    solver_.reset();
+    return report;
+  }
+  // NOX may have evaluated elsewhere last (a line search); make the trial state that of the solution, bit for bit.
+  Vector f(map());
+  if (!residual(x, f)) {
+    report.converged = false;
+    report.reason = failure_;
+    return report;
+  }
+  const std::vector<double> sizes = owned_field_norms(*space_.dofs(), x);
+  for (int i = 0; i < space_.num_fields(); ++i) {
+    reference_floor_[i] = std::max(reference_floor_[i], reference_[i]);
+    size_floor_[i] = std::max(size_floor_[i], sizes[i]);
+  }
+  return report;
+}
+
+}  // namespace mudline

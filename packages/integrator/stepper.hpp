@@ -1,0 +1,130 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algebra/linear_solver.hpp"
+#include "integrator/newton.hpp"
+#include "integrator/time_scheme.hpp"
+#include "physics/term.hpp"
+
+namespace mudline {
+
+/// Tolerances of one step.
+struct StepTolerances {
+  double residual = 1e-6;   // of the size of the element contributions, per field
+  double update = 1e-4;     // of the increment of the step, per field
+  double linear = 1e-8;
+  void parameters(Parameters& p);
+};
+
+struct StepRequest {
+  double dt;
+  TimeScheme scheme;
+  /// Prescribed unknowns at the end of the step.
+  std::function<void(double t_old, double t_end, const State& committed, Constraints&)> prescribe;
+};
+
+struct StepReport {
+  bool converged = false;
+  int newton_iterations = 0;
+  int linear_iterations = 0;
+  int factorisations = 0;
+  std::string reason;
+};
+
+/// Wall-clock seconds of this rank spent so far.
+struct StepTimes {
+  double residual = 0, jacobian = 0, linear = 0;
+};
+
+/// One step as a transaction: begin (predictor, search) -> Newton on pure evaluations -> accept or nothing. Translates
+/// between the unknown x (the value at n+1) and the levels that terms see.
+class Stepper : public NonlinearProblem {
+ public:
+  /// Registers the terms' arrays and sparsity. `terms` must outlive the stepper; blocks supplies preconditioner data.
+  Stepper(const Space& space, StateStore& store, std::vector<Term*> terms, LinearSolver& solver,
+          std::function<BlockData(const StepView&)> block_data);
+
+  /// Terms that act in the present stage, a subset of the constructor's; F_n is evaluated anew.
+  void activate(const std::vector<Term*>& active);
+  /// F_n of all active history terms at the committed state. Returns false if it cannot be evaluated.
+  bool refresh_history();
+  /// Residual of the committed state under static loads (no inertia, no flow), by overlap dof, summed over ranks.
+  NodalView static_residual();
+  /// Accelerations and first-order rates that satisfy the equations of motion at the committed state (start of a dynamic
+  /// stage). Fields whose rate matrix is singular (incompressible constituents) keep the rate zero.
+  bool initialise_rates(const StepRequest& request, double linear_tolerance);
+
+  /// Lets the linear solver take up what LinearSolver::memory() gave in the run that is continued.
+  void restore_solver(const std::vector<double>& memory);
+
+  /// First half of an attempt: predictor, prescribed unknowns, the terms' begin. Afterwards residual() and jacobian() may
+  /// be called for any x. Returns the initial guess.
+  Vector begin(const StepRequest& request, const StepTolerances& tolerances);
+
+  /// Tries one step from the committed state; on success the trial state is complete. The committed state is untouched.
+  StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
+
+  // What the balances read after a successful attempt, before or after acceptance.
+  const StepView& view() const { return view_; }
+  const std::vector<Term*>& active() const { return active_; }
+  /// Alpha-level contribution of active term k (history terms: interpolated), this rank's part, by overlap dof.
+  NodalView term_force(int k) const { return force_[k]; }
+  /// Sum over the terms at constrained dofs: the reaction, this rank's part; zero elsewhere.
+  NodalView reaction() const { return reaction_; }
+  const Constraints& constraints() const { return constraints_; }
+  const Space& space() const { return space_; }
+  StateStore& store() { return store_; }
+  const Assembler& assembler() const { return assembler_; }
+  const StepTimes& times() const { return times_; }
+  /// Largest reference size per field met so far in the stage: the floor of the convergence test. Part of a checkpoint.
+  std::vector<double>& reference_floor() { return reference_floor_; }
+  /// Largest norm of each field's values so far; rounding is measured against it. Part of a checkpoint.
+  std::vector<double>& size_floor() { return size_floor_; }
+
+  // NonlinearProblem
+  RCP<const Map> map() const override { return space_.dofs()->owned(); }
+  bool residual(const Vector& x, Vector& f) override;
+  bool jacobian(const Vector& x) override;
+  void apply_jacobian(const Vector& v, Vector& jv) override;
+  bool solve(const Vector& f, Vector& dx) override;
+  std::vector<double> residual_ratios(const Vector& f) override;
+  std::vector<double> update_ratios(const Vector& dx, const Vector& x) override;
+
+ private:
+  void prepare_view(const StepRequest& request);
+  void set_sensitivities();
+  void constrain(const StepRequest& request);
+  /// Fills the level views and the trial's nodal part from x.
+  void levels(const Vector& x);
+  void levels_of_field(int f, int begin, int end);
+  int evaluate_terms();
+  void export_sum(const NodalView& overlap, Vector& owned) const;
+  std::vector<double> field_norms(const Vector& v) const;
+  void update_references();
+  void add_matrices();
+
+  const Space& space_;
+  StateStore& store_;
+  std::vector<Term*> terms_, active_;
+  std::vector<int> history_slot_;      // by term: index of its F_n, -1
+  LinearSolver& solver_;
+  std::function<BlockData(const StepView&)> block_data_;
+  Assembler assembler_;
+  StepView view_;
+  TimeScheme scheme_;
+  StepTolerances tolerances_;
+  Constraints constraints_;
+  NodalView value_, rate_, velocity_, acceleration_, reaction_, total_;
+  CoordinateView x_end_, x_momentum_, x_balance_;
+  std::vector<NodalView> force_;
+  std::vector<double> reference_, reference_floor_, size_floor_;
+  double coordinate_norm_ = 0;
+  std::string failure_;
+  int linear_iterations_ = 0, factorisations_ = 0;
+  StepTimes times_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,134 @@
+// What happens to a committed state outside of steps: F_n, static residual, initial accelerations.
+#include <algorithm>
+#include <cmath>
+
+#include "integrator/overlap.hpp"
+#include "integrator/stepper.hpp"
+
+namespace mudline {
+
+namespace {
+
+StepRequest standing_still(bool inertia) {
+  StepRequest request;
+  request.dt = 1;  // no rate is evaluated with it
+  request.scheme.inertia = inertia;
+  request.scheme.flow = inertia;
+  request.scheme.incremental = !inertia;
+  request.prescribe = [](double, double, const State&, Constraints&) {};
+  return request;
+}
+
+}  // namespace
+
+bool Stepper::refresh_history() {
+  prepare_view(standing_still(false));
+  Vector x(map());
+  {
+    auto data = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) data(i, 0) = store_.committed().value(i);
+  }
+  levels(x);
+  view_.time_end = store_.trial().time = store_.committed().time;
+  int failures = 0;
+  for (Term* term : active_) {
+    const int slot = history_slot_[std::find(terms_.begin(), terms_.end(), term) - terms_.begin()];
+    if (slot < 0) continue;
+    term->begin(view_);
+    const NodalView force = store_.committed().history_forces[slot];
+    Kokkos::deep_copy(force, 0.0);
+    failures += term->residual(view_, force);
+  }
+  return sum_over_ranks(*space_.dofs()->comm(), failures) == 0;
+}
+
+NodalView Stepper::static_residual() {
+  prepare_view(standing_still(false));
+  Vector x(map());
+  {
+    auto data = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) data(i, 0) = store_.committed().value(i);
+  }
+  levels(x);
+  view_.time_end = view_.momentum.time = view_.balance.time = store_.trial().time = store_.committed().time;
+  for (Term* term : active_) term->begin(view_);
+  evaluate_terms();
+  return sum_overlap(*space_.dofs(), total_);
+}
+
+void Stepper::restore_solver(const std::vector<double>& memory) {
+  const int any = memory.empty() ? 0 : 1;
+  if (sum_over_ranks(*space_.dofs()->comm(), any) == 0) return;
+  solver_.restore(rcp(new CrsMatrix(*assembler_.matrix(), Teuchos::Copy)), memory);
+}
+
+bool Stepper::initialise_rates(const StepRequest& request, double linear_tolerance) {
+  prepare_view(standing_still(true));
+  const State& old = store_.committed();
+  constrain(request);
+  for (std::size_t i = 0; i < old.value.extent(0); ++i) {
+    store_.trial().value(i) = value_(i) = old.value(i);
+    rate_(i) = velocity_(i) = old.rate(i);
+    acceleration_(i) = 0;
+  }
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    view_.sensitivity[f] = {0, 0, 0, 0};
+    if (space_.field(f).time_order == 2) {
+      view_.sensitivity[f].acceleration = 1;
+      continue;
+    }
+    view_.sensitivity[f].rate = 1;
+    for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
+      for (int i = begin; i < end; ++i) rate_(i) = velocity_(i) = 0;
+  }
+  for (CoordinateView* x : {&x_momentum_, &x_balance_}) Kokkos::deep_copy(*x, old.coordinates);
+  Kokkos::deep_copy(store_.trial().coordinates, old.coordinates);
+  view_.time_end = view_.momentum.time = view_.balance.time = old.time;
+  view_.momentum.geometry_weight = view_.balance.geometry_weight = 0;
+  scheme_.alpha_f = 0;
+  for (Term* term : active_) term->begin(view_);
+  if (sum_over_ranks(*space_.dofs()->comm(), evaluate_terms()) > 0) return false;
+
+  // Rows without a rate matrix (incompressible constituents) cannot be solved for: their fields keep the rate zero.
+  const auto assemble = [&] {
+    assembler_.begin(constraints_.mask);
+    for (Term* term : active_)
+      if (!term->history()) term->jacobian(view_, assembler_, 1.0);
+    assembler_.end();
+  };
+  assemble();
+  bool held = false;
+  {
+    Vector diagonal(map());
+    assembler_.matrix()->getLocalDiagCopy(diagonal);
+    const auto data = diagonal.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (int f = 0; f < space_.num_fields(); ++f) {
+      double smallest = 1e300;
+      for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i)
+        if (!constraints_.mask(i)) smallest = std::min(smallest, std::abs(data(i, 0)));
+      if (min_over_ranks(*space_.dofs()->comm(), smallest) > 1e-250) continue;
+      held = true;
+      for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
+        for (int i = begin; i < end; ++i) constraints_.mask(i) = 1;
+    }
+  }
+  if (held) assemble();
+  for (std::size_t i = 0; i < total_.extent(0); ++i) total_(i) = constraints_.mask(i) ? 0.0 : -total_(i);
+  Vector right(map()), y(map());
+  export_overlap(*space_.dofs(), total_, right);
+  if (right.norm2() == 0) return true;
+  solver_.reset();
+  solver_.set_matrix(assembler_.matrix(), [this] { return block_data_(view_); });
+  const bool solved = solver_.solve(right, y, linear_tolerance).converged;
+  solver_.reset();
+  if (!solved) return false;
+  NodalView result("initial rates", old.value.extent(0));
+  import_owned(*space_.dofs(), y, result);
+  State& state = store_.committed();
+  for (int f = 0; f < space_.num_fields(); ++f)
+    for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
+      for (int i = begin; i < end; ++i) (space_.field(f).time_order == 2 ? state.acceleration : state.rate)(i) = result(i);
+  return true;
+}
+
+}  // namespace mudline

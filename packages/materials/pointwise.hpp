@@ -1,0 +1,93 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+
+#include "materials/skeleton.hpp"
+
+namespace mudline {
+
+/// One material point, seen by a law's point function. Signs and order as in SkeletonWorkset.
+struct SkeletonPoint {
+  double stress[6];     // [Pa] committed, rotated
+  double strain[6];     // [-] increment
+  double void_ratio;    // [-] committed
+  double time, dt;      // [s]
+  bool want_tangent;
+};
+
+struct SkeletonResponse {
+  double stress[6];     // [Pa]
+  double tangent[36];   // [Pa] row-major, written when want_tangent
+};
+
+/// Turns a trivially copyable law with
+///     KOKKOS_FUNCTION bool operator()(const SkeletonPoint&, const double* state_old, double* state, SkeletonResponse&) const;
+///     static std::vector<StateVariable> state();
+///     std::string initialise(const InitialPoint&, double* state) const;
+///     ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const;
+///     void parameters(Parameters&);            [optional] void check(const Section&);  double k0(double ocr) const;
+/// into a Skeleton: the only loop over points. Returning false marks the point as failed; the step is then cut.
+template <class Law>
+class PointwiseSkeleton : public Skeleton {
+  static_assert(std::is_trivially_copyable_v<Law>, "a law is captured by value in kernels");
+
+ public:
+  PointwiseSkeleton() : variables_(Law::state()) {}
+  explicit PointwiseSkeleton(const Law& law) : law_(law), variables_(Law::state()) {}
+  void parameters(Parameters& p) { law_.parameters(p); }
+  void check(const Section& section) {
+    if constexpr (detail_has_check<Law>::value) law_.check(section);
+  }
+  const std::vector<StateVariable>& state_variables() const override { return variables_; }
+  std::string initialise(const InitialPoint& point, double* state) const override { return law_.initialise(point, state); }
+  ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const override {
+    return law_.moduli(stress, void_ratio, state);
+  }
+  double k0(double ocr) const override {
+    if constexpr (detail_has_k0<Law>::value)
+      return law_.k0(ocr);
+    else
+      return Skeleton::k0(ocr);
+  }
+  int evaluate(const SkeletonWorkset& w) const override {
+    const Law law = law_;
+    int failures = 0;
+    Kokkos::parallel_reduce(
+        "skeleton", Kokkos::RangePolicy<>(0, w.points),
+        KOKKOS_LAMBDA(int i, int& sum) {
+          SkeletonPoint in;
+          for (int c = 0; c < 6; ++c) in.stress[c] = w.stress_old(i, c);
+          for (int c = 0; c < 6; ++c) in.strain[c] = w.strain(i, c);
+          in.void_ratio = w.void_ratio_old(i, 0);
+          in.time = w.time;
+          in.dt = w.dt;
+          in.want_tangent = w.want_tangent;
+          SkeletonResponse out;
+          const bool ok = law(in, w.state_old.data() + i * w.state_old.extent(1), w.state.data() + i * w.state.extent(1), out);
+          for (int c = 0; c < 6; ++c) w.stress(i, c) = out.stress[c];
+          if (w.want_tangent)
+            for (int c = 0; c < 36; ++c) w.tangent(i, c) = out.tangent[c];
+          w.failed(i) = ok ? 0 : 1;
+          sum += ok ? 0 : 1;
+        },
+        failures);
+    return failures;
+  }
+  const Law& law() const { return law_; }
+
+ private:
+  template <class T, class = void>
+  struct detail_has_check : std::false_type {};
+  template <class T>
+  struct detail_has_check<T, std::void_t<decltype(std::declval<T&>().check(std::declval<const Section&>()))>> : std::true_type {};
+  template <class T, class = void>
+  struct detail_has_k0 : std::false_type {};
+  template <class T>
+  struct detail_has_k0<T, std::void_t<decltype(std::declval<const T&>().k0(1.0))>> : std::true_type {};
+
+  Law law_{};
+  std::vector<StateVariable> variables_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/registry.hpp"
+#include "materials/fluid.hpp"
+#include "materials/permeability.hpp"
+#include "materials/skeleton.hpp"
+
+namespace mudline {
+
+/// The laws that come with mudline; a plain list.
+void register_materials(Registry<Skeleton>& skeletons, Registry<Fluid>& fluids, Registry<Permeability>& permeabilities);
+
+}  // namespace mudline

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Kokkos_Core.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/function.hpp"
+#include "core/parameters.hpp"
+
+namespace mudline {
+
+/// How ALE and output treat one named state variable.
+enum class RemapRule { value, mass, tensor };
+
+struct StateVariable {
+  std::string name;
+  int components;  // 1, or 6 for a symmetric tensor (xx yy zz yz xz xy) that rotates with the material
+  std::string unit;
+  RemapRule remap = RemapRule::value;
+  double low = -1e300, high = 1e300;  // physical bounds
+};
+
+/// Point data: one row per quadrature point. Rows are contiguous on the host.
+using PointView = Kokkos::View<double**, Kokkos::LayoutRight>;
+using ConstPointView = Kokkos::View<const double**, Kokkos::LayoutRight>;
+
+/// What a skeleton law sees at a batch of points. Stress and strain: tension positive, order xx yy zz yz xz xy,
+/// engineering shear strain. Plane strain: zz out of plane. Axisymmetric: xx = rr, yy = axial, zz = hoop.
+struct SkeletonWorkset {
+  int points;
+  double time;         // [s] end of the step
+  double dt;           // [s] 0 in a geostatic stage or after a remap
+  bool want_tangent;
+  ConstPointView stress_old;      // (points, 6) [Pa] committed effective stress, already rotated into the new configuration
+  ConstPointView strain;          // (points, 6) [-] objective strain increment of the step
+  ConstPointView void_ratio_old;  // (points, 1) [-] committed
+  ConstPointView state_old;       // (points, n) committed, tensors already rotated
+  PointView stress;               // (points, 6) [Pa] out
+  PointView state;                // (points, n) out
+  PointView tangent;              // (points, 36) [Pa] out, row-major d stress_i / d strain_j, if want_tangent
+  Kokkos::View<int*> failed;      // (points) out: 1 where the law found no admissible state
+};
+
+/// Bulk and shear modulus [Pa] of the elastic response: wave speeds, penalties, preconditioners.
+struct ElasticModuli {
+  double bulk, shear;
+};
+
+/// What is known where a material point starts. Geotechnical quantities, compression positive.
+struct InitialPoint {
+  Point position;                         // [m]
+  std::array<double, 6> stress;           // [Pa] effective, tension positive
+  double void_ratio;                      // [-]
+  double overconsolidation_ratio = 1.0;   // [-] scales the yield surface through the initial stress
+};
+
+/// Effective-stress law of the soil skeleton; works on whole batches of points, pure: old in, new out, no memory.
+class Skeleton {
+ public:
+  virtual ~Skeleton() = default;
+  virtual const std::vector<StateVariable>& state_variables() const = 0;
+  /// Total number of state components.
+  int state_size() const {
+    int n = 0;
+    for (const auto& v : state_variables()) n += v.components;
+    return n;
+  }
+  /// Fills `state` (state_size values). Returns "" or the reason why the law cannot start from this point.
+  virtual std::string initialise(const InitialPoint& point, double* state) const = 0;
+  /// Updates all points; returns the number of failed ones (flags in workset.failed).
+  virtual int evaluate(const SkeletonWorkset& workset) const = 0;
+  virtual ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const = 0;
+  /// Earth pressure coefficient at rest that the law itself implies for this overconsolidation ratio; negative: none.
+  virtual double k0(double overconsolidation_ratio) const { return -1.0; }
+};
+
+}  // namespace mudline

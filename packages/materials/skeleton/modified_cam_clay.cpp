@@ -1,0 +1,85 @@
+#include "materials/skeleton/modified_cam_clay.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace mudline {
+
+void ModifiedCamClay::parameters(Parameters& p) {
+  p.required("critical stress ratio", ratio, "-", open(0.0, 3.0),
+             "M = q/p' at the critical state in triaxial compression");
+  p.required("compression slope", compression, "-", positive(), "lambda, slope of virgin compression in v over ln p'");
+  p.required("swelling slope", swelling, "-", positive(), "kappa, slope of elastic unloading in v over ln p'");
+  p.add("Poisson's ratio", poisson, "-", half_open(0.0, 0.5),
+        "Constant drained ratio; give either this or the shear modulus");
+  p.add("shear modulus", shear_modulus, "Pa", non_negative(),
+        "Constant elastic shear modulus; give either this or Poisson's ratio");
+  p.choice("specific volume", volume, {{"current", Volume::current}, {"initial", Volume::initial}},
+           "Which specific volume enters bulk modulus and hardening");
+  p.choice("lode dependence", lode, {{"none", Lode::none}, {"sheng", Lode::sheng}},
+           "Strength in triaxial extension: that of compression, or that of the same friction angle");
+  p.add("minimum mean stress", minimum_mean_stress, "Pa", non_negative(),
+        "The mean effective stress is held at this value where the soil would loosen further");
+  p.add("stress tolerance", substepping.stress_tolerance, "-", open(0.0, 0.1), "Relative error allowed in one substep");
+  p.add("yield tolerance", substepping.yield_tolerance, "-", open(0.0, 1e-3),
+        "Distance from the yield surface, relative to the preconsolidation pressure squared, that counts as on it");
+  p.add("maximum substeps", substepping.maximum_substeps, "-", closed(1, 1e6),
+        "More substeps than this in one increment make the point fail, and the step is cut");
+}
+
+void ModifiedCamClay::check(const Section& section) const {
+  if (!(swelling < compression))
+    section.fail("the swelling slope must be smaller than the compression slope", "swelling slope");
+  if (section.has_parameter("Poisson's ratio") == section.has_parameter("shear modulus"))
+    section.fail("exactly one of 'Poisson's ratio' and 'shear modulus' must be given");
+  if (section.has_parameter("shear modulus") && !(shear_modulus > 0.0))
+    section.fail("the shear modulus must be positive", "shear modulus");
+  if (lode == Lode::sheng && ratio > 2.0)
+    section.fail("the yield surface of 'lode dependence' = sheng is convex only for a critical stress ratio up to 2",
+                 "critical stress ratio");
+}
+
+std::vector<StateVariable> ModifiedCamClay::state() {
+  return {{"preconsolidation pressure", 1, "Pa", RemapRule::value, 0.0, 1e300},
+          {"plastic shear strain", 1, "-", RemapRule::value, 0.0, 1e300},
+          {"initial specific volume", 1, "-", RemapRule::value, 1.0, 1e300}};
+}
+
+std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state) const {
+  const double p = sym6::mean_pressure(point.stress.data());
+  std::ostringstream reason;
+  if (!(p > 0.0)) {
+    reason << "Modified Cam Clay needs a compressive initial stress; the mean effective stress here is " << p << " Pa";
+  } else if (p < minimum_mean_stress) {
+    reason << "the initial mean effective stress, " << p << " Pa, is below the minimum mean stress of "
+           << minimum_mean_stress << " Pa";
+  } else if (!(point.overconsolidation_ratio >= 1.0)) {
+    reason << "the overconsolidation ratio must be at least 1; it is " << point.overconsolidation_ratio;
+  } else if (!(point.void_ratio > 0.0)) {
+    reason << "the initial void ratio must be positive; it is " << point.void_ratio;
+  }
+  if (!reason.str().empty()) return reason.str();
+  // f with pc = 0 is q^2/M(S)^2 + p'^2 in units of 1/scale, that is p' times the pc of the surface through the stress.
+  const ModifiedCamClayModel model(*this, 1.0, p);
+  const double h[2] = {0.0, 0.0};
+  state[preconsolidation] = point.overconsolidation_ratio * p * model.yield(point.stress.data(), h);
+  state[plastic_shear_strain] = 0.0;
+  state[initial_specific_volume] = 1.0 + point.void_ratio;
+  return "";
+}
+
+double ModifiedCamClay::k0(double overconsolidation_ratio) const {
+  const double elastic = shear_modulus > 0.0 ? 0.0 : swelling / (3.0 * shear_to_bulk());
+  const auto excess = [&](double eta) {
+    return 2.0 * eta * (compression - swelling) / (ratio * ratio - eta * eta) + eta * elastic - 2.0 / 3.0 * compression;
+  };
+  double low = 0.0, high = ratio;  // excess rises from negative to infinite
+  for (int i = 0; i < 200 && high - low > 1e-15 * ratio; ++i) {
+    const double middle = 0.5 * (low + high);
+    (excess(middle) < 0.0 ? low : high) = middle;
+  }
+  const double eta = 0.5 * (low + high), sine = 3.0 * ratio / (6.0 + ratio);
+  return (3.0 - eta) / (3.0 + 2.0 * eta) * std::pow(overconsolidation_ratio, sine);
+}
+
+}  // namespace mudline

@@ -1,0 +1,225 @@
+#pragma once
+
+#include "materials/pointwise.hpp"
+#include "materials/substepping.hpp"
+
+namespace mudline {
+
+/// Modified Cam Clay (Roscoe & Burland 1968; Wood 1990, Soil Behaviour and Critical State Soil Mechanics, ch. 5).
+/// p', q, strains and pc are compression positive in these equations; v = 1 + e is the specific volume.
+///     yield         f = q^2/M(S)^2 + p'(p' - pc) = 0, associated
+///     hardening     dpc = pc v/(lambda - kappa) deps_v^p
+///     elasticity    K = v p'/kappa, G = 3 K (1-2nu)/(2(1+nu)) or constant; integrated exactly where the path is
+///     elastic volume        dv = -v deps_v: the volumetric strain is logarithmic (or v stays that of the start, by
+///     option) Lode measure  M(S) = M [2 a^4/(1 + a^4 + (1 - a^4) S)]^(1/4), a = (3 - sin phi)/(3 + sin phi), sin phi =
+///     3M/(6+M);
+///                   S = -1 in triaxial compression (Sheng, Sloan & Yu 2000, Computational Mechanics 26:185), by option
+/// Stress integration and tangent: substepping.hpp. Code: tension positive, [Pa].
+/// The mean effective stress does not fall below `minimum_mean_stress`: a point that arrives there keeps that value
+/// (a tension cut-off), q and pc are made to fit, and the tangent is the elastic one.
+struct ModifiedCamClay {
+  enum class Lode { none, sheng };
+  enum class Volume { current, initial };
+  enum { preconsolidation, plastic_shear_strain, initial_specific_volume, state_size };
+
+  double ratio = 1.0;                  // [-] M in triaxial compression
+  double compression = 0.2;            // [-] lambda
+  double swelling = 0.02;              // [-] kappa
+  double poisson = 0.0;                // [-] used unless shear_modulus is positive
+  double shear_modulus = 0.0;          // [Pa]
+  double minimum_mean_stress = 100.0;  // [Pa]
+  Lode lode = Lode::none;
+  Volume volume = Volume::current;
+  SubsteppingOptions substepping;
+
+  void parameters(Parameters& p);
+  void check(const Section& section) const;
+  static std::vector<StateVariable> state();
+  /// pc = R (p' + q^2/(M^2 p')): the yield surface through the initial stress, scaled by the overconsolidation ratio R.
+  std::string initialise(const InitialPoint& point, double* state) const;
+  /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the ratio that one-dimensional
+  /// virgin compression tends to: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g = G/K,
+  /// K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. R is the ratio of
+  /// vertical stresses here.
+  double k0(double overconsolidation_ratio) const;
+
+  KOKKOS_INLINE_FUNCTION double specific_volume(double void_ratio, const double* state) const {
+    return volume == Volume::initial ? state[initial_specific_volume] : 1.0 + void_ratio;
+  }
+  KOKKOS_INLINE_FUNCTION double shear_to_bulk() const { return 1.5 * (1.0 - 2.0 * poisson) / (1.0 + poisson); }
+  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const {
+    const double p = ::fmax(sym6::mean_pressure(stress), minimum_mean_stress);
+    const double bulk = specific_volume(void_ratio, state) * p / swelling;
+    return {bulk, shear_modulus > 0.0 ? shear_modulus : shear_to_bulk() * bulk};
+  }
+  KOKKOS_INLINE_FUNCTION bool operator()(const SkeletonPoint& in, const double* state_old, double* state,
+                                         SkeletonResponse& out) const;
+
+ private:
+  template <class T>
+  KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, double* state,
+                                     SkeletonResponse& out) const;
+  KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
+};
+
+/// The law as substepping sees it during one increment. h = (pc, plastic shear strain).
+struct ModifiedCamClayModel {
+  static constexpr int hardening = 2;
+  static constexpr bool associated = true;
+
+  const ModifiedCamClay& law;
+  double volume0;     // [-] specific volume at the start of the increment
+  double scale;       // [1/Pa^2] makes f dimensionless: 1/pc^2 of the start
+  double a4;          // [-] a^4 of the Lode dependence
+  double inverse_m2;  // [-] 1/M^2
+
+  KOKKOS_INLINE_FUNCTION ModifiedCamClayModel(const ModifiedCamClay& l, double specific_volume, double pc)
+      : law(l), volume0(specific_volume), scale(1.0 / (pc * pc)), inverse_m2(1.0 / (l.ratio * l.ratio)) {
+    const double sine = 3.0 * l.ratio / (6.0 + l.ratio), a = (3.0 - sine) / (3.0 + sine);
+    a4 = a * a * a * a;
+  }
+
+  /// w = M^2/M(S)^2 and dw/dS.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T shape(const T& s, T& slope) const {
+    const T w = square_root((1.0 + a4 + (1.0 - a4) * s) / (2.0 * a4));
+    slope = (1.0 - a4) / (4.0 * a4) / w;
+    return w;
+  }
+
+  /// False where the deviator is too small to have a Lode measure; w plays no role there.
+  KOKKOS_INLINE_FUNCTION bool has_lode(double q_squared) const {
+    return law.lode == ModifiedCamClay::Lode::sheng && q_squared * scale > 1e-24;
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T yield(const T* stress, const T* h) const {
+    T s[6];
+    const T p = sym6::deviator(stress, s);
+    T q2 = 1.5 * sym6::norm_squared(s);
+    if (has_lode(value(q2))) {
+      T slope;
+      q2 *= shape(13.5 * sym6::determinant(s) / (q2 * square_root(q2)), slope);
+    }
+    return scale * (inverse_m2 * q2 + p * (p - h[0]));
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void flow(const T* stress, const T* h, const T& volume_strain, PlasticFlow<T, 2>& out) const {
+    T s[6];
+    const T p = sym6::deviator(stress, s);
+    const T v = law.volume == ModifiedCamClay::Volume::current ? volume0 * exponential(volume_strain) : T(volume0);
+    out.bulk = v * p / law.swelling;
+    out.shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * out.bulk;
+    const T q2 = 1.5 * sym6::norm_squared(s);
+    T shear_rate = deviatoric_gradient(s, q2, out.yield_gradient);
+    const T mean = scale * (2.0 * p - h[0]);  // df/dp'
+    for (int i = 0; i < 3; ++i) out.yield_gradient[i] -= mean * (1.0 / 3.0);
+    out.hardening_gradient[0] = -scale * p;
+    out.hardening_gradient[1] = T(0.0);
+    out.hardening_rate[0] = h[0] * v * mean / (law.compression - law.swelling);
+    out.hardening_rate[1] = shear_rate;
+  }
+
+  /// d(q^2 w/M^2)/dsigma times scale, strain-like; returns its equivalent shear strain sqrt(2/3 e:e).
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T deviatoric_gradient(const T* s, const T& q2, T* g) const {
+    const double base = 3.0 * inverse_m2 * scale;
+    if (!has_lode(value(q2))) {
+      for (int i = 0; i < 3; ++i) g[i] = base * s[i];
+      for (int i = 3; i < 6; ++i) g[i] = 2.0 * base * s[i];
+      return value(q2) * scale > 1e-24 ? 2.0 * inverse_m2 * scale * square_root(q2) : T(0.0);
+    }
+    // d(q^2 w) = (w - 3/2 w' S) d(q^2) + w' (27/2) dJ3/q
+    const T q = square_root(q2), measure = 13.5 * sym6::determinant(s) / (q * q2);
+    T slope, cubic[6];
+    const T w = shape(measure, slope);
+    sym6::determinant_gradient(s, q2, cubic);
+    const T along = base * (w - 1.5 * slope * measure), across = 13.5 * inverse_m2 * scale * slope / q;
+    for (int i = 0; i < 3; ++i) g[i] = along * s[i] + across * cubic[i];
+    for (int i = 3; i < 6; ++i) g[i] = 2.0 * along * s[i] + across * cubic[i];
+    const T normal = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+    return square_root((2.0 / 3.0) * (normal + 0.5 * (g[3] * g[3] + g[4] * g[4] + g[5] * g[5])));
+  }
+
+  /// p' = p'_0 exp((v_0 - v)/kappa), so the mean modulus is K = p'_0 (exp(x) - 1)/eps_v with x = (v_0 - v)/kappa; with
+  /// constant nu the shear modulus follows K along the path, so its mean does too.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void elastic(const T* stress, const T* strain, T* out) const {
+    const T compression = -sym6::trace(strain), p = sym6::mean_pressure(stress);
+    T per_strain(volume0 / law.swelling);  // x / eps_v
+    if (law.volume == ModifiedCamClay::Volume::current) per_strain *= exponential_quotient(-compression);
+    const T bulk = p * per_strain * exponential_quotient(per_strain * compression);
+    const T shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * bulk;
+    sym6::isotropic(bulk, shear, strain, out);
+    for (int i = 0; i < 6; ++i) out[i] += stress[i];
+  }
+
+  KOKKOS_INLINE_FUNCTION bool admissible(const double* stress, const double* h) const {
+    return sym6::mean_pressure(stress) > 0.0 && h[0] > 0.0;
+  }
+  KOKKOS_INLINE_FUNCTION bool exhausted(const double* stress) const {
+    return sym6::mean_pressure(stress) < law.minimum_mean_stress;
+  }
+  KOKKOS_INLINE_FUNCTION double hardening_scale(int i, double h) const { return i == 0 ? h : 1.0; }
+};
+
+/// Where p' is below the minimum: sets it there and returns true. pc is at least twice the minimum, so that the surface
+/// leaves room for shear, and q is reduced to the surface (inside it for every Lode angle: a^2 <= M(S)^2/M^2).
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::raise_to_minimum(double* stress, double* h) const {
+  double s[6];
+  if (!(sym6::deviator(stress, s) < minimum_mean_stress)) return false;
+  h[0] = ::fmax(h[0], 2.0 * minimum_mean_stress);
+  const ModifiedCamClayModel model(*this, 1.0, h[0]);
+  const double weakest = lode == Lode::sheng ? ::sqrt(model.a4) : 1.0;
+  const double allowed = weakest * ratio * ratio * minimum_mean_stress * (h[0] - minimum_mean_stress);
+  const double q2 = 1.5 * sym6::norm_squared(s);
+  const double factor = q2 > allowed ? ::sqrt(allowed / q2) : 1.0;
+  for (int i = 0; i < 6; ++i) stress[i] = factor * s[i] - (i < 3 ? minimum_mean_stress : 0.0);
+  return true;
+}
+
+template <class T>
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update(const SkeletonPoint& in, const T* strain, const double* state_old,
+                                                    double* state, SkeletonResponse& out) const {
+  double start[6], h[2] = {state_old[preconsolidation], state_old[plastic_shear_strain]};
+  for (int i = 0; i < 6; ++i) start[i] = in.stress[i];
+  raise_to_minimum(start, h);
+  const ModifiedCamClayModel model(*this, specific_volume(in.void_ratio, state_old), h[0]);
+  Substepping<T, ModifiedCamClayModel> path(model, substepping, strain);
+  for (int i = 0; i < 6; ++i) path.stress[i] = T(start[i]);
+  for (int i = 0; i < 2; ++i) path.h[i] = T(h[i]);
+  if (!path.integrate()) return false;
+  for (int i = 0; i < 6; ++i) out.stress[i] = value(path.stress[i]);
+  for (int i = 0; i < 2; ++i) state[i] = value(path.h[i]);
+  const bool raised = raise_to_minimum(out.stress, state);
+  if (!in.want_tangent) return true;
+  if (raised) {
+    const ElasticModuli m = moduli(out.stress, in.void_ratio, state_old);
+    sym6::isotropic_stiffness(m.bulk, m.shear, out.tangent);
+  } else {
+    write_tangent(path.stress, out.tangent);
+  }
+  return true;
+}
+
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::operator()(const SkeletonPoint& in, const double* state_old, double* state,
+                                                        SkeletonResponse& out) const {
+  for (int i = 0; i < state_size; ++i) state[i] = state_old[i];
+  bool ok;
+  if (in.want_tangent) {
+    Dual<6> strain[6];
+    for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
+    ok = update(in, strain, state_old, state, out);
+  } else {
+    ok = update(in, in.strain, state_old, state, out);
+  }
+  if (ok) return true;
+  // A failed point reports its old state, so that nothing undefined gets about.
+  for (int i = 0; i < state_size; ++i) state[i] = state_old[i];
+  for (int i = 0; i < 6; ++i) out.stress[i] = in.stress[i];
+  for (int i = 0; i < 36; ++i) out.tangent[i] = 0.0;
+  return false;
+}
+
+}  // namespace mudline

@@ -1,0 +1,126 @@
+// Linear elasticity, permeability laws, water, and what registration refuses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/register_materials.hpp"
+#include "point_driver.hpp"
+
+namespace mudline {
+namespace {
+
+Section section(Teuchos::ParameterList& list) {
+  return Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), "");
+}
+
+struct Registries {
+  Registry<Skeleton> skeletons{"skeleton"};
+  Registry<Fluid> fluids{"fluid"};
+  Registry<Permeability> permeabilities{"permeability"};
+  Registries() { register_materials(skeletons, fluids, permeabilities); }
+};
+
+TEST(LinearElastic, StressAddsToTheInitialStress) {
+  Teuchos::ParameterList list;
+  list.set("type", "linear elastic");
+  list.set("Young's modulus", 1e7);
+  list.set("Poisson's ratio", 0.25);
+  const auto law = Registries().skeletons.create(section(list));
+  PointDriver point(*law, {-5e4, -1e5, -5e4, 0, 0, 2e3}, 0.8);
+  compress(point, Path::drained, 1e-3, 1);
+  EXPECT_NEAR(point.stress()[1], -1e5 - 1e4, 1e-6);
+  EXPECT_NEAR(point.stress()[0], -5e4, 1e-4);
+  EXPECT_NEAR(point.strain()[0], 0.25e-3, 1e-12);
+  point.step({0, 0, 0, 0, 0, 1e-3});
+  EXPECT_NEAR(point.stress()[5], 2e3 + 4e3, 1e-6);
+  EXPECT_NEAR(law->k0(1.0), 1.0 / 3.0, 1e-15);
+}
+
+std::unique_ptr<Permeability> permeability(const std::string& type, double index = 0.0, double reference = 0.0) {
+  Teuchos::ParameterList list;
+  list.set("type", type);
+  list.set("hydraulic conductivity", 2e-8);
+  if (index > 0.0) list.set("permeability index", index);
+  if (reference > 0.0) list.set("reference void ratio", reference);
+  return Registries().permeabilities.create(section(list));
+}
+
+TEST(Permeability, DerivativesAgreeWithDifferences) {
+  for (const auto& law : {permeability("constant"), permeability("kozeny-carman"), permeability("log-linear", 0.4)})
+    for (const double e : {0.3, 0.9, 2.5}) {
+      const double h = 1e-5;
+      const double slope = (law->conductivity(e + h, 1.1).k - law->conductivity(e - h, 1.1).k) / (2 * h);
+      EXPECT_NEAR(law->conductivity(e, 1.1).dk_de, slope, 1e-8 * std::abs(slope));
+    }
+}
+
+TEST(Permeability, ReferenceValueAppliesAtTheReferenceVoidRatio) {
+  for (const char* type : {"kozeny-carman", "log-linear"}) {
+    const double index = std::string(type) == "log-linear" ? 0.4 : 0.0;
+    EXPECT_DOUBLE_EQ(permeability(type, index)->conductivity(1.1, 1.1).k, 2e-8);
+    EXPECT_DOUBLE_EQ(permeability(type, index, 0.8)->conductivity(0.8, 1.1).k, 2e-8);
+  }
+  EXPECT_NEAR(permeability("log-linear", 0.4)->conductivity(1.5, 1.1).k, 2e-7, 1e-19);
+  EXPECT_NEAR(permeability("kozeny-carman")->conductivity(2.0, 1.0).k, 2e-8 * (8.0 / 3.0) / 0.5, 1e-19);
+  EXPECT_EQ(permeability("kozeny-carman")->conductivity(-0.1, 1.0).k, 0.0);
+}
+
+TEST(Fluid, Water) {
+  Teuchos::ParameterList list;
+  list.set("type", "water");
+  const auto fresh = Registries().fluids.create(section(list));
+  EXPECT_DOUBLE_EQ(fresh->density(), 1000.0);
+  EXPECT_DOUBLE_EQ(fresh->bulk_modulus(), 2.2e9);
+  EXPECT_DOUBLE_EQ(fresh->unit_weight(), 9810.0);
+  list.set("density", 1025.0);
+  list.set("incompressible", true);
+  list.set("unit weight", 1e4);
+  const auto sea = Registries().fluids.create(section(list));
+  EXPECT_DOUBLE_EQ(sea->unit_weight(), 1e4);
+  EXPECT_TRUE(std::isinf(sea->bulk_modulus()));
+}
+
+std::string complaint(const Teuchos::ParameterList& given) {
+  Teuchos::ParameterList list(given);
+  try {
+    Registries().skeletons.create(section(list));
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Registration, RulesAcrossParametersAreChecked) {
+  Teuchos::ParameterList clay;
+  clay.set("type", "modified cam clay");
+  clay.set("critical stress ratio", 1.2);
+  clay.set("compression slope", 0.15);
+  clay.set("swelling slope", 0.03);
+  EXPECT_NE(complaint(clay).find("exactly one"), std::string::npos);
+  clay.set("Poisson's ratio", 0.3);
+  EXPECT_EQ(complaint(clay), "");
+  clay.set("shear modulus", 1e6);
+  EXPECT_NE(complaint(clay).find("exactly one"), std::string::npos);
+  clay.remove("shear modulus");
+  clay.set("swelling slope", 0.2);
+  EXPECT_NE(complaint(clay).find("smaller"), std::string::npos);
+  clay.set("swelling slope", 0.03);
+  clay.set("lode dependence", "sheng");
+  EXPECT_EQ(complaint(clay), "");
+  clay.set("critical stress ratio", 2.5);
+  EXPECT_NE(complaint(clay).find("convex"), std::string::npos);
+}
+
+TEST(Registration, EveryEntryIsDocumented) {
+  Registries r;
+  for (const auto& docs : {r.skeletons.document(), r.fluids.document(), r.permeabilities.document()})
+    for (const auto& entry : docs) {
+      EXPECT_FALSE(entry.summary.empty());
+      EXPECT_FALSE(entry.parameters.empty());
+      for (const auto& p : entry.parameters) EXPECT_GT(std::count(p.doc.begin(), p.doc.end(), ' '), 2) << p.name;
+    }
+}
+
+}  // namespace
+}  // namespace mudline

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "algebra/linear_solver.hpp"
+#include "physics/soil.hpp"
+#include "physics/term.hpp"
+
+namespace mudline {
+
+/// What the block preconditioner needs of the soil at the present linearisation point. Collective.
+BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<const char*> constrained);
+
+}  // namespace mudline

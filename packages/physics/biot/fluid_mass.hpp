@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "physics/soil.hpp"
+#include "physics/solid/body_force.hpp"
+#include "physics/term.hpp"
+
+namespace mudline {
+
+/// Mass balance of the pore fluid on the configuration of the alpha level (design 2; convention B of the field):
+///   R_p = int Np^T [alpha div v + pdot/Q] dv + int grad(Np)^T kappa (grad p - rho_f g [+ rho_f a]) dv,  kappa = k(e)/gamma_w.
+/// p: compression positive, outflow positive. In a geostatic stage the pore
+/// pressures are given and held, and the term is silent.
+class FluidMass : public Term {
+ public:
+  FluidMass(std::shared_ptr<Soil> soil, Gravity gravity, bool fluid_acceleration)
+      : soil_(std::move(soil)), gravity_(gravity), fluid_acceleration_(fluid_acceleration) {}
+  std::string name() const override { return "fluid mass"; }
+  int residual(const StepView& view, const ResidualView& f) override;
+  double magnitude_squared(int field) const override { return field == soil_->pressure ? magnitude_squared_ : 0.0; }
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+
+ private:
+  std::shared_ptr<Soil> soil_;
+  double magnitude_squared_ = 0;
+  Gravity gravity_;
+  bool fluid_acceleration_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/registry.hpp"
+#include "physics/soil.hpp"
+#include "physics/term.hpp"
+
+namespace mudline {
+
+/// What a condition may look at when it is bound to a model.
+struct ConditionContext {
+  const Space& space;
+  std::shared_ptr<Soil> soil;   // null when no physics has soil
+};
+
+/// One named entry of the deck's "boundary conditions": prescribes unknowns, adds a load term, or both.
+class Condition {
+ public:
+  virtual ~Condition() = default;
+  /// Resolves sets and fields; throws InputError through `section`. Collective; every rank throws alike.
+  virtual void bind(const ConditionContext& context, const Section& section) = 0;
+  /// Prescribes unknowns at the end of a step from t_old (state `committed`) to t_end.
+  virtual void prescribe(double t_old, double t_end, const State& committed, Constraints& constraints) const {}
+  /// The load that the condition adds; null for purely prescribed ones.
+  virtual Term* term() { return nullptr; }
+  /// Called when a stage begins in which the condition is newly active. `unbalanced`: residual of the committed state
+  /// without this condition's load, by overlap dof (owned and ghost copies agree).
+  virtual void activate(const State& committed, ConstNodalView unbalanced) {}
+  /// Adds this rank's share of the reactions at the prescribed unknowns: "reaction/<name> x [N]" -> value. The same names
+  /// in every call; nodes that two conditions share count in both.
+  virtual void reactions(const NodalView& reaction, std::map<std::string, double>& shares) const {}
+  std::string name;
+};
+
+/// displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux, absorbing; a plain list.
+void register_conditions(Registry<Condition>& registry);
+
+}  // namespace mudline

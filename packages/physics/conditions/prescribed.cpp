@@ -1,0 +1,142 @@
+#include "physics/conditions/prescribed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+void Prescribed::declare_set(Parameters& p) { p.required("set", set_, "mesh set (sides or nodes) on which it acts"); }
+
+void Prescribed::bind(const ConditionContext& context, const Section& section) {
+  space_ = &context.space;
+  std::vector<std::string> fields;
+  for (int f = 0; f < space_->num_fields(); ++f) fields.push_back(space_->field(f).name);
+  field_ = space_->find(field_name());
+  if (field_ < 0) section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
+  const Mesh& mesh = space_->mesh();
+  if (!mesh.has_set(set_)) section.fail("unknown mesh set '" + set_ + "'" + suggestion(set_, mesh.set_names()), "set");
+  nodes_ = mesh.nodes_of_set(set_);
+}
+
+void Prescribed::reactions(const NodalView& reaction, std::map<std::string, double>& shares) const {
+  const Field& field = space_->field(field_);
+  const char* axes[2] = {" x", " y"};
+  for (int c = 0; c < field.components; ++c) {
+    const std::string axis = field.components == 2 ? axes[c] : field.components > 1 ? " " + std::to_string(c) : "";
+    double& share = shares["reaction/" + name + axis + " [" + field.flux + "]"];
+    for (int node : nodes_)
+      if (space_->node_dof(field_)(node) >= 0) share += reaction(space_->node_dof(field_)(node) + c);
+  }
+}
+
+void DisplacementCondition::parameters(Parameters& p) {
+  declare_set(p);
+  const char* names[2] = {"x", "y"};
+  for (int i = 0; i < 2; ++i) {
+    p.add(names[i], component_[i], "m", "displacement since the last reset, a function of time and initial position; free when absent");
+    given_[i] = p.given(names[i]);
+  }
+}
+
+void DisplacementCondition::check(const Section& section) {
+  if (!given_[0] && !given_[1]) section.fail("at least one of 'x' and 'y' must be given");
+}
+
+void DisplacementCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
+  for_each_node([&](int dof, int, const Point& x) {
+    for (int i = 0; i < 2; ++i)
+      if (given_[i]) prescribe_dof(to, dof + i, component_[i](t_end, x));
+  });
+}
+
+void VelocityCondition::parameters(Parameters& p) {
+  declare_set(p);
+  const char* names[2] = {"x", "y"};
+  for (int i = 0; i < 2; ++i) {
+    p.add(names[i], component_[i], "m/s", "velocity, a function of time and initial position; free when absent");
+    given_[i] = p.given(names[i]);
+  }
+  p.add("ramp time", ramp_time_, "s", non_negative(), "the velocity rises smoothly from zero over this time");
+  p.add("start time", start_, "s", any(), "begin of the ramp");
+}
+
+void VelocityCondition::check(const Section& section) {
+  if (!given_[0] && !given_[1]) section.fail("at least one of 'x' and 'y' must be given");
+}
+
+double VelocityCondition::ramp(double time) const {
+  if (time <= start_) return ramp_time_ > 0 ? 0.0 : 1.0;
+  if (ramp_time_ <= 0 || time >= start_ + ramp_time_) return 1.0;
+  const double s = (time - start_) / ramp_time_;
+  return s * s * (3 - 2 * s);
+}
+
+void VelocityCondition::prescribe(double t_old, double t_end, const State& committed, Constraints& to) const {
+  // Three Gauss points integrate the cubic ramp exactly within a step.
+  const double dt = t_end - t_old, node[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  for_each_node([&](int dof, int, const Point& x) {
+    for (int i = 0; i < 2; ++i) {
+      if (!given_[i]) continue;
+      double change = 0;
+      for (int q = 0; q < 3; ++q) {
+        const double t = t_old + 0.5 * dt * (1 + node[q]);
+        change += weight[q] * dt * ramp(t) * component_[i](t, x);
+      }
+      prescribe_dof(to, dof + i, committed.value(dof + i) + change);
+    }
+  });
+}
+
+void FixedCondition::parameters(Parameters& p) {
+  declare_set(p);
+  p.choice("components", components_, {{"x", Components::x}, {"y", Components::y}, {"x y", Components::both}},
+           "directions that are held");
+}
+
+void FixedCondition::prescribe(double, double, const State&, Constraints& to) const {
+  for_each_node([&](int dof, int, const Point&) {
+    if (components_ != Components::y) prescribe_dof(to, dof, 0);
+    if (components_ != Components::x) prescribe_dof(to, dof + 1, 0);
+  });
+}
+
+void PorePressureCondition::parameters(Parameters& p) {
+  declare_set(p);
+  p.add("value", value_, "Pa", "pore pressure, compression positive; a function of time and initial position");
+}
+
+void PorePressureCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
+  for_each_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof, value_(t_end, x)); });
+}
+
+void HydrostaticCondition::parameters(Parameters& p) {
+  declare_set(p);
+  p.add("unit weight", unit_weight_, "N/m3", positive(), "of the water");
+  p.required("water level", level_, "m", "height y of the free water surface, a function of time");
+}
+
+void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
+  for_each_node([&](int dof, int node, const Point& x) {
+    prescribe_dof(to, dof, std::max(0.0, unit_weight_ * (level_(t_end, x) - committed.coordinates(node, 1))));
+  });
+}
+
+void ValueCondition::parameters(Parameters& p) {
+  declare_set(p);
+  p.required("field", name_, "name of the field");
+  p.add("component", component_, "-", closed(0, 5), "component of the field, counted from 0");
+  p.required("value", value_, "unit of the field", "prescribed value, a function of time and initial position");
+}
+
+void ValueCondition::bind(const ConditionContext& context, const Section& section) {
+  Prescribed::bind(context, section);
+  const Field& field = space_->field(field_);
+  if (component_ >= field.components)
+    section.fail("field '" + name_ + "' has " + std::to_string(field.components) + " component(s), counted from 0", "component");
+}
+
+void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
+  for_each_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof + component_, value_(t_end, x)); });
+}
+
+}  // namespace mudline

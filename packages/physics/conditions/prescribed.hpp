@@ -1,0 +1,129 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/condition.hpp"
+
+namespace mudline {
+
+/// Conditions that prescribe nodal unknowns on a set.
+class Prescribed : public Condition {
+ public:
+  void bind(const ConditionContext& context, const Section& section) override;
+  void reactions(const NodalView& reaction, std::map<std::string, double>& shares) const override;
+
+ protected:
+  /// Field that must exist: its name; its components when `component` is empty.
+  virtual std::string field_name() const = 0;
+  /// Declares "set".
+  void declare_set(Parameters& p);
+  /// Calls f(dof of component 0, node, initial position) for the bound nodes.
+  template <class F>
+  void for_each_node(F&& f) const {
+    for (int node : nodes_) {
+      const int dof = space_->node_dof(field_)(node);
+      if (dof < 0) continue;
+      const auto& x = space_->mesh().coordinates();
+      f(dof, node, Point{x(node, 0), x(node, 1), 0});
+    }
+  }
+  static void prescribe_dof(Constraints& to, int dof, double value) {
+    to.mask(dof) = 1;
+    to.value(dof) = value;
+  }
+  std::string set_;
+  const Space* space_ = nullptr;
+  int field_ = -1;
+  std::vector<int> nodes_;
+};
+
+/// Total displacement since the last reset (a geostatic stage resets it to zero).
+class DisplacementCondition : public Prescribed {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+
+ protected:
+  std::string field_name() const override { return "displacement"; }
+
+ private:
+  Function component_[2];
+  bool given_[2] = {false, false};
+};
+
+/// Velocity, integrated over each step; optionally a smooth ramp from rest.
+class VelocityCondition : public Prescribed {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+
+ protected:
+  std::string field_name() const override { return "displacement"; }
+
+ private:
+  double ramp(double time) const;
+  Function component_[2];
+  bool given_[2] = {false, false};
+  double ramp_time_ = 0, start_ = 0;
+};
+
+/// Zero displacement from where the node stands when the run starts or was last reset.
+class FixedCondition : public Prescribed {
+ public:
+  void parameters(Parameters& p);
+  void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+
+ protected:
+  std::string field_name() const override { return "displacement"; }
+
+ private:
+  enum class Components { x, y, both };
+  Components components_ = Components::both;
+};
+
+class PorePressureCondition : public Prescribed {
+ public:
+  void parameters(Parameters& p);
+  void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+
+ protected:
+  std::string field_name() const override { return "pore pressure"; }
+
+ private:
+  Function value_;
+};
+
+/// p = unit weight * (water level - y), zero above the level; y is the node's current height.
+class HydrostaticCondition : public Prescribed {
+ public:
+  void parameters(Parameters& p);
+  void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+
+ protected:
+  std::string field_name() const override { return "pore pressure"; }
+
+ private:
+  double unit_weight_ = 9810;
+  Function level_;
+};
+
+/// Any component of any field, e.g. a plugin's temperature.
+class ValueCondition : public Prescribed {
+ public:
+  void parameters(Parameters& p);
+  void bind(const ConditionContext& context, const Section& section) override;
+  void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+
+ protected:
+  std::string field_name() const override { return name_; }
+
+ private:
+  std::string name_;
+  int component_ = 0;
+  Function value_;
+};
+
+}  // namespace mudline

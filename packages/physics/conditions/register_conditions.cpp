@@ -1,0 +1,20 @@
+#include "physics/conditions/absorbing.hpp"
+#include "physics/conditions/prescribed.hpp"
+#include "physics/conditions/side_terms.hpp"
+
+namespace mudline {
+
+void register_conditions(Registry<Condition>& registry) {
+  registry.add<DisplacementCondition>("displacement", "prescribed displacement of a set, component by component");
+  registry.add<VelocityCondition>("velocity", "prescribed velocity of a set with an optional smooth ramp from rest");
+  registry.add<FixedCondition>("fixed", "zero displacement of a set in one or both directions (rollers, clamped edges)");
+  registry.add<PorePressureCondition>("pore pressure", "prescribed pore pressure, compression positive (0: drained)");
+  registry.add<HydrostaticCondition>("hydrostatic pressure", "hydrostatic pore pressure below a water level");
+  registry.add<ValueCondition>("value", "prescribed value of any field, e.g. one of a plugin");
+  registry.add<Traction>("traction", "force per current area in fixed directions");
+  registry.add<SurfacePressure>("pressure", "pressure that follows the current surface");
+  registry.add<NormalFlux>("flux", "prescribed outward flux of a scalar field, by default the discharge of pore water");
+  registry.add<AbsorbingBoundary>("absorbing", "viscous boundary that lets waves leave; holds the static reaction");
+}
+
+}  // namespace mudline

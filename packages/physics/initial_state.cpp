@@ -1,0 +1,126 @@
+#include "physics/initial_state.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+void InitialState::parameters(Parameters& p) {
+  p.choice("type", kind_, {{"stress free", Kind::stress_free}, {"uniform", Kind::uniform}, {"geostatic", Kind::geostatic}},
+           "how the soil starts");
+  const char* names[4] = {"effective stress xx", "effective stress yy", "effective stress zz", "shear stress xy"};
+  for (int i = 0; i < 4; ++i) p.add(names[i], stress_[i], "Pa", any(), "uniform start, compression positive");
+  p.add("pore pressure", pressure_, "Pa", any(), "uniform start, compression positive");
+  p.add("surcharge", surcharge_, "Pa", non_negative(), "geostatic: effective vertical stress at the surface");
+  p.add("water level", water_level_, "m", any(), "geostatic: height y of the water surface; without it the soil is dry or single-phase");
+  has_water_ = p.given("water level");
+  p.add("K0", k0_, "-", "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
+  has_k0_ = p.given("K0");
+  p.add("overconsolidation ratio", ocr_, "-", "scales the yield surface through the initial stress; function of position");
+}
+
+std::vector<InitialState::Layer> InitialState::layers(const Soil& soil, const Section& section) const {
+  const Mesh& mesh = soil.space->mesh();
+  std::vector<Layer> result;
+  for (const auto& [region, box] : mesh.region_bounds()) {
+    double density = -1;
+    for (const SoilBlock& b : soil.blocks)
+      if (mesh.blocks()[b.block].region == region) density = b.material->density(b.material->initial_porosity());
+    result.push_back({box[2], box[3], density});
+  }
+  std::sort(result.begin(), result.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
+  const double tolerance = 1e-6 * (mesh.bounds()[3] - mesh.bounds()[2]);
+  for (std::size_t i = 1; i < result.size(); ++i) {
+    if (result[i].top <= result[i - 1].bottom + tolerance) continue;
+    if (std::abs(result[i].density - result[i - 1].density) < 1e-9) continue;  // side by side, one weight
+    section.fail("the mesh regions are not horizontal layers; use a stage of type 'geostatic' from a uniform state, or one density", "type");
+  }
+  return result;
+}
+
+double InitialState::pore_pressure(double y, double unit_weight) const {
+  return has_water_ ? std::max(0.0, unit_weight * (water_level_ - y)) : 0.0;
+}
+
+double InitialState::total_vertical(const std::vector<Layer>& layers, double y, double g, double top_pressure) const {
+  double stress = top_pressure, reached = layers.front().top;
+  for (const Layer& layer : layers) {
+    const double from = std::min(layer.top, reached), to = std::max(layer.bottom, y);
+    if (from > to) {
+      stress += layer.density * g * (from - to);
+      reached = to;
+    }
+  }
+  return stress;
+}
+
+void InitialState::set_pressure(const Soil& soil, StateStore& store, double unit_weight) const {
+  if (soil.pressure < 0) return;
+  State& state = store.committed();
+  const auto& dof = soil.space->node_dof(soil.pressure);
+  for (int node = 0; node < soil.space->mesh().num_nodes(); ++node)
+    if (dof(node) >= 0)
+      state.value(dof(node)) = kind_ == Kind::uniform ? pressure_ : pore_pressure(state.coordinates(node, 1), unit_weight);
+}
+
+void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
+  const double g = -gravity.vector[1];
+  if (kind_ == Kind::geostatic && g <= 0) section.fail("a geostatic start needs gravity pointing down: give the physics a 'gravity'", "type");
+  State& state = store.committed();
+  double unit_weight = 0;
+  for (const SoilBlock& b : soil.blocks)
+    if (b.porous()) unit_weight = b.material->fluid->density() * g;
+  if (kind_ != Kind::stress_free) set_pressure(soil, store, unit_weight);
+  std::vector<Layer> column;
+  double top_pressure = 0;
+  if (kind_ == Kind::geostatic) {
+    column = layers(soil, section);
+    const double alpha = soil.blocks.empty() ? 1.0 : soil.blocks.front().material->biot_coefficient;
+    top_pressure = surcharge_ + alpha * pore_pressure(column.front().top, unit_weight);
+  }
+  std::string problem;
+  for (const SoilBlock& b : soil.blocks) {
+    const Skeleton& skeleton = *b.material->skeleton;
+    for (int e = 0; e < b.elements; ++e)
+      for (int q = 0; q < b.points; ++q) {
+        InitialPoint point;
+        point.position = {0, 0, 0};
+        for (int a = 0; a < b.u.nodes; ++a)
+          for (int i = 0; i < 2; ++i) point.position[i] += b.u.N(q, a) * state.coordinates(b.nodes(e, a), i);
+        point.stress = {-stress_[0], -stress_[1], -stress_[2], 0, 0, -stress_[3]};
+        point.overconsolidation_ratio = ocr_(0, point.position);
+        point.void_ratio = b.material->initial_void_ratio;
+        if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
+        if (kind_ == Kind::geostatic) {
+          const double y = point.position[1];
+          const double vertical = total_vertical(column, y, g, top_pressure) -
+                                  (b.porous() ? b.material->biot_coefficient * pore_pressure(y, unit_weight) : 0.0);
+          const double k0 = has_k0_ ? k0_(0, point.position) : skeleton.k0(point.overconsolidation_ratio);
+          if (k0 < 0 && problem.empty()) problem = "the skeleton law of material '" + b.material->name + "' has no K0 of its own; give 'K0'";
+          point.stress = {-k0 * vertical, -vertical, -k0 * vertical, 0, 0, 0};
+        }
+        const int row = e * b.points + q;
+        for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
+        state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
+        const std::string reason = skeleton.initialise(point, state.arrays[b.law].data() + row * state.arrays[b.law].extent(1));
+        if (!reason.empty() && problem.empty())
+          problem = "material '" + b.material->name + "' cannot start at (" + std::to_string(point.position[0]) + ", " +
+                    std::to_string(point.position[1]) + "): " + reason;
+      }
+  }
+  // Any rank may see the problem: all fail alike, with the message of the lowest rank that has one.
+  const auto& comm = *soil.space->dofs()->comm();
+  const int mine = problem.empty() ? comm.getSize() : comm.getRank();
+  int first = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &first);
+  if (first == comm.getSize()) return;
+  int length = static_cast<int>(problem.size());
+  Teuchos::broadcast(comm, first, 1, &length);
+  problem.resize(length);
+  Teuchos::broadcast(comm, first, length, problem.data());
+  section.fail(problem);
+}
+
+}  // namespace mudline

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "physics/soil.hpp"
+#include "physics/solid/body_force.hpp"
+
+namespace mudline {
+
+/// Stress, pore pressure and state of the soil at the start. Inputs and vertical stress: geotechnical, compression
+/// positive; the state itself is tension positive.
+///  "stress free": everything zero.
+///  "uniform": given stresses.
+///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p hydrostatic below the water level;
+///  horizontal layers by mesh region.
+class InitialState {
+ public:
+  void parameters(Parameters& p);
+  void apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const;
+
+ private:
+  enum class Kind { stress_free, uniform, geostatic };
+  struct Layer {
+    double bottom, top, density;
+  };
+  std::vector<Layer> layers(const Soil& soil, const Section& section) const;
+  double pore_pressure(double y, double unit_weight) const;
+  double total_vertical(const std::vector<Layer>& layers, double y, double g, double top_pressure) const;
+  void set_pressure(const Soil& soil, StateStore& store, double unit_weight) const;
+
+  Kind kind_ = Kind::stress_free;
+  double stress_[4] = {0, 0, 0, 0};  // xx yy zz xy, compression positive
+  double pressure_ = 0;
+  double surcharge_ = 0, water_level_ = 0;
+  bool has_water_ = false, has_k0_ = false;
+  Function k0_, ocr_{1.0};
+};
+
+}  // namespace mudline

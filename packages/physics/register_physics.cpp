@@ -1,0 +1,92 @@
+#include "physics/biot/block_data.hpp"
+#include "physics/biot/fluid_mass.hpp"
+#include "physics/initial_state.hpp"
+#include "physics/physics.hpp"
+#include "physics/solid/body_force.hpp"
+#include "physics/solid/rayleigh_damping.hpp"
+#include "physics/solid/stress_divergence.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// What saturated and single-phase soil share.
+class SoilPhysics : public Physics {
+ public:
+  void build(PhysicsContext& context, const Section& section) override {
+    if (context.soil) section.fail("only one physics may own the displacements");
+    soil_ = make_soil(context.space, context.materials, porous(), quadrature_, context.materials_section);
+    context.soil = soil_;
+    context.terms.push_back(std::make_unique<StressDivergence>(soil_));
+    context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::inertia));
+    context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::gravity, gravity_));
+    add_terms(context);
+    if (mass_damping_ > 0 || stiffness_damping_ > 0)
+      context.terms.push_back(std::make_unique<RayleighDamping>(soil_, mass_damping_, stiffness_damping_));
+    context.block_data = [soil = soil_](const StepView& view) { return soil_block_data(*soil, view, view.constrained); };
+  }
+  void initialise(StateStore& store, const Section& section) override {
+    initial_.apply(*soil_, store, gravity_, section.section("initial state"));
+  }
+
+ protected:
+  virtual bool porous() const = 0;
+  virtual void add_terms(PhysicsContext&) {}
+  void common_parameters(Parameters& p) {
+    p.add("gravity", gravity_.vector, "m/s2", "gravitational acceleration as a vector");
+    p.add("gravity factor", gravity_.factor, "-", "function of time that scales gravity");
+    p.add("quadrature degree", quadrature_, "-", closed(1, 8), "polynomial degree that the element quadrature integrates exactly");
+    p.add("mass damping", mass_damping_, "1/s", non_negative(), "Rayleigh damping: factor of the mass matrix");
+    p.add("stiffness damping", stiffness_damping_, "s", non_negative(), "Rayleigh damping: factor of the elastic stiffness matrix");
+    p.section("initial state", initial_, "stresses and pore pressures at the start");
+  }
+  std::shared_ptr<Soil> soil_;
+  Gravity gravity_;
+  InitialState initial_;
+  int quadrature_ = 4;
+  double mass_damping_ = 0, stiffness_damping_ = 0;
+};
+
+class Biot : public SoilPhysics {
+ public:
+  void parameters(Parameters& p) {
+    common_parameters(p);
+    p.add("fluid acceleration", fluid_acceleration_, "keep the term rho_f a in Darcy's law");
+  }
+  std::vector<Field> fields() const override {
+    return {{"displacement", "m", "N", 2, Support::all_nodes, 2}, {"pore pressure", "Pa", "m3/s", 1, Support::vertices, 1}};
+  }
+  void check_mesh(const Mesh& mesh, const Section& section) const override {
+    for (const ElementBlock& block : mesh.blocks())
+      if (order(block.shape) < 2)
+        section.fail(std::string("linear ") + mudline::name(block.shape) + " cells give an unstable displacement and pore-pressure pair; "
+                     "use quadratic cells (tri6 or quad9, in Gmsh: order 2)", "type");
+  }
+
+ protected:
+  bool porous() const override { return true; }
+  void add_terms(PhysicsContext& context) override {
+    context.terms.push_back(std::make_unique<FluidMass>(soil_, gravity_, fluid_acceleration_));
+  }
+
+ private:
+  bool fluid_acceleration_ = false;
+};
+
+class Solid : public SoilPhysics {
+ public:
+  void parameters(Parameters& p) { common_parameters(p); }
+  std::vector<Field> fields() const override { return {{"displacement", "m", "N", 2, Support::all_nodes, 2}}; }
+
+ protected:
+  bool porous() const override { return false; }
+};
+
+}  // namespace
+
+void register_physics(Registry<Physics>& registry) {
+  registry.add<Biot>("biot", "saturated soil: displacement and pore pressure, finite deformation, inertia");
+  registry.add<Solid>("solid", "single-phase solid in total stress: displacement, finite deformation, inertia");
+}
+
+}  // namespace mudline

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/registry.hpp"
+#include "physics/rigid_body/contour.hpp"
+
+namespace mudline {
+
+/// A shape that a body's "contour" may name: reads its sizes and makes the contour. The origin of the contour is the
+/// body's reference point (the body's "position"): for cone, flat pile and sphere the lowest point of the real, rounded
+/// contour on the axis.
+class ContourShape {
+ public:
+  virtual ~ContourShape() = default;
+  virtual Contour build() const = 0;
+
+ protected:
+  /// Declares what all shapes share.
+  void extent_parameter(Parameters& p);
+  /// The half contour as such, or with its mirror image.
+  Contour complete(Contour half) const;
+  ContourExtent extent_ = ContourExtent::half;
+};
+
+/// Cone with a cylindrical shaft. A tip radius r moves the tip: the sharp apex would lie r (1 / sin(apex / 2) - 1)
+/// below the reference point.
+class ConeShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  Contour build() const override;
+
+ private:
+  /// Corners of the half contour, the sharp apex at the origin.
+  std::vector<PlanePoint> corners() const;
+  double diameter_ = 0, apex_angle_ = 60, tip_radius_ = 0, shoulder_radius_ = 0, shaft_length_ = 0;
+};
+
+/// Flat-ended cylinder (axisymmetric) or wall (plane strain) with a rounded edge.
+class FlatPileShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  Contour build() const override;
+
+ private:
+  std::vector<PlanePoint> corners() const;
+  double diameter_ = 0, corner_radius_ = 0, shaft_length_ = 0;
+};
+
+class SphereShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  Contour build() const override;
+
+ private:
+  double diameter_ = 0;
+};
+
+/// Straight lines through given points with rounded corners, in the body's own frame.
+class PolylineShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  Contour build() const override;
+
+ private:
+  std::vector<PlanePoint> points() const;
+  std::vector<double> radii() const;
+  std::vector<double> x_, y_, fillet_radii_;
+};
+
+void register_contours(Registry<ContourShape>& registry);
+
+}  // namespace mudline

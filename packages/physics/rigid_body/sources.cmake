@@ -1,0 +1,9 @@
+# Paths relative to packages/physics
+set(rigid_body_sources
+  nodal_exchange.cpp
+  rigid_body/contour_piece.cpp
+  rigid_body/contour.cpp
+  rigid_body/rounded_polygon.cpp
+  rigid_body/contour_shape.cpp
+  rigid_body/motion.cpp
+  rigid_body/rigid_body.cpp)

@@ -1,0 +1,139 @@
+#include "physics/soil.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+void SoilMaterial::parameters(Parameters& p) {
+  p.add("regions", regions, "mesh regions made of this soil; empty: all of them");
+  p.add("grain density", grain_density, "kg/m3", positive(), "density of the solid grains");
+  p.add("void ratio", initial_void_ratio, "-", non_negative(), "initial void ratio e (give this or the porosity)");
+  double porosity = initial_porosity();
+  p.add("porosity", porosity, "-", half_open(0, 1), "initial porosity n = e/(1+e) (give this or the void ratio)");
+  p.add("Biot coefficient", biot_coefficient, "-", closed(0, 1), "alpha in sigma = sigma' - alpha p");
+  p.add("grain bulk modulus", grain_bulk_modulus, "Pa", non_negative(), "K_s of the grains; 0: incompressible grains");
+  double density = 0;
+  p.add("density", density, "kg/m3", non_negative(), "bulk density of a single-phase soil (instead of the grain density)");
+  p.passes_on("skeleton", "effective-stress law; see the skeleton types");
+  p.passes_on("fluid", "pore fluid; see the fluid types (saturated soil only)");
+  p.passes_on("permeability", "conductivity law; see the permeability types (saturated soil only)");
+  if (p.documenting()) return;
+  const bool both = p.given("porosity") && p.given("void ratio"), none = !p.given("porosity") && !p.given("void ratio");
+  if (both) p.deck().fail("contradictory: give 'void ratio' or 'porosity', not both", "porosity");
+  if (p.given("porosity")) initial_void_ratio = porosity / (1 - porosity);
+  if (p.given("density")) {
+    if (p.deck().has_section("fluid")) p.deck().fail("a saturated soil takes 'grain density', not 'density'", "density");
+    if (p.given("grain density")) p.deck().fail("contradictory: give 'density' or 'grain density', not both", "density");
+    grain_density = density * (1 + initial_void_ratio);
+  }
+  if (none && p.deck().has_section("fluid")) p.deck().fail("required parameter 'void ratio' (or 'porosity') is missing");
+}
+
+std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const MaterialRegistries& registries) {
+  auto material = std::make_shared<SoilMaterial>();
+  material->name = section.name();
+  Parameters p(section);
+  material->parameters(p);
+  p.finish();
+  if (!section.has_section("skeleton")) section.fail("required section 'skeleton' is missing");
+  material->skeleton = registries.skeletons.create(section.section("skeleton"));
+  if (section.has_section("fluid")) material->fluid = registries.fluids.create(section.section("fluid"));
+  if (section.has_section("permeability"))
+    material->permeability = registries.permeabilities.create(section.section("permeability"));
+  if (material->fluid && !material->permeability)
+    section.fail("a saturated soil needs a section 'permeability' beside its 'fluid'");
+  if (material->permeability && !material->fluid)
+    section.fail("a section 'permeability' needs a section 'fluid' beside it");
+  if (material->biot_coefficient < material->initial_porosity() && material->fluid)
+    section.fail("the Biot coefficient must not be below the porosity " + std::to_string(material->initial_porosity()),
+                 "Biot coefficient");
+  return material;
+}
+
+double SoilMaterial::density(double porosity) const {
+  return (1 - porosity) * grain_density + (fluid ? porosity * fluid->density() : 0.0);
+}
+
+double SoilMaterial::porosity(double old, double ln_j, double dp) const {
+  const double grains = grain_bulk_modulus > 0 ? dp / grain_bulk_modulus : 0.0;
+  return biot_coefficient - (biot_coefficient - old) * std::exp(-(ln_j + grains));
+}
+
+double SoilMaterial::storage(double porosity) const {
+  double result = 0;
+  if (fluid && std::isfinite(fluid->bulk_modulus())) result += porosity / fluid->bulk_modulus();
+  if (grain_bulk_modulus > 0) result += (biot_coefficient - porosity) / grain_bulk_modulus;
+  return result;
+}
+
+void Soil::declare_state(StateStore& store) {
+  for (SoilBlock& b : blocks) {
+    const std::string prefix = space->mesh().blocks()[b.block].region + "/";
+    const std::string suffix = store.find(prefix + "effective stress") >= 0 ? std::string("#") + std::to_string(b.block) : "";
+    const int rows = b.elements * b.points;
+    b.stress = store.declare({prefix + "effective stress" + suffix, {{"effective stress", 6, "Pa", RemapRule::tensor}}, b.block, b.points}, rows);
+    b.void_ratio = store.declare({prefix + "void ratio" + suffix,
+                                  {{"void ratio", 1, "-", RemapRule::mass, 0.0}, {"initial void ratio", 1, "-"}}, b.block, b.points}, rows);
+    b.law = store.declare({prefix + "law" + suffix, b.material->skeleton->state_variables(), b.block, b.points}, rows);
+  }
+}
+
+void Soil::sparsity(Assembler& assembler) {
+  for (SoilBlock& b : blocks) b.group = assembler.add_group(b.dofs);
+}
+
+namespace {
+
+std::shared_ptr<const SoilMaterial> material_of(const std::string& region, const Mesh& mesh,
+                                                const std::vector<std::shared_ptr<SoilMaterial>>& materials, const Section& where) {
+  std::shared_ptr<const SoilMaterial> found;
+  for (const auto& material : materials) {
+    for (const auto& name : material->regions)
+      if (std::find(mesh.regions().begin(), mesh.regions().end(), name) == mesh.regions().end())
+        where.fail("unknown mesh region '" + name + "'" + suggestion(name, mesh.regions()), material->name + "/regions");
+    const bool here = material->regions.empty() ||
+                      std::find(material->regions.begin(), material->regions.end(), region) != material->regions.end();
+    if (here && found)
+      where.fail("mesh region '" + region + "' has two materials, '" + found->name + "' and '" + material->name + "'");
+    if (here) found = material;
+  }
+  if (!found) where.fail("mesh region '" + region + "' has no material; name it in the 'regions' of one");
+  return found;
+}
+
+}  // namespace
+
+std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials, bool porous,
+                                int degree, const Section& where) {
+  auto soil = std::make_shared<Soil>();
+  soil->space = &space;
+  soil->axisymmetric = space.mesh().geometry() == Geometry::axisymmetric;
+  soil->displacement = space.find("displacement");
+  soil->pressure = porous ? space.find("pore pressure") : -1;
+  for (const std::string& region : space.mesh().regions()) material_of(region, space.mesh(), materials, where);
+  for (std::size_t i = 0; i < space.mesh().blocks().size(); ++i) {
+    const ElementBlock& elements = space.mesh().blocks()[i];
+    SoilBlock b;
+    b.block = static_cast<int>(i);
+    b.material = material_of(elements.region, space.mesh(), materials, where);
+    if (porous && !b.material->porous())
+      where.fail("material '" + b.material->name + "' needs the sections 'fluid' and 'permeability' in physics 'biot'", b.material->name);
+    if (!porous && b.material->porous())
+      where.fail("material '" + b.material->name + "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
+                 "'permeability', or use physics 'biot'", b.material->name);
+    b.shape = elements.shape;
+    const QuadratureRule rule = cell_quadrature(elements.shape, degree);
+    b.u = tabulate(elements.shape, rule);
+    if (porous) b.p = tabulate(linear_partner(elements.shape), rule);
+    b.dofs = space.element_dofs(b.block, porous ? std::vector<int>{soil->displacement, soil->pressure}
+                                                : std::vector<int>{soil->displacement});
+    b.nodes = elements.nodes;
+    b.elements = elements.num_elements;
+    b.points = b.u.points;
+    soil->blocks.push_back(b);
+  }
+  return soil;
+}
+
+}  // namespace mudline

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "materials/register_materials.hpp"
+#include "physics/space.hpp"
+#include "physics/state.hpp"
+
+namespace mudline {
+
+/// The registries a deck's "materials" section needs.
+struct MaterialRegistries {
+  Registry<Skeleton>& skeletons;
+  Registry<Fluid>& fluids;
+  Registry<Permeability>& permeabilities;
+};
+
+/// One entry of the deck's "materials": the soil of some regions.
+class SoilMaterial {
+ public:
+  /// Reads and validates the entry. InputError.
+  static std::shared_ptr<SoilMaterial> read(const Section& section, const MaterialRegistries& registries);
+  /// Documentation of the entry's own parameters.
+  static void document(Parameters& p) { SoilMaterial().parameters(p); }
+  void parameters(Parameters& p);
+
+  std::string name;
+  std::vector<std::string> regions;      // empty: every region
+  double grain_density = 2650;           // [kg/m3]
+  double initial_void_ratio = 0;         // [-]
+  double biot_coefficient = 1;           // alpha [-]
+  double grain_bulk_modulus = 0;         // K_s [Pa]; 0: incompressible
+  std::shared_ptr<Skeleton> skeleton;
+  std::shared_ptr<Fluid> fluid;                // null: single phase (total stress)
+  std::shared_ptr<Permeability> permeability;  // null: single phase
+  bool porous() const { return fluid != nullptr; }
+
+  double initial_porosity() const { return initial_void_ratio / (1 + initial_void_ratio); }
+  /// rho = n rho_f + (1-n) rho_s [kg/m3]; the void space is empty in a single-phase soil.
+  double density(double porosity) const;
+  /// Porosity after the volume ratio J and the pressure change dp of the step:
+  /// d(n) = (alpha - n)(d ln J + dp / K_s), exact for constant alpha.
+  double porosity(double old, double ln_j, double dp) const;
+  /// 1/Q = n/K_f + (alpha - n)/K_s [1/Pa]
+  double storage(double porosity) const;
+};
+
+/// The elements of one mesh block with their soil, quadrature and state; shared by the terms of a physics.
+struct SoilBlock {
+  int block;
+  std::shared_ptr<const SoilMaterial> material;
+  CellShape shape;
+  ShapeTable u, p;                 // tabulated at the same quadrature points; p.nodes == 0 without pore fluid
+  ElementDofs dofs;                // displacement, then pore pressure
+  Kokkos::View<int**, Kokkos::LayoutRight> nodes;
+  int elements, points;
+  int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
+  int group = -1;                  // of the assembler
+  bool porous() const { return p.nodes > 0; }
+};
+
+/// All soil of a model.
+struct Soil {
+  const Space* space;
+  bool axisymmetric;
+  int displacement, pressure;      // field indices; pressure -1 without pore fluid
+  std::vector<SoilBlock> blocks;
+
+  void declare_state(StateStore& store);
+  void sparsity(Assembler& assembler);
+};
+
+/// Pairs every element block with the one material that names its region. InputError when none or several do, or when the
+/// material does not fit (`porous`: fluid and permeability required; otherwise refused).
+std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials, bool porous,
+                                int quadrature_degree, const Section& where);
+
+}  // namespace mudline

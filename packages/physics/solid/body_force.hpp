@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "physics/soil.hpp"
+#include "physics/term.hpp"
+
+namespace mudline {
+
+/// Gravity as a vector times a function of time (a factor to switch it on).
+struct Gravity {
+  std::array<double, 2> vector{0, 0};  // [m/s2]
+  Function factor{1.0};                // of time
+  std::array<double, 2> at(double time) const {
+    const double f = factor(time, {0, 0, 0});
+    return {f * vector[0], f * vector[1]};
+  }
+};
+
+/// R_u = int N^T rho b dv at the alpha level with b = a (inertia) or b = -g (gravity); rho = n rho_f + (1-n) rho_s follows
+/// the deformation. Two instances, so that the balances tell them apart.
+class BodyForce : public Term {
+ public:
+  enum class Kind { inertia, gravity };
+  BodyForce(std::shared_ptr<Soil> soil, Kind kind, Gravity gravity = {}) : soil_(std::move(soil)), kind_(kind), gravity_(gravity) {}
+  std::string name() const override { return kind_ == Kind::inertia ? "inertia" : "gravity"; }
+  int residual(const StepView& view, const ResidualView& f) override;
+  double magnitude_squared(int field) const override { return field == soil_->displacement ? magnitude_squared_ : 0.0; }
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+
+ private:
+  bool active(const StepView& view) const;
+  std::shared_ptr<Soil> soil_;
+  double magnitude_squared_ = 0;
+  Kind kind_;
+  Gravity gravity_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,110 @@
+#include "physics/solid/stress_update.hpp"
+
+#include <cmath>
+
+#include "physics/solid/kinematics.hpp"
+
+namespace mudline {
+
+StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, bool want_tangent)
+    : soil_(soil), block_(block), want_tangent_(want_tangent) {
+  const int rows = batch * block.points;
+  const int state_size = block.material->skeleton->state_size();
+  strain_ = PointView("strain", rows, 6);
+  stress_old_ = PointView("rotated stress", rows, 6);
+  void_ratio_old_ = PointView("void ratio", rows, 1);
+  state_old_ = PointView("rotated state", rows, state_size);
+  tangent_ = PointView("tangent", want_tangent ? rows : 0, 36);
+  failed_ = Kokkos::View<int*>("failed", rows);
+  int column = 0;
+  for (const StateVariable& v : block.material->skeleton->state_variables()) {
+    if (v.components == 6) tensors_.push_back(column);
+    column += v.components;
+  }
+}
+
+template <int NU, int NP>
+int StressUpdate::kinematics(const StepView& view, int first, int last) {
+  const int points = block_.points;
+  const PointView committed = view.committed->arrays[block_.stress], committed_law = view.committed->arrays[block_.law];
+  const PointView e_old = view.committed->arrays[block_.void_ratio], e_new = view.trial->arrays[block_.void_ratio];
+  const auto strain = strain_, stress_old = stress_old_, state_old = state_old_, void_ratio_old = void_ratio_old_;
+  const auto N = block_.u.N;
+  const auto dN = block_.u.dN;
+  const auto Np = block_.p.N;
+  const auto nodes = block_.nodes;
+  const auto dofs = block_.dofs;
+  const bool axisymmetric = soil_.axisymmetric;
+  const double alpha = block_.material->biot_coefficient;
+  const double grain_compliance = block_.material->grain_bulk_modulus > 0 ? 1 / block_.material->grain_bulk_modulus : 0.0;
+  const int state_size = static_cast<int>(state_old.extent(1));
+  int tensors[8], num_tensors = 0;
+  for (int t : tensors_)
+    if (num_tensors < 8) tensors[num_tensors++] = t;
+  int inverted = 0;
+  Kokkos::parallel_reduce(
+      "kinematics", Kokkos::RangePolicy<>(first, last),
+      KOKKOS_LAMBDA(int e, int& failures) {
+        double x_old[NU][2], x_end[NU][2];
+        gather<NU>(nodes, e, view.x_old, x_old);
+        gather<NU>(nodes, e, view.x_end, x_end);
+        double p_change[NP > 0 ? NP : 1] = {0};
+        if constexpr (NP > 0)
+          if (grain_compliance > 0)
+            for (int c = 0; c < NP; ++c) {
+              const int dof = dofs(e, 2 * NU + c);
+              p_change[c] = view.value_end(dof) - view.value_old(dof);
+            }
+        for (int q = 0; q < points; ++q) {
+          IncrementKinematics<NU> k;
+          k.compute(x_old, x_end, &dN(q, 0, 0), &N(q, 0), axisymmetric);
+          const int row = e * points + q, i = (e - first) * points + q;
+          double de[4] = {0, 0, 0, 0};
+          if (k.ok)
+            k.strain(de);
+          else
+            ++failures;  // the law sees no strain; the step fails anyway
+          const double full[6] = {de[0], de[1], de[2], 0, 0, de[3]};
+          for (int c = 0; c < 6; ++c) strain(i, c) = full[c];
+          rotate_symmetric(&committed(row, 0), k.cosine, k.sine, &stress_old(i, 0));
+          for (int c = 0; c < state_size; ++c) state_old(i, c) = committed_law(row, c);
+          for (int t = 0; t < num_tensors; ++t)
+            rotate_symmetric(&committed_law(row, tensors[t]), k.cosine, k.sine, &state_old(i, tensors[t]));
+          void_ratio_old(i, 0) = e_old(row, 0);
+          double dp = 0;
+          if constexpr (NP > 0)
+            for (int c = 0; c < NP; ++c) dp += Np(q, c) * p_change[c];
+          const double n_old = e_old(row, 0) / (1 + e_old(row, 0));
+          const double n = alpha - (alpha - n_old) * std::exp(-(std::log(k.ok ? k.volume_ratio : 1.0) + dp * grain_compliance));
+          e_new(row, 0) = n / (1 - n);
+          e_new(row, 1) = e_old(row, 1);
+        }
+      },
+      inverted);
+  return inverted;
+}
+
+int StressUpdate::run(const StepView& view, int first, int last) {
+  int failures = dispatch_pair(block_.shape, block_.porous(), [&](auto pair) {
+    return kinematics<decltype(pair)::NU, decltype(pair)::NP>(view, first, last);
+  });
+  const int count = (last - first) * block_.points, row = first * block_.points;
+  const PointView stress = view.trial->arrays[block_.stress], law = view.trial->arrays[block_.law];
+  SkeletonWorkset w;
+  w.points = count;
+  w.time = view.time_end;
+  w.dt = view.flow ? view.dt : 0.0;
+  w.want_tangent = want_tangent_;
+  w.stress_old = stress_old_;
+  w.strain = strain_;
+  w.void_ratio_old = void_ratio_old_;
+  w.state_old = state_old_;
+  w.stress = PointView(stress.data() + row * 6, count, 6);
+  w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
+  w.tangent = tangent_;
+  w.failed = failed_;
+  failures += block_.material->skeleton->evaluate(w);
+  return failures;
+}
+
+}  // namespace mudline

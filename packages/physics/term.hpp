@@ -1,0 +1,83 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "algebra/assembler.hpp"
+#include "physics/state.hpp"
+
+namespace mudline {
+
+/// How the quantities that a term reads depend on the unknown x (the value at n+1) of one field.
+struct Sensitivity {
+  double value = 1;         // d value_alpha / dx
+  double rate = 0;          // d rate_alpha / dx        (balance equations)
+  double velocity = 0;      // d velocity_alpha / dx    (damping)
+  double acceleration = 0;  // d acceleration_alpha / dx
+};
+
+/// Instant and configuration at which a group of terms is evaluated.
+struct Level {
+  double time;                // [s]
+  ConstCoordinateView x;      // (node, 2) [m]
+  double geometry_weight;     // d x / d u_{n+1}
+};
+
+/// One linearisation point of one step, seen by the terms. They never see beta, gamma or alpha.
+/// All nodal views are by overlap dof. "end": t_{n+1}, where state variables live. The others are at the alpha level that
+/// the integrator chose: `momentum` for inertia, gravity and mechanical loads, `balance` for mass (and heat) balances.
+struct StepView {
+  double time_old, time_end, dt;
+  ConstNodalView value_old, value_end;
+  ConstNodalView value, rate, velocity, acceleration;   // at the alpha level
+  ConstCoordinateView x_old, x_end;                     // [m]
+  Level momentum, balance;
+  std::vector<Sensitivity> sensitivity;                 // by field
+  bool inertia;                                         // false in quasi-static and geostatic stages
+  bool flow;                                            // false in a geostatic stage: storage and rates are off
+  Kokkos::View<const char*> constrained;                // prescribed unknowns of the step, by overlap dof
+  const State* committed;
+  State* trial;                                         // history terms write their part, completely
+};
+
+/// Receives the residual of one term, by overlap dof; exported (summed) over ranks by the caller.
+using ResidualView = NodalView;
+
+/// Prescribed unknowns of a step, by overlap dof; consistent across ranks.
+struct Constraints {
+  Kokkos::View<char*> mask;   // 1: prescribed
+  NodalView value;            // prescribed value at t_{n+1}
+};
+
+/// Where a term adds its element matrices: one group per element block, registered before the graph is built.
+class Term {
+ public:
+  virtual ~Term() = default;
+  /// "stress divergence", "inertia", "contact/cone": used in balances and messages.
+  virtual std::string name() const = 0;
+  /// History terms are evaluated at n+1 and interpolated by the integrator; the others at the alpha level.
+  virtual bool history() const { return false; }
+  virtual void declare_state(StateStore&) {}
+  /// Registers the element groups that jacobian() scatters to.
+  virtual void sparsity(Assembler&) {}
+  /// Once per step, after the predictor: search, freeze what stays fixed during Newton.
+  virtual void begin(const StepView&) {}
+  /// Adds or releases prescribed unknowns that depend on state (drainage under contact).
+  virtual void constrain(const StepView&, Constraints&) {}
+  /// Adds to `f`. Pure in (committed, x). Returns the number of points on this rank where it failed.
+  virtual int residual(const StepView&, const ResidualView& f) = 0;
+  /// Sum of squares of the element contributions to one field in the last residual call, on this rank: the scale against
+  /// which convergence is measured, meaningful where the contributions cancel. Negative: use the assembled residual.
+  virtual double magnitude_squared(int field) const { return -1; }
+  /// Adds weight * dR/dx at the linearisation point of the last residual call.
+  virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
+  /// Named scalars for the history file, already summed over ranks: "reaction y [N]" -> value. Collective, after acceptance.
+  virtual void histories(const StepView&, std::map<std::string, double>&) {}
+  /// Largest step the term can accept [s] given the committed state (contact advance); infinite by default. Collective.
+  virtual double step_limit(const State&, double dt) const { return 1e300; }
+};
+
+}  // namespace mudline

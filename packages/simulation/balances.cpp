@@ -1,0 +1,137 @@
+#include "simulation/balances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrator/overlap.hpp"
+#include "physics/element.hpp"
+#include "physics/porosity.hpp"
+
+namespace mudline {
+
+Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
+  handle_ = model.store().declare({"balance", {{"value", 1, "SI"}}}, static_cast<int>(first_term + terms_.size()));
+}
+
+int Balances::row_of(const Term* term) const {
+  return first_term + static_cast<int>(std::find(terms_.begin(), terms_.end(), term) - terms_.begin());
+}
+
+Balances::Inventory Balances::inventory(const State& state) const {
+  Inventory result{};
+  const auto& soil = model_.soil();
+  if (!soil) return result;
+  double sum[5] = {0, 0, 0, 0, 0};
+  for (const SoilBlock& b : soil->blocks) {
+    const Mixture mixture(*b.material);
+    const PointView void_ratio = state.arrays[b.void_ratio];
+    dispatch_pair(b.shape, b.porous(), [&](auto pair) {
+      constexpr int NU = decltype(pair)::NU;
+      for (int e = 0; e < b.elements; ++e) {
+        double x[NU][2];
+        gather<NU>(b.nodes, e, state.coordinates, x);
+        for (int q = 0; q < b.points; ++q) {
+          PointGeometry<NU> at;
+          at.compute(x, &b.u.dN(q, 0, 0), &b.u.N(q, 0), soil->axisymmetric);
+          const double dv = at.volume(b.u.weights(q)), ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio);
+          double v[2] = {0, 0}, p = 0;
+          for (int a = 0; a < NU; ++a)
+            for (int i = 0; i < 2; ++i) v[i] += b.u.N(q, a) * state.rate(b.dofs(e, 2 * a + i));
+          for (int c = 0; c < b.p.nodes; ++c) p += b.p.N(q, c) * state.value(b.dofs(e, 2 * NU + c));
+          const double mass = mixture.density(n) * dv;
+          sum[0] += mass * v[0];
+          sum[1] += mass * v[1];
+          sum[2] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1]);
+          if (b.porous()) {
+            sum[3] += n * (1 + p * mixture.fluid_compliance) * dv;
+            sum[4] += n * dv;
+          }
+        }
+      }
+    });
+  }
+  const std::vector<double> total = sum_over_ranks(*model_.space().dofs()->comm(), std::vector<double>(sum, sum + 5));
+  return {{total[0], total[1]}, total[2], total[3], total[4]};
+}
+
+void Balances::start() {
+  const State& state = model_.store().committed();
+  const Inventory now = inventory(state);
+  const PointView rows = state.arrays[handle_];
+  Kokkos::deep_copy(rows, 0.0);
+  rows(momentum_x, 0) = now.momentum[0];
+  rows(momentum_y, 0) = now.momentum[1];
+  rows(water_start, 0) = now.water;
+  rows(kinetic_start, 0) = now.kinetic;
+}
+
+void Balances::add_step() {
+  const Stepper& stepper = model_.stepper();
+  const StepView& view = stepper.view();
+  const Space& space = model_.space();
+  const int u = space.find("displacement"), p = space.find("pore pressure");
+  const int terms = static_cast<int>(stepper.active().size());
+  // this rank's shares: work by term, reaction work, outflow, force without inertia (2)
+  std::vector<double> local(terms + 4, 0.0);
+  if (u >= 0)
+    for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
+      for (int i = begin; i < end; ++i) {
+        const double du = view.value_end(i) - view.value_old(i);
+        const int direction = (i - begin) % 2;
+        for (int k = 0; k < terms; ++k) {
+          const double force = stepper.term_force(k)(i);
+          local[k] += force * du;
+          if (stepper.active()[k]->name() != "inertia") local[terms + 2 + direction] -= force;
+        }
+        local[terms] += stepper.reaction()(i) * du;
+        local[terms + 2 + direction] += stepper.reaction()(i);
+      }
+  if (p >= 0)
+    for (const auto& [begin, end] : overlap_ranges(*space.dofs(), p))
+      for (int i = begin; i < end; ++i) {
+        local[terms + 1] -= stepper.reaction()(i);  // water that leaves through prescribed nodes
+        for (int k = 0; k < terms; ++k)
+          if (stepper.active()[k]->name().rfind("flux/", 0) == 0) local[terms + 1] += stepper.term_force(k)(i);
+      }
+  const std::vector<double> total = sum_over_ranks(*space.dofs()->comm(), local);
+  const PointView rows = model_.store().trial().arrays[handle_];
+  for (int k = 0; k < terms; ++k) rows(row_of(stepper.active()[k]), 0) += total[k];
+  rows(reaction_work, 0) += total[terms];
+  rows(outflow, 0) += view.flow ? total[terms + 1] * view.dt : 0.0;
+  rows(impulse_x, 0) += view.inertia ? total[terms + 2] * view.dt : 0.0;
+  rows(impulse_y, 0) += view.inertia ? total[terms + 3] * view.dt : 0.0;
+}
+
+std::vector<HistoryValue> Balances::values() const {
+  const State& state = model_.store().committed();
+  const PointView rows = state.arrays[handle_];
+  const Inventory now = inventory(state);
+  std::vector<HistoryValue> result;
+  if (!model_.soil()) return result;
+  // Energy supplied by prescribed motion goes into the terms' works (kinetic energy among them): they add up to it.
+  double works = 0;
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    const double work = rows(first_term + static_cast<int>(k), 0);
+    works += work;
+    if (terms_[k]->name().rfind("flux/", 0) == 0 || terms_[k]->name() == "fluid mass") continue;
+    result.push_back({"balance/energy/" + terms_[k]->name(), "J", work});
+  }
+  result.push_back({"balance/energy/kinetic", "J", now.kinetic - rows(kinetic_start, 0)});
+  result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
+  result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});
+  const char* names[2] = {"x", "y"};
+  for (int i = 0; i < 2; ++i) {
+    const double change = now.momentum[i] - rows(momentum_x + i, 0);
+    result.push_back({std::string("balance/momentum/change ") + names[i], "N s", change});
+    result.push_back({std::string("balance/momentum/impulse ") + names[i], "N s", rows(impulse_x + i, 0)});
+  }
+  if (model_.soil()->pressure >= 0) {
+    const double change = now.water - rows(water_start, 0);
+    result.push_back({"balance/water/change", "m3", change});
+    result.push_back({"balance/water/outflow", "m3", rows(outflow, 0)});
+    result.push_back({"balance/water/error", "-", (change + rows(outflow, 0)) / std::max(now.pore_volume, 1e-300)});
+  }
+  return result;
+}
+
+}  // namespace mudline

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "simulation/model.hpp"
+#include "simulation/output/history_file.hpp"
+
+namespace mudline {
+
+/// Audits of the run: work of every term, kinetic energy, linear momentum, pore water. Cumulative values live in the state
+/// array "balance" (one row each, the same on every rank), so that they are part of the transaction and of a checkpoint.
+class Balances {
+ public:
+  /// Declares its array. Before the first step.
+  explicit Balances(Model& model);
+  /// After a successful attempt, before acceptance: adds the step to the trial state. Collective.
+  void add_step();
+  /// Columns of the history file for the committed state. Collective.
+  std::vector<HistoryValue> values() const;
+  /// Takes the present water content and momentum as the start. Collective; when the run begins (not at a restart).
+  void start();
+
+ private:
+  // Rows of the state array; the works of all terms of the model follow.
+  enum Row { reaction_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start, first_term };
+  struct Inventory {
+    double momentum[2], kinetic, water, pore_volume;
+  };
+  Inventory inventory(const State& state) const;
+  int row_of(const Term* term) const;
+
+  Model& model_;
+  int handle_;
+  std::vector<const Term*> terms_;
+};
+
+}  // namespace mudline

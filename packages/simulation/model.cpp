@@ -1,0 +1,258 @@
+#include "simulation/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "discretisation/agree.hpp"
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+const std::vector<std::string>& deck_sections() {
+  static const std::vector<std::string> names{"mesh", "functions", "materials", "physics", "bodies", "boundary conditions",
+                                              "contacts", "stages", "solver", "output", "plugins"};
+  return names;
+}
+
+namespace {
+
+Section required_section(const Section& deck, const std::string& name) {
+  if (!deck.has_section(name)) deck.fail("required section '" + name + "' is missing");
+  return deck.section(name);
+}
+
+/// Named sublists only: a stray parameter in a collection is an error.
+std::vector<Section> collection(const Section& section) {
+  section.allow_parameters({});
+  std::vector<Section> result;
+  for (const std::string& name : section.section_names()) result.push_back(section.section(name));
+  return result;
+}
+
+/// NOX reads its list itself, in every step.
+void mark_used(const Teuchos::ParameterList& list) {
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    const Teuchos::ParameterEntry& entry = list.entry(it);
+    if (entry.isList()) mark_used(Teuchos::any_cast<Teuchos::ParameterList>(entry.getAny(false)));
+    entry.getAny(true);
+  }
+}
+
+}  // namespace
+
+Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& registries) {
+  deck.allow_parameters({});
+  deck.allow_sections(deck_sections());
+  mesh_ = make_mesh(comm, registries.mesh_sources, required_section(deck, "mesh"));
+  read_materials(deck, registries);
+  read_physics(deck, registries);
+  read_conditions(deck, registries);
+  read_bodies(deck, registries);
+  read_contacts(deck, registries);
+  read_stages(deck, registries);
+  read_solver(deck, registries);
+
+  std::vector<Term*> terms;
+  for (const auto& term : terms_) terms.push_back(term.get());
+  for (const auto& condition : conditions_)
+    if (condition->term()) terms.push_back(condition->term());
+  for (const auto& [name, contact] : contacts_) terms.push_back(contact.get());
+  store_ = std::make_unique<StateStore>(*space_);
+  for (const auto& [name, body] : bodies_) body->declare_state(*store_);
+  stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_, [this](const StepView& view) { return block_data_(view); });
+  const Section physics = deck.section("physics");
+  for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->initialise(*store_, physics.section(physics.section_names()[i]));
+  check_contradictions(deck);
+}
+
+void Model::read_materials(const Section& deck, const Registries& registries) {
+  const auto& r = registries;
+  for (const Section& section : collection(deck.section("materials")))
+    materials_.push_back(SoilMaterial::read(section, {const_cast<Registry<Skeleton>&>(r.skeletons), const_cast<Registry<Fluid>&>(r.fluids),
+                                                      const_cast<Registry<Permeability>&>(r.permeabilities)}));
+}
+
+void Model::read_physics(const Section& deck, const Registries& registries) {
+  const Section section = required_section(deck, "physics");
+  std::vector<Field> fields;
+  const std::vector<Section> entries = collection(section);
+  if (entries.empty()) section.fail("at least one physics is needed; known physics types: " + join(registries.physics.names()));
+  for (const Section& entry : entries) {
+    physics_.push_back(registries.physics.create(entry));
+    physics_.back()->check_mesh(*mesh_, entry);
+    for (const Field& field : physics_.back()->fields()) {
+      const auto same = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == field.name; });
+      if (same == fields.end())
+        fields.push_back(field);
+      else if (same->components != field.components || same->support != field.support || same->time_order != field.time_order)
+        entry.fail("its field '" + field.name + "' is declared differently by another physics", "type");
+    }
+  }
+  space_ = std::make_unique<Space>(*mesh_, fields);
+  block_data_ = [](const StepView&) { return BlockData{}; };
+  const Section materials = deck.section("materials");
+  PhysicsContext context{*space_, materials_, materials, terms_, soil_, block_data_};
+  for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->build(context, entries[i]);
+}
+
+void Model::read_conditions(const Section& deck, const Registries& registries) {
+  for (const Section& entry : collection(deck.section("boundary conditions"))) {
+    conditions_.push_back(registries.conditions.create(entry));
+    conditions_.back()->name = entry.name();
+    conditions_.back()->bind({*space_, soil_}, entry);
+  }
+}
+
+void Model::read_bodies(const Section& deck, const Registries& registries) {
+  for (const Section& entry : collection(deck.section("bodies")))
+    bodies_[entry.name()] = RigidBody::read(entry, mesh_->geometry(), {registries.contours, registries.motions});
+}
+
+double Model::constrained_modulus(int block, int element) const {
+  const SoilBlock& b = soil_->blocks[block];
+  double sum = 0;
+  for (int q = 0; q < b.points; ++q) {
+    const int row = element * b.points + q;
+    const State& state = store_->committed();
+    const PointView law = state.arrays[b.law];
+    const ElasticModuli m = b.material->skeleton->moduli(&state.arrays[b.stress](row, 0), state.arrays[b.void_ratio](row, 0),
+                                                         law.data() + row * law.extent(1));
+    sum += (m.bulk + 4.0 / 3 * m.shear) / b.points;
+  }
+  return sum;
+}
+
+void Model::read_contacts(const Section& deck, const Registries& registries) {
+  const Section section = deck.section("contacts");
+  if (!section.section_names().empty() && !soil_) section.fail("contacts need a physics with soil");
+  for (const Section& entry : collection(section)) {
+    const ContactContext context{*space_, bodies_, [this](int block, int element) { return constrained_modulus(block, element); }};
+    contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
+    check_overlap(deck, entry);
+  }
+}
+
+/// A body inside the soil at the start would be thrown out by the penalty; the author meant another position.
+void Model::check_overlap(const Section& deck, const Section& contact) const {
+  const RigidBody& body = *bodies_.at(contact.text("body"));
+  const auto& x = mesh_->coordinates();
+  const double size = std::max(mesh_->bounds()[1] - mesh_->bounds()[0], mesh_->bounds()[3] - mesh_->bounds()[2]);
+  double deepest = 0;
+  for (int node : mesh_->nodes_of_set(contact.text("surface")))
+    deepest = std::max(deepest, -body.closest(body.initial_position(), {x(node, 0), x(node, 1)}).gap);
+  deepest = max_over_ranks(*mesh_->comm(), deepest);
+  if (deepest <= 1e-6 * size) return;
+  char depth[32];
+  std::snprintf(depth, sizeof depth, "%.3g m", deepest);
+  deck.section("bodies").section(body.name()).fail("reaches " + std::string(depth) + " into the soil's surface '" + contact.text("surface") + "' at the start; it may touch it", "position");
+}
+
+void Model::read_stages(const Section& deck, const Registries& registries) {
+  const Section section = required_section(deck, "stages");
+  std::vector<std::string> conditions, contacts;
+  for (const auto& condition : conditions_) conditions.push_back(condition->name);
+  for (const auto& [name, contact] : contacts_) contacts.push_back(name);
+  for (const Section& entry : collection(section)) stages_.push_back(Stage::read(entry, registries.integrators, conditions, contacts));
+  if (stages_.empty()) section.fail("at least one stage is needed");
+}
+
+void Model::read_solver(const Section& deck, const Registries& registries) {
+  const Section section = deck.section("solver");
+  section.allow_sections({"linear solver", "newton"});
+  Parameters p(section);
+  tolerances_.parameters(p);
+  p.passes_on("linear solver", "solver of the linear systems; see the linear solver types");
+  p.section("newton", newton_, "nonlinear iterations");
+  p.finish();
+  mark_used(section.section("newton").section("nox").list());
+  if (section.has_section("linear solver")) {
+    solver_ = registries.linear_solvers.create(section.section("linear solver"));
+  } else {
+    Teuchos::ParameterList list("linear solver");
+    list.set("type", std::string("direct"));
+    solver_ = registries.linear_solvers.create(Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""));
+  }
+  const std::string reason = solver_->prepare(space_->dofs());
+  if (!reason.empty()) section.section("linear solver").fail(reason, "type");
+}
+
+void Model::activate(const Stage& stage, bool fresh) {
+  std::vector<Term*> active;
+  for (const auto& term : terms_) active.push_back(term.get());
+  for (auto& [name, body] : bodies_) body->set_active(false);
+  for (auto& [name, contact] : contacts_)
+    if (std::find(stage.contacts.begin(), stage.contacts.end(), name) != stage.contacts.end()) active.push_back(contact.get());
+  // A body moves in the stages whose contacts are active; without any contact nobody would feel it.
+  if (!stage.contacts.empty() && stage.type != Stage::Type::geostatic)
+    for (auto& [name, body] : bodies_) body->set_active(true);
+  std::set<std::string> names(stage.conditions.begin(), stage.conditions.end());
+  std::vector<Term*> loads;
+  for (const auto& condition : conditions_)
+    if (names.count(condition->name) && condition->term()) loads.push_back(condition->term());
+  if (fresh) {
+    // What stood on the newly active conditions' sets is the residual of everything that stays.
+    std::vector<Term*> staying = active;
+    for (const auto& condition : conditions_)
+      if (condition->term() && names.count(condition->name) && active_conditions_.count(condition->name)) staying.push_back(condition->term());
+    stepper_->activate(staying);
+    const NodalView unbalanced = stepper_->static_residual();
+    for (const auto& condition : conditions_)
+      if (names.count(condition->name) && !active_conditions_.count(condition->name)) condition->activate(store_->committed(), unbalanced);
+  }
+  active.insert(active.end(), loads.begin(), loads.end());
+  stepper_->activate(active);
+  active_conditions_ = names;
+}
+
+std::vector<const Term*> Model::all_terms() const {
+  std::vector<const Term*> terms;
+  for (const auto& term : terms_) terms.push_back(term.get());
+  for (const auto& condition : conditions_)
+    if (condition->term()) terms.push_back(condition->term());
+  for (const auto& [name, contact] : contacts_) terms.push_back(contact.get());
+  return terms;
+}
+
+void Model::prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const {
+  for (const auto& condition : conditions_)
+    if (std::find(stage.conditions.begin(), stage.conditions.end(), condition->name) != stage.conditions.end())
+      condition->prescribe(t_old, t_end, committed, to);
+}
+
+void Model::check_contradictions(const Section& deck) const {
+  const int n = space_->dofs()->num_overlap_dofs();
+  double time = 0;
+  for (const auto& stage : stages_) {
+    for (double fraction : {0.5, 1.0}) {
+      const double t_end = time + fraction * stage->duration, t_old = t_end - 1e-3 * stage->duration;
+      std::vector<int> owner(n, -1);
+      std::vector<double> value(n, 0.0);
+      std::string problem, second;
+      for (std::size_t c = 0; c < conditions_.size(); ++c) {
+        if (std::find(stage->conditions.begin(), stage->conditions.end(), conditions_[c]->name) == stage->conditions.end()) continue;
+        Constraints mine{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+        conditions_[c]->prescribe(t_old, t_end, store_->committed(), mine);
+        for (int i = 0; i < n; ++i) {
+          if (!mine.mask(i)) continue;
+          const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
+          if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
+            char text[160];
+            std::snprintf(text, sizeof text, ": %s is prescribed as %.6g and as %.6g in stage '", space_->field(space_->dofs()->field_of(i)).name.c_str(),
+                          value[i], mine.value(i));
+            second = conditions_[c]->name;
+            problem = "contradicts '" + conditions_[owner[i]]->name + "' on a shared node" + text + stage->name + "'";
+          }
+          owner[i] = static_cast<int>(c);
+          value[i] = mine.value(i);
+        }
+      }
+      agree(*space_->dofs()->comm(), [&] {
+        if (!problem.empty()) deck.section("boundary conditions").fail(problem, second);
+      });
+    }
+    time += stage->duration;
+  }
+}
+
+}  // namespace mudline

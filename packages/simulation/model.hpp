@@ -1,0 +1,76 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "integrator/stepper.hpp"
+#include "simulation/registries.hpp"
+#include "simulation/stage.hpp"
+
+namespace mudline {
+
+/// The deck turned into objects: mesh, fields, terms, conditions, bodies, contacts, stages, solver; ready to step.
+class Model {
+ public:
+  /// Builds and validates everything. InputError on every rank alike. Collective.
+  Model(RCP<const Comm> comm, const Section& deck, const Registries& registries);
+
+  const Mesh& mesh() const { return *mesh_; }
+  const Space& space() const { return *space_; }
+  StateStore& store() { return *store_; }
+  Stepper& stepper() { return *stepper_; }
+  const std::shared_ptr<Soil>& soil() const { return soil_; }
+  const std::vector<std::unique_ptr<Stage>>& stages() const { return stages_; }
+  const std::map<std::string, std::shared_ptr<RigidBody>>& bodies() const { return bodies_; }
+  const std::vector<std::pair<std::string, std::unique_ptr<Contact>>>& contacts() const { return contacts_; }
+  const std::vector<std::unique_ptr<Condition>>& conditions() const { return conditions_; }
+  /// Every term of the model, active or not, in a fixed order.
+  std::vector<const Term*> all_terms() const;
+  LinearSolver& linear_solver() { return *solver_; }
+  const StepTolerances& tolerances() const { return tolerances_; }
+  const NewtonOptions& newton() const { return newton_; }
+
+  /// Terms, conditions and bodies of a stage become the active ones. `fresh`: the stage starts (not a restart within it):
+  /// newly active absorbing boundaries take over the present reactions.
+  void activate(const Stage& stage, bool fresh);
+  /// Prescribed unknowns of a stage.
+  void prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const;
+
+ private:
+  void read_materials(const Section& deck, const Registries& registries);
+  void read_physics(const Section& deck, const Registries& registries);
+  void read_conditions(const Section& deck, const Registries& registries);
+  void read_bodies(const Section& deck, const Registries& registries);
+  void read_contacts(const Section& deck, const Registries& registries);
+  void check_overlap(const Section& deck, const Section& contact) const;
+  void read_stages(const Section& deck, const Registries& registries);
+  void read_solver(const Section& deck, const Registries& registries);
+  void check_contradictions(const Section& deck) const;
+  double constrained_modulus(int block, int element) const;
+
+  std::unique_ptr<Mesh> mesh_;
+  std::unique_ptr<Space> space_;
+  std::vector<std::shared_ptr<SoilMaterial>> materials_;
+  std::vector<std::unique_ptr<Physics>> physics_;
+  std::shared_ptr<Soil> soil_;
+  std::function<BlockData(const StepView&)> block_data_;
+  std::vector<std::unique_ptr<Term>> terms_;       // of the physics
+  std::vector<std::unique_ptr<Condition>> conditions_;
+  std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
+  std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
+  std::vector<std::unique_ptr<Stage>> stages_;
+  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<StateStore> store_;
+  std::unique_ptr<Stepper> stepper_;
+  StepTolerances tolerances_;
+  NewtonOptions newton_;
+  std::set<std::string> active_conditions_;        // of the stage before
+};
+
+/// The deck's top-level sections.
+const std::vector<std::string>& deck_sections();
+
+}  // namespace mudline

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace mudline {
+
+/// Writes `text` under a temporary name beside `path` and renames it: a reader finds the old file or the new one, never
+/// a part. Returns what went wrong, "" when nothing did.
+std::string write_atomically(const std::string& path, const std::string& text);
+
+/// Renames `from` to `to`, replacing it. Returns what went wrong, "" when nothing did.
+std::string rename_file(const std::string& from, const std::string& to);
+
+}  // namespace mudline

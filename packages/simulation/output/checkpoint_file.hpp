@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mudline {
+
+class Mesh;
+
+/// What a checkpoint holds. The names are the same on every rank; `arrays` and `integers` differ in length and content
+/// from rank to rank, `scalars` and `texts` are the same everywhere.
+struct CheckpointData {
+  std::map<std::string, std::vector<double>> arrays;
+  std::map<std::string, std::vector<int>> integers;
+  std::map<std::string, double> scalars;
+  std::map<std::string, std::string> texts;
+};
+
+/// What must agree between the run that wrote a checkpoint and the one that reads it.
+struct MeshSignature {
+  long long global_nodes = 0, global_elements = 0;
+  long long local_nodes = 0, owned_nodes = 0, local_elements = 0;  // of this rank
+  long long numbering = 0;                                         // fingerprint of this rank's global ids
+};
+MeshSignature signature_of(const Mesh& mesh);
+
+/// One HDF5 file with the committed state of every rank, bit for bit. docs/output_format.md has the layout.
+class CheckpointWriter {
+ public:
+  CheckpointWriter(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh);
+  /// Writes under a temporary name and renames: `path` is the old checkpoint or the new one, never a part.
+  /// Throws std::runtime_error on every rank when it cannot be written. Collective.
+  void write(const std::string& path, const CheckpointData& data) const;
+
+ private:
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  MeshSignature mesh_;
+};
+
+class CheckpointReader {
+ public:
+  CheckpointReader(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh);
+  /// Each rank gets back what it wrote. InputError on every rank alike when the file is missing, is no checkpoint, or
+  /// comes from another format version, rank count, mesh or partition. Collective.
+  CheckpointData read(const std::string& path) const;
+
+ private:
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  MeshSignature mesh_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <Teuchos_Comm.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace mudline {
+
+/// The MPI communicator behind `comm` (MPI_COMM_SELF for a serial one). Not a copy: do not free it.
+MPI_Comm raw_communicator(const Teuchos::Comm<int>& comm);
+
+/// The message of the lowest rank that has one, on every rank; "" when none has. Lets all ranks throw alike.
+/// Collective.
+std::string agreed_message(MPI_Comm comm, const std::string& message);
+
+/// Rank 0's text on every rank. Collective.
+std::string broadcast(MPI_Comm comm, const std::string& text);
+
+/// True on every rank when all ranks gave the same text. Collective.
+bool same_everywhere(MPI_Comm comm, const std::string& text);
+
+/// FNV-1a, 64 bit: the same on every machine, unlike std::hash.
+std::uint64_t fingerprint(const void* data, std::size_t bytes, std::uint64_t start = 14695981039346656037ull);
+
+}  // namespace mudline

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "discretisation/mesh.hpp"
+
+namespace mudline {
+
+/// One field of one step. `values`: (owned node, component) or (local element, component; the elements of block 0, then
+/// of block 1, ...), row-major. Components: 1 scalar, 2 or 3 vector, 6 symmetric tensor xx yy zz yz xz xy.
+struct OutputField {
+  std::string name, unit;
+  int components;
+  std::vector<double> values;
+};
+
+/// The fields of a run: one HDF5 file written by all ranks together, and beside it an XDMF file for ParaView. After
+/// every write both are complete on disk, so they can be looked at while the run goes on. Rows are ordered by global
+/// ids: the file does not depend on the number of ranks. docs/output_format.md has the layout.
+///
+/// Every member is collective and wants the same names, times and texts on every rank. Errors are thrown alike:
+/// std::runtime_error for a value that is not finite or a disk that refuses, std::invalid_argument for a wrong call.
+class FieldFile {
+ public:
+  /// Writes path_stem + ".h5" and, from the first step on, path_stem + ".xdmf". Without `restart_time` old files are
+  /// replaced. With it steps up to and including that time stay and later ones go; missing files are started anew.
+  /// InputError when the old file cannot be continued: no result of mudline, or of another mesh.
+  FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<double> restart_time = {});
+  ~FieldFile();
+  FieldFile(const FieldFile&) = delete;
+  FieldFile& operator=(const FieldFile&) = delete;
+
+  /// Stores a text under a name ("program", "deck", ...), replacing an earlier one.
+  void set_metadata(const std::string& name, const std::string& text);
+
+  /// A rigid body's contour in its reference position [m], drawn with the soil. Before the first write; after a restart
+  /// it is given again.
+  void add_body(const std::string& name, const std::vector<std::array<double, 2>>& contour);
+
+  /// Appends a step. `coordinates`: (owned node, 2) current [m]; `body_displacements` [m] by body, absent ones rest.
+  void write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
+             const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
+             const std::map<std::string, std::array<double, 2>>& body_displacements = {});
+
+  /// Number of steps in the file.
+  int num_steps() const;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace mudline

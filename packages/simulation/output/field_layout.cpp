@@ -1,0 +1,116 @@
+#include "simulation/output/field_layout.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/errors.hpp"
+
+namespace mudline::field_layout {
+
+namespace {
+
+/// The cell numbers of XDMF's mixed topology.
+int xdmf_cell(CellShape shape) {
+  switch (shape) {
+    case CellShape::tri3:
+      return 4;
+    case CellShape::quad4:
+      return 5;
+    case CellShape::tri6:
+      return 36;
+    case CellShape::quad9:
+      return 35;
+  }
+  throw std::logic_error("a cell shape without an XDMF number");
+}
+
+/// Columns as XDMF wants them: z = 0 for plane vectors, tensors from xx yy zz yz xz xy to xx xy xz yy yz zz.
+std::vector<double> stored_columns(const std::vector<double>& values, int components) {
+  static constexpr int tensor_source[6] = {0, 5, 4, 1, 3, 2};
+  if (components == 1 || components == 3) return values;
+  const int columns = stored_components(components);
+  const std::size_t rows = values.size() / components;
+  std::vector<double> result(rows * columns, 0.0);
+  for (std::size_t row = 0; row < rows; ++row)
+    for (int c = 0; c < components; ++c)
+      result[row * columns + c] = values[row * components + (components == 6 ? tensor_source[c] : c)];
+  return result;
+}
+
+// An element travels to its slab as one row: XDMF cell number, region, then its nodes, filled up with -1.
+constexpr int max_nodes = 9;
+constexpr int width = 2 + max_nodes;
+
+std::vector<long long> element_rows(const Mesh& mesh) {
+  std::vector<long long> rows;
+  for (const auto& block : mesh.blocks()) {
+    const int count = num_nodes(block.shape);
+    const auto nodes = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), block.nodes);
+    const auto& regions = mesh.regions();
+    const long long region = std::find(regions.begin(), regions.end(), block.region) - regions.begin();
+    for (int e = 0; e < block.num_elements; ++e) {
+      rows.push_back(xdmf_cell(block.shape));
+      rows.push_back(region);
+      for (int i = 0; i < max_nodes; ++i) rows.push_back(i < count ? mesh.node_ids()[nodes(e, i)] : -1);
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<long long> element_ids(const Mesh& mesh) {
+  std::vector<long long> ids;
+  for (const auto& block : mesh.blocks()) ids.insert(ids.end(), block.global_ids.begin(), block.global_ids.end());
+  return ids;
+}
+
+std::vector<long long> owned_ids(const Mesh& mesh) {
+  return {mesh.node_ids().begin(), mesh.node_ids().begin() + mesh.num_owned_nodes()};
+}
+
+int stored_components(int components) { return components == 2 ? 3 : components; }
+
+h5::Handle write_rows(hid_t parent, const std::string& name, const std::vector<double>& values, int components,
+                      const IdOrder& order) {
+  const int columns = stored_components(components);
+  const h5::Slab slab{hsize_t(order.global_count()), hsize_t(columns == 1 ? 0 : columns), hsize_t(order.first()),
+                      hsize_t(order.count())};
+  return h5::write(parent, name, stored_columns(order.gather(values, components), components), slab);
+}
+
+long long write_mesh(hid_t file, MPI_Comm comm, const Mesh& mesh, const IdOrder& nodes, const IdOrder& elements) {
+  const std::vector<long long> rows = elements.gather(element_rows(mesh), width);
+  std::vector<long long> topology, offsets;
+  std::vector<int> region;
+  for (std::size_t row = 0; row < rows.size(); row += width) {
+    offsets.push_back(static_cast<long long>(topology.size()));
+    topology.push_back(rows[row]);
+    region.push_back(static_cast<int>(rows[row + 1]));
+    for (int i = 2; i < width && rows[row + i] >= 0; ++i) topology.push_back(rows[row + i]);
+  }
+  const long long length = static_cast<long long>(topology.size());
+  long long end = 0, total = 0;
+  MPI_Scan(&length, &end, 1, MPI_LONG_LONG, MPI_SUM, comm);
+  MPI_Allreduce(&length, &total, 1, MPI_LONG_LONG, MPI_SUM, comm);
+  const long long first = end - length;
+  for (auto& offset : offsets) offset += first;
+
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  const auto group = h5::create_group(file, "mesh");
+  const h5::Slab by_element{hsize_t(elements.global_count()), 0, hsize_t(elements.first()), hsize_t(elements.count())};
+  h5::write(group, "topology", topology, {hsize_t(total), 0, hsize_t(first), hsize_t(length)});
+  h5::write(group, "offset", offsets, by_element);
+  h5::write(group, "region", region, by_element);
+  h5::write_text(group, "region names", join(mesh.regions(), "\n"), rank);
+
+  std::vector<double> reference;
+  const auto coordinates = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), mesh.coordinates());
+  for (int n = 0; n < mesh.num_owned_nodes(); ++n)
+    for (int d = 0; d < 2; ++d) reference.push_back(coordinates(n, d));
+  write_rows(group, "coordinates", reference, 2, nodes);
+  return total;
+}
+
+}  // namespace mudline::field_layout

@@ -1,0 +1,81 @@
+#pragma once
+
+// Included by the .cpp files of this folder only: hdf5.h stays out of every other header.
+#include <hdf5.h>
+#include <mpi.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mudline::h5 {
+
+/// Owns one HDF5 identifier. Invalid ones become a std::runtime_error that says what could not be done.
+class Handle {
+ public:
+  Handle() = default;
+  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& doing);
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_ = -1;
+  herr_t (*close_)(hid_t) = nullptr;
+};
+
+/// std::runtime_error "cannot <doing>" when an HDF5 call failed.
+void check(herr_t status, const std::string& doing);
+
+// Files and groups. Collective.
+Handle create_file(MPI_Comm comm, const std::string& path);
+Handle open_file(MPI_Comm comm, const std::string& path, bool writable);
+Handle create_group(hid_t parent, const std::string& name);
+Handle open_group(hid_t parent, const std::string& name);
+bool exists(hid_t parent, const std::string& name);
+void remove(hid_t parent, const std::string& name);
+/// Names of the links in a group, sorted.
+std::vector<std::string> names(hid_t group);
+
+/// A name that is one link and needs no quoting in an XDMF reference: anything but letters, digits, '.', '-' becomes
+/// '_'.
+std::string link_name(const std::string& name);
+
+/// Where this rank's rows lie in a dataset.
+struct Slab {
+  hsize_t rows, columns;         // of the whole dataset; columns 0: one-dimensional
+  hsize_t first = 0, count = 0;  // this rank's rows
+};
+
+/// Creates a dataset and writes every rank's rows, or reads them. T: double, int, long long. Collective.
+template <class T>
+Handle write(hid_t parent, const std::string& name, const std::vector<T>& values, const Slab& slab);
+template <class T>
+std::vector<T> read(hid_t parent, const std::string& name, const Slab& slab);
+/// The whole dataset on every rank.
+template <class T>
+std::vector<T> read_all(hid_t parent, const std::string& name);
+/// Number of values in a dataset.
+hsize_t size(hid_t parent, const std::string& name);
+
+/// Texts as datasets, because attributes end at 64 kB. Every rank gives the same text; rank 0's bytes are written.
+void write_text(hid_t parent, const std::string& name, const std::string& text, int rank);
+std::string read_text(hid_t parent, const std::string& name);
+
+// Small attributes; every rank gives the same value.
+void set_attribute(hid_t object, const std::string& name, const std::string& text);
+void set_attribute(hid_t object, const std::string& name, const std::vector<double>& values);
+void set_attribute(hid_t object, const std::string& name, long long value);
+bool has_attribute(hid_t object, const std::string& name);
+std::string text_attribute(hid_t object, const std::string& name);
+double number_attribute(hid_t object, const std::string& name);
+long long integer_attribute(hid_t object, const std::string& name);
+
+}  // namespace mudline::h5

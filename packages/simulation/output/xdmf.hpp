@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mudline::xdmf {
+
+/// One attribute as it lies in the HDF5 file; components: 1 scalar, 3 vector, 6 symmetric tensor.
+struct Field {
+  std::string name, unit;
+  int components;
+};
+
+/// What the light data say about one written step; the keys are link names in the HDF5 file.
+struct Step {
+  std::string group;  // "/steps/000000"
+  double time;
+  long long number;
+  std::string stage;
+  std::map<std::string, Field> nodal, cell;
+};
+
+struct Body {
+  std::string name;
+  long long points;
+};
+
+/// What stays the same over a run.
+struct Model {
+  std::string hdf5;  // file name, without folder: both files lie side by side
+  long long nodes, elements, topology_length;
+  std::map<std::string, Body> bodies;  // by link name
+};
+
+/// The XML of one step.
+std::string grid(const Model& model, const Step& step);
+/// The whole document around the grids of all steps.
+std::string document(const std::string& grids);
+
+}  // namespace mudline::xdmf

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/parameters.hpp"
+
+namespace mudline {
+
+/// The deck's section "output".
+class OutputSettings {
+ public:
+  /// `deck_name`: stem of the deck's file, the default name of the results. InputError.
+  static OutputSettings read(const Section& section, const std::string& deck_name);
+  void parameters(Parameters& p);
+
+  std::string folder = "results";
+  std::string name;
+  double field_interval = 0;   // [s] 0: every stage's end only
+  int field_steps = 0;         // every so many steps; 0: off
+  int history_steps = 1;
+  int checkpoint_steps = 100;  // 0: only at the end of stages
+  std::vector<std::pair<std::string, std::array<double, 2>>> probes;
+
+  /// Stem of all files of the run.
+  std::string stem() const { return folder + "/" + name; }
+};
+
+}  // namespace mudline

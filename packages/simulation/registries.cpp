@@ -1,0 +1,70 @@
+#include "simulation/registries.hpp"
+
+#include "core/function_types.hpp"
+#include "integrator/step_control.hpp"
+#include "simulation/output_settings.hpp"
+#include "simulation/plugin.hpp"
+#include "simulation/stage.hpp"
+
+namespace mudline {
+
+void register_all(Registries& r) {
+  register_mesh_sources(r.mesh_sources);
+  register_materials(r.skeletons, r.fluids, r.permeabilities);
+  register_physics(r.physics);
+  register_conditions(r.conditions);
+  register_contours(r.contours);
+  register_motions(r.motions);
+  register_contact(r.contacts);
+  register_time_integrators(r.integrators);
+  register_linear_solvers(r.linear_solvers);
+}
+
+namespace {
+
+/// A fixed section of the deck, documented like a registered type.
+template <class Declare>
+EntryDoc fixed(const std::string& kind, const std::string& summary, Declare&& declare) {
+  Parameters p;
+  declare(p);
+  return {"section", kind, summary, p.docs(), p.sections()};
+}
+
+template <class Registered>
+void append(std::vector<EntryDoc>& to, const Registered& registry) {
+  for (EntryDoc& entry : registry.document()) to.push_back(std::move(entry));
+}
+
+}  // namespace
+
+std::vector<EntryDoc> document_all(const Registries& r) {
+  std::vector<EntryDoc> docs;
+  append(docs, r.mesh_sources);
+  Registry<FunctionDefinition> functions("function");
+  register_functions(functions);
+  append(docs, functions);
+  docs.push_back(fixed("materials", "the soil of mesh regions; one named section each", [](Parameters& p) { SoilMaterial::document(p); }));
+  append(docs, r.skeletons);
+  append(docs, r.fluids);
+  append(docs, r.permeabilities);
+  append(docs, r.physics);
+  docs.push_back(fixed("bodies", "rigid bodies; one named section each", [](Parameters& p) { RigidBody::document(p); }));
+  append(docs, r.contours);
+  append(docs, r.motions);
+  append(docs, r.conditions);
+  append(docs, r.contacts);
+  docs.push_back(fixed("stages", "what happens in time, in order; one named section each", [](Parameters& p) { Stage::document(p); }));
+  docs.push_back(fixed("time step", "size of a stage's steps", [](Parameters& p) { StepControl().parameters(p); }));
+  append(docs, r.integrators);
+  docs.push_back(fixed("solver", "tolerances of the steps", [](Parameters& p) {
+    StepTolerances().parameters(p);
+    NewtonOptions newton;
+    p.section("newton", newton, "nonlinear iterations");
+  }));
+  append(docs, r.linear_solvers);
+  docs.push_back(fixed("output", "what is written, where and how often", [](Parameters& p) { OutputSettings().parameters(p); }));
+  docs.push_back(fixed("plugins", "shared libraries that bring further types", [](Parameters& p) { document_plugins(p); }));
+  return docs;
+}
+
+}  // namespace mudline

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algebra/linear_solver.hpp"
+#include "contact/contact.hpp"
+#include "integrator/time_scheme.hpp"
+#include "materials/register_materials.hpp"
+#include "physics/condition.hpp"
+#include "physics/physics.hpp"
+#include "physics/rigid_body/rigid_body.hpp"
+
+namespace mudline {
+
+/// Everything a deck's "type" may name: the whole world of a plugin.
+struct Registries {
+  Registry<MeshSource> mesh_sources{"mesh"};
+  Registry<Skeleton> skeletons{"skeleton"};
+  Registry<Fluid> fluids{"fluid"};
+  Registry<Permeability> permeabilities{"permeability"};
+  Registry<Physics> physics{"physics"};
+  Registry<Condition> conditions{"boundary condition"};
+  Registry<ContourShape> contours{"contour"};
+  Registry<BodyMotion> motions{"motion"};
+  ContactRegistry contacts{"contact"};
+  Registry<TimeIntegrator> integrators{"integrator"};
+  Registry<LinearSolver> linear_solvers{"linear solver"};
+};
+
+/// Fills the registries with what comes with mudline.
+void register_all(Registries& registries);
+
+/// Documentation of every registered type and of the deck's fixed sections, in deck order.
+std::vector<EntryDoc> document_all(const Registries& registries);
+
+}  // namespace mudline

@@ -1,0 +1,192 @@
+#include "simulation/results.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+Results::Results(Model& model, const OutputSettings& settings, const std::string& deck_text, std::optional<double> restart_time)
+    : model_(model), fields_(model.mesh(), settings.stem(), restart_time), history_(model.mesh().comm(), settings.stem() + ".csv", restart_time),
+      initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()) {
+  fields_.set_metadata("deck", deck_text);
+  fields_.set_metadata("geometry", model.mesh().geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain");
+  const auto box = model.mesh().bounds();
+  const double size = std::max(box[1] - box[0], box[3] - box[2]);
+  for (const auto& [name, body] : model.bodies()) {
+    std::vector<std::array<double, 2>> contour = body->contour().sample(1e-4 * size);
+    // a half contour is closed along its axis, so that pictures fill the body
+    if (body->contour().extent() == ContourExtent::half && !contour.empty()) contour.push_back({0.0, contour.back()[1]});
+    for (auto& point : contour)
+      for (int i = 0; i < 2; ++i) point[i] += body->initial_position()[i];
+    fields_.add_body(name, contour);
+  }
+  find_probes(settings);
+}
+
+void Results::take_initial_pressure() { Kokkos::deep_copy(initial_pressure_, model_.store().committed().value); }
+
+void Results::find_probes(const OutputSettings& settings) {
+  const Space& space = model_.space();
+  const auto& comm = *model_.mesh().comm();
+  for (const auto& [name, at] : settings.probes) {
+    Probe probe{name, 0, {}};
+    for (int f = 0; f < space.num_fields(); ++f) {
+      double best = 1e300;
+      int dof = -1;
+      for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node) {
+        if (space.node_dof(f)(node) < 0) continue;
+        const double distance = std::hypot(model_.mesh().coordinates()(node, 0) - at[0], model_.mesh().coordinates()(node, 1) - at[1]);
+        if (distance < best) {
+          best = distance;
+          dof = space.node_dof(f)(node);
+        }
+      }
+      // the owner of the nearest node keeps the dof; the others add nothing to the sum over ranks
+      const double nearest = min_over_ranks(comm, best);
+      const int mine = best == nearest ? comm.getRank() : comm.getSize();
+      int owner = 0;
+      Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &owner);
+      probe.dof.push_back(owner == comm.getRank() ? dof : -1);
+    }
+    probes_.push_back(probe);
+  }
+}
+
+std::vector<double> Results::on_all_nodes(int field, const ConstNodalView& values) const {
+  const Mesh& mesh = model_.mesh();
+  const auto& table = model_.space().node_dof(field);
+  const int components = model_.space().field(field).components;
+  std::vector<double> result(mesh.num_owned_nodes() * components, 0.0);
+  for (int node = 0; node < mesh.num_owned_nodes(); ++node)
+    if (table(node) >= 0)
+      for (int c = 0; c < components; ++c) result[node * components + c] = values(table(node) + c);
+  if (model_.space().field(field).support == Support::all_nodes) return result;
+  for (const ElementBlock& block : mesh.blocks()) {
+    const int corners = num_corners(block.shape);
+    for (int e = 0; e < block.num_elements; ++e)
+      for (int a = corners; a < num_nodes(block.shape); ++a) {
+        const int node = block.nodes(e, a);
+        if (node >= mesh.num_owned_nodes()) continue;
+        for (int c = 0; c < components; ++c) {
+          double mean = 0;
+          if (a < 2 * corners)
+            mean = 0.5 * (values(table(block.nodes(e, a - corners)) + c) + values(table(block.nodes(e, (a - corners + 1) % corners)) + c));
+          else
+            for (int k = 0; k < corners; ++k) mean += values(table(block.nodes(e, k)) + c) / corners;
+          result[node * components + c] = mean;
+        }
+      }
+  }
+  return result;
+}
+
+std::vector<OutputField> Results::nodal_fields() const {
+  const State& state = model_.store().committed();
+  const Space& space = model_.space();
+  std::vector<OutputField> result;
+  for (int f = 0; f < space.num_fields(); ++f) {
+    const Field& field = space.field(f);
+    result.push_back({field.name, field.unit, field.components, on_all_nodes(f, state.value)});
+    if (field.time_order == 2) {
+      result.push_back({"velocity", "m/s", field.components, on_all_nodes(f, state.rate)});
+      result.push_back({"acceleration", "m/s2", field.components, on_all_nodes(f, state.acceleration)});
+    }
+    if (field.name == "pore pressure") {
+      NodalView excess("excess", state.value.extent(0));
+      for (std::size_t i = 0; i < excess.extent(0); ++i) excess(i) = state.value(i) - initial_pressure_(i);
+      result.push_back({"excess pore pressure", "Pa", 1, on_all_nodes(f, excess)});
+    }
+  }
+  for (const auto& [name, contact] : model_.contacts()) {
+    std::vector<double> pressure = contact->nodal_pressure(state);
+    pressure.resize(model_.mesh().num_owned_nodes());
+    result.push_back({"contact pressure " + name, "Pa", 1, pressure});
+  }
+  return result;
+}
+
+std::vector<OutputField> Results::cell_fields() const {
+  std::vector<OutputField> result;
+  if (!model_.soil()) return result;
+  const State& state = model_.store().committed();
+  OutputField stress{"effective stress", "Pa", 6, {}}, mean{"mean effective stress", "Pa", 1, {}},
+      deviator{"deviatoric stress", "Pa", 1, {}}, ratio{"void ratio", "-", 1, {}};
+  std::map<std::string, OutputField> law;
+  for (const SoilBlock& b : model_.soil()->blocks)
+    for (const StateVariable& v : b.material->skeleton->state_variables()) law.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
+  for (const SoilBlock& b : model_.soil()->blocks)
+    for (int e = 0; e < b.elements; ++e) {
+      double s[6] = {0, 0, 0, 0, 0, 0}, void_ratio = 0;
+      std::vector<double> own(state.arrays[b.law].extent(1), 0.0);
+      for (int q = 0; q < b.points; ++q) {
+        const int row = e * b.points + q;
+        for (int c = 0; c < 6; ++c) s[c] += state.arrays[b.stress](row, c) / b.points;
+        void_ratio += state.arrays[b.void_ratio](row, 0) / b.points;
+        for (std::size_t c = 0; c < own.size(); ++c) own[c] += state.arrays[b.law](row, c) / b.points;
+      }
+      stress.values.insert(stress.values.end(), s, s + 6);
+      const double p = -(s[0] + s[1] + s[2]) / 3;
+      const double j2 = (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) / 6 + s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+      mean.values.push_back(p);
+      deviator.values.push_back(std::sqrt(3 * j2));
+      ratio.values.push_back(void_ratio);
+      for (auto& [name, field] : law) {
+        int column = 0;
+        bool found = false;
+        for (const StateVariable& v : b.material->skeleton->state_variables()) {
+          if (v.name == name) {
+            field.values.insert(field.values.end(), own.begin() + column, own.begin() + column + v.components);
+            found = true;
+          }
+          column += v.components;
+        }
+        if (!found) field.values.insert(field.values.end(), field.components, 0.0);
+      }
+    }
+  result = {stress, mean, deviator, ratio};
+  for (auto& [name, field] : law) result.push_back(field);
+  return result;
+}
+
+void Results::write_fields(int step, const std::string& stage) {
+  const State& state = model_.store().committed();
+  std::vector<double> coordinates;
+  for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node)
+    for (int i = 0; i < 2; ++i) coordinates.push_back(state.coordinates(node, i));
+  std::map<std::string, std::array<double, 2>> bodies;
+  for (const auto& [name, body] : model_.bodies()) bodies[name] = body->displacement(state);
+  fields_.write(state.time, step, stage, coordinates, nodal_fields(), cell_fields(), bodies);
+}
+
+void Results::write_history(const Balances& balances, const std::map<std::string, double>& terms, double dt, int iterations) {
+  const State& state = model_.store().committed();
+  const Space& space = model_.space();
+  std::vector<HistoryValue> row{{"step/dt", "s", dt}, {"step/newton iterations", "-", static_cast<double>(iterations)}};
+  const char* axes[2] = {"x", "y"};
+  for (const auto& [name, body] : model_.bodies()) {
+    const auto u = body->displacement(state), v = body->velocity(state);
+    for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/displacement " + axes[i], "m", u[i]});
+    for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/velocity " + axes[i], "m/s", v[i]});
+  }
+  for (const auto& [name, value] : terms) {
+    const auto bracket = name.rfind(" [");
+    row.push_back({name.substr(0, bracket), bracket == std::string::npos ? "-" : name.substr(bracket + 2, name.size() - bracket - 3), value});
+  }
+  for (const Probe& probe : probes_)
+    for (int f = 0; f < space.num_fields(); ++f) {
+      const Field& field = space.field(f);
+      for (int c = 0; c < field.components; ++c) {
+        const double mine = probe.dof[f] >= 0 ? state.value(probe.dof[f] + c) : 0.0;
+        const std::string suffix = field.components > 1 ? std::string(" ") + axes[c] : "";
+        row.push_back({"probe/" + probe.name + "/" + field.name + suffix, field.unit, sum_over_ranks(*space.dofs()->comm(), mine)});
+      }
+    }
+  for (const HistoryValue& value : balances.values()) row.push_back(value);
+  history_.write(state.time, row);
+}
+
+}  // namespace mudline

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "integrator/step_control.hpp"
+#include "integrator/stepper.hpp"
+#include "simulation/registries.hpp"
+
+namespace mudline {
+
+/// One entry of the deck's "stages".
+class Stage {
+ public:
+  enum class Type { geostatic, quasi_static, dynamic };
+  enum class InitialRates { consistent, zero, keep };
+
+  /// Reads and validates. `conditions` and `contacts`: the names the deck defines. InputError.
+  static std::unique_ptr<Stage> read(const Section& section, const Registry<TimeIntegrator>& integrators,
+                                     const std::vector<std::string>& conditions, const std::vector<std::string>& contacts);
+  static void document(Parameters& p) { Stage().parameters(p); }
+
+  /// Coefficients of a step; step counts from 0 in the stage.
+  TimeScheme scheme(int step) const;
+
+  std::string name;
+  Type type = Type::quasi_static;
+  double duration = 1;                   // [s]
+  StepControl control;
+  std::vector<std::string> conditions;   // active ones, in deck order
+  std::vector<std::string> contacts;
+  InitialRates initial_rates = InitialRates::keep;
+  bool reset_displacements = false;      // at the end
+  double balance_tolerance = 0;          // geostatic: largest displacement [m] before the start counts as unbalanced; 0: off
+
+ private:
+  void parameters(Parameters& p);
+  std::vector<std::string> wanted_conditions_, wanted_contacts_;
+  std::unique_ptr<TimeIntegrator> integrator_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,62 @@
+#include "simulation/output/checkpoint_file.hpp"
+
+#include "core/errors.hpp"
+#include "simulation/tests/output_fixture.hpp"
+
+namespace mudline {
+namespace {
+
+using output_test::Folder;
+using output_test::message_of;
+using output_test::world;
+
+TEST(CheckpointFile, EachRankGetsItsOwnBack) {
+  Folder folder;
+  const auto comm = world();
+  const int rank = comm->getRank();
+  const MeshSignature mesh{9, 4, 6 + rank, 5, 2, 10 + rank};
+  CheckpointData data;
+  data.arrays["stress"] = rank == 0 ? std::vector<double>{1, 2, 3} : std::vector<double>{4, 5};
+  data.arrays["one side only"] = rank == 0 ? std::vector<double>{} : std::vector<double>{6};
+  data.integers["active"] = {rank, -rank};
+  data.scalars["time"] = 0.25;
+  data.texts["stage"] = "push";
+  CheckpointWriter(comm, mesh).write(folder / "c.h5", data);
+  const CheckpointData back = CheckpointReader(comm, mesh).read(folder / "c.h5");
+  EXPECT_EQ(back.arrays, data.arrays);
+  EXPECT_EQ(back.integers, data.integers);
+  EXPECT_EQ(back.scalars, data.scalars);
+  EXPECT_EQ(back.texts, data.texts);
+
+  // One rank with another partition is enough to refuse, on both ranks.
+  MeshSignature other = mesh;
+  if (rank == 1) other.owned_nodes = 6;
+  EXPECT_THROW(CheckpointReader(comm, other).read(folder / "c.h5"), InputError);
+}
+
+TEST(CheckpointFile, RefusesAnotherRankCountOnEveryRank) {
+  Folder folder;
+  const auto comm = world();
+  const MeshSignature mesh{9, 4, 9, 9, 4, 77};
+  const auto alone = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
+  if (comm->getRank() == 0) CheckpointWriter(alone, mesh).write(folder / "one.h5", {});
+  comm->barrier();
+  EXPECT_EQ(message_of<InputError>([&] { CheckpointReader(comm, mesh).read(folder / "one.h5"); }),
+            (folder / "one.h5") + ": checkpoint was written on 1 rank; run it on 1 rank");
+  CheckpointWriter(comm, mesh).write(folder / "two.h5", {});
+  if (comm->getRank() == 0) {
+    EXPECT_EQ(message_of<InputError>([&] { CheckpointReader(alone, mesh).read(folder / "two.h5"); }),
+              (folder / "two.h5") + ": checkpoint was written on 2 ranks; run it on 2 ranks");
+  }
+}
+
+TEST(CheckpointFile, RefusesNamesThatDifferBetweenRanks) {
+  Folder folder;
+  const auto comm = world();
+  CheckpointData data;
+  data.arrays[comm->getRank() == 0 ? "a" : "b"] = {1.0};
+  EXPECT_THROW(CheckpointWriter(comm, {}).write(folder / "c.h5", data), std::logic_error);
+}
+
+}  // namespace
+}  // namespace mudline

@@ -1,0 +1,82 @@
+"""Decks that are no XML, files that are missing or wrong, --set that does not fit."""
+from wrong_deck import Wrong, line_of, parameter, section
+
+BOTH = (1, 2)
+BOX = ("    " + parameter("type", "string", "box") + "\n", "    " + parameter("type", "string", "gmsh") + "\n")
+CELL = ("    " + parameter("cell", "string", "quad9") + "\n", "")
+CELLS = ("    " + parameter("cells", "Array(int)", "{3, 3}") + "\n", "")
+UPPER = parameter("upper", "Array(double)", "{0.3, 0.3}")
+
+SQUARE = 'SetFactory("OpenCASCADE");\nRectangle(1) = {0, 0, 0, 0.3, 0.3};\n'
+# a square whose middle node lies beside a corner
+FOLDED = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 1 "soil"
+$EndPhysicalNames
+$Nodes
+9
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0.5 0 0
+6 1 0.5 0
+7 0.5 1 0
+8 0 0.5 0
+9 0.95 0.95 0
+$EndNodes
+$Elements
+1
+1 10 2 1 1 1 2 3 4 5 6 7 8 9
+$EndElements
+"""
+
+
+def gmsh(name, file, content, message, path="mesh/file", at='name="file"', **options):
+    changes = [BOX, CELL, CELLS, (UPPER, parameter("file", "string", file))]
+    return Wrong(name, changes, f"{path}: {message}", at=at, files=[(file, content)] if content else [], **options)
+
+
+def plugin(name, file, message, content=None, **options):
+    changes = (section("output"), section("plugins") + parameter("files", "Array(string)", "{" + file + "}") +
+               "</ParameterList>" + section("output"))
+    return Wrong(name, changes, "plugins/files: " + message, files=[(file, content)] if content else [], **options)
+
+
+def setting(name, text, message, **options):
+    return Wrong(name, [], f"--set {text}: {message}", line=False, settings=[text], **options)
+
+
+DECKS = [
+    Wrong("duplicated parameter", (parameter("void ratio", "double", "1.2"), parameter("void ratio", "double", "1.2") +
+                                   parameter("void ratio", "double", "1.3")),
+          f"materials/clay/void ratio: duplicated parameter (first given at deck.xml:{line_of('void ratio')})", at=parameter("void ratio", "double", "1.3")),
+    Wrong("duplicated section", (section("solver"), section("solver") + "</ParameterList>" + section("solver")),
+          f"solver: duplicated section (first given at deck.xml:{line_of(section('solver'))})", ranks=BOTH),
+    Wrong("end tag missing", ("</ParameterList>\n  " + section("functions"), "\n  " + section("functions")),
+          "malformed XML: the file ends inside an element; a closing tag is missing", at=section("base"), ranks=BOTH),
+    Wrong("quote missing", ('name="cells" type', 'name="cells type'),
+          'malformed XML: an attribute is not written correctly (name="value") or given twice'),
+    Wrong("misspelt tag", ('<Parameter name="cells"', '<Paramter name="cells"'), "mesh: unknown element <Paramter> (did you mean 'Parameter'?)"),
+    Wrong("type missing", ('name="cells" type="Array(int)"', 'name="cells"'), "mesh/cells: the parameter has no type", at='name="cells"'),
+    Wrong("unknown type", ('type="Array(int)"', 'type="Array(integer)"'),
+          "mesh/cells: unknown parameter type 'Array(integer)' (did you mean 'Array(int)'?)"),
+    gmsh("mesh file missing", "soil.msh", None, "the file 'soil.msh' does not exist (looked for {folder}/soil.msh)", ranks=BOTH),
+    gmsh("geometry without physical groups", "plain.geo", SQUARE,
+         "'plain.geo': the 162 elements of surface 1 belong to no physical group; add a Physical Surface for each region", ranks=BOTH),
+    gmsh("broken geometry", "broken.geo", "Point(1) = {0, 0 0};\n",
+         "Gmsh, reading 'broken.geo': '{folder}/broken.geo', line 1: syntax error (0)"),
+    gmsh("folded element", "folded.msh", FOLDED, "element with negative Jacobian in region 'soil' centred at (0.5, 0.5): it is inverted, "
+         "flat, or its sides are too curved", path="mesh", at=section("mesh"), ranks=BOTH),
+    plugin("plugin missing", "my_clay.so", "plugin 'my_clay.so' does not exist (looked for {folder}/my_clay.so)", ranks=BOTH),
+    plugin("no shared library", "my_clay.so", "plugin 'my_clay.so' cannot be loaded: {folder}/my_clay.so: file too short", content="text"),
+    setting("set: section", "stages/pusch/duration=1", "stages/pusch: unknown section (did you mean 'push'?)"),
+    setting("set: parameter", "stages/push/durations=3", "stages/push/durations: unknown parameter (did you mean 'duration'?)", ranks=BOTH),
+    setting("set: no value", "stages/push/duration", "expected section/parameter=value, such as stages/push/duration=2.0"),
+    setting("set: wrong type", "stages/push/duration=long", "stages/push/duration: expected a number (double), given the string 'long'"),
+    setting("set: a section", "stages/push=3", "stages/push: a section; only parameters can be set"),
+    setting("set: out of range", "solver/residual tolerance=2", "solver/residual tolerance: 2 is out of range; allowed: (0, 1)"),
+]

@@ -1,0 +1,147 @@
+"""Values of the wrong type, out of range, missing, or against one another."""
+from wrong_deck import Wrong, parameter, section, whole
+
+BOTH = (1, 2)
+UPPER = parameter("upper", "Array(double)", "{0.3, 0.3}")
+SKELETON = whole("skeleton")
+
+
+def without(text):
+    return (text, "")
+
+
+DECKS = [
+    # wrong types
+    Wrong("text for numbers", (parameter("cells", "Array(int)", "{3, 3}"), parameter("cells", "string", "many")),
+          "mesh/cells: expected an array of numbers (Array(double)), given the string 'many'"),
+    Wrong("one number for two", ("{3, 3}", "{3}"), "mesh/cells: expected 2 numbers, given 1"),
+    Wrong("fraction of a cell", (parameter("cells", "Array(int)", "{3, 3}"), parameter("cells", "Array(double)", "{3, 2.5}")),
+          "mesh/cells: expected whole numbers, given 2.5"),
+    Wrong("number for a vector", (parameter("gravity", "Array(double)", "{0.0, -9.81}"), parameter("gravity", "double", "9.81")),
+          "physics/ground/gravity: expected an array of numbers (Array(double)), given the number 9.81", ranks=BOTH),
+    Wrong("vector of three", ("{0.0, -9.81}", "{0.0, 0.0, -9.81}"), "physics/ground/gravity: expected 2 numbers, given 3"),
+    Wrong("double for int", (parameter("maximum iterations", "int", "15"), parameter("maximum iterations", "double", "15")),
+          "solver/newton/maximum iterations: expected an integer (int), given the number 15"),
+    Wrong("probe that is no point", (parameter("tip", "Array(double)", "{0.0, 0.3}"), parameter("tip", "string", "top")),
+          "output/probes/tip: expected an array of numbers (Array(double)), given the string 'top'"),
+    Wrong("decimal comma", (parameter("void ratio", "double", "1.2"), parameter("void ratio", "double", "1,2")),
+          "materials/clay/void ratio: expected a number (double), given '1,2'"),
+    Wrong("not a number", (parameter("void ratio", "double", "1.2"), parameter("void ratio", "double", "nan")),
+          "materials/clay/void ratio: expected a finite number, given 'nan'"),
+    Wrong("parameter for a section", (whole("fluid"), "      " + parameter("fluid", "string", "water") + "\n"),
+          "materials/clay/fluid: expected a section (ParameterList), given the string 'water'"),
+    # out of range
+    Wrong("no cells", ("{3, 3}", "{3, 0}"), "mesh/cells: 0 (entry 2) is out of range; allowed: [1, 1e+06]"),
+    Wrong("negative cells", ("{3, 3}", "{3, -3}"), "mesh/cells: -3 (entry 2) is out of range; allowed: [1, 1e+06]", ranks=BOTH),
+    Wrong("mesh upside down", ("{0.3, 0.3}", "{0.3, -0.3}"), "mesh/upper: must lie above and right of 'lower' (0, 0), given (0.3, -0.3)"),
+    Wrong("negative grading", (UPPER, UPPER + parameter("grading", "Array(double)", "{1, -1}")),
+          "mesh/grading: must be positive, given -1"),
+    Wrong("Poisson's ratio", ('value="0.3"/>', 'value="0.5"/>'),
+          "materials/clay/skeleton/Poisson's ratio: 0.5 is out of range; allowed: [0, 0.5)"),
+    Wrong("negative permeability", ('value="1e-8"', 'value="-1e-8"'),
+          "materials/clay/permeability/hydraulic conductivity: -1e-08 is out of range; allowed: [0, inf)"),
+    Wrong("negative ramp", ('value="0.002"', 'value="-0.002"'), "bodies/ball/motion/ramp time: -0.002 is out of range; allowed: [0, inf)"),
+    Wrong("penalty of nothing", (parameter("surface", "string", "top"), parameter("surface", "string", "top") +
+                                 parameter("penalty factor", "double", "0")),
+          "contacts/ball on clay/penalty factor: 0 is out of range; allowed: (0, inf)"),
+    Wrong("spectral radius", (parameter("spectral radius", "double", "0.5"), parameter("spectral radius", "double", "1.5")),
+          "stages/push/integrator/spectral radius: 1.5 is out of range; allowed: [0, 1]"),
+    Wrong("shrinking growth", (parameter("growth", "double", "1.2"), parameter("growth", "double", "0.5")),
+          "stages/push/time step/growth: 0.5 is out of range; allowed: [1, 10]"),
+    Wrong("tolerance zero", ('tolerance" type="double" value="1e-6"/>\n    <ParameterList name="linear',
+                             'tolerance" type="double" value="0"/>\n    <ParameterList name="linear'),
+          "solver/residual tolerance: 0 is out of range; allowed: (0, 1)"),
+    Wrong("no iterations", (parameter("maximum iterations", "int", "15"), parameter("maximum iterations", "int", "0")),
+          "solver/newton/maximum iterations: 0 is out of range; allowed: [1, 1000]"),
+    Wrong("history never", (parameter("history steps", "int", "1"), parameter("history steps", "int", "0")),
+          "output/history steps: 0 is out of range; allowed: [1, 1e+09]"),
+    Wrong("probe outside", (parameter("tip", "Array(double)", "{0.0, 0.3}"), parameter("tip", "Array(double)", "{0.0, 0.4}")),
+          "output/probes/tip: y = 0.4 lies outside the mesh, which reaches from 0 to 0.3", ranks=BOTH),
+    Wrong("component", ('value="x"', 'value="z"'), "boundary conditions/axis/components: 'z' is not a choice; allowed: x, y, x y"),
+    # missing
+    Wrong("no mesh", without(whole("mesh")), "required section 'mesh' is missing", at='<ParameterList name="base">'),
+    Wrong("no stages", without(whole("stages")), "required section 'stages' is missing", at='<ParameterList name="base">'),
+    Wrong("no physics", without(whole("ground")), "physics: at least one physics is needed; known physics types: biot, solid",
+          at=section("physics"), ranks=BOTH),
+    Wrong("no upper corner", without(UPPER), "mesh: required parameter 'upper' is missing", at=section("mesh")),
+    Wrong("no type", without("    " + parameter("type", "string", "box") + "\n"),
+          "mesh: required parameter 'type' is missing; known mesh types: box, gmsh", at=section("mesh")),
+    Wrong("no void ratio", without(parameter("void ratio", "double", "1.2")),
+          "materials/clay: required parameter 'void ratio' (or 'porosity') is missing", at=section("clay")),
+    Wrong("no swelling slope", without(parameter("swelling slope", "double", "0.04")),
+          "materials/clay/skeleton: required parameter 'swelling slope' is missing", at=section("skeleton")),
+    Wrong("no skeleton", without(SKELETON), "materials/clay: required section 'skeleton' is missing", at=section("clay")),
+    Wrong("no set", without(parameter("set", "string", "bottom")), "boundary conditions/base: required parameter 'set' is missing",
+          at='    <ParameterList name="base">'),
+    Wrong("no contour", without(whole("contour")),
+          "bodies/ball/contour: required parameter 'type' is missing; known contour types: cone, flat pile, sphere, polyline", at=section("ball")),
+    Wrong("no duration", without(parameter("duration", "double", "0.001")), "stages/push: required parameter 'duration' is missing",
+          at=section("push")),
+    Wrong("no time step", without(whole("time step")), "stages/push: required section 'time step' is missing", at=section("push")),
+    Wrong("no first step", without(parameter("initial", "double", "2.5e-4")),
+          "stages/push/time step: required parameter 'initial' is missing", at=section("time step")),
+    # against one another
+    Wrong("unstable pair", ("quad9", "quad4"),
+          "physics/ground/type: linear quad4 cells give an unstable displacement and pore-pressure pair; use quadratic cells "
+          "(tri6 or quad9, in Gmsh: order 2)", at='<Parameter name="type" type="string" value="biot"/>', ranks=BOTH),
+    Wrong("biot without fluid", [without(whole("fluid")), without(whole("permeability"))],
+          "materials/clay: material 'clay' needs the sections 'fluid' and 'permeability' in physics 'biot'", at=section("clay"), ranks=BOTH),
+    Wrong("fluid without permeability", without(whole("permeability")),
+          "materials/clay: a saturated soil needs a section 'permeability' beside its 'fluid'", at=section("clay")),
+    Wrong("permeability without fluid", without(whole("fluid")),
+          "materials/clay: a section 'permeability' needs a section 'fluid' beside it", at=section("clay")),
+    Wrong("solid with fluid", ('value="biot"', 'value="solid"'),
+          "materials/clay: material 'clay' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and 'permeability', "
+          "or use physics 'biot'", at=section("clay")),
+    Wrong("region without material", without(whole("clay")),
+          "materials: mesh region 'soil' has no material; name it in the 'regions' of one", at=section("materials")),
+    Wrong("region with two materials", (whole("clay"), whole("clay") + whole("clay").replace('"clay"', '"mud"')),
+          "materials: mesh region 'soil' has two materials, 'clay' and 'mud'", at=section("materials")),
+    Wrong("two physics of one field", (section("ground"), section("twin") + parameter("type", "string", "biot") + "</ParameterList>" +
+                                       section("ground")),
+          "physics/ground: only one physics may own the displacements"),
+    Wrong("void ratio and porosity", (parameter("void ratio", "double", "1.2"), parameter("void ratio", "double", "1.2") +
+                                      parameter("porosity", "double", "0.4")),
+          "materials/clay/porosity: contradictory: give 'void ratio' or 'porosity', not both"),
+    Wrong("two elastic constants", (parameter("Poisson's ratio", "double", "0.3"), parameter("Poisson's ratio", "double", "0.3") +
+                                    parameter("shear modulus", "double", "1e6")),
+          "materials/clay/skeleton: exactly one of 'Poisson's ratio' and 'shear modulus' must be given", at=section("skeleton")),
+    Wrong("swelling above compression", ('value="0.04"', 'value="0.4"'),
+          "materials/clay/skeleton/swelling slope: the swelling slope must be smaller than the compression slope"),
+    Wrong("clay without stress", (parameter("type", "string", "geostatic"), parameter("type", "string", "stress free")),
+          "physics/ground/initial state: material 'clay' cannot start at (0.011270, 0.011270): Modified Cam Clay needs a compressive "
+          "initial stress; the mean effective stress here is -0 Pa", at=section("initial state")),
+    Wrong("underconsolidated", ('value="1.5"', 'value="0.5"'),
+          "physics/ground/initial state: material 'clay' cannot start at (0.011270, 0.011270): the overconsolidation ratio must be at "
+          "least 1; it is 0.5", at=section("initial state")),
+    Wrong("geostatic without gravity", without("      " + parameter("gravity", "Array(double)", "{0.0, -9.81}") + "\n"),
+          "physics/ground/initial state/type: a geostatic start needs gravity pointing down: give the physics a 'gravity'",
+          at=parameter("type", "string", "geostatic")),
+    Wrong("contradicting conditions", (section("surcharge") + '\n      <Parameter name="type" type="string" value="pressure"/>',
+                                       section("surcharge") + '\n      <Parameter name="type" type="string" value="pore pressure"/>'),
+          "boundary conditions/surcharge: contradicts 'drained surface' on a shared node: pore pressure is prescribed as 0 and as 20000 "
+          "in stage 'geostatic'", ranks=BOTH),
+    Wrong("body in the soil", ("{0.0, 0.3}", "{0.0, 0.29}"),
+          "bodies/ball/position: reaches 0.01 m into the soil's surface 'top' at the start; it may touch it", ranks=BOTH),
+    Wrong("quasi-static with inertia", ('value="dynamic"', 'value="quasi-static"'),
+          "stages/push/integrator/type: a quasi-static stage takes the integrator 'theta'", at=parameter("type", "string", "generalised alpha")),
+    Wrong("dynamic without inertia", (parameter("type", "string", "generalised alpha") + "\n        " +
+                                      parameter("spectral radius", "double", "0.5"), parameter("type", "string", "theta")),
+          "stages/push/integrator/type: a dynamic stage needs an integrator with inertia (generalised alpha, newmark, hht alpha)"),
+    Wrong("geostatic with steps", (parameter("balance tolerance", "double", "1e-6"), section("time step") +
+                                   parameter("initial", "double", "1") + "</ParameterList>"),
+          "stages/geostatic/time step: a geostatic stage takes no time and has no steps"),
+    Wrong("first step too long", ("2.5e-4", "2.5e-2"),
+          "stages/push/time step/initial: the first step must not be longer than the stage's duration"),
+    Wrong("minimum above first step", (parameter("growth", "double", "1.2"), parameter("minimum", "double", "1e-3")),
+          "stages/push/time step/minimum: the minimum step must not be above the initial one"),
+    Wrong("table runs backwards", ("{0.0, 0.001, 0.01}", "{0.0, 0.01, 0.001}"),
+          "functions/load history/times: 'times' must increase strictly, but 0.001 follows 0.01", ranks=BOTH),
+    Wrong("table of two lengths", ("{0.0, 0.001, 0.01}", "{0.0, 0.001}"),
+          "functions/load history/values: 'times' and 'values' must be of the same length, given 2 and 3", at='name="values"'),
+    Wrong("unknown function in an expression", ('value="load history"', 'value="20e3*sinn(t)"'),
+          "boundary conditions/surcharge/value: invalid expression '20e3*sinn(t)': unexpected token 'sinn' found at position 5 "
+          "(did you mean 'sin'?); functions of the deck: load history"),
+    Wrong("open parenthesis", ('value="load history"', 'value="20e3*(1+t"'),
+          "boundary conditions/surcharge/value: invalid expression '20e3*(1+t': missing parenthesis; functions of the deck: load history"),
+]

@@ -1,0 +1,84 @@
+"""The same deck on 1, 2 and 4 ranks, and a run continued from its checkpoint; plasticity and contact active."""
+import os
+import unittest
+
+import numpy as np
+from mudline_case import ROOT, MudlineCase
+
+DECK = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
+DIRECT = []
+REUSE = ["solver/linear solver/reuse factorisation=true"]
+BLOCK_AMG = ["solver/linear solver/type=block amg"]
+# The solver's memory is tidied whenever a checkpoint is written: a run that is to be met exactly by one that stops after
+# 10 steps (step 11 with the geostatic one) writes a checkpoint there too.
+CHECKPOINT = ["output/checkpoint steps=11"]
+ROUNDING = 1e-8
+
+
+class Mpi(MudlineCase):
+    def history(self, name, settings, ranks, extra=()):
+        return self.run_deck(DECK, settings=[f"output/name={name}"] + settings, ranks=ranks, extra=extra, name=name)
+
+    def content(self, name):
+        with open(os.path.join(self.folder, "results", name + ".csv"), "rb") as file:
+            return file.read()
+
+    def assert_close(self, one, many, ranks):
+        self.assertEqual(one.header, many.header)
+        self.assertEqual(one.data.shape, many.data.shape)
+        for i, name in enumerate(one.header):
+            if "/error" in name or "iterations" in name:  # rounding itself, and a count
+                continue
+            scale = np.abs(one.data[:, i]).max()
+            difference = np.abs(one.data[:, i] - many.data[:, i]).max()
+            self.assertLessEqual(difference, ROUNDING * scale, f"{name} on {ranks} ranks")
+
+    def check_ranks(self, settings):
+        one = self.history("one", settings, 1)
+        self.assertGreater(one["contact/ball on clay/active points"][-1], 2)
+        for ranks in (2, 4):
+            self.assert_close(one, self.history(f"on{ranks}", settings, ranks), ranks)
+
+    def test_ranks_direct(self):
+        self.check_ranks(DIRECT)
+
+    def test_ranks_block_amg(self):
+        self.check_ranks(BLOCK_AMG)
+
+    def test_clay_is_plastic(self):
+        import h5py
+        self.history("one", DIRECT, 1)
+        with h5py.File(os.path.join(self.folder, "results", "one.h5"), "r") as file:
+            steps = file["steps"]
+            size = [np.array(steps[s]["cell"]["preconsolidation_pressure"]) for s in (sorted(steps)[0], sorted(steps)[-1])]
+        self.assertGreater((np.abs(size[1] - size[0]) > 1e-3 * size[0]).sum(), 3)
+
+    def check_restart(self, settings, ranks):
+        settings = settings + CHECKPOINT
+        self.history("whole", settings, ranks)
+        self.history("parts", settings, ranks, ["--steps", "10"])
+        self.assertNotEqual(self.content("parts"), self.content("whole"))
+        self.history("parts", settings, ranks, ["--restart"])
+        self.assertEqual(self.content("parts"), self.content("whole"))
+
+    def test_restart_direct(self):
+        self.check_restart(DIRECT, 1)
+
+    def test_restart_reuse(self):
+        self.check_restart(REUSE, 1)
+
+    def test_restart_block_amg(self):
+        self.check_restart(BLOCK_AMG, 1)
+
+    def test_restart_direct_2(self):
+        self.check_restart(DIRECT, 2)
+
+    def test_restart_reuse_2(self):
+        self.check_restart(REUSE, 2)
+
+    def test_restart_block_amg_2(self):
+        self.check_restart(BLOCK_AMG, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,175 @@
+"""Plugins as their authors meet them: install mudline, build the examples out of tree with find_package, run their decks.
+
+From the environment: MUDLINE_BUILD, the build folder to install from; MUDLINE_CXX, its compiler.
+"""
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import mudline_case
+import numpy as np
+from mudline_case import ROOT, MudlineCase, program
+
+EXAMPLES = os.path.join(ROOT, "examples", "plugins")
+LAUNCHER = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+
+OTHER_ABI = """extern "C" const char* mudline_plugin_abi() { return "interface 0; gcc 4; Trilinos 12.0; debug"; }
+namespace mudline { struct Registries; }
+extern "C" void mudline_plugin_register(mudline::Registries&) { __builtin_trap(); }
+"""
+NO_PLUGIN = 'extern "C" int something_else() { return 1; }\n'
+
+
+def call(*command):
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600)
+    if done.returncode != 0:
+        raise RuntimeError(" ".join(command) + "\n" + done.stdout[-2000:] + done.stderr[-4000:])
+
+
+def text_of(path):
+    with open(path) as file:
+        return file.read()
+
+
+def setUpModule():
+    global SCRATCH, PREFIX
+    SCRATCH = tempfile.mkdtemp()
+    PREFIX = os.path.join(SCRATCH, "prefix")
+    call("cmake", "--install", os.environ["MUDLINE_BUILD"], "--prefix", PREFIX)
+    for name in ("my_clay", "heat_conduction"):
+        source = os.path.join(SCRATCH, name)
+        shutil.copytree(os.path.join(EXAMPLES, name), source)  # as an author has it, away from mudline's tree
+        call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+             "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
+        call("cmake", "--build", source + "/build")
+    mudline_case.PROGRAM = os.path.join(PREFIX, "bin", "mudline")  # the installed one
+
+
+def tearDownModule():
+    shutil.rmtree(SCRATCH)
+
+
+class Plugins(MudlineCase):
+    def example(self, name):
+        return os.path.join(SCRATCH, name)
+
+    def library(self, name, source):
+        path = self.write(name + ".cpp", source)
+        call(os.environ.get("MUDLINE_CXX", "c++"), "-shared", "-fPIC", path, "-o", os.path.join(self.folder, name + ".so"))
+        return name + ".so"
+
+    def refused(self, arguments):
+        done = program(arguments, folder=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        return done.stderr
+
+    # a material
+    def test_clay_oedometer(self):
+        history = self.run_deck(self.example("my_clay/oedometer.xml"))
+        p0, bulk, poisson, reference = 50e3, 2e6, 0.25, 100e3
+        strain = -np.log(1 + history["probe/piston/displacement y"])
+        slope = bulk / (2 * np.sqrt(reference))
+        mean = (np.sqrt(p0) + slope * strain) ** 2
+        stress = p0 + (1 + 4 / 3 * 1.5 * (1 - 2 * poisson) / (1 + poisson)) * (mean - p0)
+        applied = 50e3 + 150e3 * history.time
+        self.assertGreater(strain[-1], 0.03)
+        np.testing.assert_allclose(stress[1:], applied[1:], rtol=1e-4)
+
+    def test_clay_is_explained(self):
+        library = self.example("my_clay/build/my_clay.so")
+        done = program(["explain", "my clay", "--plugin", library], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Drained bulk modulus at the reference stress", done.stdout)
+        self.assertIn("my clay", program(["list", "material", "--plugin", library], folder=self.folder).stdout)
+
+    def test_clay_input_errors(self):
+        deck = self.example("my_clay/oedometer.xml")
+        line = text_of(deck).split('name="bulk modulus"')[0].count("\n") + 1
+        self.assertEqual(self.refused(["check", deck, "--set", "materials/silt/skeleton/Poisson's ratio=0.5"]),
+                         "error: --set materials/silt/skeleton/Poisson's ratio=0.5: materials/silt/skeleton/Poisson's ratio: "
+                         "0.5 is out of range; allowed: [0, 0.5)\n")
+        self.write("wrong.xml", text_of(deck).replace('"bulk modulus" type="double"', '"bulk modulus" type="string"')
+                   .replace("build/", self.example("my_clay/build/")))
+        self.assertEqual(self.refused(["check", "wrong.xml"]),
+                         f"error: wrong.xml:{line}: materials/silt/skeleton/bulk modulus: expected a number (double), "
+                         "given the string '2e6'\n")
+
+    def test_law_without_k0(self):
+        """A law that knows no K0 needs it from the deck."""
+        deck = self.example("my_clay/oedometer.xml")
+        error = self.refused(["check", deck, "--set", "physics/ground/initial state/type=geostatic",
+                              "--set", "physics/ground/gravity={0, -10}"])
+        self.assertIn("the skeleton law of material 'silt' has no K0 of its own; give 'K0'", error)
+
+    # a physics
+    def test_heat_alone(self):
+        history = self.run_deck(self.example("heat_conduction/warm_bar.xml"))
+        self.assertFalse([name for name in history.columns if "displacement" in name])
+        self.check_series(history, 1e-6, (1e5, 2e5, 5e5, 1e6))
+
+    def test_heat_beside_biot(self):
+        history = self.run_deck(self.example("heat_conduction/warm_ground.xml"))
+        self.check_series(history, 1e-3, (100.0, 200.0, 500.0, 800.0))
+        # the water knows nothing of it
+        cold = self.run_deck(self.example("heat_conduction/warm_ground.xml"),
+                             ["boundary conditions/warm top/value=0", "output/name=cold"], name="cold")
+        same = ("probe/base/pore pressure", "probe/top/displacement y")
+        for name in same:
+            at = np.linspace(0, 800, 50)
+            np.testing.assert_allclose(history.at(name, at), cold.at(name, at), atol=1e-4 * np.abs(cold[name]).max())
+        self.assertGreater(np.abs(history[same[0]]).max(), 9)  # of the 10 Pa
+
+    def check_series(self, history, diffusivity, times):
+        for time in times:
+            m = np.arange(200)
+            series = 1 - np.sum(4 / np.pi * (-1.0) ** m / (2 * m + 1) * np.exp(-((2 * m + 1) * np.pi / 2) ** 2 * diffusivity * time))
+            self.assertAlmostEqual(history.at("probe/base/temperature", time), 10 * series, delta=0.005 * 10 * series + 1e-3)
+
+    def test_heat_on_two_ranks(self):
+        deck = self.example("heat_conduction/warm_ground.xml")
+        settings = ["stages/consolidation/duration=1"]
+        one = self.run_deck(deck, settings)
+        two = self.run_deck(deck, settings + ["output/name=two"], ranks=2, name="two")
+        for name in ("probe/base/temperature", "probe/base/pore pressure"):
+            np.testing.assert_allclose(two[name], one[name], atol=1e-5 * np.abs(one[name]).max())
+
+    def test_block_amg_does_not_know_it(self):
+        self.write("amg.xml", '<ParameterList name="over">\n<ParameterList name="solver">\n<ParameterList name="linear solver">\n'
+                   '<Parameter name="type" type="string" value="block amg"/>\n</ParameterList>\n</ParameterList>\n</ParameterList>\n')
+        error = self.refused(["check", self.example("heat_conduction/warm_ground.xml"), "amg.xml"])
+        self.assertIn("error: amg.xml:4: solver/linear solver/type: ", error)
+        self.assertIn("temperature", error)
+
+    # what is no plugin, or somebody else's
+    def with_plugin(self, file):
+        deck = text_of(self.example("my_clay/oedometer.xml")).replace("build/my_clay.so", file)
+        self.write("deck.xml", deck)
+        line = deck.split('name="files"')[0].count("\n") + 1
+        return self.refused(["check", "deck.xml"]), f"error: deck.xml:{line}: plugins/files: "
+
+    def test_other_abi(self):
+        said, begin = self.with_plugin(self.library("old", OTHER_ABI))
+        self.assertTrue(said.startswith(begin + "plugin 'old.so' was built for \"interface 0; gcc 4; Trilinos 12.0; debug\", "
+                                        "this program is \"interface 1; "), said)
+        self.assertTrue(said.endswith("; rebuild the plugin\n"), said)
+
+    def test_no_plugin(self):
+        said, begin = self.with_plugin(self.library("other", NO_PLUGIN))
+        self.assertEqual(said, begin + "'other.so' is no mudline plugin: it does not contain MUDLINE_PLUGIN\n")
+
+    def test_plugin_twice(self):
+        library = self.example("my_clay/build/my_clay.so")
+        said, begin = self.with_plugin(library + ", " + library)
+        self.assertEqual(said, begin + f"plugin '{library}' cannot register: the skeleton type 'my clay' is registered twice\n")
+
+    def test_forgotten_plugin(self):
+        deck = text_of(self.example("my_clay/oedometer.xml"))
+        self.write("deck.xml", deck.replace("{build/my_clay.so}", "{}"))
+        self.assertIn("materials/silt/skeleton/type: unknown skeleton type 'my clay'", self.refused(["check", "deck.xml"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

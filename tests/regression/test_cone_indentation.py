@@ -1,0 +1,79 @@
+"""The README's deck, its push shortened: geostatic balance against the analytic K0 profile, then a smooth, resisting cone."""
+import os
+import unittest
+
+import h5py
+import numpy as np
+
+from mudline_case import ROOT, MudlineCase
+
+DECK = os.path.join(ROOT, "inputs", "penetration", "cone_indentation.xml")
+PUSH = 0.015  # [s]
+
+# the deck's soil
+VOID_RATIO, GRAINS, WATER, GRAVITY, SURCHARGE, K0 = 1.3, 2700.0, 1000.0, 9.81, 20e3, 0.6
+
+
+def centres(file, coordinates):
+    """Mean of the corners of every cell (straight tri6 cells: XDMF type and six nodes)."""
+    topology = file["mesh/topology"][:].reshape(-1, 7)
+    return coordinates[topology[:, 1:4]].mean(axis=1)
+
+
+class ConeIndentation(MudlineCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = MudlineCase()
+        cls.shared.setUp()
+        cls.history = cls.shared.run_deck(DECK, ["stages/push/duration=%g" % PUSH], timeout=380)
+        cls.file = h5py.File(os.path.join(cls.shared.folder, "results", "cone_indentation.h5"), "r")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.file.close()
+        cls.shared.tearDown()
+
+    def test_geostatic_stresses_are_the_k0_profile(self):
+        step = self.file["steps"][sorted(self.file["steps"])[1]]
+        coordinates = step["coordinates"][:]
+        self.assertLess(np.abs(coordinates - self.file["mesh/coordinates"][:]).max(), 1e-6)
+        depth = -centres(self.file, coordinates)[:, 1]
+        stress = step["cell/effective_stress"][:]
+        porosity = VOID_RATIO / (1 + VOID_RATIO)
+        vertical = SURCHARGE + (1 - porosity) * (GRAINS - WATER) * GRAVITY * depth
+        # file order xx xy xz yy yz zz, tension positive
+        np.testing.assert_allclose(-stress[:, 3], vertical, rtol=1e-3)
+        np.testing.assert_allclose(-stress[:, 0], K0 * vertical, rtol=1e-3)
+        np.testing.assert_allclose(-stress[:, 5], K0 * vertical, rtol=1e-3)
+        self.assertLess(np.abs(stress[:, 1]).max(), 1e-3 * SURCHARGE)
+
+    def test_resistance_grows_smoothly(self):
+        depth = -self.history["body/cone/displacement y"]
+        force = self.history["contact/cone face/reaction y"]
+        deep = depth > 0.3 * depth.max()
+        smooth = np.polyval(np.polyfit(depth[deep], force[deep], 3), depth[deep])
+        self.assertGreater(force[-1], 20.0)  # about ten times the undrained strength over the contact area
+        self.assertLess(np.std(force[deep] - smooth) / smooth.mean(), 0.03)
+
+    def test_pore_water_and_energy_balance(self):
+        self.assertLess(np.abs(self.history["balance/water/error"]).max(), 1e-6)
+        work = abs(self.history["balance/energy/contact/cone face"][-1])
+        self.assertLess(abs(self.history["balance/energy/error"][-1]), 1e-5 * work)
+
+    def test_free_surface_is_drained_and_the_face_is_not(self):
+        step = self.file["steps"][sorted(self.file["steps"])[-1]]
+        start = self.file["mesh/coordinates"][:]
+        pressure = step["nodal/excess_pore_pressure"][:].ravel()
+        surface = np.abs(start[:, 1]) < 1e-9
+        self.assertLess(np.abs(pressure[surface & (start[:, 0] > 0.1)]).max(), 1e-6)
+        below = (start[:, 0] < 0.03) & (start[:, 1] > -0.05) & (start[:, 1] < -0.01)
+        far = (start[:, 0] > 0.3) | (start[:, 1] < -0.4)
+        self.assertGreater(np.median(pressure[below]), 3e3)
+        self.assertGreater(pressure[below].max(), 3 * np.abs(pressure[far]).max())
+
+    def test_no_step_is_rejected(self):
+        self.assertLess(self.history["step/newton iterations"].max(), 12)
+
+
+if __name__ == "__main__":
+    unittest.main()

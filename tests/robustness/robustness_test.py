@@ -1,0 +1,128 @@
+"""How the program ends: exit codes 0, 3 and 4, what is left on the disc then; and its own help."""
+import os
+import signal
+import subprocess
+import time
+import unittest
+import xml.etree.ElementTree as tree
+
+import h5py
+from mudline_case import PROGRAM, ROOT, History, MudlineCase, program
+
+BALL = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
+TERZAGHI = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
+COMMANDS = ("run", "check", "list", "explain", "template", "report", "version")
+
+
+class Endings(MudlineCase):
+    def result(self, name, ending):
+        return os.path.join(self.folder, "results", name + ending)
+
+    def test_no_convergence(self):
+        """A load that no soil carries: the step is cut down to the minimum, then the last state is saved."""
+        done = program(["run", "-q", TERZAGHI, "--set", "boundary conditions/load/y=-1e12", "--set", "mesh/cells={1, 4}",
+                        "--set", "stages/consolidation/time step/minimum=1e-3"], folder=self.folder)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr.splitlines()[-1], r"\Awarning: step 1, t = 0 s: .*; the step cannot be cut below 0.001 s\Z")
+        with h5py.File(self.result("terzaghi", ".h5"), "r") as file:
+            self.assertIn("displacement", file["steps"][sorted(file["steps"])[-1]]["nodal"])
+        tree.parse(self.result("terzaghi", ".xdmf"))
+        self.assertTrue(os.path.exists(self.result("terzaghi", ".restart")))
+
+    def test_no_convergence_later(self):
+        """Steps that were accepted before the failure are in the results, and a restart with a kinder deck goes on from them."""
+        impatient = self.write("impatient.xml", '<ParameterList name="over"><ParameterList name="solver"><ParameterList name="newton">'
+                               '<Parameter name="maximum iterations" type="int" value="1"/></ParameterList></ParameterList></ParameterList>')
+        name = ["--set", "output/name=ball", "--set", "stages/push/time step/minimum=2e-4"]
+        done = program(["run", "-q", BALL, impatient] + name, folder=self.folder)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        accepted = History(self.result("ball", ".csv")).time
+        self.assertGreater(len(accepted), 1)
+        self.assertLess(accepted[-1], 0.005)
+        done = program(["run", "-q", BALL, "--restart"] + name, folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        whole = History(self.result("ball", ".csv")).time
+        self.assertEqual(list(whole[:len(accepted)]), list(accepted))
+        self.assertAlmostEqual(whole[-1], 0.005)
+
+    def test_too_many_steps(self):
+        done = program(["run", "-q", BALL, "--set", "stages/push/time step/maximum steps=3"], folder=self.folder)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("stages/push/time step/maximum steps", done.stderr)
+        self.assertTrue(os.path.exists(self.result("ball_in_clay", ".restart")))
+
+    def check_signal(self, number):
+        # small steps, so that there is time to interrupt
+        deck = ["run", "-q", BALL, "--set", "stages/push/time step/initial=2.5e-5", "--set", "solver/residual tolerance=1e-7",
+                "--set", "solver/update tolerance=1e-5", "--set", "solver/linear tolerance=1e-9"]
+        self.assertEqual(program(deck + ["--set", "output/name=whole"], folder=self.folder).returncode, 0)
+        running = subprocess.Popen([PROGRAM] + deck + ["--set", "output/name=parts"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        for _ in range(3000):  # until some steps are done
+            if os.path.exists(self.result("parts", ".csv")):
+                with open(self.result("parts", ".csv")) as file:
+                    if len(file.readlines()) > 20:
+                        break
+            time.sleep(0.01)
+        running.send_signal(number)
+        _, errors = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 4, errors)
+        self.assertRegex(errors, r"\Awarning: stopped by a signal after step \d+; continue with --restart\n\Z")
+        with open(self.result("parts", ".csv")) as file:
+            self.assertLess(len(file.readlines()), 202)
+        self.assertEqual(program(deck + ["--set", "output/name=parts", "--restart"], folder=self.folder).returncode, 0)
+        with open(self.result("whole", ".csv"), "rb") as whole, open(self.result("parts", ".csv"), "rb") as parts:
+            self.assertEqual(whole.read(), parts.read())
+
+    def test_sigterm(self):
+        self.check_signal(signal.SIGTERM)
+
+    def test_ctrl_c(self):
+        self.check_signal(signal.SIGINT)
+
+
+class Help(MudlineCase):
+    def said(self, *arguments):
+        done = program(arguments, folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def test_help(self):
+        text = self.said("--help")
+        self.assertNotIn("Kokkos", text)
+        for command in COMMANDS:
+            self.assertIn(f"  {command} ", text)
+            self.assertRegex(self.said(command, "--help"), r"(?i)example|usage")
+
+    def test_version(self):
+        self.assertRegex(self.said("version"), r"\Amudline \d+\.\d+\.\d+\n")
+
+    def test_every_name_is_explained(self):
+        kind, names = None, []
+        for line in self.said("list").splitlines():
+            if line.startswith("  "):
+                names.append((kind, line[2:].split("  ")[0].strip()))
+            else:
+                kind = line
+        self.assertGreater(len(names), 35)
+        for kind, name in sorted(set(names)):
+            with self.subTest(kind=kind, name=name):
+                text = self.said("explain", name)
+                self.assertIn(f"{name} ({kind})", text)
+                # comments and sections of the template are well-formed XML
+                tree.fromstring(self.said("template", name))
+                self.assertIn(name, self.said("list", kind))
+
+    def test_template_deck(self):
+        for physics in ("biot", "solid"):
+            deck = tree.fromstring(self.said("template", physics))
+            self.assertEqual([s.get("name") for s in deck.findall("ParameterList")],
+                             ["mesh", "materials", "physics", "boundary conditions", "stages", "solver"])
+
+    def test_reference(self):
+        self.assertIn("## modified cam clay (skeleton)", self.said("list", "--markdown"))
+        tree.fromstring(self.said("list", "--xsd"))
+
+
+if __name__ == "__main__":
+    unittest.main()

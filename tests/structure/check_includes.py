@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""The shape of the tree: include arrows, heavy headers, file lengths, no machine paths.
+
+    check_includes.py [ROOT]     prints one line per fault and ends with 1 if there is any
+"""
+import pathlib
+import re
+import sys
+
+# A package may include itself and these (docs/developer_guide.md draws the arrows). Contact, ale and integrator are
+# siblings; contact and materials see no matrices, so that their kernels stay light and portable.
+ARROWS = {
+    "core": [],
+    "tensor": [],
+    "algebra": ["core"],
+    "discretisation": ["core", "tensor", "algebra"],
+    "materials": ["core", "tensor"],
+    "physics": ["core", "tensor", "algebra", "discretisation", "materials"],
+    "contact": ["core", "tensor", "discretisation", "materials", "physics"],
+    "ale": ["core", "tensor", "algebra", "discretisation", "materials", "physics"],
+    "integrator": ["core", "tensor", "algebra", "discretisation", "materials", "physics"],
+}
+ARROWS["simulation"] = list(ARROWS)
+
+# Headers that cost seconds of compilation, or that another library could replace one day: each stays in its corner.
+# A header in a list hands the burden on, so only files of the same list may include it. A name ending in / is a folder.
+HEAVY = {
+    r"NOX": ["packages/integrator/nox_interface.hpp", "packages/integrator/newton.cpp"],
+    r"Thyra|Stratimikos": [],
+    r"MueLu|Xpetra|Ifpack2": ["packages/algebra/amg.cpp"],
+    r"Belos": ["packages/algebra/krylov.cpp"],
+    r"[sdcz]mumps_": ["packages/algebra/mumps_factor.cpp"],
+    r"gmsh": ["packages/discretisation/gmsh_model.cpp", "packages/discretisation/gmsh_mesh.cpp"],
+    r"hdf5|H5": ["packages/simulation/output/", "packages/simulation/tests/"],
+    r"tinyxml2": ["packages/core/deck_xml.cpp"],
+    r"muParser": ["packages/core/function.cpp"],
+    r"CLI/": ["apps/mudline/"],
+}
+NO_TPETRA = ["core", "tensor", "materials", "contact"]
+FOR_TESTS = {"contact": ["algebra"]}  # its tests assemble the matrices that its kernels do not know
+
+MAX_LINES = 400
+LONG_FILES = {}  # path: why it is longer
+
+MACHINE_PATH = re.compile(r"(?<![\w.}>*-])/(?:work|home|root|Users|tmp)/\w")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+SOURCES = (".hpp", ".cpp", ".h", ".cc", ".py", ".cmake")
+TEXT = SOURCES + (".xml", ".md", ".txt", ".json", ".geo", ".sh")
+
+
+def files_of(root, suffixes):
+    for folder in ("packages", "apps", "tests", "benchmarks", "cmake", "inputs", "docs", ".ci"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.is_file() and (path.suffix in suffixes or folder == ".ci") and "__pycache__" not in path.parts:
+                yield path.relative_to(root).as_posix(), path
+
+
+def listed(name, allowed):
+    return any(name == entry or (entry.endswith("/") and name.startswith(entry)) for entry in allowed)
+
+
+def includes_of(path):
+    """Pairs (line number, kind of bracket, header)."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1), match.group(2)
+
+
+def arrow_faults(name, package, number, bracket, header):
+    first = header.split("/")[0] if "/" in header else ""
+    in_tests = "/tests/" in name
+    allowed = ARROWS.get(package, []) + (FOR_TESTS.get(package, []) if in_tests else [])
+    if first in ARROWS:
+        if bracket == "<":
+            yield f'{name}:{number}: write #include "{header}": own headers stand in quotes'
+        if package and first != package and first not in allowed:
+            seen = ", ".join(allowed) or "no other package"
+            yield f"{name}:{number}: {package} may not include {header} (it may see: {seen})"
+    elif bracket == '"' and first and package:
+        yield f'{name}:{number}: "{header}" names no package; own headers read "<package>/<file>.hpp"'
+    if package in NO_TPETRA and not in_tests and re.match(r"Tpetra", header):
+        yield f"{name}:{number}: {package} may not include {header}: no Tpetra in this package"
+
+
+def heavy_faults(name, number, bracket, header):
+    for pattern, allowed in HEAVY.items():
+        carrier = bracket == '"' and "packages/" + header in allowed
+        if (carrier or (bracket == "<" and re.match(pattern, header))) and not listed(name, allowed):
+            where = " or ".join(allowed) or "nowhere yet; list the file in tests/structure/check_includes.py"
+            yield f"{name}:{number}: {header} belongs in {where}"
+
+
+def source_faults(root):
+    for name, path in files_of(root, (".hpp", ".cpp", ".h", ".cc")):
+        parts = name.split("/")
+        package = parts[1] if parts[0] == "packages" else None
+        if package is not None and package not in ARROWS:
+            yield f"{name}: unknown package {package}: give it its arrows in tests/structure/check_includes.py"
+            continue
+        for number, bracket, header in includes_of(path):
+            yield from arrow_faults(name, package, number, bracket, header)
+            yield from heavy_faults(name, number, bracket, header)
+
+
+def length_faults(root):
+    for name, path in files_of(root, SOURCES):
+        lines = path.read_text(encoding="utf-8").count("\n")
+        if lines > MAX_LINES and name not in LONG_FILES:
+            yield f"{name}: {lines} lines, more than {MAX_LINES}: split it, or give the reason in LONG_FILES"
+
+
+def path_faults(root):
+    for name, path in files_of(root, TEXT):
+        for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+            if MACHINE_PATH.search(line):
+                yield f"{name}:{number}: path of one machine: {line.strip()[:80]}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    if not (root / "packages").is_dir():
+        sys.exit(f"{root}: no packages/ here")
+    faults = [*source_faults(root), *length_faults(root), *path_faults(root)]
+    print("\n".join(faults) if faults else "include arrows, heavy headers, file lengths and paths: in order")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

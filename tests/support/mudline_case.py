@@ -1,0 +1,74 @@
+"""Runs the program in tests: python's unittest on decks, on any number of ranks, and reads what it wrote.
+
+The program comes from the environment variable MUDLINE, mpiexec from MUDLINE_MPIEXEC (ctest sets both).
+"""
+import csv
+import os
+import re
+import shlex
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PROGRAM = os.environ.get("MUDLINE", os.path.join(ROOT, "build", "release", "apps", "mudline", "mudline"))
+MPIEXEC = shlex.split(os.environ.get("MUDLINE_MPIEXEC", "mpiexec --allow-run-as-root --oversubscribe --bind-to none"))
+
+
+def program(arguments, ranks=1, folder=None, timeout=300):
+    """Runs `mudline arguments`; returns the completed process (returncode, stdout, stderr)."""
+    command = [PROGRAM] + [str(a) for a in arguments]
+    if ranks > 1:
+        command = MPIEXEC + ["-n", str(ranks)] + command
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=timeout)
+
+
+class History:
+    """The CSV of a run: columns by name without unit, as arrays."""
+
+    def __init__(self, path):
+        with open(path, newline="") as file:
+            rows = list(csv.reader(file))
+        self.header = rows[0]
+        data = np.array(rows[1:], dtype=float)
+        self.columns = {re.sub(r" \[[^\]]*\]$", "", name): data[:, i] for i, name in enumerate(rows[0])}
+        self.data = data
+        self.time = self.columns["time"]
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+    def at(self, name, time):
+        """Linear interpolation in time."""
+        return np.interp(time, self.time, self.columns[name])
+
+
+class MudlineCase(unittest.TestCase):
+    """A test with a scratch folder of its own."""
+
+    def setUp(self):
+        self._scratch = tempfile.TemporaryDirectory()
+        self.folder = self._scratch.name
+
+    def tearDown(self):
+        self._scratch.cleanup()
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w") as file:
+            file.write(text)
+        return path
+
+    def run_deck(self, decks, settings=(), ranks=1, extra=(), timeout=300, name=None):
+        """Runs deck(s), fails the test unless the exit code is 0, and returns the History."""
+        decks = [decks] if isinstance(decks, str) else list(decks)
+        arguments = ["run", "-q"] + decks + list(extra)
+        for setting in settings:
+            arguments += ["--set", setting]
+        done = program(arguments, ranks, self.folder, timeout)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
+        stem = name or os.path.splitext(os.path.basename(decks[0]))[0]
+        return History(os.path.join(self.folder, "results", stem + ".csv"))

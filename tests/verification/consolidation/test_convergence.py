@@ -1,0 +1,91 @@
+"""Observed orders in element size and time step, on solutions that are smooth in the region or the time looked at."""
+import unittest
+
+import numpy as np
+
+from consolidation_case import ConsolidationCase
+from references import biot
+from references.norms import l2_error
+
+STAGE = "stages/consolidation/"
+
+
+def orders(errors):
+    """Of errors of runs of which each is twice as fine as the one before."""
+    return np.log2(np.array(errors[:-1]) / np.array(errors[1:]))
+
+
+class Convergence(ConsolidationCase):
+    def errors(self, stem, exact_displacement, component, exact_pressure=None):
+        with self.fields(stem) as file:
+            nodes, topology = file["mesh/coordinates"][:, :2], file["mesh/topology"][:]
+            nodal = file[f"steps/{sorted(file['steps'])[-1]}/nodal"]
+            u, p = nodal["displacement"][:, component], nodal["pore_pressure"][:]
+        return (l2_error(nodes, topology, u, exact_displacement),
+                l2_error(nodes, topology, p, exact_pressure, linear=True) if exact_pressure else None)
+
+    def show(self, what, found):
+        self.assertTrue(np.all(np.isfinite(found)))
+        print(what, np.round(found, 2))
+
+    def test_drained_displacement(self):
+        """Thick cylinder (Lame) under inner pressure: third order, also on distorted cells."""
+        inner, outer, load, young, poisson = 0.5, 1.0, 1.0, 1e7, 0.25
+        factor = load * inner ** 2 * (1 + poisson) / (young * (outer ** 2 - inner ** 2))
+
+        def exact(r, _):
+            return factor * ((1 - 2 * poisson) * r + outer ** 2 / r)
+
+        # each distorted mesh has a scatter of its own, so that the order between two of them is a rough one
+        for cell, distortion, least in (("quad9", 0.0, 2.9), ("tri6", 0.0, 2.9), ("quad9", 0.2, 2.6), ("tri6", 0.2, 2.6)):
+            with self.subTest(cell=cell, distortion=distortion):
+                found = []
+                for n in (2, 4, 8):
+                    self.run_deck(self.deck("thick_cylinder"), (
+                        f"mesh/cells={{{2 * n}, {n}}}", "mesh/cell=" + cell, f"mesh/distortion={distortion}"))
+                    found.append(self.errors("thick_cylinder", exact, 0)[0])
+                self.show(f"{cell}, distortion {distortion}, displacement in space", orders(found))
+                self.assertGreater(orders(found)[-1], least)
+
+    def test_consolidating_column(self):
+        """Second order for both fields: the linear pressure's rate of decay has an error of second order, and the settlement
+        follows the pressure, however fine the displacement's own shapes are."""
+        column = biot.Column(biot.INCOMPRESSIBLE, load=10.0)
+        for cell in ("quad9", "tri6"):
+            with self.subTest(cell=cell):
+                u, p = [], []
+                for n in (4, 8, 16):
+                    self.run_deck(self.deck("terzaghi"), (
+                        "mesh/cell=" + cell, f"mesh/cells={{1, {n}}}", "mesh/grading={1, 1}", f"{STAGE}duration={column.time(0.5)}",
+                        f"{STAGE}time step/maximum=2", f"{STAGE}time step/initial=0.05", f"{STAGE}time step/growth=1.05"))
+                    errors = self.errors("terzaghi", lambda x, y: -column.settlement(0.5, depth=1 - y), 1,
+                                         lambda x, y: column.pressure(1 - y, 0.5))
+                    u.append(errors[0])
+                    p.append(errors[1])
+                self.show(f"{cell}, displacement in space", orders(u))
+                self.show(f"{cell}, pressure in space", orders(p))
+                self.assertGreater(orders(u)[-1], 1.9)
+                self.assertGreater(orders(p)[-1], 1.9)
+
+    def test_time(self):
+        """Of the theta method after its start-up, from differences of runs with halved constant steps."""
+        duration = 160.0
+        for theta, expected in ((1.0, 1), (0.5, 2)):
+            with self.subTest(theta=theta):
+                results = []
+                for steps in (20, 40, 80, 160):
+                    h = duration / steps
+                    history = self.run_deck(self.deck("terzaghi"), (
+                        "mesh/cells={1, 10}", f"{STAGE}duration={duration}", f"{STAGE}integrator/theta={theta}",
+                        f"{STAGE}integrator/start-up steps=4", f"{STAGE}time step/initial={h}", f"{STAGE}time step/maximum={h}",
+                        f"{STAGE}time step/growth=1"))
+                    self.assertEqual(len(history.time), steps)
+                    results.append([history["probe/base/pore pressure"][-1], history["probe/top/displacement y"][-1]])
+                for column, what in enumerate(("pressure", "displacement")):
+                    differences = np.abs(np.diff(np.array(results)[:, column]))
+                    self.show(f"theta {theta}: {what} in time", orders(differences))
+                    self.assertAlmostEqual(orders(differences)[-1], expected, delta=0.15)
+
+
+if __name__ == "__main__":
+    unittest.main()
