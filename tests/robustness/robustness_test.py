@@ -115,9 +115,17 @@ class Help(MudlineCase):
 
     def test_template_deck(self):
         for physics in ("biot", "solid"):
-            deck = tree.fromstring(self.said("template", physics))
-            self.assertEqual([s.get("name") for s in deck.findall("ParameterList")],
-                             ["mesh", "materials", "physics", "boundary conditions", "stages", "solver"])
+            text = self.said("template", physics)
+            self.assertEqual([s.get("name") for s in tree.fromstring(text).findall("ParameterList")],
+                             ["mesh", "materials", "physics", "boundary conditions", "stages", "output"])
+            self.said("run", self.write(physics + ".xml", text))
+            # one-dimensional compression: q h / M, M = E (1 - nu)/((1 + nu)(1 - 2 nu)); a hundred seconds do not drain ten metres
+            settlement = -History(os.path.join(self.folder, "results", physics + ".csv"))["probe/top/displacement y"][-1]
+            drained = 1e4 * 10 / (1e7 * 0.7 / (1.3 * 0.4))
+            if physics == "solid":
+                self.assertAlmostEqual(settlement / drained, 1, delta=2e-3)
+            else:
+                self.assertTrue(0.05 * drained < settlement < 0.5 * drained, settlement)
 
     def test_reference(self):
         self.assertIn("## modified cam clay (skeleton)", self.said("list", "--markdown"))
