@@ -85,6 +85,8 @@ class FieldTest : public NOX::StatusTest::Generic {
 
 void NewtonOptions::parameters(Parameters& p) {
   p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000), "Newton iterations before the step is cut");
+  p.add("reuse Jacobian", reuse_jacobian,
+        "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one would not pay");
   p.passes_on("nox", "sublists of NOX as its manual names them: Line Search, Direction, Nonlinear Solver");
   if (p.documenting() || !p.deck().has_section("nox")) return;
   const Section section = p.deck().section("nox");

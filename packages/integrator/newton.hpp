@@ -30,6 +30,7 @@ class NonlinearProblem {
 
 struct NewtonOptions {
   int maximum_iterations = 15;
+  bool reuse_jacobian = true;
   Teuchos::ParameterList nox;   // passes through to NOX (Line Search, Direction, ...)
   void parameters(Parameters& p);
 };

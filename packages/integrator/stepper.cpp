@@ -66,10 +66,12 @@ void Stepper::activate(const std::vector<Term*>& active) {
   force_.clear();
   for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", value_.extent(0));
   solver_.reset();
+  chord_.forget();
 }
 
 void Stepper::prepare_view(const StepRequest& request) {
   store_.begin();
+  evaluated_.reset();
   scheme_ = request.scheme;
   const State& old = store_.committed();
   State& trial = store_.trial();
@@ -202,6 +204,7 @@ int Stepper::evaluate_terms() {
 
 bool Stepper::residual(const Vector& x, Vector& f) {
   const Stopwatch watch(times_.residual);
+  evaluated_.reset();
   levels(x);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
   if (failures > 0) {
@@ -213,6 +216,7 @@ bool Stepper::residual(const Vector& x, Vector& f) {
     if (constraints_.mask(i)) total_(i) = 0;
   export_overlap(*space_.dofs(), total_, f);
   update_references();
+  evaluated_ = std::make_unique<Vector>(x, Teuchos::Copy);
   return true;
 }
 
@@ -222,11 +226,25 @@ void Stepper::add_matrices() {
   assembler_.end();
 }
 
+void Stepper::check_chord() {
+  const bool same = scheme_ == chord_scheme_ && view_.dt == chord_dt_ && chord_mask_.extent(0) == constraints_.mask.extent(0) &&
+                    std::equal(chord_mask_.data(), chord_mask_.data() + chord_mask_.extent(0), constraints_.mask.data());
+  if (sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) > 0) chord_.forget();
+  chord_scheme_ = scheme_;
+  chord_dt_ = view_.dt;
+  chord_mask_ = Kokkos::View<char*>("chord mask", constraints_.mask.extent(0));
+  Kokkos::deep_copy(chord_mask_, constraints_.mask);
+  chord_.start_step();
+}
+
 bool Stepper::jacobian(const Vector& x) {
+  if (chord_.may_keep()) return true;
   {
     const Stopwatch watch(times_.jacobian);
+    evaluated_.reset();
     levels(x);
     add_matrices();
+    chord_.renewed();
   }
   solver_.set_matrix(assembler_.matrix(), [this] { return block_data_(view_); });
   return true;
@@ -269,6 +287,7 @@ std::vector<double> Stepper::residual_ratios(const Vector& f) {
     const double reference = std::max(reference_[i], 1e-6 * reference_floor_[i]);
     ratios.push_back(norms[i] == 0 ? 0.0 : norms[i] / (tolerances_.residual * std::max(reference, 1e-300)));
   }
+  chord_.observe(*std::max_element(ratios.begin(), ratios.end()));
   return ratios;
 }
 
@@ -297,6 +316,7 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
   std::fill(reference_.begin(), reference_.end(), 0.0);
   prepare_view(request);
   constrain(request);
+  check_chord();
   Vector x(map());
   {
     auto data = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -308,7 +328,17 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
   return x;
 }
 
+bool Stepper::stands_at(const Vector& x) const {
+  bool same = evaluated_ != nullptr;
+  if (same) {
+    const auto here = evaluated_->getLocalViewHost(Tpetra::Access::ReadOnly), there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; same && i < here.extent(0); ++i) same = here(i, 0) == there(i, 0);
+  }
+  return sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) == 0;
+}
+
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
+  chord_.enabled = newton.reuse_jacobian;
   Vector x = begin(request, tolerances);
   const int predicted = predict(x) ? 1 : 0;
   const NewtonReport solved = newton_solve(*this, newton, x);
@@ -316,11 +346,12 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   if (!solved.converged) {
     if (!failure_.empty()) report.reason = failure_;
     solver_.reset();
+    chord_.forget();
     return report;
   }
   // NOX may have evaluated elsewhere last (a line search); make the trial state that of the solution, bit for bit.
   Vector f(map());
-  if (!residual(x, f)) {
+  if (!stands_at(x) && !residual(x, f)) {
     report.converged = false;
     report.reason = failure_;
     return report;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "algebra/linear_solver.hpp"
+#include "integrator/chord.hpp"
 #include "integrator/newton.hpp"
 #include "integrator/time_scheme.hpp"
 #include "physics/term.hpp"
@@ -59,6 +61,8 @@ class Stepper : public NonlinearProblem {
 
   /// Lets the linear solver take up what LinearSolver::memory() gave in the run that is continued.
   void restore_solver(const std::vector<double>& memory);
+  /// What restore_solver takes. The run goes on as a restarted one would.
+  std::vector<double> solver_memory();
 
   /// First half of an attempt: predictor, prescribed unknowns, the terms' begin. Afterwards residual() and jacobian() may
   /// be called for any x. Returns the initial guess.
@@ -97,6 +101,10 @@ class Stepper : public NonlinearProblem {
   /// Where prescribed unknowns move, replaces the guess `x` (the others left behind, which folds or yields the elements in
   /// between when the motion is large) by the linear answer of the committed state to it. False where it leaves x alone.
   bool predict(Vector& x);
+  /// Forgets the Jacobian at hand if the coming step has another step size, scheme or set of free unknowns.
+  void check_chord();
+  /// Whether the trial state was last evaluated at exactly x. Collective.
+  bool stands_at(const Vector& x) const;
   void prepare_view(const StepRequest& request);
   void set_sensitivities();
   void constrain(const StepRequest& request);
@@ -128,6 +136,11 @@ class Stepper : public NonlinearProblem {
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;
+  ChordControl chord_;
+  TimeScheme chord_scheme_;
+  double chord_dt_ = 0;
+  Kokkos::View<char*> chord_mask_;
+  std::unique_ptr<Vector> evaluated_;  // where the trial state stands; null: elsewhere
 };
 
 }  // namespace mudline

@@ -62,8 +62,14 @@ void Stepper::restore_solver(const std::vector<double>& memory) {
   solver_.restore(rcp(new CrsMatrix(*assembler_.matrix(), Teuchos::Copy)), memory);
 }
 
+std::vector<double> Stepper::solver_memory() {
+  chord_.forget();
+  return solver_.memory();
+}
+
 bool Stepper::initialise_rates(const StepRequest& request, double linear_tolerance) {
   prepare_view(standing_still(true));
+  chord_.forget();
   const State& old = store_.committed();
   constrain(request);
   for (std::size_t i = 0; i < old.value.extent(0); ++i) {

@@ -40,7 +40,7 @@ void Run::save_checkpoint() {
   for (std::size_t i = 0; i < state.history_forces.size(); ++i)
     data.arrays["history force/" + std::to_string(i)] = copy_out(state.history_forces[i]);
   for (int i = 0; i < model_.store().num_arrays(); ++i) data.arrays["array/" + model_.store().info(i).name] = copy_out_2d(state.arrays[i]);
-  data.arrays["linear solver"] = model_.linear_solver().memory();
+  data.arrays["linear solver"] = model_.stepper().solver_memory();
   data.scalars["time"] = state.time;
   data.scalars["stage"] = progress_.stage;
   data.scalars["step in stage"] = progress_.step_in_stage;
