@@ -6,6 +6,7 @@ Run by `mudline point --png FILE` as: mudline_report.py --point FILE test.csv [t
 from pathlib import Path
 
 import numpy as np
+from matplotlib.ticker import LogFormatter
 
 import report_pictures as pictures
 from report_result import History, ReportError
@@ -32,7 +33,7 @@ class PointCurves:
         signed = cylindrical and not shearing
         self.deviator = columns["stress difference" if signed else "deviatoric stress"] * 1e-3
         pressure = columns.get("excess pore pressure")
-        self.pressure = pressure * 1e-3 if pressure is not None else np.zeros_like(self.mean)
+        self.pressure = None if pressure is None else pressure * 1e-3
 
 
 def point_figure(tests):
@@ -45,18 +46,24 @@ def point_figure(tests):
             frozenset(kinds), "axial or shear strain [%]"
         )
         for name, c in curves.items():
-            axes[0, 0].plot(c.mean, c.deviator, label=name)
-            axes[0, 1].plot(c.strain, c.deviator)
-            axes[1, 0].plot(np.maximum(c.mean, 1e-6), c.void_ratio)
-            axes[1, 1].plot(c.strain, c.pressure)
-            for ax, x, y in zip(axes.flat, (c.mean, c.strain, c.mean, c.strain), (c.deviator, c.deviator, c.void_ratio, c.pressure)):
-                ax.plot(x[:1], y[:1], "o", markersize=3.5, color=ax.lines[-1].get_color())
+            pairs = [(c.mean, c.deviator), (c.strain, c.deviator), (c.mean, c.void_ratio), (c.strain, c.pressure)]
+            colour = None
+            for ax, (x, y) in zip(axes.flat, pairs):
+                if y is None:  # drained
+                    continue
+                (line,) = ax.plot(x, y, label=name, color=colour)
+                colour = line.get_color()
+                ax.plot(x[:1], y[:1], "o", markersize=3.5, color=colour)
         labels = [("p' [kPa]", "q [kPa]"), (strain, "q [kPa]"), ("p' [kPa], logarithmic", "e [-]"), (strain, "excess pore pressure [kPa]")]
         for ax, (x, y) in zip(axes.flat, labels):
             ax.set_xlabel(x)
             ax.set_ylabel(y)
             ax.yaxis.set_major_locator(pictures.ticks(6))
         axes[1, 0].set_xscale("log")
+        for axis_formatter in (axes[1, 0].xaxis.set_major_formatter, axes[1, 0].xaxis.set_minor_formatter):
+            axis_formatter(LogFormatter(labelOnlyBase=False, minor_thresholds=(2, 0.8)))
+        if all(c.pressure is None for c in curves.values()):
+            axes[1, 1].text(0.5, 0.5, "drained", transform=axes[1, 1].transAxes, ha="center", color="#777777")
         if len(curves) > 1:
             axes[0, 0].legend(fontsize=7.5)
         else:

@@ -133,11 +133,12 @@ std::vector<PointValue> PointTest::values(const PointControl& control) const {
   if (total >= 0) row.push_back({"excess pore pressure", "Pa", s[total] - initial_.stress[total]});
   int slot = 0;
   for (const StateVariable& variable : point.law().state_variables()) {
-    // A law may call its memory as it likes, also like one of the columns above.
-    const std::string name = (contains(row, variable.name) ? "law/" : "") + variable.name;
-    for (int c = 0; c < variable.components; ++c)
-      row.push_back({variable.components == 1 ? name : name + " " + (variable.components == 6 ? components[c] : std::to_string(c + 1)),
-                     variable.unit, point.state()[slot++]});
+    for (int c = 0; c < variable.components; ++c) {
+      std::string name = variable.name;
+      if (variable.components > 1) name += std::string(" ") + (variable.components == 6 ? components[c] : std::to_string(c + 1));
+      // A law may call its memory as it likes, also like one of the columns above.
+      row.push_back({(contains(row, name) ? "law/" : "") + name, variable.unit, point.state()[slot++]});
+    }
   }
   return row;
 }

@@ -53,7 +53,7 @@ void Umat::parameters(Parameters& p) {
 
 /// STATEV in its own order, except that tensors become one variable each.
 void Umat::make_variables() {
-  variables_ = {{"strain", strain_size, "-", RemapRule::tensor}};
+  variables_ = {{"accumulated strain", strain_size, "-", RemapRule::tensor}};
   source_.clear();
   tensors_.clear();
   for (int i = 0; i < state_count_;) {
