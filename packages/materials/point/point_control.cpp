@@ -21,8 +21,8 @@ double largest(const Six& values) {
 
 }  // namespace
 
-/// Hughes and Winget's midpoint rule for f = F_{n+1} F_n^-1 of the plane, its trace replaced by ln J as in the finite
-/// elements (physics/solid/kinematics.hpp).
+/// Hughes and Winget's midpoint rule for f = F_{n+1} F_n^-1 of the plane, its trace replaced by ln J and its axes turned to
+/// those of the end, as in the finite elements (physics/solid/kinematics.hpp).
 PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& change) const {
   PointMotion motion;
   motion.strain = change;
@@ -31,10 +31,12 @@ PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& 
   const double slide = change[5] / height;
   const double xy = 2.0 * slide / (1.0 + stretch), yy = 2.0 * (stretch - 1.0) / (1.0 + stretch);
   const double shift = (change[1] - yy) / 3.0;
-  motion.strain = {shift, yy + shift, shift, 0.0, 0.0, xy};
   const double spin = -0.5 * xy, q = 1.0 + 0.25 * spin * spin;
   motion.cosine = (1.0 - 0.25 * spin * spin) / q;
   motion.sine = spin / q;
+  // from the axes of the midpoint to those of the end
+  const double cc = 1.0 / q, ss = 0.25 * spin * spin / q, cs = 0.5 * spin / q;
+  motion.strain = {ss * yy - cs * xy + shift, cc * yy + cs * xy + shift, shift, 0.0, 0.0, (cc - ss) * xy - 2.0 * cs * yy};
   return motion;
 }
 

@@ -40,13 +40,13 @@ void Umat::parameters(Parameters& p) {
   p.add("symbol", symbol_, "name of the subroutine in the library; gfortran writes UMAT as umat_");
   p.add("material name", name_, "passed as CMNAME, padded to 80 characters");
   p.add("components", components_, "-", closed(4, 6), "NTENS: 4 (plane strain and axisymmetry) or 6");
-  p.add("properties", properties_, "as the subroutine says", any(), "PROPS");
+  p.add("properties", properties_, "as the subroutine says", any(), "PROPS, the constants that the subroutine reads");
   p.add("state variables", state_count_, "-", closed(0, 10000), "NSTATV, the number of STATEV");
   p.add("initial state", initial_state_, "as the subroutine says", any(), "STATEV at the start; left out: zeros");
   p.add("tensor state", tensor_state_, "-", positive(),
         "first positions, from 1, of tensors in STATEV with 6 components 11 22 33 12 13 23; mudline rotates them");
   p.required("bulk modulus", bulk_, "Pa", positive(), "of the elastic response: wave speed, penalties, preconditioners; not seen by the subroutine");
-  p.required("shear modulus", shear_, "Pa", positive(), "likewise");
+  p.required("shear modulus", shear_, "Pa", positive(), "of the elastic response, for the same uses");
   p.add("K0", k0_, "-", any(), "earth pressure coefficient at rest of a geostatic start; negative: the deck gives it there");
   make_variables();
 }
