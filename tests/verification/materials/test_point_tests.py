@@ -4,7 +4,8 @@ import unittest
 
 import numpy as np
 
-from mudline_case import MudlineCase, point_deck
+import h5py
+from mudline_case import ROOT, MudlineCase, point_deck
 
 E, NU = 2e7, 0.25
 K, G = E / (3 * (1 - 2 * NU)), E / (2 * (1 + NU))
@@ -13,6 +14,30 @@ ELASTIC = {"type": "linear elastic", "Young's modulus": E, "Poisson's ratio": NU
 CLAY = {"type": "modified cam clay", "critical stress ratio": 1.0, "compression slope": 0.2, "swelling slope": 0.04,
         "Poisson's ratio": 0.25, "lode dependence": "sheng", "stress tolerance": 1e-7}
 START = {"mean effective stress": 1e5}
+
+
+def side(name):
+    return f"""<ParameterList name="{name}"><Parameter name="type" type="string" value="displacement"/>
+      <Parameter name="set" type="string" value="{name}"/><Parameter name="x" type="string" value="4*t*y"/>
+      <Parameter name="y" type="double" value="0.0"/></ParameterList>"""
+
+
+BLOCK = """<ParameterList name="block">
+  <ParameterList name="mesh"><Parameter name="type" type="string" value="box"/><Parameter name="cell" type="string" value="quad9"/>
+    <Parameter name="cells" type="Array(int)" value="{1, 1}"/><Parameter name="upper" type="Array(double)" value="{1.0, 1.0}"/></ParameterList>
+  MATERIALS
+  <ParameterList name="physics"><ParameterList name="ground"><Parameter name="type" type="string" value="solid"/>
+    <ParameterList name="initial state"><Parameter name="type" type="string" value="uniform"/>
+      <Parameter name="effective stress xx" type="double" value="6e4"/><Parameter name="effective stress yy" type="double" value="1e5"/>
+      <Parameter name="effective stress zz" type="double" value="6e4"/></ParameterList></ParameterList></ParameterList>
+  <ParameterList name="boundary conditions">""" + "".join(map(side, ("left", "right", "top", "bottom"))) + """</ParameterList>
+  <ParameterList name="stages"><ParameterList name="shear"><Parameter name="type" type="string" value="quasi-static"/>
+    <Parameter name="duration" type="double" value="1.0"/>
+    <ParameterList name="time step"><Parameter name="initial" type="double" value="0.0125"/>
+      <Parameter name="maximum" type="double" value="0.0125"/></ParameterList></ParameterList></ParameterList>
+  <ParameterList name="solver"><Parameter name="residual tolerance" type="double" value="1e-10"/></ParameterList>
+</ParameterList>
+"""
 
 
 class PointTests(MudlineCase):
@@ -36,6 +61,36 @@ class PointTests(MudlineCase):
         for coarse, fine in zip(errors[:3], errors[1:4]):
             self.assertAlmostEqual(np.log2(coarse / fine), 2, delta=0.05)
         self.assertLess(errors[-1], 2e-6)
+
+    def test_finite_elements_turn_alike(self):
+        """The same steps of simple shear in a finite element and in a point: the same stresses and void ratio."""
+        start = {"effective stress xx": 6e4, "effective stress yy": 1e5, "effective stress zz": 6e4}
+        for name, skeleton, gamma, steps in (("elastic", ELASTIC, 4.0, 80), ("clay", CLAY, 0.5, 160)):
+            test = {"type": "simple shear", "shear strain": [-gamma], "steps": steps, "initial state": start}
+            point = self.point({"shear": test}, skeleton)["shear"]
+            text = point_deck(skeleton, {}, 0.8)
+            material = text[text.index('<ParameterList name="materials">'):text.index('<ParameterList name="tests">')]
+            deck = self.write("block.xml", BLOCK.replace("MATERIALS", material))
+            pace = [f"stages/shear/time step/{word}={gamma / 4 / steps!r}" for word in ("initial", "maximum")]
+            history = self.run_deck(deck, pace + [f"stages/shear/duration={gamma / 4!r}"])
+            self.assertEqual(len(history.time), steps)
+            with h5py.File(os.path.join(self.folder, "results", "block.h5"), "r") as file:
+                step = file["steps"][sorted(file["steps"])[-1]]
+                xx, xy, _, yy, _, zz = -step["cell/effective_stress"][0]
+                void_ratio = step["cell/void_ratio"][0]
+            size = np.abs([xx, yy, zz, xy]).max()
+            for component, value in (("effective stress xx", xx), ("effective stress yy", yy), ("effective stress zz", zz),
+                                     ("shear stress xy", xy)):
+                self.assertAlmostEqual(point[component][-1] / size, value / size, delta=1e-8, msg=f"{name}: {component}")
+            self.assertAlmostEqual(point["void ratio"][-1], void_ratio, delta=1e-10)
+
+    def test_tests_beside_a_full_run(self):
+        """Tests as an overlay of the deck of a run: its soil, its overconsolidation, nothing else of it."""
+        tests = {"CU": {"type": "triaxial undrained", "axial strain": [0.1], "initial state": {"vertical effective stress": 2e4}}}
+        text = point_deck({}, tests)
+        overlay = self.write("tests.xml", '<ParameterList name="tests">' + text[text.index('<ParameterList name="tests">'):])
+        history = self.run_point([os.path.join(ROOT, "inputs", "penetration", "cone_indentation.xml"), overlay])["CU"]
+        self.assertEqual(history["void ratio"][0], 1.3)
 
     def test_drained_simple_shear_keeps_the_vertical_stress(self):
         shear = {"type": "simple shear", "drainage": "drained", "shear strain": [1.0, -0.5], "steps": 400,
