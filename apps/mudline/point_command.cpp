@@ -1,7 +1,7 @@
-#include <Tpetra_Core.hpp>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <Tpetra_Core.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,8 @@ void read_soils(PointDeck& d) {
   const Section materials = d.root->section("materials");
   materials.allow_parameters({});
   for (const std::string& name : materials.section_names()) {
-    const auto soil = SoilMaterial::read(materials.section(name), {d.registries.skeletons, d.registries.fluids, d.registries.permeabilities});
+    const auto soil = SoilMaterial::read(materials.section(name),
+                                         {d.registries.skeletons, d.registries.fluids, d.registries.permeabilities});
     d.soils.push_back({name, soil->skeleton, soil->initial_void_ratio, soil->biot_coefficient});
   }
   if (d.soils.empty()) d.root->fail("required section 'materials' is missing or empty");
@@ -58,7 +59,8 @@ const PointSoil& soil_of(const PointDeck& d, const PointTest& test, const Sectio
   std::vector<std::string> names;
   for (const PointSoil& soil : d.soils) names.push_back(soil.name);
   if (test.material().empty()) {
-    if (d.soils.size() > 1) section.fail("required parameter 'material' is missing; the deck has several: " + join(names));
+    if (d.soils.size() > 1)
+      section.fail("required parameter 'material' is missing; the deck has several: " + join(names));
     return d.soils.front();
   }
   for (const PointSoil& soil : d.soils)
@@ -73,14 +75,16 @@ void read_tests(PointDeck& d) {
     const Section section = tests.section(name);
     NamedTest test{name, d.registries.point_tests.create(section)};
     for (const NamedTest& other : d.tests)
-      if (d.path(other) == d.path(test)) section.fail("its results would have the name of those of '" + other.name + "': " + d.path(test));
+      if (d.path(other) == d.path(test))
+        section.fail("its results would have the name of those of '" + other.name + "': " + d.path(test));
     test.test->begin(soil_of(d, *test.test, section), section);
     d.tests.push_back(std::move(test));
   }
 }
 
 std::unique_ptr<PointDeck> load_point(const DeckOptions& options, bool want_tests) {
-  if (Tpetra::getDefaultComm()->getSize() > 1) throw InputError("a material point cannot be shared: run `mudline point` on one rank");
+  if (Tpetra::getDefaultComm()->getSize() > 1)
+    throw InputError("a material point cannot be shared: run `mudline point` on one rank");
   auto d = std::make_unique<PointDeck>();
   read_deck(options, d->deck);
   register_all(d->registries);
@@ -90,17 +94,21 @@ std::unique_ptr<PointDeck> load_point(const DeckOptions& options, bool want_test
   known.push_back("tests");
   d->root->allow_sections(known);
   load_plugins(d->root->section("plugins"), d->registries);
-  d->output = OutputSettings::read(d->root->section("output"), std::filesystem::path(options.decks.front()).stem().string());
+  d->output =
+      OutputSettings::read(d->root->section("output"), std::filesystem::path(options.decks.front()).stem().string());
   read_soils(*d);
-  if (want_tests && !d->root->has_section("tests")) d->root->fail("required section 'tests' is missing; see `mudline list test`");
+  if (want_tests && !d->root->has_section("tests"))
+    d->root->fail("required section 'tests' is missing; see `mudline list test`");
   read_tests(*d);
   if (want_tests && d->tests.empty()) d->root->section("tests").fail("no test is given; see `mudline list test`");
   std::vector<std::string> idle;
   const std::vector<std::string> read{"functions", "materials", "tests", "output", "plugins"};
   for (const std::string& name : d->root->section_names()) {
     const std::vector<std::string> unused = d->root->section(name).unused();
-    if (std::find(read.begin(), read.end(), name) == read.end()) idle.push_back(name);
-    else if (!unused.empty()) d->root->fail("unknown parameter", unused.front());
+    if (std::find(read.begin(), read.end(), name) == read.end())
+      idle.push_back(name);
+    else if (!unused.empty())
+      d->root->fail("unknown parameter", unused.front());
   }
   if (!idle.empty()) log::info("not needed here and not read: " + join(idle));
   return d;
@@ -115,9 +123,10 @@ double value_of(const std::vector<PointValue>& values, const std::string& name) 
 std::string summary(const std::string& name, const PointOutcome& o, const std::string& path) {
   char line[400];
   const auto kpa = [&](const char* column) { return 1e-3 * value_of(o.last, column); };
-  std::snprintf(line, sizeof line, "%-20s axial strain %8.3f %%  volumetric %8.3f %%  p' %10.3f kPa  q %10.3f kPa  e %.4f", name.c_str(),
-                100 * value_of(o.last, "axial strain"), 100 * value_of(o.last, "volumetric strain"), kpa("mean effective stress"),
-                kpa("deviatoric stress"), value_of(o.last, "void ratio"));
+  std::snprintf(line, sizeof line,
+                "%-20s axial strain %8.3f %%  volumetric %8.3f %%  p' %10.3f kPa  q %10.3f kPa  e %.4f", name.c_str(),
+                100 * value_of(o.last, "axial strain"), 100 * value_of(o.last, "volumetric strain"),
+                kpa("mean effective stress"), kpa("deviatoric stress"), value_of(o.last, "void ratio"));
   std::string text = line;
   if (!std::isnan(value_of(o.last, "excess pore pressure"))) {
     std::snprintf(line, sizeof line, "  u %.3f kPa", kpa("excess pore pressure"));
@@ -138,8 +147,8 @@ bool conforms(const PointDeck& d, const PointSoil& soil) {
     if (entry.name != type) continue;
     for (const ConformanceCheck& check : check_conformance(*soil.skeleton, entry, limits)) {
       char line[600];
-      std::snprintf(line, sizeof line, "%s: %-15s %-6s %s", soil.name.c_str(), check.name.c_str(), check.passed ? "ok" : "FAILED",
-                    check.figures.c_str());
+      std::snprintf(line, sizeof line, "%s: %-15s %-6s %s", soil.name.c_str(), check.name.c_str(),
+                    check.passed ? "ok" : "FAILED", check.figures.c_str());
       std::cout << line << std::endl;
       good = good && check.passed;
     }
@@ -151,7 +160,8 @@ void make_folder(const PointDeck& d) {
   std::error_code error;
   std::filesystem::create_directories(d.output.folder, error);
   if (error || !std::filesystem::is_directory(d.output.folder))
-    d.root->section("output").fail("the folder '" + d.output.folder + "' cannot be made" + (error ? ": " + error.message() : ""), "folder");
+    d.root->section("output").fail(
+        "the folder '" + d.output.folder + "' cannot be made" + (error ? ": " + error.message() : ""), "folder");
 }
 
 /// By the report's script, which is waited for: what it prints comes before the prompt.
@@ -164,7 +174,8 @@ void draw(const std::string& png, const std::vector<std::string>& files) {
   argv.push_back(nullptr);
   pid_t child = 0;
   int status = 0;
-  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0 || waitpid(child, &status, 0) != child || status != 0)
+  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0 ||
+      waitpid(child, &status, 0) != child || status != 0)
     throw std::runtime_error("the picture could not be drawn; it needs python3 and python3-matplotlib");
 }
 
@@ -192,8 +203,10 @@ int point(const PointCommand& command) {
     log::info(summary(test.name, outcome, file.path()));
     if (!outcome.complete) {
       char line[300];
-      std::snprintf(line, sizeof line, "test '%s' ends early, at t = %g s: the law finds no state that follows, however small the increment",
-                    test.name.c_str(), outcome.time);
+      std::snprintf(
+          line, sizeof line,
+          "test '%s' ends early, at t = %g s: the law finds no state that follows, however small the increment",
+          test.name.c_str(), outcome.time);
       log::warn(line);
       complete = false;
     }

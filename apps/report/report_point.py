@@ -14,7 +14,8 @@ from report_result import History, ReportError
 
 def is_point(history):
     """True when the history is that of a material point."""
-    return all(("", name, unit) in history.columns for name, unit in (("axial strain", "-"), ("stress difference", "Pa")))
+    needed = (("", "axial strain", "-"), ("", "stress difference", "Pa"))
+    return all(column in history.columns for column in needed)
 
 
 class PointCurves:
@@ -54,7 +55,12 @@ def point_figure(tests):
                 (line,) = ax.plot(x, y, label=name, color=colour)
                 colour = line.get_color()
                 ax.plot(x[:1], y[:1], "o", markersize=3.5, color=colour)
-        labels = [("p' [kPa]", "q [kPa]"), (strain, "q [kPa]"), ("p' [kPa], logarithmic", "e [-]"), (strain, "excess pore pressure [kPa]")]
+        labels = [
+            ("p' [kPa]", "q [kPa]"),
+            (strain, "q [kPa]"),
+            ("p' [kPa], logarithmic", "e [-]"),
+            (strain, "excess pore pressure [kPa]"),
+        ]
         for ax, (x, y) in zip(axes.flat, labels):
             ax.set_xlabel(x)
             ax.set_ylabel(y)

@@ -65,7 +65,7 @@ DECKS = [
     wrong("K0 beside components", (parameter("effective stress xx", "double", "60e3"), parameter("K0", "double", "0.6")),
           "tests/shear/initial state/K0: contradictory: components of the stress leave no room for 'K0'"),
     wrong("tensile start", (MEAN, parameter("mean effective stress", "double", "-100e3")),
-          "tests/drained/initial state/mean effective stress: -1e+05 is out of range; allowed: (0, inf)"),
+          "tests/drained/initial state/mean effective stress: -1e+05 is out of range; allowed: [0, inf)"),
     wrong("a start that the law refuses", (parameter("overconsolidation ratio", "double", "1.5"),
                                            parameter("overconsolidation ratio", "double", "0.5")),
           "tests/drained/initial state: material 'clay' cannot start here: the overconsolidation ratio must be at least 1; it is 0.5",

@@ -115,6 +115,22 @@ class Umat(MudlineCase):
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertEqual(done.stdout.count(" ok "), 8, done.stdout)
 
+    def test_conformance_in_the_plane(self):
+        """Four components: checked without shear out of the plane. A hidden memory is found."""
+        source = os.path.join(EXAMPLES, "elastic.f90")
+        for name, skeleton, code in (("plane", self.umat(source, components=4), 0), ("memory", self.forgetful(source), 1)):
+            self.write(name + ".xml", point_deck(skeleton, {}, 0.8))
+            done = program(["point", "--conformance", name + ".xml"], folder=self.folder)
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+            self.assertEqual("shear in the plane only" in done.stdout, name == "plane", done.stdout)
+            self.assertEqual("purity          FAILED" in done.stdout, name == "memory", done.stdout)
+
+    def forgetful(self, source):
+        with open(source) as file:
+            text = file.read().replace("  integer :: i\n", "  integer :: i\n  double precision, save :: calls = 0\n")
+        text = text.replace("  stress = stress + matmul(ddsdde, dstran)\n", "  calls = calls + 1\n  stress = stress + matmul(ddsdde, dstran) * (1 + 1d-9 * calls)\n")
+        return self.umat(self.write("memory.f90", text))
+
     def test_what_the_subroutine_is_given(self):
         """The subroutine fails where an argument is not as promised; the rotated tensors are checked to a shear of 2."""
         skeleton = self.umat(os.path.join(HERE, "echo.f90"), symbol="echo_", material_name="Echo clay", properties=[E, NU, 1e9],

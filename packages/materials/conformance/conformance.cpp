@@ -52,14 +52,16 @@ bool only_in_plane(const Skeleton& law) {
 
 class Suite {
  public:
-  Suite(const Skeleton& law, const ConformanceLimits& limits) : law_(law), limits_(limits), in_plane_(only_in_plane(law)) {}
+  Suite(const Skeleton& law, const ConformanceLimits& limits)
+      : law_(law), limits_(limits), in_plane_(only_in_plane(law)) {}
 
   ConformanceCheck starts() const {
     Sampler sample = sampler(8);
     for (int n = 0; n < 100; ++n) sample.point();
     return {"starts", sample.refused() == 0,
             text("%d of 100 random points refused", sample.refused()) +
-                (sample.refused() > 0 ? " (" + sample.refusal() + ")" : std::string(in_plane_ ? ", shear in the plane only" : ""))};
+                (sample.refused() > 0 ? " (" + sample.refusal() + ")"
+                                      : std::string(in_plane_ ? ", shear in the plane only" : ""))};
   }
 
   /// The same bits again, with and without tangent; inputs untouched; failures counted as flagged.
@@ -77,9 +79,11 @@ class Suite {
       touched += a.old_untouched && c.old_untouched ? 0 : 1;
       miscounted += a.flags_agree && c.flags_agree ? 0 : 1;
     }
-    return {"purity", again + plain + touched + miscounted == 0,
-            text("of %d points %d differ when repeated, %d without tangent, %d change their old state, %d miscount failures",
-                 points, again, plain, touched, miscounted)};
+    return {
+        "purity", again + plain + touched + miscounted == 0,
+        text(
+            "of %d points %d differ when repeated, %d without tangent, %d change their old state, %d miscount failures",
+            points, again, plain, touched, miscounted)};
   }
 
   ConformanceCheck tangent() const {
@@ -95,9 +99,11 @@ class Suite {
     std::sort(errors.begin(), errors.end());
     const double median = errors[n / 2], most = errors[n * 99 / 100], worst = errors[n - 1];
     const bool enough = limits_.may_fail || n == static_cast<std::size_t>(limits_.tangent_points);
-    return {"tangent", enough && median < limits_.tangent_median && most < limits_.tangent_99 && worst < limits_.tangent_worst,
-            text("against differences: median %.1e, 99 %% %.1e, worst %.1e (allowed %.0e, %.0e, %.0e; %d points)", median, most,
-                 worst, limits_.tangent_median, limits_.tangent_99, limits_.tangent_worst, static_cast<int>(n))};
+    return {
+        "tangent",
+        enough && median < limits_.tangent_median && most < limits_.tangent_99 && worst < limits_.tangent_worst,
+        text("against differences: median %.1e, 99 %% %.1e, worst %.1e (allowed %.0e, %.0e, %.0e; %d points)", median,
+             most, worst, limits_.tangent_median, limits_.tangent_99, limits_.tangent_worst, static_cast<int>(n))};
   }
 
   /// Rotated input gives rotated output.
@@ -126,8 +132,8 @@ class Suite {
       worst = std::max(worst, state_error(r, a.state, b.state));
     }
     return {"isotropy", failed == 0 && worst < limits_.rotation,
-            text("rotated input, largest difference %.1e (allowed %.0e), %d of %d points failed", worst, limits_.rotation, failed,
-                 limits_.rotation_points)};
+            text("rotated input, largest difference %.1e (allowed %.0e), %d of %d points failed", worst,
+                 limits_.rotation, failed, limits_.rotation_points)};
   }
 
   /// No strain in no time changes nothing.
@@ -146,14 +152,16 @@ class Suite {
         ++failed;
         continue;
       }
-      for (int c = 0; c < 6; ++c) worst = std::max(worst, std::abs(still.stress[c] - point.stress()[c]) / norm(point.stress()));
+      for (int c = 0; c < 6; ++c)
+        worst = std::max(worst, std::abs(still.stress[c] - point.stress()[c]) / norm(point.stress()));
       for (std::size_t c = 0; c < still.state.size(); ++c) {
         const double change = std::abs(still.state[c] - point.state()[c]);
         if (change > 0.0) worst = std::max(worst, change / std::abs(point.state()[c]));
       }
     }
     return {"idleness", failed == 0 && worst < limits_.idle,
-            text("no strain changes stress and state by %.1e (allowed %.0e), %d of 200 points failed", worst, limits_.idle, failed)};
+            text("no strain changes stress and state by %.1e (allowed %.0e), %d of 200 points failed", worst,
+                 limits_.idle, failed)};
   }
 
   ConformanceCheck finite_numbers() const {
@@ -187,7 +195,8 @@ class Suite {
         if (variable.name.empty() || variable.unit.empty()) fault = "a state variable has no name or no unit";
         for (int c = 0; c < variable.components; ++c, ++slot)
           if (!(at.state()[slot] >= variable.low && at.state()[slot] <= variable.high))
-            fault = "'" + variable.name + text("' starts at %g, outside [%g, %g]", at.state()[slot], variable.low, variable.high);
+            fault = "'" + variable.name +
+                    text("' starts at %g, outside [%g, %g]", at.state()[slot], variable.low, variable.high);
       }
       const ElasticModuli m = law_.moduli(point.stress.data(), point.void_ratio, at.state().data());
       if (!(m.bulk > 0.0 && m.shear > 0.0 && std::isfinite(m.bulk) && std::isfinite(m.shear)))
@@ -246,11 +255,13 @@ class Suite {
 ConformanceCheck documented(const EntryDoc& entry) {
   std::vector<std::string> bare;
   for (const ParameterDoc& p : entry.parameters)
-    if (p.name != "type" && (p.doc.empty() || (p.unit.empty() && p.type.find("double") != std::string::npos))) bare.push_back(p.name);
+    if (p.name != "type" && (p.doc.empty() || (p.unit.empty() && p.type.find("double") != std::string::npos)))
+      bare.push_back(p.name);
   const bool good = bare.empty() && !entry.summary.empty();
   return {"documentation", good,
-          good ? text("%d parameters with unit and meaning", static_cast<int>(entry.parameters.size()))
-               : bare.empty() ? std::string("the type has no summary") : "without unit or meaning: " + join(bare)};
+          good           ? text("%d parameters with unit and meaning", static_cast<int>(entry.parameters.size()))
+          : bare.empty() ? std::string("the type has no summary")
+                         : "without unit or meaning: " + join(bare)};
 }
 
 }  // namespace
@@ -260,8 +271,8 @@ std::vector<ConformanceCheck> check_conformance(const Skeleton& law, const Entry
   const Suite suite(law, limits);
   std::vector<ConformanceCheck> checks{suite.starts()};
   if (checks.front().passed)  // otherwise nothing can be said of the points below
-    checks.insert(checks.end(), {suite.purity(), suite.tangent(), suite.isotropy(), suite.idleness(), suite.finite_numbers(),
-                                 suite.state_and_moduli()});
+    checks.insert(checks.end(), {suite.purity(), suite.tangent(), suite.isotropy(), suite.idleness(),
+                                 suite.finite_numbers(), suite.state_and_moduli()});
   checks.push_back(documented(documentation));
   return checks;
 }

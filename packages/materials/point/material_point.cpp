@@ -8,7 +8,11 @@
 namespace mudline {
 
 MaterialPoint::MaterialPoint(const Skeleton& law, const InitialPoint& start, double biot_coefficient)
-    : law_(law), alpha_(biot_coefficient), void_ratio_(start.void_ratio), stress_(start.stress), state_(law.state_size()) {
+    : law_(law),
+      alpha_(biot_coefficient),
+      void_ratio_(start.void_ratio),
+      stress_(start.stress),
+      state_(law.state_size()) {
   int first = 0;
   for (const StateVariable& variable : law.state_variables()) {
     if (variable.components == 6) tensors_.push_back(first);

@@ -10,8 +10,8 @@ namespace mudline {
 
 using Six = std::array<double, 6>;
 
-/// What one increment does to a point, in the signs and the order of SkeletonWorkset. Stress and tensors of the state are
-/// turned by the angle about z first, as the finite elements do (Hughes and Winget 1980).
+/// What one increment does to a point, in the signs and the order of SkeletonWorkset. Stress and tensors of the state
+/// are turned by the angle about z first, as the finite elements do (Hughes and Winget 1980).
 struct PointMotion {
   Six strain{};
   double cosine = 1.0, sine = 0.0;

@@ -21,8 +21,8 @@ double largest(const Six& values) {
 
 }  // namespace
 
-/// Hughes and Winget's midpoint rule for f = F_{n+1} F_n^-1 of the plane, its trace replaced by ln J and its axes turned to
-/// those of the end, as in the finite elements (physics/solid/kinematics.hpp).
+/// Hughes and Winget's midpoint rule for f = F_{n+1} F_n^-1 of the plane, its trace replaced by ln J and its axes
+/// turned to those of the end, as in the finite elements (physics/solid/kinematics.hpp).
 PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& change) const {
   PointMotion motion;
   motion.strain = change;
@@ -36,12 +36,13 @@ PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& 
   motion.sine = spin / q;
   // from the axes of the midpoint to those of the end
   const double cc = 1.0 / q, ss = 0.25 * spin * spin / q, cs = 0.5 * spin / q;
-  motion.strain = {ss * yy - cs * xy + shift, cc * yy + cs * xy + shift, shift, 0.0, 0.0, (cc - ss) * xy - 2.0 * cs * yy};
+  motion.strain = {ss * yy - cs * xy + shift,     cc * yy + cs * xy + shift, shift, 0.0, 0.0,
+                   (cc - ss) * xy - 2.0 * cs * yy};
   return motion;
 }
 
-/// Newton's correction of the stress-controlled components, with pivoting; false for a singular tangent. The rotation of
-/// a sliding point is left out: it hardly depends on what is sought.
+/// Newton's correction of the stress-controlled components, with pivoting; false for a singular tangent. The rotation
+/// of a sliding point is left out: it hardly depends on what is sought.
 bool PointControl::correct(const PointIncrement& increment, const PointTrial& trial, Six& change) const {
   int index[6], n = 0;
   for (int c = 0; c < 6; ++c)

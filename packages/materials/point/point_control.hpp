@@ -4,9 +4,10 @@
 
 namespace mudline {
 
-/// One increment under mixed control: each component follows a strain or a stress. Signs and order as in SkeletonWorkset.
-/// Strains are logarithmic along fixed axes. Sliding: strain xy is instead the horizontal displacement of the upper face
-/// over the *initial* height, the faces y = constant stay parallel to x, and the rotation is part of the motion.
+/// One increment under mixed control: each component follows a strain or a stress. Signs and order as in
+/// SkeletonWorkset. Strains are logarithmic along fixed axes. Sliding: strain xy is instead the horizontal displacement
+/// of the upper face over the *initial* height, the faces y = constant stay parallel to x, and the rotation is part of
+/// the motion.
 struct PointIncrement {
   std::array<bool, 6> stress_controlled{};
   Six strain{};  // increments of the strain-controlled components

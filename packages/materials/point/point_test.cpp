@@ -26,19 +26,22 @@ bool contains(const std::vector<PointValue>& values, const std::string& name) {
 }  // namespace
 
 void PointStart::parameters(Parameters& p) {
-  p.add("mean effective stress", mean, "Pa", positive(), "isotropic start, or with K0 its mean; give this, the vertical stress or components");
-  p.add("vertical effective stress", vertical, "Pa", positive(), "effective stress yy; the horizontal one is K0 times this");
-  p.add("K0", k0, "-", positive(), "horizontal over vertical effective stress; by default 1 with the mean stress, that of the law with the vertical one");
+  p.add("mean effective stress", mean, "Pa", non_negative(),
+        "isotropic start, or with K0 its mean; give this, the vertical stress or components (0: not given)");
+  p.add("vertical effective stress", vertical, "Pa", non_negative(),
+        "effective stress yy; the horizontal one is K0 times this (0: not given)");
+  p.add("K0", k0, "-", non_negative(),
+        "horizontal over vertical effective stress; 0: that of the law with the vertical stress, 1 with the mean");
+  bool any_given = false;
   for (int c = 0; c < 6; ++c) {
     p.add(stress_names[c], stress[c], "Pa", any(), "component of the start, compression positive");
-    has_components = has_components || p.given(stress_names[c]);
+    any_given = any_given || p.given(stress_names[c]);
+    has_components = has_components || stress[c] != 0.0;
   }
   p.add("overconsolidation ratio", ocr, "-", positive(), "scales the yield surface through the initial stress");
-  p.add("void ratio", void_ratio, "-", positive(), "initial void ratio; 0: that of the material");
-  has_mean = p.given("mean effective stress");
-  has_vertical = p.given("vertical effective stress");
-  has_k0 = p.given("K0");
-  has_void_ratio = p.given("void ratio");
+  p.add("void ratio", void_ratio, "-", non_negative(), "initial void ratio; 0: that of the material");
+  // Components that are all zero mean a start free of stress, unless there is another start.
+  has_components = has_components || (any_given && mean == 0.0 && vertical == 0.0);
 }
 
 void PointTest::parameters(Parameters& p) {
@@ -50,25 +53,27 @@ void PointTest::parameters(Parameters& p) {
 void PointTest::begin(const PointSoil& soil, const Section& section) {
   soil_ = soil;
   const Section start = section.section("initial state");
-  const int ways = start_.has_mean + start_.has_vertical + start_.has_components;
+  const int ways = (start_.mean > 0.0) + (start_.vertical > 0.0) + start_.has_components;
   if (ways != 1)
     start.fail(std::string(ways == 0 ? "no initial stress" : "contradictory") +
-               ": give one of 'mean effective stress', 'vertical effective stress', or components such as 'effective stress yy'");
-  if (start_.has_k0 && start_.has_components) start.fail("contradictory: components of the stress leave no room for 'K0'", "K0");
-  double k0 = start_.k0;
-  if (start_.has_vertical && !start_.has_k0) {
+               ": give one of 'mean effective stress', 'vertical effective stress', or components such as 'effective "
+               "stress yy'");
+  if (start_.k0 > 0.0 && start_.has_components)
+    start.fail("contradictory: components of the stress leave no room for 'K0'", "K0");
+  double k0 = start_.k0 > 0.0 ? start_.k0 : 1.0;
+  if (start_.vertical > 0.0 && start_.k0 == 0.0) {
     k0 = soil.skeleton->k0(start_.ocr);
     if (k0 < 0.0) start.fail("the skeleton law of material '" + soil.name + "' has no K0 of its own; give 'K0'");
   }
   if (start_.has_components) {
     for (int c = 0; c < 6; ++c) initial_.stress[c] = turned(start_.stress[c]);
   } else {
-    const double vertical = start_.has_vertical ? start_.vertical : 3.0 * start_.mean / (1.0 + 2.0 * k0);
+    const double vertical = start_.vertical > 0.0 ? start_.vertical : 3.0 * start_.mean / (1.0 + 2.0 * k0);
     initial_.stress = {-k0 * vertical, -vertical, -k0 * vertical, 0.0, 0.0, 0.0};
   }
   initial_.position = {0.0, 0.0, 0.0};
   initial_.overconsolidation_ratio = start_.ocr;
-  initial_.void_ratio = start_.has_void_ratio ? start_.void_ratio : soil.void_ratio;
+  initial_.void_ratio = start_.void_ratio > 0.0 ? start_.void_ratio : soil.void_ratio;
   if (!(initial_.void_ratio > 0.0))
     start.fail("neither the material '" + soil.name + "' nor the test has a 'void ratio'");
   const std::string refusal = MaterialPoint(*soil.skeleton, initial_).refusal();
@@ -135,7 +140,8 @@ std::vector<PointValue> PointTest::values(const PointControl& control) const {
   for (const StateVariable& variable : point.law().state_variables()) {
     for (int c = 0; c < variable.components; ++c) {
       std::string name = variable.name;
-      if (variable.components > 1) name += std::string(" ") + (variable.components == 6 ? components[c] : std::to_string(c + 1));
+      if (variable.components > 1)
+        name += std::string(" ") + (variable.components == 6 ? components[c] : std::to_string(c + 1));
       // A law may call its memory as it likes, also like one of the columns above.
       row.push_back({(contains(row, name) ? "law/" : "") + name, variable.unit, point.state()[slot++]});
     }

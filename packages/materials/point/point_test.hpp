@@ -37,18 +37,18 @@ struct PointLeg {
 struct PointOutcome {
   bool complete = false;
   int steps = 0, cuts = 0, iterations = 0;
-  double time = 0.0;              // [s] reached
-  std::vector<PointValue> last;   // row of the end
+  double time = 0.0;             // [s] reached
+  std::vector<PointValue> last;  // row of the end
 };
 
 /// Where a test starts; the deck's section "initial state" of a test. Compression positive, as in a full run.
 struct PointStart {
-  double mean = 0.0, vertical = 0.0, k0 = 1.0;  // [Pa], [Pa], [-]
-  Six stress{};                                  // [Pa]
-  double ocr = 1.0, void_ratio = 0.0;            // [-]
+  double mean = 0.0, vertical = 0.0, k0 = 0.0;  // [Pa], [Pa], [-] 0: not given
+  Six stress{};                                 // [Pa]
+  bool has_components = false;                  // the start is `stress`
+  double ocr = 1.0, void_ratio = 0.0;           // [-]
 
   void parameters(Parameters& p);
-  bool has_mean = false, has_vertical = false, has_k0 = false, has_components = false, has_void_ratio = false;
 };
 
 /// One laboratory test on one material point; an entry of the deck's section "tests".

@@ -23,14 +23,16 @@ class Targets {
   void stress(Parameters& p, const std::string& name, const std::string& doc) {
     stress_name_ = name;
     p.add(name, stresses_, "Pa", any(), doc + "; give this or '" + name_ + "'");
-    p.add("stress rate", stress_rate_, "Pa/s", positive(), "speed of '" + name + "', which gives the time of an increment");
+    p.add("stress rate", stress_rate_, "Pa/s", positive(),
+          "speed of '" + name + "', which gives the time of an increment");
   }
   void measure(Parameters& p) {
     p.choice("strain measure", measure_, {{"logarithmic", Measure::logarithmic}, {"engineering", Measure::engineering}},
              "what '" + name_ + "' means: ln of the ratio of lengths (volumes), or change over initial value");
   }
   void pace(Parameters& p) {
-    p.add("strain rate", rate_, "1/s", positive(), "speed of the (logarithmic) strain, which gives the time of an increment");
+    p.add("strain rate", rate_, "1/s", positive(),
+          "speed of the (logarithmic) strain, which gives the time of an increment");
     p.add("steps", steps_, "-", closed(1, 1000000), "increments between two targets");
   }
   void check(const Section& section) const {
@@ -44,9 +46,13 @@ class Targets {
       section.fail("plays no role where '" + name_ + "' drives the test; remove it", "stress rate");
     for (std::size_t i = 0; i < strains_.size(); ++i) {
       if (measure_ == Measure::engineering && strains_[i] >= 1.0)
-        section.fail("an engineering strain of " + number_text(strains_[i]) + " leaves nothing of the soil; allowed: below 1", name_);
+        section.fail(
+            "an engineering strain of " + number_text(strains_[i]) + " leaves nothing of the soil; allowed: below 1",
+            name_);
       if (strains_[i] == (i == 0 ? 0.0 : strains_[i - 1]))
-        section.fail("target " + std::to_string(i + 1) + ", " + number_text(strains_[i]) + ", is where the soil is already", name_);
+        section.fail(
+            "target " + std::to_string(i + 1) + ", " + number_text(strains_[i]) + ", is where the soil is already",
+            name_);
     }
   }
   bool by_stress() const { return !stresses_.empty(); }
@@ -211,7 +217,8 @@ class PathTest : public PointTest {
     bool moves = false;
     for (int c = 0; c < 6; ++c) {
       if (by_strain_[c] && by_stress_[c])
-        section.fail("contradictory: give '" + strain_name(c) + "' or '" + stress_name(c) + "', not both", stress_name(c));
+        section.fail("contradictory: give '" + strain_name(c) + "' or '" + stress_name(c) + "', not both",
+                     stress_name(c));
       moves = moves || by_strain_[c] || by_stress_[c];
     }
     if (!moves) section.fail("a path needs at least one strain or stress, such as '" + strain_name(1) + "'");
@@ -222,7 +229,8 @@ class PathTest : public PointTest {
     p.required("duration", duration_, "s", positive(), "the functions are followed from t = 0 to this time");
     p.add("steps", steps_, "-", closed(1, 1000000), "equal increments of time");
     for (int c = 0; c < 6; ++c) {
-      p.add(strain_name(c), strain_[c], "-", "logarithmic strain over time along fixed axes; a component without strain or stress is held");
+      p.add(strain_name(c), strain_[c], "-",
+            "logarithmic strain over time along fixed axes; a component without strain or stress is held");
       p.add(stress_name(c), stress_[c], "Pa", "effective stress over time");
       by_strain_[c] = p.given(strain_name(c));
       by_stress_[c] = p.given(stress_name(c));
@@ -257,11 +265,13 @@ class PathTest : public PointTest {
 
 void register_point_tests(Registry<PointTest>& tests) {
   tests.add<Oedometer>("oedometer", "Vertical compression without lateral strain, by strain or by stress");
-  tests.add<IsotropicCompression>("isotropic compression", "Compression alike in all directions, by strain or by stress");
+  tests.add<IsotropicCompression>("isotropic compression",
+                                  "Compression alike in all directions, by strain or by stress");
   tests.add<Triaxial<true>>("triaxial drained", "Axial strain at constant lateral effective stress");
   tests.add<Triaxial<false>>("triaxial undrained", "Axial strain at constant volume and constant lateral total stress");
   tests.add<PlaneStrain>("plane strain", "Biaxial test: axial strain without strain in the third direction");
-  tests.add<SimpleShear>("simple shear", "Shear between rigid plates to any angle, at constant vertical stress or volume");
+  tests.add<SimpleShear>("simple shear",
+                         "Shear between rigid plates to any angle, at constant vertical stress or volume");
   tests.add<PathTest>("path", "Any mixture of strains and stresses as functions of time");
 }
 

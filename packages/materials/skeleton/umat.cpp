@@ -13,17 +13,18 @@ namespace mudline {
 namespace {
 
 /// The Fortran interface; the hidden length of CMNAME comes last (gfortran: size_t).
-using Routine = void (*)(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd, double* rpl,
-                         double* ddsddt, double* drplde, double* drpldt, const double* stran, const double* dstran,
-                         const double* time, const double* dtime, const double* temp, const double* dtemp,
-                         const double* predef, const double* dpred, const char* cmname, const int* ndi, const int* nshr,
-                         const int* ntens, const int* nstatv, const double* props, const int* nprops, const double* coords,
-                         const double* drot, double* pnewdt, const double* celent, const double* dfgrd0,
-                         const double* dfgrd1, const int* noel, const int* npt, const int* layer, const int* kspt,
-                         const int* kstep, const int* kinc, std::size_t cmname_length);
+using Routine = void (*)(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd,
+                         double* rpl, double* ddsddt, double* drplde, double* drpldt, const double* stran,
+                         const double* dstran, const double* time, const double* dtime, const double* temp,
+                         const double* dtemp, const double* predef, const double* dpred, const char* cmname,
+                         const int* ndi, const int* nshr, const int* ntens, const int* nstatv, const double* props,
+                         const int* nprops, const double* coords, const double* drot, double* pnewdt,
+                         const double* celent, const double* dfgrd0, const double* dfgrd1, const int* noel,
+                         const int* npt, const int* layer, const int* kspt, const int* kstep, const int* kinc,
+                         std::size_t cmname_length);
 
-constexpr int strain_size = 6;                    // the state begins with the strain so far
-constexpr int ours[6] = {0, 1, 2, 5, 4, 3};       // 11 22 33 12 13 23 in xx yy zz yz xz xy; its own inverse
+constexpr int strain_size = 6;               // the state begins with the strain so far
+constexpr int ours[6] = {0, 1, 2, 5, 4, 3};  // 11 22 33 12 13 23 in xx yy zz yz xz xy; its own inverse
 const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 }  // namespace
@@ -45,9 +46,11 @@ void Umat::parameters(Parameters& p) {
   p.add("initial state", initial_state_, "as the subroutine says", any(), "STATEV at the start; left out: zeros");
   p.add("tensor state", tensor_state_, "-", positive(),
         "first positions, from 1, of tensors in STATEV with 6 components 11 22 33 12 13 23; mudline rotates them");
-  p.required("bulk modulus", bulk_, "Pa", positive(), "of the elastic response: wave speed, penalties, preconditioners; not seen by the subroutine");
+  p.required("bulk modulus", bulk_, "Pa", positive(),
+             "of the elastic response: wave speed, penalties, preconditioners; not seen by the subroutine");
   p.required("shear modulus", shear_, "Pa", positive(), "of the elastic response, for the same uses");
-  p.add("K0", k0_, "-", any(), "earth pressure coefficient at rest of a geostatic start; negative: the deck gives it there");
+  p.add("K0", k0_, "-", any(),
+        "earth pressure coefficient at rest of a geostatic start; negative: the deck gives it there");
   make_variables();
 }
 
@@ -57,7 +60,8 @@ void Umat::make_variables() {
   source_.clear();
   tensors_.clear();
   for (int i = 0; i < state_count_;) {
-    const bool tensor = std::find(tensor_state_.begin(), tensor_state_.end(), i + 1) != tensor_state_.end() && i + 6 <= state_count_;
+    const bool tensor =
+        std::find(tensor_state_.begin(), tensor_state_.end(), i + 1) != tensor_state_.end() && i + 6 <= state_count_;
     const std::string name = "statev " + std::to_string(i + 1);
     if (tensor) {
       tensors_.push_back(i);
@@ -75,12 +79,17 @@ void Umat::check(const Section& section) {
   if (components_ == 5) section.fail("5 is no number of stress components; allowed: 4, 6", "components");
   if (!initial_state_.empty() && static_cast<int>(initial_state_.size()) != state_count_)
     section.fail("expected " + std::to_string(state_count_) + " numbers (see 'state variables'), given " +
-                     std::to_string(initial_state_.size()), "initial state");
+                     std::to_string(initial_state_.size()),
+                 "initial state");
+  if (tensor_state_.size() > 7)
+    section.fail(std::to_string(tensor_state_.size()) + " tensors are more than can be rotated; allowed: up to 7",
+                 "tensor state");
   double free = 1;
   for (const double first : tensor_state_) {
     if (first != std::floor(first) || first < free || first + 5 > state_count_)
       section.fail("no six components from " + number_text(first) + " among " + std::to_string(state_count_) +
-                       " state variables behind the tensor before; positions must be whole and increase", "tensor state");
+                       " state variables behind the tensor before; positions must be whole and increase",
+                   "tensor state");
     free = first + 6;
   }
   handle_ = std::shared_ptr<void>(dlopen(library_.c_str(), RTLD_NOW | RTLD_LOCAL), [](void* h) {
@@ -89,8 +98,8 @@ void Umat::check(const Section& section) {
   if (!handle_) section.fail(std::string("the library cannot be loaded: ") + dlerror(), "library");
   routine_ = dlsym(handle_.get(), symbol_.c_str());
   if (routine_ == nullptr)
-    section.fail("the library '" + std::filesystem::path(library_).filename().string() + "' holds no subroutine '" + symbol_ +
-                     "'; compilers usually write UMAT as umat_",
+    section.fail("the library '" + std::filesystem::path(library_).filename().string() + "' holds no subroutine '" +
+                     symbol_ + "'; compilers usually write UMAT as umat_",
                  section.has_parameter("symbol") ? "symbol" : "library");
 }
 
@@ -122,9 +131,9 @@ bool Umat::update(const SkeletonWorkset& w, int point, Scratch& s) const {
   const double begin = w.time - w.dt, time[2] = {begin, begin}, zero[3] = {0, 0, 0}, celent = 1;
   const int ndi = 3, nshr = components_ - 3, one = 1, nprops = static_cast<int>(properties_.size());
   reinterpret_cast<Routine>(routine_)(
-      s.stress, s.statev.data(), s.ddsdde, &sse, &spd, &scd, &rpl, s.ddsddt, s.drplde, &drpldt, s.stran, s.dstran, time, &w.dt,
-      zero, zero, zero, zero, s.name.data(), &ndi, &nshr, &components_, &state_count_, s.props.data(), &nprops, zero, identity,
-      &pnewdt, &celent, identity, identity, &one, &one, &one, &one, &one, &one, s.name.size());
+      s.stress, s.statev.data(), s.ddsdde, &sse, &spd, &scd, &rpl, s.ddsddt, s.drplde, &drpldt, s.stran, s.dstran, time,
+      &w.dt, zero, zero, zero, zero, s.name.data(), &ndi, &nshr, &components_, &state_count_, s.props.data(), &nprops,
+      zero, identity, &pnewdt, &celent, identity, identity, &one, &one, &one, &one, &one, &one, s.name.size());
 
   for (int i = 0; i < 6; ++i) w.stress(point, ours[i]) = i < components_ ? s.stress[i] : w.stress_old(point, ours[i]);
   for (int i = 0; i < 6; ++i) w.state(point, i) = old[i] + (i < 3 ? 1.0 : 0.5) * w.strain(point, i);

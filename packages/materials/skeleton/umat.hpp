@@ -9,11 +9,12 @@
 
 namespace mudline {
 
-/// A user subroutine UMAT of the usual Fortran interface (Abaqus/Standard), loaded from a shared library: all arguments by
-/// reference, tension positive, order 11 22 33 12 13 23, engineering shear, column-major DDSDDE. Runs on the host, one
-/// point after the other, since such code often keeps data of its own.
+/// A user subroutine UMAT of the usual Fortran interface (Abaqus/Standard), loaded from a shared library: all arguments
+/// by reference, tension positive, order 11 22 33 12 13 23, engineering shear, column-major DDSDDE. Runs on the host,
+/// one point after the other, since such code often keeps data of its own.
 ///
-///   STRESS, STATEV  old values in, new ones out; the stress, the strains and the tensors of STATEV ("tensor state") have
+///   STRESS, STATEV  old values in, new ones out; the stress, the strains and the tensors of STATEV ("tensor state")
+///   have
 ///                   been rotated into the new configuration by mudline, so DROT is the identity
 ///   STRAN, DSTRAN   objective strain so far (kept as a state variable) and of the step
 ///   DDSDDE          must be the Jacobian of the stress update; it may be unsymmetric
@@ -46,7 +47,7 @@ class Umat : public Skeleton {
   double bulk_ = 0.0, shear_ = 0.0;  // [Pa]
   double k0_ = -1.0;
   std::vector<StateVariable> variables_;
-  std::vector<int> source_;          // component of the state (behind the strain) -> index in STATEV
+  std::vector<int> source_;  // component of the state (behind the strain) -> index in STATEV
   std::shared_ptr<void> handle_;
   void* routine_ = nullptr;
 };
