@@ -36,7 +36,7 @@ constexpr const char* column_deck = R"deck(<!-- A column under load, to be turne
 %S%      </ParameterList>
 %S%      <ParameterList name="permeability">
 %S%        <Parameter name="type" type="string" value="constant"/>           <!-- or kozeny-carman, log-linear -->
-%S%        <Parameter name="hydraulic conductivity" type="double" value="1e-7"/>
+%S%        <Parameter name="hydraulic conductivity" type="double" value="1e-5"/>
 %S%      </ParameterList>
     </ParameterList>
   </ParameterList>

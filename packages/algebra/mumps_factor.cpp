@@ -57,24 +57,38 @@ std::string describe(int code, int detail, long long size) {
 
 }  // namespace
 
-/// The MUMPS instance and the arrays it points into.
+/// The MUMPS instance and the arrays it points into. With one process, rank 0 holds all entries and the others none.
 struct MumpsFactor::Instance {
   DMUMPS_STRUC_C id{};
+  bool one_process = false, here = true;  // here: this rank takes part
+  MPI_Comm ranks = MPI_COMM_SELF;
+  std::vector<int> counts, offsets;  // entries of each rank, known where they are gathered
   std::vector<MUMPS_INT> rows, columns;
   std::vector<double> values;
+  std::size_t local_values = 0;
   RCP<const Map> owned, on_root;
   RCP<const Import> to_root;
   RCP<Vector> root_vector;
 
-  void run(int job) {
-    id.job = job;
-    dmumps_c(&id);
+  /// Runs a job; returns INFOG(1), the same on all ranks.
+  int run(int job) {
+    if (here) {
+      id.job = job;
+      dmumps_c(&id);
+    }
+    int outcome[2] = {id.infog[0], id.infog[1]};
+    if (one_process) MPI_Bcast(outcome, 2, MPI_INT, 0, ranks);
+    id.infog[0] = outcome[0];
+    id.infog[1] = outcome[1];
+    return code();
   }
   int& control(int i) { return id.icntl[i - 1]; }  // numbered as in the manual
   int code() const { return id.infog[0]; }
   std::string outcome() const { return code() < 0 ? describe(code(), id.infog[1], id.n) : std::string(); }
 
   void take_graph(const CrsMatrix& matrix);
+  void gather_graph();
+  void take_values(const CrsMatrix& matrix);
 };
 
 void MumpsFactor::Instance::take_graph(const CrsMatrix& matrix) {
@@ -91,6 +105,7 @@ void MumpsFactor::Instance::take_graph(const CrsMatrix& matrix) {
       columns.push_back(static_cast<MUMPS_INT>(column_map.getGlobalElement(local.graph.entries(k))) + 1);
     }
   }
+  local_values = entries;
   values.resize(entries);
 
   owned = matrix.getRowMap();
@@ -100,17 +115,49 @@ void MumpsFactor::Instance::take_graph(const CrsMatrix& matrix) {
   root_vector = rcp(new Vector(on_root));
 }
 
-MumpsFactor::MumpsFactor(const CrsMatrix& matrix) : instance_(std::make_unique<Instance>()) {
+void MumpsFactor::Instance::gather_graph() {
+  int size = 0;
+  MPI_Comm_size(ranks, &size);
+  counts.resize(size);
+  offsets.assign(size, 0);
+  const int mine = static_cast<int>(rows.size());
+  MPI_Gather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, ranks);
+  if (here)
+    for (int r = 1; r < size; ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
+  const std::size_t all = here ? offsets.back() + counts.back() : 0;
+  for (std::vector<MUMPS_INT>* ids : {&rows, &columns}) {
+    std::vector<MUMPS_INT> gathered(all);
+    MPI_Gatherv(ids->data(), mine, MPI_INT, gathered.data(), counts.data(), offsets.data(), MPI_INT, 0, ranks);
+    ids->swap(gathered);
+  }
+  values.resize(all);
+}
+
+void MumpsFactor::Instance::take_values(const CrsMatrix& matrix) {
+  const auto local = matrix.getLocalMatrixHost().values;
+  if (one_process)
+    MPI_Gatherv(local.data(), static_cast<int>(local_values), MPI_DOUBLE, values.data(), counts.data(), offsets.data(),
+                MPI_DOUBLE, 0, ranks);
+  else
+    std::copy_n(local.data(), local_values, values.begin());
+}
+
+MumpsFactor::MumpsFactor(const CrsMatrix& matrix, bool one_process) : instance_(std::make_unique<Instance>()) {
   Instance& mumps = *instance_;
   mumps.take_graph(matrix);
+  const Comm& comm = *mumps.owned->getComm();
+  mumps.ranks = raw_communicator(comm);
+  mumps.one_process = one_process && comm.getSize() > 1;
+  mumps.here = !mumps.one_process || comm.getRank() == 0;
+  if (mumps.one_process) mumps.gather_graph();
   mumps.id.par = 1;
   mumps.id.sym = 0;
-  mumps.id.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(raw_communicator(*mumps.owned->getComm())));
+  mumps.id.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(mumps.one_process ? MPI_COMM_SELF : mumps.ranks));
   mumps.run(job_start);
   for (const int silent : {1, 2, 3}) mumps.control(silent) = -1;
   mumps.control(4) = 0;
   mumps.control(5) = 0;    // assembled matrix
-  mumps.control(18) = 3;   // distributed entries
+  mumps.control(18) = 3;   // entries where they are
   mumps.control(28) = 1;   // sequential analysis
   mumps.control(7) = 7;    // ordering chosen by MUMPS
   mumps.control(14) = 30;  // workspace beyond the estimate [%]
@@ -128,8 +175,7 @@ MumpsFactor::~MumpsFactor() { instance_->run(job_end); }
 std::string MumpsFactor::factor(const CrsMatrix& matrix) {
   Instance& mumps = *instance_;
   if (!analysis_.empty()) return analysis_;
-  const auto local = matrix.getLocalMatrixHost();
-  std::copy_n(local.values.data(), mumps.values.size(), mumps.values.begin());
+  mumps.take_values(matrix);
   if (!all_finite(mumps.values, *mumps.owned->getComm())) return "the matrix holds a value that is not finite";
   mumps.run(job_factor);
   // Pivoting may need more room than the analysis foresaw.

@@ -11,8 +11,10 @@ namespace mudline {
 /// collective over the matrix' communicator; one that fails returns the reason, else "".
 class MumpsFactor {
  public:
-  /// Takes the graph of `matrix`, whose global ids are 0 .. N-1, and orders it (once per graph).
-  explicit MumpsFactor(const CrsMatrix& matrix);
+  /// Takes the graph of `matrix`, whose global ids are 0 .. N-1, and orders it (once per graph). On several ranks MUMPS
+  /// adds up in the order in which messages arrive, so the last digits differ from run to run; with `one_process` rank 0
+  /// factors and solves alone, and they do not.
+  MumpsFactor(const CrsMatrix& matrix, bool one_process);
   ~MumpsFactor();
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;

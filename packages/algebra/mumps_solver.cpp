@@ -20,7 +20,7 @@ constexpr int longest_wait = 15;
 /// The factors of one graph as an operator, the preconditioner of the reuse path.
 class FactorOperator : public Operator {
  public:
-  explicit FactorOperator(const CrsMatrix& matrix) : graph_(matrix.getCrsGraph()), factor_(matrix) {}
+  FactorOperator(const CrsMatrix& matrix, bool one_process) : graph_(matrix.getCrsGraph()), factor_(matrix, one_process) {}
   bool fits(const CrsMatrix& matrix) const { return graph_ == matrix.getCrsGraph(); }
   std::string factor(const CrsMatrix& matrix) { return factor_.factor(matrix); }
   RCP<const Map> getDomainMap() const override { return graph_->getRowMap(); }
@@ -41,6 +41,9 @@ void MumpsSolver::parameters(Parameters& p) {
   p.add(
       "reuse iterations", reuse_iterations_, "-", closed(1, 100),
       "Iterations with an old factorisation after which the matrix is factored anew; a factorisation costs about ten");
+  p.add("reproducible", reproducible_,
+        "On several ranks, factor on the first alone, so that a repeated run gives the same bits; false: on all ranks, which is "
+        "faster for large problems but differs in the last digits from run to run");
 }
 
 std::string MumpsSolver::prepare(RCP<const DofMap> dofs) {
@@ -63,7 +66,7 @@ void MumpsSolver::reset() {
 }
 
 std::string MumpsSolver::factor() {
-  if (factor_.is_null() || !factor_->fits(*matrix_)) factor_ = rcp(new FactorOperator(*matrix_));
+  if (factor_.is_null() || !factor_->fits(*matrix_)) factor_ = rcp(new FactorOperator(*matrix_, reproducible_));
   const std::string reason = factor_->factor(*matrix_);
   factored_ = current_ = reason.empty();
   helped_ = false;

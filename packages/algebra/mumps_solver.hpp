@@ -34,7 +34,7 @@ class MumpsSolver : public LinearSolver {
   LinearReport solve_by_factor(const Vector& b, Vector& x, double tolerance);
 
   std::vector<double> factored_values_;  // local values of the matrix that factor_ belongs to
-  bool reuse_ = true;
+  bool reuse_ = true, reproducible_ = true;
   int reuse_iterations_ = 8;
   RCP<const DofMap> dofs_;
   RCP<const CrsMatrix> matrix_;

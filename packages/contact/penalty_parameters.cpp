@@ -76,14 +76,15 @@ void PenaltyContact::check_overlap(const Section& section) const {
   double everywhere = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, deepest, Teuchos::outArg(everywhere));
   const double edge = surface_->shortest(x);
-  if (-everywhere <= edge) return;
+  // A side that is straight between its nodes reaches a little into a round contour that it follows.
+  if (-everywhere <= 0.5 * edge) return;
   const int mine = deepest == everywhere ? comm.getRank() : comm.getSize();
   int teller = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(teller));
   Teuchos::broadcast(comm, teller, 2, worst);
   char text[160];
   std::snprintf(text, sizeof text,
-                "' overlaps the surface by %.4g m at (%.6g, %.6g) at the start, more than its shortest side, %.4g m; "
+                "' overlaps the surface by %.4g m at (%.6g, %.6g) at the start, more than half of its shortest side, %.4g m; "
                 "move its 'position'",
                 -everywhere, worst[0], worst[1], edge);
   section.fail("body '" + deck_.body + text, "body");

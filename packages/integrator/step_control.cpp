@@ -9,7 +9,7 @@ void StepControl::parameters(Parameters& p) {
   p.required("initial", initial, "s", positive(), "first step of the stage");
   p.add("minimum", minimum, "s", non_negative(), "the run ends when a failing step would be cut below this; 0: initial * 1e-6");
   p.add("maximum", maximum, "s", non_negative(), "largest step; 0: the stage's duration");
-  p.add("growth", growth, "-", closed(1, 10), "factor after an easy step; 1 keeps the step constant");
+  p.add("growth", growth, "-", closed(1, 10), "factor after an easy step; 1 keeps the initial step, to which it returns after a cut");
   p.add("cut", cut, "-", open(0, 1), "factor after a failed or a hard step");
   p.add("easy iterations", easy_iterations, "-", closed(1, 1000), "the step grows when Newton took no more iterations");
   p.add("hard iterations", hard_iterations, "-", closed(1, 1000), "the step shrinks when Newton took more iterations");
@@ -31,7 +31,7 @@ void StepControl::complete(double duration) {
 
 double StepControl::after_success(double dt, int iterations, double error) const {
   double factor = 1;
-  if (iterations <= easy_iterations) factor = growth;
+  if (iterations <= easy_iterations) factor = growth == 1 && dt < initial ? std::min(1 / cut, initial / dt) : growth;
   if (iterations > hard_iterations) factor = cut;
   if (error_tolerance > 0 && error > 0) {
     const double wanted = std::clamp(0.9 / std::cbrt(error), 0.25, 2.0);

@@ -310,8 +310,9 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
 
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
   Vector x = begin(request, tolerances);
+  const int predicted = predict(x) ? 1 : 0;
   const NewtonReport solved = newton_solve(*this, newton, x);
-  StepReport report{solved.converged, solved.iterations, linear_iterations_, factorisations_, solved.reason};
+  StepReport report{solved.converged, solved.iterations + predicted, linear_iterations_, factorisations_, solved.reason};
   if (!solved.converged) {
     if (!failure_.empty()) report.reason = failure_;
     solver_.reset();

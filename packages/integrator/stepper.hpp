@@ -94,6 +94,9 @@ class Stepper : public NonlinearProblem {
   std::vector<double> update_ratios(const Vector& dx, const Vector& x) override;
 
  private:
+  /// Where prescribed unknowns move, replaces the guess `x` (the others left behind, which folds or yields the elements in
+  /// between when the motion is large) by the linear answer of the committed state to it. False where it leaves x alone.
+  bool predict(Vector& x);
   void prepare_view(const StepRequest& request);
   void set_sensitivities();
   void constrain(const StepRequest& request);

@@ -75,6 +75,17 @@ KOKKOS_INLINE_FUNCTION void gather(const Kokkos::View<int**, Kokkos::LayoutRight
   }
 }
 
+/// Displacement of one element's nodes between two states; its columns come first among the element's dofs.
+template <int N>
+KOKKOS_INLINE_FUNCTION void gather_increment(const ElementDofs& dofs, int e, const ConstNodalView& from, const ConstNodalView& to,
+                                             double (&du)[N][2]) {
+  for (int a = 0; a < N; ++a)
+    for (int i = 0; i < 2; ++i) {
+      const int dof = dofs(e, 2 * a + i);
+      du[a][i] = to(dof) - from(dof);
+    }
+}
+
 /// Gathers `N` values starting at column `first` of the element's dofs.
 template <int N>
 KOKKOS_INLINE_FUNCTION void gather(const ElementDofs& dofs, int e, int first, const ConstNodalView& from, double (&v)[N]) {

@@ -129,23 +129,7 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
   for (const Section& entry : collection(section)) {
     const ContactContext context{*space_, bodies_, [this](int block, int element) { return constrained_modulus(block, element); }};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
-    check_overlap(deck, entry);
   }
-}
-
-/// A body inside the soil at the start would be thrown out by the penalty; the author meant another position.
-void Model::check_overlap(const Section& deck, const Section& contact) const {
-  const RigidBody& body = *bodies_.at(contact.text("body"));
-  const auto& x = mesh_->coordinates();
-  const double size = std::max(mesh_->bounds()[1] - mesh_->bounds()[0], mesh_->bounds()[3] - mesh_->bounds()[2]);
-  double deepest = 0;
-  for (int node : mesh_->nodes_of_set(contact.text("surface")))
-    deepest = std::max(deepest, -body.closest(body.initial_position(), {x(node, 0), x(node, 1)}).gap);
-  deepest = max_over_ranks(*mesh_->comm(), deepest);
-  if (deepest <= 1e-6 * size) return;
-  char depth[32];
-  std::snprintf(depth, sizeof depth, "%.3g m", deepest);
-  deck.section("bodies").section(body.name()).fail("reaches " + std::string(depth) + " into the soil's surface '" + contact.text("surface") + "' at the start; it may touch it", "position");
 }
 
 void Model::read_stages(const Section& deck, const Registries& registries) {

@@ -45,7 +45,6 @@ class Model {
   void read_conditions(const Section& deck, const Registries& registries);
   void read_bodies(const Section& deck, const Registries& registries);
   void read_contacts(const Section& deck, const Registries& registries);
-  void check_overlap(const Section& deck, const Section& contact) const;
   void read_stages(const Section& deck, const Registries& registries);
   void read_solver(const Section& deck, const Registries& registries);
   void check_contradictions(const Section& deck) const;

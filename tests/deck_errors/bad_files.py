@@ -73,7 +73,7 @@ DECKS = [
          "flat, or its sides are too curved", path="mesh", at=section("mesh"), ranks=BOTH),
     plugin("plugin missing", "my_clay.so", "plugin 'my_clay.so' does not exist (looked for {folder}/my_clay.so)", ranks=BOTH),
     plugin("no shared library", "my_clay.so", "plugin 'my_clay.so' cannot be loaded: {folder}/my_clay.so: file too short", content="text"),
-    setting("set: section", "stages/pusch/duration=1", "stages/pusch: unknown section (did you mean 'push'?)"),
+    setting("set: section", "stages/pusch/duration=1", "stages/pusch: the deck has no such section (did you mean 'push'?)"),
     setting("set: parameter", "stages/push/durations=3", "stages/push/durations: unknown parameter (did you mean 'duration'?)", ranks=BOTH),
     setting("set: no value", "stages/push/duration", "expected section/parameter=value, such as stages/push/duration=2.0"),
     setting("set: wrong type", "stages/push/duration=long", "stages/push/duration: expected a number (double), given the string 'long'"),

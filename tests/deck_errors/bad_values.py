@@ -121,8 +121,9 @@ DECKS = [
                                        section("surcharge") + '\n      <Parameter name="type" type="string" value="pore pressure"/>'),
           "boundary conditions/surcharge: contradicts 'drained surface' on a shared node: pore pressure is prescribed as 0 and as 20000 "
           "in stage 'geostatic'", ranks=BOTH),
-    Wrong("body in the soil", ("{0.0, 0.3}", "{0.0, 0.29}"),
-          "bodies/ball/position: reaches 0.01 m into the soil's surface 'top' at the start; it may touch it", ranks=BOTH),
+    Wrong("body in the soil", ("{0.0, 0.3}", "{0.0, 0.2}"),
+          "contacts/ball on clay/body: body 'ball' overlaps the surface by 0.1 m at (0, 0.3) at the start, more than half of its "
+          "shortest side, 0.1 m; move its 'position'", at=parameter("body", "string", "ball"), ranks=BOTH),
     Wrong("quasi-static with inertia", ('value="dynamic"', 'value="quasi-static"'),
           "stages/push/integrator/type: a quasi-static stage takes the integrator 'theta'", at=parameter("type", "string", "generalised alpha")),
     Wrong("dynamic without inertia", (parameter("type", "string", "generalised alpha") + "\n        " +

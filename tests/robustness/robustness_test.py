@@ -1,4 +1,5 @@
 """How the program ends: exit codes 0, 3 and 4, what is left on the disc then; and its own help."""
+import math
 import os
 import signal
 import subprocess
@@ -111,13 +112,23 @@ class Help(MudlineCase):
                 self.assertIn(f"{name} ({kind})", text)
                 # comments and sections of the template are well-formed XML
                 tree.fromstring(self.said("template", name))
-                self.assertIn(name, self.said("list", kind))
+        for kind in {kind for kind, _ in names}:
+            listed = self.said("list", kind)
+            for name in [name for of, name in names if of == kind]:
+                self.assertIn(name, listed)
 
     def test_template_deck(self):
         for physics in ("biot", "solid"):
-            deck = tree.fromstring(self.said("template", physics))
-            self.assertEqual([s.get("name") for s in deck.findall("ParameterList")],
-                             ["mesh", "materials", "physics", "boundary conditions", "stages", "solver"])
+            text = self.said("template", physics)
+            self.assertEqual([s.get("name") for s in tree.fromstring(text).findall("ParameterList")],
+                             ["mesh", "materials", "physics", "boundary conditions", "stages", "output"])
+            self.said("run", self.write(physics + ".xml", text))
+            # one-dimensional compression, q h / M with M = E (1 - nu)/((1 + nu)(1 - 2 nu)); as long as the base does not feel the
+            # drainage, Terzaghi's settlement is 2 q/M sqrt(c t/pi)
+            settlement = -History(os.path.join(self.folder, "results", physics + ".csv"))["probe/top/displacement y"][-1]
+            modulus = 1e7 * 0.7 / (1.3 * 0.4)
+            depth = 10 if physics == "solid" else 2 * (1e-5 * modulus / 9.81e3 * 100 / math.pi) ** 0.5
+            self.assertAlmostEqual(settlement / (1e4 * depth / modulus), 1, delta=5e-3 if physics == "solid" else 0.1)
 
     def test_reference(self):
         self.assertIn("## modified cam clay (skeleton)", self.said("list", "--markdown"))

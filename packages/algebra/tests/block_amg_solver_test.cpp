@@ -114,7 +114,7 @@ TEST(LinearSolvers, AreRegistered) {
   Registry<LinearSolver> registry("linear solver");
   register_linear_solvers(registry);
   EXPECT_EQ(registry.names(), (std::vector<std::string>{"direct", "block amg"}));
-  for (const EntryDoc& entry : registry.document()) EXPECT_EQ(entry.parameters.size(), 2u) << entry.name;
+  for (const EntryDoc& entry : registry.document()) EXPECT_GE(entry.parameters.size(), 2u) << entry.name;
 }
 
 }  // namespace

@@ -19,14 +19,22 @@ void configure(Solver& solver, Teuchos::ParameterList& list) {
   p.finish();
 }
 
+/// "direct", factored by one process or by all.
+inline void configure_direct(MumpsSolver& solver, bool reproducible) {
+  Teuchos::ParameterList list;
+  list.set("reproducible", reproducible);
+  configure(solver, list);
+}
+
 /// Fresh factors for a new matrix each time, one graph.
-inline void check_direct() {
+inline void check_direct(bool reproducible = true) {
   model::Settings settings;
   settings.cells = 12;
   model::Problem problem(settings, Tpetra::getDefaultComm());
   const Vector b = rough_load(problem);
   Vector x(problem.dofs()->owned());
   MumpsSolver solver;
+  configure_direct(solver, reproducible);
   ASSERT_EQ(solver.prepare(problem.dofs()), "");
   for (const double dt : {1e-1, 1e-3, 1e2}) {
     problem.settings().dt = dt;
@@ -78,7 +86,7 @@ inline void check_reuse() {
   EXPECT_TRUE(solve_with(1.0).factored);
 }
 
-inline void check_singular() {
+inline void check_singular(bool reproducible = true) {
   // Two free dofs joined by a spring: a rigid-body motion.
   const auto comm = Tpetra::getDefaultComm();
   const bool first = comm->getRank() == 0;
@@ -91,6 +99,7 @@ inline void check_singular() {
   const int group = assembler.add_group(elements);
   assembler.finalise();
   MumpsSolver solver;
+  configure_direct(solver, reproducible);
   ASSERT_EQ(solver.prepare(dofs), "");
   Vector b(dofs->owned()), x(dofs->owned());
   if (first) b.replaceLocalValue(0, 1.0);

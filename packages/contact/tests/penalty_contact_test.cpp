@@ -349,7 +349,7 @@ TEST(PenaltyContact, WrongEntriesAreNamed) {
   has(error(plate_xml(-0.3), contact_parameters("nodes", eps)),
       "contacts/c/body: body 'b' overlaps the surface by 0.3 m at (");
   has(error(plate_xml(-0.3), contact_parameters("nodes", eps)),
-      ", 0) at the start, more than its shortest side, 0.25 m; move its 'position'");
+      ", 0) at the start, more than half of its shortest side, 0.25 m; move its 'position'");
   has(error(plate_xml(0),
             text_parameter("body", "b") + text_parameter("surface", "surfaces") + number_parameter("penalty", eps)),
       "contacts/c/surface: unknown side set 'surfaces' (did you mean 'surface'?)");

@@ -200,10 +200,14 @@ TEST_F(Overlay, SetInfersTheTypeOfWhatIsNew) {
   EXPECT_EQ(list.get<std::string>("s"), "some = words");
 }
 
+TEST_F(Overlay, SetBringsInAWholeSection) {
+  deck.set("solver/newton/maximum iterations=7");
+  EXPECT_EQ(deck.list().sublist("solver").sublist("newton").get<int>("maximum iterations"), 7);
+}
+
 TEST_F(Overlay, SetErrors) {
   EXPECT_EQ(set_error("stages/psh/duration=2"),
-            "--set stages/psh/duration=2: stages/psh: unknown section (did you mean 'push'?)");
-  EXPECT_EQ(set_error("mesh/size=2"), "--set mesh/size=2: mesh: unknown section; allowed: stages");
+            "--set stages/psh/duration=2: stages/psh: the deck has no such section (did you mean 'push'?)");
   EXPECT_EQ(set_error("stages/push=2"), "--set stages/push=2: stages/push: a section; only parameters can be set");
   EXPECT_EQ(set_error("stages"), "--set stages: expected section/parameter=value, such as stages/push/duration=2.0");
   EXPECT_EQ(set_error("stages//duration=2"), "--set stages//duration=2: a name of the path before '=' is empty");

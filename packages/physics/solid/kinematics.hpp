@@ -12,6 +12,8 @@ namespace mudline {
 /// the skeleton's volume strain is the one that the void ratio and the pore water see, whatever the size of the step.
 /// sym H has the axes of the midpoint: it is turned on by half the angle to those of the end, where stress and state are.
 /// Without that the stress would be of first order only in the step where strain and rotation come together.
+/// Everything is built from the increments of displacement, not from differences of positions: strains of 1e-12 would drown
+/// in the rounding of coordinates.
 template <int N>
 struct IncrementKinematics {
   double g[N][2];      // dN/dx at the midpoint [1/m]
@@ -22,11 +24,12 @@ struct IncrementKinematics {
   double cosine, sine; // of the rotation
   double half_cosine, half_sine;  // of half of it
   double increment[4]; // strain xx yy zz(hoop) xy (engineering shear), axes of the end
-  double volume_ratio; // J = dv_{n+1} / dv_n
+  double log_volume;   // ln J, J = dv_{n+1} / dv_n
   bool ok;
 
-  KOKKOS_INLINE_FUNCTION void compute(const double (&x_old)[N][2], const double (&x_end)[N][2], const double* dN,
-                                      const double* shape, bool axisymmetric) {
+  /// du: the nodes' displacement of the step, x_end - x_old without its rounding.
+  KOKKOS_INLINE_FUNCTION void compute(const double (&x_old)[N][2], const double (&x_end)[N][2], const double (&du)[N][2],
+                                      const double* dN, const double* shape, bool axisymmetric) {
     double middle[N][2];
     for (int a = 0; a < N; ++a)
       for (int i = 0; i < 2; ++i) middle[a][i] = 0.5 * (x_old[a][i] + x_end[a][i]);
@@ -35,22 +38,21 @@ struct IncrementKinematics {
     at_end.compute(x_end, dN, shape, axisymmetric);
     at_middle.compute(middle, dN, shape, axisymmetric);
     ok = at_end.ok && at_middle.ok && at_old.ok;
-    volume_ratio = ok ? at_end.det * at_end.r / (at_old.det * at_old.r) : 1.0;
     H[0][0] = H[0][1] = H[1][0] = H[1][1] = hoop = 0;
     for (int a = 0; a < N; ++a) {
-      const double du = x_end[a][0] - x_old[a][0], dv = x_end[a][1] - x_old[a][1];
       g[a][0] = at_middle.g[a][0];
       g[a][1] = at_middle.g[a][1];
       g_end[a][0] = at_end.g[a][0];
       g_end[a][1] = at_end.g[a][1];
       shape_over_r[a] = axisymmetric && ok ? shape[a] / at_middle.r : 0.0;
       shape_over_r_end[a] = axisymmetric && ok ? shape[a] / at_end.r : 0.0;
-      H[0][0] += du * g[a][0];
-      H[0][1] += du * g[a][1];
-      H[1][0] += dv * g[a][0];
-      H[1][1] += dv * g[a][1];
-      hoop += du * shape_over_r[a];
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) H[i][j] += du[a][i] * g[a][j];
+      hoop += du[a][0] * shape_over_r[a];
     }
+    // exactly: dx_{n+1} = (I + H/2) dx_{n+1/2} and dx_n = (I - H/2) dx_{n+1/2}
+    const double half_trace = 0.5 * (H[0][0] + H[1][1]), quarter = 0.25 * (H[0][0] * H[1][1] - H[0][1] * H[1][0]);
+    log_volume = ok ? ::log1p(quarter + half_trace) - ::log1p(quarter - half_trace) + ::log1p(0.5 * hoop) - ::log1p(-0.5 * hoop) : 0.0;
     spin = 0.5 * (H[1][0] - H[0][1]);
     const double q = 1 + 0.25 * spin * spin;
     cosine = (1 - 0.25 * spin * spin) / q;
@@ -61,7 +63,7 @@ struct IncrementKinematics {
     increment[1] = H[1][1];
     increment[2] = hoop;
     increment[3] = H[0][1] + H[1][0];
-    const double shift = (std::log(volume_ratio) - (increment[0] + increment[1] + increment[2])) / 3;
+    const double shift = (log_volume - (increment[0] + increment[1] + increment[2])) / 3;
     for (int i = 0; i < 3; ++i) increment[i] += shift;
     turn_half(increment);
   }

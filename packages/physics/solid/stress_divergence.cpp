@@ -33,12 +33,12 @@ struct StressKernel {
   ElementDofs dofs;
   PointView stress;
   ConstCoordinateView x_old, x_end;
-  ConstNodalView value;
+  ConstNodalView value_old, value;
 
   StressKernel(const Soil& soil, const SoilBlock& b, const StepView& view)
       : axisymmetric(soil.axisymmetric), points(b.points), alpha(b.material->biot_coefficient), weights(b.u.weights), N(b.u.N),
         Np(b.p.N), dN(b.u.dN), nodes(b.nodes), dofs(b.dofs), stress(view.trial->arrays[b.stress]), x_old(view.x_old),
-        x_end(view.x_end), value(view.value_end) {}
+        x_end(view.x_end), value_old(view.value_old), value(view.value_end) {}
 
   KOKKOS_INLINE_FUNCTION void gather_pressure(int e, double (&p)[NP > 0 ? NP : 1]) const {
     p[0] = 0;
@@ -65,13 +65,13 @@ struct StressKernel {
   }
 
   /// Adds one point to the element tangent. D: 36 values of the law.
-  KOKKOS_INLINE_FUNCTION void tangent_point(int q, const double (&xo)[NU][2], const double (&x)[NU][2], const double* p,
-                                            const double* effective, const double* D, double (&k)[2 * NU][2 * NU],
-                                            double (&kp)[2 * NU][NP > 0 ? NP : 1]) const {
+  KOKKOS_INLINE_FUNCTION void tangent_point(int q, const double (&xo)[NU][2], const double (&x)[NU][2], const double (&du)[NU][2],
+                                            const double* p, const double* effective, const double* D,
+                                            double (&k)[2 * NU][2 * NU], double (&kp)[2 * NU][NP > 0 ? NP : 1]) const {
     PointGeometry<NU> at;
     at.compute(x, &dN(q, 0, 0), &N(q, 0), axisymmetric);
     IncrementKinematics<NU> inc;
-    inc.compute(xo, x, &dN(q, 0, 0), &N(q, 0), axisymmetric);
+    inc.compute(xo, x, du, &dN(q, 0, 0), &N(q, 0), axisymmetric);
     double s[4], de0[4];
     total_stress<NP>(effective, NP > 0 ? &Np(q, 0) : nullptr, p, alpha, s);
     inc.strain(de0);
@@ -121,12 +121,13 @@ struct StressKernel {
   }
 
   KOKKOS_INLINE_FUNCTION void tangent(int e, const PointView& D, int first, const MatrixScatter& to, double weight) const {
-    double xo[NU][2], x[NU][2], p[NP > 0 ? NP : 1], k[2 * NU][2 * NU] = {{0}}, kp[2 * NU][NP > 0 ? NP : 1] = {{0}};
+    double xo[NU][2], x[NU][2], du[NU][2], p[NP > 0 ? NP : 1], k[2 * NU][2 * NU] = {{0}}, kp[2 * NU][NP > 0 ? NP : 1] = {{0}};
     gather<NU>(nodes, e, x_old, xo);
     gather<NU>(nodes, e, x_end, x);
+    gather_increment<NU>(dofs, e, value_old, value, du);
     gather_pressure(e, p);
     for (int q = 0; q < points; ++q)
-      tangent_point(q, xo, x, p, &stress(e * points + q, 0), &D((e - first) * points + q, 0), k, kp);
+      tangent_point(q, xo, x, du, p, &stress(e * points + q, 0), &D((e - first) * points + q, 0), k, kp);
     scatter_matrix<2 * NU, 2 * NU>(to, e, 0, 0, k, weight);
     if constexpr (NP > 0) scatter_matrix<2 * NU, NP>(to, e, 0, 2 * NU, kp, weight);
   }

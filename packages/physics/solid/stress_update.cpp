@@ -45,9 +45,10 @@ int StressUpdate::kinematics(const StepView& view, int first, int last) {
   Kokkos::parallel_reduce(
       "kinematics", Kokkos::RangePolicy<>(first, last),
       KOKKOS_LAMBDA(int e, int& failures) {
-        double x_old[NU][2], x_end[NU][2];
+        double x_old[NU][2], x_end[NU][2], du[NU][2];
         gather<NU>(nodes, e, view.x_old, x_old);
         gather<NU>(nodes, e, view.x_end, x_end);
+        gather_increment<NU>(dofs, e, view.value_old, view.value_end, du);
         double p_change[NP > 0 ? NP : 1] = {0};
         if constexpr (NP > 0)
           if (grain_compliance > 0)
@@ -57,7 +58,7 @@ int StressUpdate::kinematics(const StepView& view, int first, int last) {
             }
         for (int q = 0; q < points; ++q) {
           IncrementKinematics<NU> k;
-          k.compute(x_old, x_end, &dN(q, 0, 0), &N(q, 0), axisymmetric);
+          k.compute(x_old, x_end, du, &dN(q, 0, 0), &N(q, 0), axisymmetric);
           const int row = e * points + q, i = (e - first) * points + q;
           double de[4] = {0, 0, 0, 0};
           if (k.ok)
@@ -75,7 +76,7 @@ int StressUpdate::kinematics(const StepView& view, int first, int last) {
           if constexpr (NP > 0)
             for (int c = 0; c < NP; ++c) dp += Np(q, c) * p_change[c];
           const double n_old = e_old(row, 0) / (1 + e_old(row, 0));
-          const double n = alpha - (alpha - n_old) * std::exp(-(std::log(k.ok ? k.volume_ratio : 1.0) + dp * grain_compliance));
+          const double n = alpha - (alpha - n_old) * std::exp(-(k.log_volume + dp * grain_compliance));
           e_new(row, 0) = n / (1 - n);
           e_new(row, 1) = e_old(row, 1);
         }
