@@ -46,13 +46,14 @@ def point_figure(tests):
         strain = {frozenset([True]): "shear strain [%]", frozenset([False]): "axial strain [%]"}.get(
             frozenset(kinds), "axial or shear strain [%]"
         )
-        for name, c in curves.items():
+        for k, (name, c) in enumerate(curves.items()):
+            line_style = ("-", "--", ":")[k // 6 % 3]  # there are six colours
             pairs = [(c.mean, c.deviator), (c.strain, c.deviator), (c.mean, c.void_ratio), (c.strain, c.pressure)]
             colour = None
             for ax, (x, y) in zip(axes.flat, pairs):
                 if y is None:  # drained
                     continue
-                (line,) = ax.plot(x, y, label=name, color=colour)
+                (line,) = ax.plot(x, y, line_style, label=name, color=colour)
                 colour = line.get_color()
                 ax.plot(x[:1], y[:1], "o", markersize=3.5, color=colour)
         labels = [
