@@ -78,9 +78,8 @@ int explain(const std::string& name, const std::string& plugin) {
   return 0;
 }
 
-int report(const std::vector<std::string>& arguments) {
+std::vector<std::string> report_command(const std::vector<std::string>& arguments) {
   // Beside the program: in the source tree, or in share/ of an installation.
-  if (!root()) return 0;
   std::vector<std::string> places;
   if (const char* given = std::getenv("MUDLINE_REPORT")) places.push_back(given);
   places.push_back(MUDLINE_REPORT_SOURCE);
@@ -88,15 +87,21 @@ int report(const std::vector<std::string>& arguments) {
   places.push_back((self.parent_path().parent_path() / "share/mudline/report/mudline_report.py").string());
   for (const std::string& script : places) {
     if (!std::filesystem::exists(script)) continue;
-    std::string python = std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
-    std::vector<char*> argv{python.data(), const_cast<char*>(script.c_str())};
-    std::vector<std::string> copy = arguments;
-    for (std::string& a : copy) argv.push_back(a.data());
-    argv.push_back(nullptr);
-    execvp(python.c_str(), argv.data());
-    throw std::runtime_error("python3 cannot be started; install python3, python3-h5py and python3-matplotlib");
+    std::vector<std::string> command{std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3", script};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return command;
   }
   throw std::runtime_error("the report script is not installed");
+}
+
+int report(const std::vector<std::string>& arguments) {
+  if (!root()) return 0;
+  std::vector<std::string> command = report_command(arguments);
+  std::vector<char*> argv;
+  for (std::string& word : command) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  execvp(argv[0], argv.data());
+  throw std::runtime_error("python3 cannot be started; install python3, python3-h5py and python3-matplotlib");
 }
 
 int version() {

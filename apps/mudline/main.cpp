@@ -66,6 +66,13 @@ int dispatch(int argc, char** argv, bool root) {
   run_command->footer("exit codes: 0 done, 2 input error, 3 no convergence (last state saved), 4 stopped by a signal (saved), 1 anything else\n"
                       "example: mudline run deck.xml --set \"solver/residual tolerance=1e-8\"");
 
+  cli::PointCommand point;
+  auto* point_command = app.add_subcommand("point", "run the material-point tests of a deck: oedometer, triaxial, simple shear, ...");
+  add_deck_options(*point_command, point.deck);
+  point_command->add_flag("--conformance", point.conformance, "instead check that the deck's skeleton laws keep to the rules for laws");
+  point_command->add_option("--png", point.png, "draw all tests into this PNG file: q-p', q and u over axial strain, e over log p'");
+  point_command->footer("example: mudline point inputs/point/mcc_triaxial.xml --png triaxial.png");
+
   cli::DeckOptions check;
   auto* check_command = app.add_subcommand("check", "read a deck and its mesh and report errors, without running");
   add_deck_options(*check_command, check);
@@ -112,6 +119,7 @@ int dispatch(int argc, char** argv, bool root) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   log::configure(rank, quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);
   if (*run_command) return cli::run(run);
+  if (*point_command) return cli::point(point);
   if (*check_command) return cli::check(check);
   if (*list_command) return cli::list(kind, markdown, xsd, plugin);
   if (*explain_command) return cli::explain(name, plugin);

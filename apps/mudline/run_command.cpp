@@ -1,10 +1,7 @@
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "commands.hpp"
 #include "core/deck.hpp"
@@ -17,26 +14,6 @@
 namespace mudline::cli {
 
 namespace {
-
-/// Rank 0 reads, everybody gets the text; a missing file is an error on every rank alike.
-std::string read_everywhere(const Comm& comm, const std::string& path) {
-  std::string text;
-  int length = -1;
-  if (comm.getRank() == 0) {
-    std::ifstream file(path, std::ios::binary);
-    if (file && !std::filesystem::is_directory(path)) {
-      std::ostringstream buffer;
-      buffer << file.rdbuf();
-      text = buffer.str();
-      length = static_cast<int>(text.size());
-    }
-  }
-  Teuchos::broadcast(comm, 0, 1, &length);
-  if (length < 0) throw InputError(path + ": the deck does not exist or cannot be read");
-  text.resize(length);
-  if (length > 0) Teuchos::broadcast(comm, 0, length, text.data());
-  return text;
-}
 
 /// A deck with everything that reading it needs; lives as long as the model.
 struct Loaded {
@@ -72,10 +49,11 @@ void make_folder(const Loaded& loaded) {
 std::unique_ptr<Loaded> load(const DeckOptions& options) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
-  for (const std::string& path : options.decks) loaded->deck.overlay(read_everywhere(*comm, path), path);
-  for (const std::string& setting : options.settings) loaded->deck.set(setting);
+  read_deck(options, loaded->deck);
   register_all(loaded->registries);
   loaded->root = std::make_unique<Section>(loaded->deck.root());
+  if (loaded->root->has_section("tests"))
+    loaded->root->fail("tests of material points are no part of a run; `mudline point` runs them", "tests");
   loaded->root->allow_parameters({});
   loaded->root->allow_sections(deck_sections());
   load_plugins(loaded->root->section("plugins"), loaded->registries);
@@ -110,6 +88,11 @@ int run(const RunCommand& command) {
 }
 
 int check(const DeckOptions& options) {
+  {
+    Deck deck;
+    read_deck(options, deck);
+    if (is_point_deck(deck.root())) return check_point(options);
+  }
   const auto loaded = load(options);
   describe(*loaded->model);
   std::string stages;

@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import report_pictures as pictures
+import report_point
 from report_result import FieldResult, History, ReportError, find_files, text
 
 FAVOURITES = [
@@ -230,6 +231,9 @@ def build(options, gallery):
     elif options.fields or options.times:
         raise ReportError(f"{options.result}: no step with fields was written")
     if history is not None and len(history.time):
+        if report_point.is_point(history):
+            figure = report_point.point_figure({stem.name: history})
+            sections.append(("Test", f"<div class=row>{gallery.add(figure, 'material point', True)}</div>"))
         sections.append(("Histories", history_section(history, spans, gallery)))
         sections.append(("Balances", balance_table(history)))
     long_texts = {key: value for key, value in metadata.items() if "\n" in value or len(value) >= 200}
@@ -318,6 +322,14 @@ def build_patiently(options):
 
 
 def main(arguments=None):
+    arguments = sys.argv[1:] if arguments is None else arguments
+    if arguments[:1] == ["--point"]:  # from `mudline point --png`
+        try:
+            print(report_point.draw(arguments[1:]))
+        except (ReportError, OSError) as error:
+            print(f"mudline report: {error}", file=sys.stderr)
+            return 2
+        return 0
     options = parse(arguments)
     try:
         output, written = build_patiently(options)

@@ -64,7 +64,14 @@ class PointwiseSkeleton : public Skeleton {
           in.dt = w.dt;
           in.want_tangent = w.want_tangent;
           SkeletonResponse out;
-          const bool ok = law(in, w.state_old.data() + i * w.state_old.extent(1), w.state.data() + i * w.state.extent(1), out);
+          const double* state_old = w.state_old.data() + i * w.state_old.extent(1);
+          double* state = w.state.data() + i * w.state.extent(1);
+          const bool ok = law(in, state_old, state, out);
+          if (!ok) {  // a failed point shows its old state, so that nothing undefined gets about
+            for (int c = 0; c < 6; ++c) out.stress[c] = in.stress[c];
+            for (int c = 0; c < 36; ++c) out.tangent[c] = 0.0;
+            for (std::size_t c = 0; c < w.state.extent(1); ++c) state[c] = state_old[c];
+          }
           for (int c = 0; c < 6; ++c) w.stress(i, c) = out.stress[c];
           if (w.want_tangent)
             for (int c = 0; c < 36; ++c) w.tangent(i, c) = out.tangent[c];

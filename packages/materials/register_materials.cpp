@@ -6,6 +6,7 @@
 #include "materials/permeability/log_linear.hpp"
 #include "materials/skeleton/linear_elastic.hpp"
 #include "materials/skeleton/modified_cam_clay.hpp"
+#include "materials/skeleton/umat.hpp"
 
 namespace mudline {
 
@@ -14,6 +15,7 @@ void register_materials(Registry<Skeleton>& skeletons, Registry<Fluid>& fluids,
   skeletons.add<PointwiseSkeleton<LinearElastic>>("linear elastic", "Isotropic linear elasticity in rate form");
   skeletons.add<PointwiseSkeleton<ModifiedCamClay>>("modified cam clay",
                                                     "Critical state clay with pressure-dependent elasticity");
+  skeletons.add<Umat>("umat", "A subroutine UMAT as finite-element programs take it, from a shared library");
   fluids.add<Water>("water", "Slightly compressible or incompressible water");
   permeabilities.add<ConstantPermeability>("constant", "The same conductivity at every void ratio");
   permeabilities.add<KozenyCarmanPermeability>("kozeny-carman", "Conductivity follows the void ratio by Kozeny-Carman");

@@ -18,6 +18,7 @@ void register_all(Registries& r) {
   register_contact(r.contacts);
   register_time_integrators(r.integrators);
   register_linear_solvers(r.linear_solvers);
+  register_point_tests(r.point_tests);
 }
 
 namespace {
@@ -62,6 +63,7 @@ std::vector<EntryDoc> document_all(const Registries& r) {
     p.section("newton", newton, "nonlinear iterations");
   }));
   append(docs, r.linear_solvers);
+  append(docs, r.point_tests);
   docs.push_back(fixed("output", "what is written, where and how often", [](Parameters& p) { OutputSettings().parameters(p); }));
   docs.push_back(fixed("plugins", "shared libraries that bring further types", [](Parameters& p) { document_plugins(p); }));
   return docs;

@@ -6,6 +6,7 @@
 #include "algebra/linear_solver.hpp"
 #include "contact/contact.hpp"
 #include "integrator/time_scheme.hpp"
+#include "materials/point/point_test.hpp"
 #include "materials/register_materials.hpp"
 #include "physics/condition.hpp"
 #include "physics/physics.hpp"
@@ -26,6 +27,7 @@ struct Registries {
   ContactRegistry contacts{"contact"};
   Registry<TimeIntegrator> integrators{"integrator"};
   Registry<LinearSolver> linear_solvers{"linear solver"};
+  Registry<PointTest> point_tests{"test"};
 };
 
 /// Fills the registries with what comes with mudline.

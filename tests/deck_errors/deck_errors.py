@@ -6,6 +6,7 @@ import unittest
 import bad_files
 import bad_values
 import misspelt
+import point_decks
 from mudline_case import PROGRAM, MudlineCase, program
 from wrong_deck import BASE
 
@@ -59,6 +60,60 @@ class DeckErrors(Answering):
         self.write("deck.xml", misspelt.DECKS[0].text)
         self.answer(["run", "deck.xml"], misspelt.DECKS[0].expected)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
+
+
+class PointErrors(Answering):
+    """Decks of `mudline point`."""
+
+    def wrong(self, wrong, ranks):
+        self.write("deck.xml", wrong.text)
+        for name, content in wrong.files:
+            self.write(name, content)
+        arguments = ["point", "deck.xml"]
+        for text in wrong.settings:
+            arguments += ["--set", text]
+        self.answer(arguments, wrong.expected, ranks)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
+
+    def test_the_base_is_valid(self):
+        self.write("deck.xml", point_decks.BASE)
+        for command in ("check", "point"):
+            done = program([command, "deck.xml"], folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_names_are_unique(self):
+        self.assertEqual(len({w.name for w in point_decks.DECKS}), len(point_decks.DECKS))
+
+    def test_check_answers_like_point(self):
+        for name in ("unknown test type", "a start that the law refuses", "unknown function"):
+            (wrong,) = [w for w in point_decks.DECKS if w.name == name]
+            self.write("deck.xml", wrong.text)
+            self.answer(["check", "deck.xml"], wrong.expected)
+
+    def test_run_points_to_point(self):
+        self.write("deck.xml", point_decks.BASE)
+        line = point_decks.BASE[:point_decks.BASE.index('<ParameterList name="tests">')].count("\n") + 1
+        self.answer(["run", "deck.xml"], f"error: deck.xml:{line}: tests: tests of material points are no part of a run; "
+                    "`mudline point` runs them")
+
+    def test_several_ranks(self):
+        self.write("deck.xml", point_decks.BASE)
+        self.answer(["point", "deck.xml"], "error: a material point cannot be shared: run `mudline point` on one rank", 2)
+
+    def test_a_run_has_no_tests(self):
+        self.write("deck.xml", BASE)
+        self.answer(["point", "deck.xml"], "error: deck.xml:2: required section 'tests' is missing; see `mudline list test`")
+
+    def test_conformance_draws_nothing(self):
+        self.write("deck.xml", point_decks.BASE)
+        self.answer(["point", "deck.xml", "--conformance", "--png", "a.png"],
+                    "error: --conformance draws nothing; give --png without it")
+
+    def test_results_folder_cannot_be_made(self):
+        self.write("deck.xml", point_decks.BASE)
+        self.answer(["point", "deck.xml", "--set", "output/folder=deck.xml/results"],
+                    "error: --set output/folder=deck.xml/results: output/folder: the folder 'deck.xml/results' cannot be made: "
+                    "Not a directory")
 
 
 class CommandLine(Answering):
@@ -128,10 +183,11 @@ class Restart(Answering):
 
 
 def add_tests():
-    for wrong in DECKS:
-        for ranks in wrong.ranks:
-            name = "test " + wrong.name + ("" if ranks == 1 else f" on {ranks} ranks")
-            setattr(DeckErrors, name, lambda self, wrong=wrong, ranks=ranks: self.wrong(wrong, ranks))
+    for case, decks in ((DeckErrors, DECKS), (PointErrors, point_decks.DECKS)):
+        for wrong in decks:
+            for ranks in wrong.ranks:
+                name = "test " + wrong.name + ("" if ranks == 1 else f" on {ranks} ranks")
+                setattr(case, name, lambda self, wrong=wrong, ranks=ranks: self.wrong(wrong, ranks))
 
 
 if __name__ == "__main__":

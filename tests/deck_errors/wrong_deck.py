@@ -32,14 +32,14 @@ def line_of(text, deck=BASE):
 
 
 class Wrong:
-    def __init__(self, name, changes, message, at=None, line=True, settings=(), files=(), ranks=(1,)):
+    def __init__(self, name, changes, message, at=None, line=True, settings=(), files=(), ranks=(1,), base=BASE):
         self.name, self.message, self.settings, self.files, self.ranks = name, message, settings, files, ranks
-        self.text = BASE
+        self.text = base
         if changes and isinstance(changes[0], str):
             changes = [changes]
         for old, new in changes:
             if old not in self.text:
-                raise ValueError(f"{name}: base.xml does not hold {old!r}")
+                raise ValueError(f"{name}: the valid deck does not hold {old!r}")
             self.text = self.text.replace(old, new, 1)
         self.expected = "error: " + message
         if line:

@@ -104,6 +104,54 @@ class Plugins(MudlineCase):
                               "--set", "physics/ground/gravity={0, -10}"])
         self.assertIn("the skeleton law of material 'silt' has no K0 of its own; give 'K0'", error)
 
+    # at a material point
+    def test_clay_in_the_laboratory(self):
+        """The oedometer against its closed form, and against the finite elements."""
+        deck = self.example("my_clay/laboratory.xml")
+        histories = self.run_point(deck)
+        self.assertEqual(list(histories), ["oedometer", "triaxial", "shear"])
+        history = histories["oedometer"]
+        p0, slope = 50e3, 2e6 / (2 * np.sqrt(100e3))
+        mean = (np.sqrt(p0) + slope * history["axial strain"]) ** 2
+        np.testing.assert_allclose(history["mean effective stress"], mean, rtol=1e-9)
+        np.testing.assert_allclose(history["effective stress yy"], p0 + (1 + 4 / 3 * 0.6) * (mean - p0), rtol=1e-9)
+        elements = self.run_deck(self.example("my_clay/oedometer.xml"))
+        settlement = -elements.at("probe/piston/displacement y", history.time[1:])
+        np.testing.assert_allclose(history["engineering axial strain"][1:], settlement, rtol=1e-3)
+
+    def test_clay_conforms(self):
+        done = program(["point", self.example("my_clay/laboratory.xml"), "--conformance"], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.stdout.count(" ok "), 8, done.stdout)
+        self.assertNotIn("FAILED", done.stdout)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
+
+    def test_a_law_that_does_not_conform(self):
+        """A slip in the tangent is found, named and makes the exit code 1."""
+        source = os.path.join(self.folder, "slip")
+        shutil.copytree(self.example("my_clay"), source, ignore=shutil.ignore_patterns("build"))
+        self.write("slip/my_clay.cpp", text_of(source + "/my_clay.cpp").replace("two_g : 0.5 * two_g", "two_g : two_g"))
+        call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+             "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
+        call("cmake", "--build", source + "/build")
+        done = program(["point", source + "/laboratory.xml", "--conformance"], folder=self.folder)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertEqual(done.stdout.count("FAILED"), 1, done.stdout)
+        self.assertRegex(done.stdout, r"silt: tangent +FAILED against differences: median \d")
+
+    def test_point_refuses_like_run(self):
+        deck = text_of(self.example("my_clay/laboratory.xml"))
+        for library, said in ((self.library("old", OTHER_ABI), "was built for \"interface 0; gcc 4; Trilinos 12.0; debug\""),
+                              (self.library("other", NO_PLUGIN), "is no mudline plugin"), ("none.so", "does not exist")):
+            self.write("deck.xml", deck.replace("build/my_clay.so", library))
+            line = deck.split('name="files"')[0].count("\n") + 1
+            for command in (["point"], ["point", "--conformance"], ["check"]):
+                error = self.refused(command + ["deck.xml"])
+                self.assertTrue(error.startswith(f"error: deck.xml:{line}: plugins/files: "), error)
+                self.assertIn(said, error)
+        self.write("deck.xml", deck.replace("{build/my_clay.so}", "{}"))
+        self.assertIn("materials/silt/skeleton/type: unknown skeleton type 'my clay'", self.refused(["point", "deck.xml"]))
+
     # a physics
     def test_heat_alone(self):
         history = self.run_deck(self.example("heat_conduction/warm_bar.xml"))

@@ -72,3 +72,36 @@ class MudlineCase(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
         stem = name or os.path.splitext(os.path.basename(decks[0]))[0]
         return History(os.path.join(self.folder, "results", stem + ".csv"))
+
+    def run_point(self, decks, settings=(), timeout=300, name=None):
+        """Runs `mudline point`, fails the test unless the exit code is 0; returns {test: History} in the deck's order."""
+        decks = [decks] if isinstance(decks, str) else list(decks)
+        arguments = ["point"] + decks
+        for setting in settings:
+            arguments += ["--set", setting]
+        done = program(arguments, 1, self.folder, timeout)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
+        files = re.findall(r"(\S+\.csv)\)$", done.stdout, flags=re.M)
+        stem = name or os.path.splitext(os.path.basename(decks[0]))[0]
+        return {os.path.basename(file)[len(stem) + 1:-4]: History(os.path.join(self.folder, file)) for file in files}
+
+
+def point_deck(skeleton, tests, void_ratio=1.0, extra=""):
+    """A deck for `mudline point`: `skeleton` and each of `tests` {name: {...}} as nested dictionaries of numbers and texts."""
+    material = {"void ratio": void_ratio, "skeleton": skeleton}
+    return ('<ParameterList name="point">\n' + extra + _section("materials", {"soil": material}) + _section("tests", tests) +
+            "</ParameterList>\n")
+
+
+def _section(name, entries):
+    text = f'<ParameterList name="{name}">\n'
+    for key, value in entries.items():
+        if isinstance(value, dict):
+            text += _section(key, value)
+        elif isinstance(value, (list, tuple)):
+            kind = "string" if value and isinstance(value[0], str) else "double"
+            text += f'<Parameter name="{key}" type="Array({kind})" value="{{{", ".join(str(v) for v in value)}}}"/>\n'
+        else:
+            kind = {str: "string", int: "int", float: "double"}[type(value)]
+            text += f'<Parameter name="{key}" type="{kind}" value="{value}"/>\n'
+    return text + "</ParameterList>\n"

@@ -10,6 +10,8 @@ namespace mudline {
 /// midpoint configuration, H = d(Delta u)/d x_{n+1/2}; strain = sym H, rotation by the angle 2 atan(w/2) with the spin
 /// w = (H_yx - H_xy)/2. A pure rotation gives no strain. The trace of the strain increment is replaced by ln J, so that
 /// the skeleton's volume strain is the one that the void ratio and the pore water see, whatever the size of the step.
+/// sym H has the axes of the midpoint: it is turned on by half the angle to those of the end, where stress and state are.
+/// Without that the stress would be of first order only in the step where strain and rotation come together.
 /// Everything is built from the increments of displacement, not from differences of positions: strains of 1e-12 would drown
 /// in the rounding of coordinates.
 template <int N>
@@ -20,6 +22,8 @@ struct IncrementKinematics {
   double H[2][2], hoop;
   double spin;         // w [-]
   double cosine, sine; // of the rotation
+  double half_cosine, half_sine;  // of half of it
+  double increment[4]; // strain xx yy zz(hoop) xy (engineering shear), axes of the end
   double log_volume;   // ln J, J = dv_{n+1} / dv_n
   bool ok;
 
@@ -53,16 +57,28 @@ struct IncrementKinematics {
     const double q = 1 + 0.25 * spin * spin;
     cosine = (1 - 0.25 * spin * spin) / q;
     sine = spin / q;
+    half_cosine = 1 / std::sqrt(q);
+    half_sine = 0.5 * spin * half_cosine;
+    increment[0] = H[0][0];
+    increment[1] = H[1][1];
+    increment[2] = hoop;
+    increment[3] = H[0][1] + H[1][0];
+    const double shift = (log_volume - (increment[0] + increment[1] + increment[2])) / 3;
+    for (int i = 0; i < 3; ++i) increment[i] += shift;
+    turn_half(increment);
   }
 
-  /// Strain increment xx yy zz(hoop) xy (engineering shear).
   KOKKOS_INLINE_FUNCTION void strain(double (&e)[4]) const {
-    e[0] = H[0][0];
-    e[1] = H[1][1];
-    e[2] = hoop;
-    e[3] = H[0][1] + H[1][0];
-    const double shift = (log_volume - (e[0] + e[1] + e[2])) / 3;
-    for (int i = 0; i < 3; ++i) e[i] += shift;
+    for (int i = 0; i < 4; ++i) e[i] = increment[i];
+  }
+
+  /// From the axes of the midpoint to those of the end.
+  KOKKOS_INLINE_FUNCTION void turn_half(double (&e)[4]) const {
+    const double cc = half_cosine * half_cosine, ss = half_sine * half_sine, cs = half_cosine * half_sine;
+    const double xx = cc * e[0] - cs * e[3] + ss * e[1], yy = ss * e[0] + cs * e[3] + cc * e[1];
+    e[3] = 2 * cs * (e[0] - e[1]) + (cc - ss) * e[3];
+    e[0] = xx;
+    e[1] = yy;
   }
 
   /// Variation of the strain increment and of the rotation angle for a displacement N_b in direction j.
@@ -77,6 +93,11 @@ struct IncrementKinematics {
     const double shift = (volume - (de[0] + de[1] + de[2])) / 3;
     for (int i = 0; i < 3; ++i) de[i] += shift;
     dtheta = 0.5 * (a1 * g[b][0] - a0 * g[b][1]) / (1 + 0.25 * spin * spin);
+    turn_half(de);
+    const double half = 0.5 * dtheta;
+    de[0] -= half * increment[3];
+    de[1] += half * increment[3];
+    de[3] += 2 * half * (increment[0] - increment[1]);
   }
 };
 

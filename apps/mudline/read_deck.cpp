@@ -1,0 +1,47 @@
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Core.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "commands.hpp"
+#include "core/errors.hpp"
+
+namespace mudline::cli {
+
+namespace {
+
+using Comm = Teuchos::Comm<int>;
+
+/// Rank 0 reads, everybody gets the text; a missing file is an error on every rank alike.
+std::string read_everywhere(const Comm& comm, const std::string& path) {
+  std::string text;
+  int length = -1;
+  if (comm.getRank() == 0) {
+    std::ifstream file(path, std::ios::binary);
+    if (file && !std::filesystem::is_directory(path)) {
+      std::ostringstream buffer;
+      buffer << file.rdbuf();
+      text = buffer.str();
+      length = static_cast<int>(text.size());
+    }
+  }
+  Teuchos::broadcast(comm, 0, 1, &length);
+  if (length < 0) throw InputError(path + ": the deck does not exist or cannot be read");
+  text.resize(length);
+  if (length > 0) Teuchos::broadcast(comm, 0, length, text.data());
+  return text;
+}
+
+}  // namespace
+
+void read_deck(const DeckOptions& options, Deck& deck) {
+  const auto comm = Tpetra::getDefaultComm();
+  for (const std::string& path : options.decks) deck.overlay(read_everywhere(*comm, path), path);
+  for (const std::string& setting : options.settings) deck.set(setting);
+}
+
+bool is_point_deck(const Section& root) { return root.has_section("tests") && !root.has_section("mesh"); }
+
+}  // namespace mudline::cli

@@ -1,0 +1,68 @@
+#include "materials/point/material_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tensor/sym6.hpp"
+
+namespace mudline {
+
+MaterialPoint::MaterialPoint(const Skeleton& law, const InitialPoint& start, double biot_coefficient)
+    : law_(law),
+      alpha_(biot_coefficient),
+      void_ratio_(start.void_ratio),
+      stress_(start.stress),
+      state_(law.state_size()) {
+  int first = 0;
+  for (const StateVariable& variable : law.state_variables()) {
+    if (variable.components == 6) tensors_.push_back(first);
+    first += variable.components;
+  }
+  refusal_ = law.initialise(start, state_.data());
+}
+
+PointTrial MaterialPoint::evaluate(const PointMotion& motion, double dt, bool want_tangent) const {
+  const int n = static_cast<int>(state_.size());
+  const double turn[9] = {motion.cosine, -motion.sine, 0.0, motion.sine, motion.cosine, 0.0, 0.0, 0.0, 1.0};
+  const bool turned = motion.sine != 0.0;
+  Six stress = stress_;
+  std::vector<double> state = state_;
+  if (turned) sym6::rotate(turn, stress_.data(), stress.data());
+  if (turned)
+    for (const int t : tensors_) sym6::rotate(turn, &state_[t], &state[t]);
+
+  PointView stress_old("", 1, 6), strain("", 1, 6), void_ratio("", 1, 1), state_old("", 1, n), stress_new("", 1, 6),
+      state_new("", 1, n), tangent("", 1, 36);
+  Kokkos::View<int*> failed("", 1);
+  std::copy(stress.begin(), stress.end(), stress_old.data());
+  std::copy(motion.strain.begin(), motion.strain.end(), strain.data());
+  std::copy(state.begin(), state.end(), state_old.data());
+  void_ratio(0, 0) = void_ratio_;
+  const int failures = law_.evaluate({1, time_ + dt, dt, want_tangent, stress_old, strain, void_ratio, state_old,
+                                      stress_new, state_new, tangent, failed});
+
+  PointTrial trial;
+  std::copy_n(stress_new.data(), 6, trial.stress.begin());
+  std::copy_n(tangent.data(), 36, trial.tangent.begin());
+  trial.state.assign(state_new.data(), state_new.data() + n);
+  trial.flags_agree = failures == (failed(0) != 0 ? 1 : 0);
+  trial.old_untouched = std::equal(stress.begin(), stress.end(), stress_old.data()) &&
+                        std::equal(motion.strain.begin(), motion.strain.end(), strain.data()) &&
+                        std::equal(state.begin(), state.end(), state_old.data()) && void_ratio(0, 0) == void_ratio_;
+  const auto finite = [](double x) { return std::isfinite(x); };
+  trial.ok = failures == 0 && std::all_of(trial.stress.begin(), trial.stress.end(), finite) &&
+             std::all_of(trial.state.begin(), trial.state.end(), finite) &&
+             (!want_tangent || std::all_of(trial.tangent.begin(), trial.tangent.end(), finite));
+  return trial;
+}
+
+void MaterialPoint::commit(const PointMotion& motion, double dt, const PointTrial& trial) {
+  const double old = void_ratio_ / (1.0 + void_ratio_);
+  const double porosity = alpha_ - (alpha_ - old) * std::exp(-sym6::trace(motion.strain.data()));
+  void_ratio_ = porosity / (1.0 - porosity);
+  stress_ = trial.stress;
+  state_ = trial.state;
+  time_ += dt;
+}
+
+}  // namespace mudline

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "materials/point/material_point.hpp"
+
+namespace mudline {
+
+/// One increment under mixed control: each component follows a strain or a stress. Signs and order as in
+/// SkeletonWorkset. Strains are logarithmic along fixed axes. Sliding: strain xy is instead the horizontal displacement
+/// of the upper face over the *initial* height, the faces y = constant stay parallel to x, and the rotation is part of
+/// the motion.
+struct PointIncrement {
+  std::array<bool, 6> stress_controlled{};
+  Six strain{};  // increments of the strain-controlled components
+  Six stress{};  // values at the end of the stress-controlled ones [Pa]
+  bool sliding = false;
+  double dt = 0.0;  // [s]
+};
+
+/// Drives a material point by Newton's method with the law's own tangent. An increment that does not converge, or that
+/// the law refuses, is halved again and again.
+class PointControl {
+ public:
+  explicit PointControl(MaterialPoint& point) : point_(point) {}
+
+  /// False when even the smallest part fails; the point then stands where it got to.
+  bool advance(const PointIncrement& increment) { return advance(increment, 0); }
+
+  const MaterialPoint& point() const { return point_; }
+  const Six& strain() const { return strain_; }  // accumulated; of a sliding point see PointIncrement
+  int iterations() const { return iterations_; }
+  int cuts() const { return cuts_; }
+
+ private:
+  bool advance(const PointIncrement& increment, int depth);
+  bool solve(const PointIncrement& increment, const Six& guess);
+  PointMotion motion_of(const PointIncrement& increment, const Six& change) const;
+  bool correct(const PointIncrement& increment, const PointTrial& trial, Six& change) const;
+
+  MaterialPoint& point_;
+  Six strain_{}, rate_{};  // rate of the last increment, from which the next is guessed [1/s]
+  int iterations_ = 0, cuts_ = 0;
+};
+
+}  // namespace mudline

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+#include "materials/skeleton.hpp"
+
+namespace mudline {
+
+/// A user subroutine UMAT of the usual Fortran interface (Abaqus/Standard), loaded from a shared library: all arguments
+/// by reference, tension positive, order 11 22 33 12 13 23, engineering shear, column-major DDSDDE. Runs on the host,
+/// one point after the other, since such code often keeps data of its own.
+///
+///   STRESS, STATEV  old values in, new ones out; the stress, the strains and the tensors of STATEV ("tensor state")
+///   have
+///                   been rotated into the new configuration by mudline, so DROT is the identity
+///   STRAN, DSTRAN   objective strain so far (kept as a state variable) and of the step
+///   DDSDDE          must be the Jacobian of the stress update; it may be unsymmetric
+///   TIME, DTIME     time of the run at the start of the step, and the step; DTIME is 0 in a geostatic stage
+///   PROPS, NTENS    from the deck; NTENS = 4 (plane strain, axisymmetric) fails where there is out-of-plane shear
+///   PNEWDT          below 1: the point has failed and the step is cut
+///   the others      SSE, SPD, SCD, RPL, their derivatives, TEMP, DTEMP, PREDEF, COORDS: 0; DFGRD0, DFGRD1: identity;
+///                   CELENT, NOEL, NPT, LAYER, KSPT, KSTEP, KINC: 1
+class Umat : public Skeleton {
+ public:
+  void parameters(Parameters& p);
+  /// Loads the library. InputError.
+  void check(const Section& section);
+
+  const std::vector<StateVariable>& state_variables() const override { return variables_; }
+  std::string initialise(const InitialPoint& point, double* state) const override;
+  int evaluate(const SkeletonWorkset& workset) const override;
+  ElasticModuli moduli(const double*, double, const double*) const override { return {bulk_, shear_}; }
+  double k0(double) const override { return k0_; }
+
+ private:
+  struct Scratch;
+  bool update(const SkeletonWorkset& workset, int point, Scratch& scratch) const;
+  void make_variables();
+
+  std::string library_, symbol_ = "umat_", name_ = "UMAT";
+  int components_ = 6, state_count_ = 0;
+  std::vector<double> properties_, initial_state_, tensor_state_;
+  std::vector<int> tensors_;         // first components, from 0
+  double bulk_ = 0.0, shear_ = 0.0;  // [Pa]
+  double k0_ = -1.0;
+  std::vector<StateVariable> variables_;
+  std::vector<int> source_;  // component of the state (behind the strain) -> index in STATEV
+  std::shared_ptr<void> handle_;
+  void* routine_ = nullptr;
+};
+
+}  // namespace mudline

@@ -1,0 +1,187 @@
+"""The skeleton type "umat": Fortran subroutines against the native law and closed forms, in points and finite elements."""
+import os
+import shutil
+import subprocess
+import unittest
+
+import numpy as np
+
+from mudline_case import ROOT, MudlineCase, point_deck, program
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+EXAMPLES = os.path.join(ROOT, "examples", "plugins", "umat")
+E, NU = 2e7, 0.25
+NATIVE = {"type": "linear elastic", "Young's modulus": E, "Poisson's ratio": NU}
+START = {"vertical effective stress": 1e5, "K0": 0.6}
+COMPARED = 1e-10
+
+BLOCK = """<ParameterList name="block">
+  <ParameterList name="mesh"><Parameter name="type" type="string" value="box"/><Parameter name="cell" type="string" value="quad9"/>
+    <Parameter name="cells" type="Array(int)" value="{2, 2}"/><Parameter name="upper" type="Array(double)" value="{1.0, 1.0}"/>
+    <Parameter name="geometry" type="string" value="GEOMETRY"/></ParameterList>
+  <ParameterList name="materials"><ParameterList name="soil"><Parameter name="density" type="double" value="1800"/>
+    <Parameter name="void ratio" type="double" value="0.8"/>SKELETON</ParameterList></ParameterList>
+  <ParameterList name="physics"><ParameterList name="ground"><Parameter name="type" type="string" value="solid"/>
+    <ParameterList name="initial state"><Parameter name="type" type="string" value="uniform"/>
+      <Parameter name="effective stress xx" type="double" value="6e4"/><Parameter name="effective stress yy" type="double" value="1e5"/>
+      <Parameter name="effective stress zz" type="double" value="6e4"/></ParameterList></ParameterList></ParameterList>
+  <ParameterList name="boundary conditions">
+    <ParameterList name="base"><Parameter name="type" type="string" value="fixed"/><Parameter name="set" type="string" value="bottom"/></ParameterList>
+    <ParameterList name="top"><Parameter name="type" type="string" value="displacement"/><Parameter name="set" type="string" value="top"/>
+      <Parameter name="x" type="string" value="SHEAR*t"/><Parameter name="y" type="string" value="-0.1*t"/></ParameterList>
+  </ParameterList>
+  <ParameterList name="stages"><ParameterList name="load"><Parameter name="type" type="string" value="quasi-static"/>
+    <Parameter name="duration" type="double" value="1.0"/>
+    <ParameterList name="time step"><Parameter name="initial" type="double" value="0.125"/></ParameterList></ParameterList></ParameterList>
+  <ParameterList name="output"><ParameterList name="probes"><Parameter name="middle" type="Array(double)" value="{0.5, 0.5}"/>
+    <Parameter name="side" type="Array(double)" value="{1.0, 0.5}"/></ParameterList></ParameterList>
+</ParameterList>
+"""
+
+
+def as_xml(skeleton):
+    text = point_deck(skeleton, {})
+    return text[text.index('<ParameterList name="skeleton">'):text.index("</ParameterList>") + len("</ParameterList>\n")]
+
+
+@unittest.skipUnless(shutil.which("gfortran"), "gfortran is not installed")
+class Umat(MudlineCase):
+    def library(self, source):
+        name = os.path.splitext(os.path.basename(source))[0] + ".so"
+        subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", source, "-o", os.path.join(self.folder, name)], check=True)
+        return name
+
+    def umat(self, source, **more):
+        entries = {"type": "umat", "library": self.library(source), "properties": [E, NU], "bulk modulus": E / (3 * (1 - 2 * NU)),
+                   "shear modulus": E / (2 * (1 + NU))}
+        entries.update({name.replace("_", " "): value for name, value in more.items()})
+        return entries
+
+    def points(self, skeleton, tests, name):
+        return self.run_point(self.write(name + ".xml", point_deck(skeleton, tests, 0.8)))
+
+    def assert_same(self, ours, theirs, names=None):
+        for name in names or ours.columns:
+            scale = max(np.abs(ours[name]).max(), 1e-3)  # strains and stresses that are zero may hold rounding
+            scale = max(scale, 1e3) if "stress" in name else scale
+            self.assertLess(np.abs(ours[name] - theirs[name]).max() / scale, COMPARED, name)
+
+    def test_elastic_points(self):
+        tests = {"cd": {"type": "triaxial drained", "axial strain": [0.1, -0.05]}, "oedometer": {"type": "oedometer", "axial stress": [4e5]},
+                 "shear": {"type": "simple shear", "shear strain": [3.0]},
+                 "drained_shear": {"type": "simple shear", "drainage": "drained", "shear strain": [0.3]},
+                 "biaxial": {"type": "plane strain", "axial strain": [0.1]}}
+        for test in tests.values():
+            test.update({"steps": 50, "initial state": START})
+        native = self.points(NATIVE, tests, "native")
+        for components in (4, 6):
+            umat = self.points(self.umat(os.path.join(EXAMPLES, "elastic.f90"), components=components), tests, f"umat{components}")
+            for name in tests:
+                self.assert_same(native[name], umat[name])
+
+    def test_six_components(self):
+        path = {"path": {"type": "path", "duration": 1.0, "steps": 20, "shear strain yz": "0.01*t", "shear stress xz": "2e3*t",
+                         "strain xx": "0.02*t", "effective stress zz": "6e4+1e4*t", "initial state": START}}
+        native = self.points(NATIVE, path, "native")["path"]
+        self.assert_same(native, self.points(self.umat(os.path.join(EXAMPLES, "elastic.f90")), path, "umat")["path"])
+        self.write("four.xml", point_deck(self.umat(os.path.join(EXAMPLES, "elastic.f90"), components=4), path, 0.8))
+        done = program(["point", "four.xml"], folder=self.folder)  # four components know no shear out of the plane
+        self.assertEqual(done.returncode, 3, done.stdout)
+
+    def test_elastic_elements(self):
+        """A block that is compressed and sheared by 40 %, in plane strain; compressed in axisymmetry."""
+        for geometry, shear in (("plane strain", "0.4"), ("axisymmetric", "0")):
+            text = BLOCK.replace("GEOMETRY", geometry).replace("SHEAR", shear)
+            if geometry == "axisymmetric":
+                text = text.replace('value="{1.0, 1.0}"/>\n', 'value="{1.0, 1.0}"/><Parameter name="lower" type="Array(double)" value="{0.2, 0.0}"/>\n')
+            native = self.run_deck(self.write("native.xml", text.replace("SKELETON", as_xml(NATIVE))))
+            for components in (4, 6):
+                skeleton = self.umat(os.path.join(EXAMPLES, "elastic.f90"), components=components, state_variables=1)
+                umat = self.run_deck(self.write("umat.xml", text.replace("SKELETON", as_xml(skeleton))))
+                self.assert_same(native, umat, [n for n in native.columns if n.startswith("probe/") and np.abs(native[n]).max() > 1e-9])
+                np.testing.assert_array_equal(native.time, umat.time)
+
+    def test_von_mises(self):
+        """q along E, then along E H/(E + H); elastic unloading; conformance."""
+        shutil.copy(os.path.join(EXAMPLES, "triaxial.xml"), self.folder)
+        self.library(os.path.join(EXAMPLES, "von_mises.f90"))
+        histories = self.run_point("triaxial.xml")
+        h, young, hardening, strength = histories["drained"], 2e7, 5e5, 60e3
+        strain = h["axial strain"]
+        yielding = strength + young * hardening / (young + hardening) * (strain - strength / young)
+        np.testing.assert_allclose(h["deviatoric stress"], np.where(strain < strength / young, young * strain, yielding), rtol=1e-9, atol=1e-3)
+        np.testing.assert_allclose(h["statev 1"][-1], (h["deviatoric stress"][-1] - strength) / hardening, rtol=1e-9)
+        done = program(["point", "triaxial.xml", "--conformance"], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual(done.stdout.count(" ok "), 8, done.stdout)
+
+    def test_conformance_in_the_plane(self):
+        """Four components: checked without shear out of the plane. A hidden memory is found."""
+        source = os.path.join(EXAMPLES, "elastic.f90")
+        for name, skeleton, code in (("plane", self.umat(source, components=4), 0), ("memory", self.forgetful(source), 1)):
+            self.write(name + ".xml", point_deck(skeleton, {}, 0.8))
+            done = program(["point", "--conformance", name + ".xml"], folder=self.folder)
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+            self.assertEqual("shear in the plane only" in done.stdout, name == "plane", done.stdout)
+            self.assertEqual("purity          FAILED" in done.stdout, name == "memory", done.stdout)
+
+    def forgetful(self, source):
+        with open(source) as file:
+            text = file.read().replace("  integer :: i\n", "  integer :: i\n  double precision, save :: calls = 0\n")
+        text = text.replace("  stress = stress + matmul(ddsdde, dstran)\n", "  calls = calls + 1\n  stress = stress + matmul(ddsdde, dstran) * (1 + 1d-9 * calls)\n")
+        return self.umat(self.write("memory.f90", text))
+
+    def test_what_the_subroutine_is_given(self):
+        """The subroutine fails where an argument is not as promised; the rotated tensors are checked to a shear of 2."""
+        skeleton = self.umat(os.path.join(HERE, "echo.f90"), symbol="echo_", material_name="Echo clay", properties=[E, NU, 1e9],
+                             state_variables=15, initial_state=[0.0] * 14 + [7.0], tensor_state=[2.0, 8.0])
+        tests = {"shear": {"type": "simple shear", "drainage": "drained", "shear strain": [2.0], "steps": 100, "initial state": START},
+                 "path": {"type": "path", "duration": 10.0, "steps": 10, "shear strain yz": "0.01*t", "shear strain xz": "0.02*t",
+                          "strain xx": "0.03*t", "initial state": START}}
+        given = self.points(skeleton, tests, "echo")
+        self.assertEqual(given["shear"]["statev 15"][0], 7.0)
+        self.assertEqual(given["shear"]["statev 15"][-1], ord("E"))
+        self.assertEqual(given["shear"]["statev 14"][-1], 100)
+        self.assertEqual(given["path"]["statev 1"][-1], 10.0)
+        for c in ("xx", "yz", "xz"):  # tensors come back in mudline's order
+            kind = "effective stress " if c == "xx" else "shear stress "
+            np.testing.assert_allclose(given["path"]["statev 2 " + c][1:], -given["path"][kind + c][1:], rtol=1e-12)
+        native = self.points(NATIVE, tests, "native")
+        for name in tests:
+            self.assert_same(native[name], given[name], native[name].columns)
+
+    def test_pnewdt_cuts(self):
+        """Steps longer than the subroutine wants are cut, in points and in finite elements."""
+        skeleton = self.umat(os.path.join(HERE, "echo.f90"), symbol="echo_", material_name="Echo clay", properties=[E, NU, 0.03],
+                             state_variables=15, tensor_state=[2.0, 8.0])
+        test = {"cut": {"type": "oedometer", "axial strain": [0.1], "strain rate": 0.1, "steps": 10, "initial state": START}}
+        self.write("cut.xml", point_deck(skeleton, test, 0.8))
+        done = program(["point", "cut.xml"], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("10 steps, 30 cuts", done.stdout)
+        text = BLOCK.replace("GEOMETRY", "plane strain").replace("SHEAR", "0.1").replace("SKELETON", as_xml(skeleton))
+        history = self.run_deck(self.write("block.xml", text))
+        self.assertLessEqual(np.diff(history.time).max(), 0.03 * (1 + 1e-9))
+
+    def test_errors(self):
+        good = self.umat(os.path.join(EXAMPLES, "elastic.f90"), state_variables=7)
+        test = {"cd": {"type": "triaxial drained", "axial strain": [0.1], "initial state": START}}
+        with open(os.path.join(self.folder, "rubbish.so"), "w") as file:
+            file.write("no library")
+        cases = [({"library": "none.so"}, "library", "the file 'none.so' does not exist"),
+                 ({"library": "rubbish.so"}, "library", "the library cannot be loaded: "),
+                 ({"symbol": "umat"}, "symbol", "the library 'elastic.so' holds no subroutine 'umat'; compilers usually write UMAT as umat_"),
+                 ({"components": 5}, "components", "5 is no number of stress components; allowed: 4, 6"),
+                 ({"initial state": [1.0]}, "initial state", "expected 7 numbers (see 'state variables'), given 1"),
+                 ({"tensor state": [3.0]}, "tensor state", "no six components from 3 among 7 state variables"),
+                 ({"statev": 3}, "statev", "unknown parameter")]
+        for change, entry, message in cases:
+            self.write("wrong.xml", point_deck(dict(good, **change), test, 0.8))
+            done = program(["check", "wrong.xml"], folder=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn(f": materials/soil/skeleton/{entry}: {message}", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

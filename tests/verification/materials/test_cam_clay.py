@@ -1,0 +1,126 @@
+"""Modified Cam Clay through `mudline point`, against closed forms and quadrature (references/cam_clay.py)."""
+import os
+import unittest
+
+import numpy as np
+
+from mudline_case import MudlineCase, point_deck
+from references.cam_clay import CamClay
+
+KPA = 1e3
+TOLERANCE = 1e-5
+AXIAL = [0.01, 0.05, 0.1, 0.2]
+STEPS = 2000  # between two targets
+CLAY = {"type": "modified cam clay", "critical stress ratio": 1.2, "compression slope": 0.15, "swelling slope": 0.03,
+        "Poisson's ratio": 0.3, "stress tolerance": 1e-7}
+
+# The figures as another program of the same theory printed them: OCR, eps_a, CD p', q, eps_v, CU p', q.
+PRINTED = """1 0.01 111.3095 33.9285 0.01185736 77.32633 57.13161
+1 0.05 131.917 95.75087 0.04028306 57.73844 68.82964
+1 0.1 145.9596 137.8789 0.05900265 57.43695 68.92129
+1 0.2 159.4484 178.3452 0.07527226 57.43492 68.9219
+2 0.01 130.491 91.47299 0.004 100 92.30769
+2 0.05 147.0917 141.2752 0.01720381 100 120
+2 0.1 155.3336 166.0007 0.02683505 100 120
+2 0.2 162.9782 188.9346 0.03520967 100 120
+5 0.01 130.491 91.47299 0.004 100 92.30769
+5 0.05 188.8744 266.6232 0.003255294 188.4471 254.2962
+5 0.1 178.1484 234.4453 -0.005859574 207.9941 249.8091
+5 0.2 169.9318 209.7955 -0.01339125 208.1383 249.766"""
+
+
+def triaxial(kind, ocr):
+    return {"type": "triaxial " + kind, "axial strain": AXIAL, "steps": STEPS,
+            "initial state": {"mean effective stress": 100 * KPA, "overconsolidation ratio": float(ocr)}}
+
+
+class CamClayTests(MudlineCase):
+    def point(self, tests):
+        return self.run_point(self.write("clay.xml", point_deck(CLAY, tests)))
+
+    def close(self, what, value, exact, tolerance=TOLERANCE):
+        error = np.max(np.abs(np.asarray(value) / np.asarray(exact) - 1))
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"{what}: {error:.2e} (allowed {tolerance:.0e})")
+        self.assertLess(error, tolerance, what)
+
+    def test_the_reference_is_that_of_others(self):
+        for line in PRINTED.splitlines():
+            ocr, axial, *printed = map(float, line.split())
+            soil = CamClay(ocr=ocr)
+            np.testing.assert_allclose(soil.drained(axial) + soil.undrained(axial), printed, rtol=1e-6)
+
+    def test_triaxial(self):
+        histories = self.point({f"{kind} {ocr}": triaxial(kind, ocr) for kind in ("drained", "undrained") for ocr in (1, 2, 5)})
+        for ocr in (1, 2, 5):
+            soil = CamClay(ocr=ocr)
+            for i, axial in enumerate(AXIAL):
+                row = (i + 1) * STEPS
+                p, q, volume = soil.drained(axial)
+                cd, cu = histories[f"drained_{ocr}"], histories[f"undrained_{ocr}"]
+                name = f"OCR {ocr}, {axial:g}"
+                self.assertAlmostEqual(cd["axial strain"][row], axial, delta=1e-12)
+                self.close(f"CD {name}: p'", cd["mean effective stress"][row], p * KPA)
+                self.close(f"CD {name}: q", cd["deviatoric stress"][row], q * KPA)
+                self.close(f"CD {name}: volume", cd["volumetric strain"][row], volume)
+                self.close(f"CD {name}: void ratio", cd["void ratio"][row], 2 * np.exp(-volume) - 1)
+                p, q = soil.undrained(axial)
+                self.close(f"CU {name}: p'", cu["mean effective stress"][row], p * KPA)
+                self.close(f"CU {name}: q", cu["deviatoric stress"][row], q * KPA)
+                # total radial stress kept: u = 100 kPa - (p' - q/3)
+                self.assertAlmostEqual(cu["excess pore pressure"][row], (100 - p + q / 3) * KPA, delta=5)
+                self.assertAlmostEqual(cu["void ratio"][row], 1.0, delta=1e-12)
+
+    def test_first_yield(self):
+        """The row where plastic strain begins."""
+        soils = {ocr: CamClay(ocr=ocr) for ocr in (2, 5)}
+        histories = self.point({f"{kind} {ocr}": triaxial(kind, ocr) for kind in ("drained", "undrained") for ocr in (2, 5)})
+        for ocr, soil in soils.items():
+            for kind, q_yield in (("drained", soil.first_yield_drained()), ("undrained", 120 * np.sqrt(ocr - 1))):
+                history = histories[f"{kind}_{ocr}"]
+                row = int(np.argmax(history["plastic shear strain"] > 0))
+                self.assertLess(history["deviatoric stress"][row - 1], q_yield * KPA * (1 + 1e-6))
+                self.close(f"{kind} {ocr}", history["deviatoric stress"][row], q_yield * KPA, 2e-3)  # one step beyond
+
+    def test_extension(self):
+        """Without dependence on the Lode angle extension mirrors compression."""
+        down = dict(triaxial("undrained", 1), **{"axial strain": [-a for a in AXIAL]})
+        history = self.point({"extension": down})["extension"]
+        for i, axial in enumerate(AXIAL):
+            p, q = CamClay().undrained(axial)
+            self.close("q", -history["stress difference"][(i + 1) * STEPS], q * KPA)
+            self.close("p'", history["mean effective stress"][(i + 1) * STEPS], p * KPA)
+
+    def test_oedometer(self):
+        history = self.point({"K0": {"type": "oedometer", "axial strain": AXIAL, "steps": 500,
+                                     "initial state": {"mean effective stress": 100 * KPA}}})["K0"]
+        for i, axial in enumerate(AXIAL):
+            vertical, radial = CamClay().oedometer(axial)
+            self.close("vertical", history["effective stress yy"][(i + 1) * 500], vertical * KPA)
+            self.close("radial", history["effective stress xx"][(i + 1) * 500], radial * KPA)
+
+    def test_oedometer_starts_on_the_k0_line(self):
+        """From the law's own K0 the ratio of stresses stays, and by stress the void ratio follows lambda."""
+        history = self.point({"K0": {"type": "oedometer", "axial stress": [400 * KPA], "steps": 200,
+                                     "initial state": {"vertical effective stress": 100 * KPA}}})["K0"]
+        ratio = history["effective stress xx"] / history["effective stress yy"]
+        self.close("K0", ratio, 0.647629, 2e-6)
+        self.close("void ratio", 1 + history["void ratio"][-1], 2 - 0.15 * np.log(4), 1e-6)
+
+    def test_isotropic(self):
+        start = {"mean effective stress": 100 * KPA, "overconsolidation ratio": 2.0}
+        histories = self.point({
+            "strain": {"type": "isotropic compression", "volumetric strain": [0.015, 0.03, 0.06], "steps": 10, "initial state": start},
+            "stress": {"type": "isotropic compression", "mean stress": [400 * KPA, 150 * KPA, 600 * KPA], "steps": 10,
+                       "initial state": start}})
+        for i, volume in enumerate([0.015, 0.03, 0.06]):
+            p, v = CamClay(ocr=2).isotropic(volume)
+            self.close("p'", histories["strain"]["mean effective stress"][10 * (i + 1)], p * KPA, 1e-6)
+            self.close("v", 1 + histories["strain"]["void ratio"][10 * (i + 1)], v, 1e-6)
+        virgin = lambda p: 2 - 0.03 * np.log(2) - 0.15 * np.log(p / 200)
+        expected = [virgin(400), virgin(400) + 0.03 * np.log(400 / 150), virgin(600)]
+        self.close("loading, unloading, reloading", 1 + histories["stress"]["void ratio"][[10, 20, 30]], expected, 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
