@@ -20,14 +20,11 @@ void ModifiedCamClay::parameters(Parameters& p) {
            "Strength in triaxial extension: that of compression, or that of the same friction angle");
   p.add("minimum mean stress", minimum_mean_stress, "Pa", non_negative(),
         "The mean effective stress is held at this value where the soil would loosen further");
-  p.add("stress tolerance", substepping.stress_tolerance, "-", open(0.0, 0.1), "Relative error allowed in one substep");
-  p.add("yield tolerance", substepping.yield_tolerance, "-", open(0.0, 1e-3),
-        "Distance from the yield surface, relative to the preconsolidation pressure squared, that counts as on it");
-  p.add("maximum substeps", substepping.maximum_substeps, "-", closed(1, 1e6),
-        "More substeps than this in one increment make the point fail, and the step is cut");
+  integration.parameters(p, "the preconsolidation pressure squared");
 }
 
 void ModifiedCamClay::check(const Section& section) const {
+  integration.check(section);
   if (!(swelling < compression))
     section.fail("the swelling slope must be smaller than the compression slope", "swelling slope");
   if (section.has_parameter("Poisson's ratio") == section.has_parameter("shear modulus"))
