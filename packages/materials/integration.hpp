@@ -13,6 +13,13 @@ struct IntegrationOptions {
   int maximum_substeps = 1000;     // attempts per increment
   Method method = Method::modified_euler;
 
+  /// For laws with constant elasticity, where one backward Euler step is cheap and seldom fails.
+  static IntegrationOptions implicit() {
+    IntegrationOptions r;
+    r.method = Method::implicit;
+    return r;
+  }
+
   /// `yield_scale` completes "Distance from the yield surface, relative to ..., that counts as on it".
   void parameters(Parameters& p, const std::string& yield_scale);
   /// Refuses what the chosen method would ignore.
