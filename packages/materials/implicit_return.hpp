@@ -119,12 +119,24 @@ class ImplicitReturn : public PlasticPath<T, Model> {
       return true;
     }
     double x[N];
-    for (int i = 0; i < 6; ++i) x[i] = value(trial[i]);
-    for (int i = 0; i < H; ++i) x[6 + i] = value(h[i]);
+    Start<double> plain;
+    Scales scales;
+    scales.stress = 0.0;
+    for (int i = 0; i < 6; ++i) {
+      x[i] = value(trial[i]);
+      plain.stress[i] = value(stress[i]);
+      plain.strain[i] = value(start.strain[i]);
+      scales.stress = ::fmax(scales.stress, ::fmax(::fabs(plain.stress[i]), ::fabs(x[i])));
+    }
+    for (int i = 0; i < H; ++i) {
+      x[6 + i] = plain.h[i] = value(h[i]);
+      scales.h[i] = model_.hardening_scale(i, plain.h[i]);
+    }
+    plain.middle_volume = value(start.middle_volume);
+    plain.end_volume = value(start.end_volume);
     x[N - 1] = 0.0;
     SmallLu<N> matrix;
-    Scales scales;
-    if (!iterate(start, x, matrix, scales)) return false;
+    if (!iterate(plain, x, matrix, scales) && !follow(plain, x, matrix, scales)) return false;
     write(start, x, matrix, scales);
     return true;
   }
@@ -159,21 +171,8 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   }
 
   /// Newton; `matrix` is the factorised derivative at the solution, but for the last, tiny, correction.
-  KOKKOS_INLINE_FUNCTION bool iterate(const Start<T>& given, double* x, SmallLu<N>& matrix, Scales& scales) const {
-    Start<double> start;
-    double largest = 0.0;
-    for (int i = 0; i < 6; ++i) {
-      start.stress[i] = value(given.stress[i]);
-      start.strain[i] = value(given.strain[i]);
-      largest = ::fmax(largest, ::fmax(::fabs(start.stress[i]), ::fabs(x[i])));
-    }
-    scales.stress = largest;
-    for (int i = 0; i < H; ++i) {
-      start.h[i] = value(given.h[i]);
-      scales.h[i] = model_.hardening_scale(i, start.h[i]);
-    }
-    start.middle_volume = value(given.middle_volume);
-    start.end_volume = value(given.end_volume);
+  KOKKOS_INLINE_FUNCTION bool iterate(const Start<double>& start, double* x, SmallLu<N>& matrix,
+                                      const Scales& scales) const {
     Dual<N> r[N];
     double size;
     if (!evaluate(x, start, scales, r, size)) return false;
@@ -196,14 +195,47 @@ class ImplicitReturn : public PlasticPath<T, Model> {
         lower = evaluate(y, start, scales, r, new_size) && new_size < (1.0 - 1e-3 * fraction) * size;
       }
       if (!lower) return false;
-      copy_plain(y, x);
+      copy_plain(y, x, N);
       size = new_size;
     }
     return false;
   }
 
-  static KOKKOS_INLINE_FUNCTION void copy_plain(const double* from, double* to) {
-    for (int i = 0; i < N; ++i) to[i] = from[i];
+  /// Where Newton fails from the trial stress: the same return for growing parts of the strain increment, each starting
+  /// from the solution of the one before. It ends at the same solution, so the answer does not jump from this way to the
+  /// other.
+  KOKKOS_INLINE_FUNCTION bool follow(const Start<double>& start, double* x, SmallLu<N>& matrix,
+                                     const Scales& scales) const {
+    Start<double> part = start;
+    double y[N], done = 0.0, step = 0.25;
+    copy_plain(start.stress, x, 6);
+    copy_plain(start.h, x + 6, H);
+    x[N - 1] = 0.0;
+    for (int attempt = 0; attempt < 60 && done < 1.0 && step > 1e-4; ++attempt) {
+      for (int i = 0; i < 6; ++i) part.strain[i] = (done + step) * start.strain[i];
+      model_.elastic_step(part.stress, part.strain, part.middle_volume, y);
+      copy_plain(start.h, y + 6, H);
+      bool ok = model_.admissible(y, y + 6);
+      if (ok && model_.yield(y, y + 6) > options_.yield_tolerance) {
+        if (x[N - 1] > 0.0) copy_plain(x, y, N);
+        if (!(x[N - 1] > 0.0)) y[N - 1] = 0.0;
+        ok = iterate(part, y, matrix, scales);
+      } else {
+        y[N - 1] = 0.0;
+      }
+      if (ok) {
+        copy_plain(y, x, N);
+        done += step;
+        step = ::fmin(2.0 * step, 1.0 - done);
+      } else {
+        step *= 0.5;
+      }
+    }
+    return done >= 1.0;
+  }
+
+  static KOKKOS_INLINE_FUNCTION void copy_plain(const double* from, double* to, int n) {
+    for (int i = 0; i < n; ++i) to[i] = from[i];
   }
 
   /// Takes over the solution, with derivatives where T has them: (dR/dx) dx = -dR/d(strain).
