@@ -13,6 +13,12 @@ namespace mudline {
 template <class T>
 struct ConeGradient {
   T volume, deviator, cubic;
+
+  KOKKOS_INLINE_FUNCTION void divide(double by) {
+    volume *= 1.0 / by;
+    deviator *= 1.0 / by;
+    cubic *= 1.0 / by;
+  }
 };
 
 /// What all cones need of a stress: p', s, J2, J3 and the Lode measure.

@@ -56,7 +56,10 @@ struct FrictionalModel : ConstantElasticity {
   KOKKOS_INLINE_FUNCTION T yield(const T* stress, const T*) const {
     const ConeStress<T> at(stress, 1e-9 * apex);
     const LodeAngle angle(value(at.lode), tension_shape.edge);
+    const double apart = difference(at, angle);
+    if (apart >= apex) return at.yield(angle, yield_shape, slope, strength, apex) / scale;
     const T tension = at.yield(angle, tension_shape, 1.0, tensile, apex);
+    if (apart <= -apex) return tension / scale;
     T weight;
     const T excess = at.yield(angle, yield_shape, slope, strength, apex) - tension;
     return (tension + smooth_excess(excess, apex, weight)) / scale;
@@ -66,17 +69,30 @@ struct FrictionalModel : ConstantElasticity {
   KOKKOS_INLINE_FUNCTION void flow(const T* stress, const T*, const T&, PlasticFlow<T, 1>& out) const {
     const ConeStress<T> at(stress, 1e-9 * apex);
     const LodeAngle angle(value(at.lode), tension_shape.edge);
-    ConeGradient<T> shear, tension, potential;
-    const T f = at.evaluate(angle, yield_shape, slope, strength, apex, shear);
-    const T difference = f - at.evaluate(angle, tension_shape, 1.0, tensile, apex, tension);
-    at.evaluate(angle, potential_shape, dilation, 0.0, potential_apex, potential);
-    T weight;
-    smooth_excess(difference, apex, weight);
-    const ConeGradient<T> b = mix(potential, tension, weight);
-    at.expand(mix(shear, tension, weight), out.yield_gradient);
+    const double apart = difference(at, angle);
+    ConeGradient<T> a, b;  // of yield function and potential
+    if (apart >= apex) {
+      at.evaluate(angle, yield_shape, slope, strength, apex, a);
+      at.evaluate(angle, potential_shape, dilation, 0.0, potential_apex, b);
+    } else if (apart <= -apex) {
+      at.evaluate(angle, tension_shape, 1.0, tensile, apex, a);
+      b = a;
+    } else {
+      ConeGradient<T> tension;
+      const T shear = at.evaluate(angle, yield_shape, slope, strength, apex, a);
+      const T excess = shear - at.evaluate(angle, tension_shape, 1.0, tensile, apex, tension);
+      at.evaluate(angle, potential_shape, dilation, 0.0, potential_apex, b);
+      T weight;
+      smooth_excess(excess, apex, weight);
+      a = mix(a, tension, weight);
+      b = mix(b, tension, weight);
+    }
+    a.divide(scale);
+    b.divide(scale);
+    at.expand(a, out.yield_gradient);
     at.expand(b, out.flow_direction);
     out.bulk = T(bulk);
-    out.shear = T(shear_modulus());
+    out.shear = T(ConstantElasticity::shear);
     out.hardening_gradient[0] = T(0.0);
     const T squared = (2.0 / 3.0) * at.shear_squared(b);
     out.hardening_rate[0] = value(squared) * scale * scale > 1e-20 ? square_root(squared) : T(0.0);
@@ -87,14 +103,21 @@ struct FrictionalModel : ConstantElasticity {
   KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }
 
  private:
-  KOKKOS_INLINE_FUNCTION double shear_modulus() const { return ConstantElasticity::shear; }
-  /// weight * first + (1 - weight) * second, of the dimensionless function
+  /// f_s - f_t, the value only: it tells which of the two is needed.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION double difference(const ConeStress<T>& at, const LodeAngle& angle) const {
+    const double j2 = value(at.j2), p = value(at.p);
+    const double shear = at.has_lode ? angle(yield_shape).k : 1.0, tension = at.has_lode ? angle(tension_shape).k : 1.0;
+    return ::sqrt(j2 * shear * shear + apex * apex) - slope * p - strength -
+           (::sqrt(j2 * tension * tension + apex * apex) - p - tensile);
+  }
+  /// weight * first + (1 - weight) * second
   template <class T>
   KOKKOS_INLINE_FUNCTION ConeGradient<T> mix(const ConeGradient<T>& first, const ConeGradient<T>& second,
                                              const T& weight) const {
-    const T a = weight / scale, b = (1.0 - weight) / scale;
-    return {a * first.volume + b * second.volume, a * first.deviator + b * second.deviator,
-            a * first.cubic + b * second.cubic};
+    const T other = 1.0 - weight;
+    return {weight * first.volume + other * second.volume, weight * first.deviator + other * second.deviator,
+            weight * first.cubic + other * second.cubic};
   }
 };
 

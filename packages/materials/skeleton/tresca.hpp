@@ -89,8 +89,7 @@ struct TrescaModel : ConstantElasticity {
     const ConeStress<T> at(stress, apex());
     ConeGradient<T> g;
     at.evaluate(LodeAngle(value(at.lode), shape.edge), shape, 0.0, 0.0, apex(), g);
-    g.deviator /= scale;
-    g.cubic /= scale;
+    g.divide(scale);
     at.expand(g, out.yield_gradient);
     out.bulk = T(bulk);
     out.shear = T(ConstantElasticity::shear);
