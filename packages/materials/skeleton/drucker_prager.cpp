@@ -12,8 +12,8 @@ void DruckerPrager::parameters(Parameters& p) {
             {"extension", Match::extension},
             {"direct", Match::direct}},
            "Where the cone has the strength of Mohr-Coulomb; or slope and intercept are given directly");
-  p.add("friction angle", friction, "deg", closed(0.0, 60.0), "Of the matched Mohr-Coulomb surface");
-  p.add("dilation angle", dilation, "deg", closed(0.0, 60.0), "Of the matched plastic flow, not above the friction angle");
+  p.add("friction angle [deg]", friction, "deg", closed(0.0, 60.0), "Of the matched Mohr-Coulomb surface");
+  p.add("dilation angle [deg]", dilation, "deg", closed(0.0, 60.0), "Of the matched plastic flow, not above the friction angle");
   p.add("cohesion", cohesion, "Pa", non_negative(), "Of the matched Mohr-Coulomb surface");
   p.add("cone slope", slope, "-", non_negative(), "Growth of sqrt(J2) with mean stress, given directly");
   p.add("cone intercept", intercept, "Pa", non_negative(), "sqrt(J2) at failure without mean stress, given directly");
@@ -28,12 +28,12 @@ void DruckerPrager::parameters(Parameters& p) {
 void DruckerPrager::check(const Section& section) const {
   integration.check(section);
   const bool direct = match == Match::direct;
-  for (const char* entry : {"friction angle", "dilation angle", "cohesion"})
+  for (const char* entry : {"friction angle [deg]", "dilation angle [deg]", "cohesion"})
     if (direct && section.has_parameter(entry))
       section.fail("has no effect with 'match' = direct; give 'cone slope', 'cone intercept', 'dilation slope'", entry);
   for (const char* entry : {"cone slope", "cone intercept", "dilation slope"})
     if (!direct && section.has_parameter(entry)) section.fail("has no effect without 'match' = direct", entry);
-  for (const char* entry : {"friction angle", "cohesion"})
+  for (const char* entry : {"friction angle [deg]", "cohesion"})
     if (!direct && !section.has_parameter(entry)) section.fail(std::string("required parameter '") + entry + "' is missing");
   for (const char* entry : {"cone slope", "cone intercept"})
     if (direct && !section.has_parameter(entry)) section.fail(std::string("required parameter '") + entry + "' is missing");
@@ -41,7 +41,7 @@ void DruckerPrager::check(const Section& section) const {
     section.fail("must be positive, for the rounded tip of the cone; for a clean sand give about 100 Pa",
                  direct ? "cone intercept" : "cohesion");
   if (dilation > friction)
-    section.fail("the dilation angle must not be greater than the friction angle", "dilation angle");
+    section.fail("the dilation angle must not be greater than the friction angle", "dilation angle [deg]");
   if (direct && dilation_slope > slope) section.fail("must not be greater than the cone slope", "dilation slope");
 }
 

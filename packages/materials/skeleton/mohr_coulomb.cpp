@@ -7,13 +7,13 @@ namespace mudline {
 void MohrCoulomb::parameters(Parameters& p) {
   elasticity.parameters(p);
   cohesion.parameters(p, "cohesion");
-  p.required("friction angle", friction, "deg", closed(0.0, 60.0), "Of effective stress; 0 is Tresca");
-  p.add("dilation angle", dilation, "deg", closed(0.0, 60.0), "Of plastic flow, not above the friction angle");
+  p.required("friction angle [deg]", friction, "deg", closed(0.0, 60.0), "Of effective stress; 0 is Tresca");
+  p.add("dilation angle [deg]", dilation, "deg", closed(0.0, 60.0), "Of plastic flow, not above the friction angle");
   p.add("tensile strength", tensile, "Pa", non_negative(),
         "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower");
   p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
         "Part of the distance from the origin to the tip of the cone that the rounding cuts off");
-  p.add("lode transition angle", transition, "deg", closed(20.0, 29.9),
+  p.add("lode transition angle [deg]", transition, "deg", closed(20.0, 29.9),
         "From this Lode angle to 30 degrees the corners of the hexagon are rounded");
   integration.parameters(p, "the shear strength at the mean stress of the start");
 }
@@ -21,7 +21,7 @@ void MohrCoulomb::parameters(Parameters& p) {
 void MohrCoulomb::check(const Section& section) const {
   integration.check(section);
   if (dilation > friction)
-    section.fail("the dilation angle must not be greater than the friction angle", "dilation angle");
+    section.fail("the dilation angle must not be greater than the friction angle", "dilation angle [deg]");
   if (!(cohesion.value > 0.0) && !(cohesion.gradient > 0.0))
     section.fail("must be positive somewhere, for the rounded tip of the cone; for a clean sand give about 100 Pa",
                  "cohesion");

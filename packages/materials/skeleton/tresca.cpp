@@ -17,7 +17,7 @@ void Tresca::parameters(Parameters& p) {
   p.add("sensitivity", sensitivity, "-", closed(1.0, 1e3), "Intact strength over remoulded strength; 1 means no softening");
   p.add("ductility", ductility, "-", positive(),
         "Accumulated plastic shear strain at which 95 percent of the softening has happened");
-  p.add("lode transition angle", transition, "deg", closed(20.0, 29.9),
+  p.add("lode transition angle [deg]", transition, "deg", closed(20.0, 29.9),
         "From this Lode angle to 30 degrees the corners of the hexagon are rounded");
   integration.parameters(p, "the undrained strength");
 }

@@ -15,10 +15,10 @@ namespace {
 
 std::vector<Teuchos::ParameterList> frictional_variants(Teuchos::ParameterList base) {
   base.set("cohesion", 15e3);
-  base.set("friction angle", 28.0);
+  base.set("friction angle [deg]", 28.0);
   Teuchos::ParameterList dilating(base), associated(base), brittle(base), euler(base), fifth_order(base);
-  dilating.set("dilation angle", 8.0);
-  associated.set("dilation angle", 28.0);
+  dilating.set("dilation angle [deg]", 8.0);
+  associated.set("dilation angle [deg]", 28.0);
   brittle.set("tensile strength", 1e3);
   // Explicit substeps are stiff, and their number chancy, at a sharp tip: less of it is met with more cohesion.
   for (auto* list : {&euler, &fifth_order}) {
@@ -28,7 +28,7 @@ std::vector<Teuchos::ParameterList> frictional_variants(Teuchos::ParameterList b
   }
   euler.set("integration", "modified euler");
   euler.set("maximum substeps", 5000);
-  fifth_order.set("dilation angle", 8.0);
+  fifth_order.set("dilation angle [deg]", 8.0);
   fifth_order.set("integration", "runge-kutta-dormand-prince");
   fifth_order.set("maximum substeps", 5000);
   return {base, dilating, associated, brittle, euler, fifth_order};

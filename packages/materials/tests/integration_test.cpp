@@ -73,6 +73,27 @@ TEST(Integration, ImplicitCamClayReachesTheElementTestsWithTwoHundredSteps) {
   EXPECT_NEAR(drained.q(), 137.8789e3, 4e-3 * 138e3);
 }
 
+TEST(ModifiedCamClayStart, PreconsolidationFollowsFromTheNormalCompressionLine) {
+  ModifiedCamClay law = clay(Method::modified_euler, 1e-4);
+  law.normal_volume = 2.5;
+  InitialPoint point;
+  point.stress = isotropic_stress(80e3);
+  double state[ModifiedCamClay::state_size];
+  const double pc = 240.0;  // [kPa]
+  point.void_ratio = 2.5 - 0.15 * std::log(pc) + 0.03 * std::log(pc / 80.0) - 1.0;  // down the line, back up by swelling
+  ASSERT_EQ(law.initialise(point, state), "");
+  EXPECT_NEAR(state[ModifiedCamClay::preconsolidation], pc * 1e3, 1e-6 * pc * 1e3);
+  const double limit = 2.5 - 0.15 * std::log(80.0) - 1.0;  // normally consolidated
+  point.void_ratio = limit + 0.01;
+  const std::string reason = law.initialise(point, state);
+  EXPECT_NE(reason.find("looser than the normal compression line"), std::string::npos);
+  EXPECT_NE(reason.find(std::to_string(limit).substr(0, 5)), std::string::npos) << reason << limit;
+  point.void_ratio = limit;
+  EXPECT_EQ(law.initialise(point, state), "");
+  point.overconsolidation_ratio = 2.0;
+  EXPECT_NE(law.initialise(point, state), "");
+}
+
 /// Stiffness that follows the mean stress of the end, so that the tangent is not the elastic matrix.
 struct Stiffening {
   enum { state_size = 0 };
