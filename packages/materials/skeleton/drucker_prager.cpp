@@ -19,7 +19,8 @@ void DruckerPrager::parameters(Parameters& p) {
   p.add("cone intercept", intercept, "Pa", non_negative(), "sqrt(J2) at failure without mean stress, given directly");
   p.add("dilation slope", dilation_slope, "-", non_negative(), "Slope of the plastic potential, given directly");
   p.add("tensile strength", tensile, "Pa", non_negative(),
-        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower");
+        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as by "
+        "default");
   p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
         "Part of the distance from the origin to the tip of the cone that the rounding cuts off");
   integration.parameters(p, "the shear strength at the mean stress of the start");

@@ -26,7 +26,7 @@ struct DruckerPrager {
   double cohesion = 0.0;                      // [Pa] c
   double slope = 0.0, dilation_slope = 0.0;   // [-] eta, eta_psi
   double intercept = 0.0;                     // [Pa] k
-  double tensile = INFINITY;                  // [Pa]
+  double tensile = 1e12;                      // [Pa]
   double apex = 0.05;                         // [-] a
   IntegrationOptions integration = IntegrationOptions::implicit();
 

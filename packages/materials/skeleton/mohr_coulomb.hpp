@@ -22,7 +22,7 @@ struct MohrCoulomb {
   ElasticConstants elasticity;
   StrengthProfile cohesion;
   double friction = 30.0, dilation = 0.0;  // [deg] phi, psi
-  double tensile = INFINITY;               // [Pa]
+  double tensile = 1e12;                   // [Pa]
   double apex = 0.05;                      // [-] a
   double transition = 29.0;                // [deg] theta_T
   IntegrationOptions integration = IntegrationOptions::implicit();
