@@ -85,7 +85,8 @@ void cam_clay_implicit_plastic(benchmark::State& bench) {
 }
 BENCHMARK(cam_clay_implicit_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {10, 100, 1000}});
 
-/// Laws with constant elasticity: elastic with much strength; else half of the points or more yield at a strain of 1e-2.
+/// Laws with constant elasticity: elastic with much strength; else half of the points or more yield at a strain of
+/// 1e-2.
 PointwiseSkeleton<AutomaticTangent<MohrCoulomb>> sand(bool elastic) {
   MohrCoulomb law;
   law.cohesion.value = elastic ? 1e6 : 5e3;

@@ -27,15 +27,18 @@ struct StrengthProfile {
 
   void parameters(Parameters& p, const std::string& name) {
     p.required(name, value, "Pa", non_negative(), "At the reference elevation, and above it");
-    p.add(name + " gradient", gradient, "Pa/m", non_negative(), "Increase per metre of depth below the reference elevation");
+    p.add(name + " gradient", gradient, "Pa/m", non_negative(),
+          "Increase per metre of depth below the reference elevation");
     p.add("reference elevation", elevation, "m", any(), "Height y from which the depth of the gradient counts");
   }
   double at(const Point& position) const { return value + gradient * ::fmax(0.0, elevation - position[1]); }
 };
 
-/// Perfectly plastic frictional soil: a shear cone with its own potential, and a tension cut-off, as integration sees it.
-///     f_s = sqrt(J2 K^2 + m^2) - eta p' - k               shear, K of the law's shape, potential with eta and K of dilation
-///     f_t = sqrt(J2 K_R^2 + m^2) - p' - t                 rounded Rankine: largest principal stress at most t; associated
+/// Perfectly plastic frictional soil: a shear cone with its own potential, and a tension cut-off, as integration sees
+/// it.
+///     f_s = sqrt(J2 K^2 + m^2) - eta p' - k               shear, K of the law's shape, potential with eta and K of
+///     dilation f_t = sqrt(J2 K_R^2 + m^2) - p' - t                 rounded Rankine: largest principal stress at most
+///     t; associated
 /// joined where they differ by less than m by a twice continuously differentiable maximum; the flow directions are
 /// weighted as the gradients are. So stress, normal and flow are smooth everywhere, and there is a way back from any
 /// tension also when the dilation is zero.
@@ -47,10 +50,10 @@ struct FrictionalModel : ConstantElasticity {
   const LodeShape& yield_shape;
   const LodeShape& potential_shape;
   const LodeShape& tension_shape;
-  double slope, dilation;                 // [-] eta of yield and potential
-  double strength, tensile;               // [Pa] k and t
-  double apex, potential_apex;            // [Pa] m of yield (and tension) and potential
-  double scale;                           // [Pa] makes f dimensionless
+  double slope, dilation;       // [-] eta of yield and potential
+  double strength, tensile;     // [Pa] k and t
+  double apex, potential_apex;  // [Pa] m of yield (and tension) and potential
+  double scale;                 // [Pa] makes f dimensionless
 
   template <class T>
   KOKKOS_INLINE_FUNCTION T yield(const T* stress, const T*) const {

@@ -51,9 +51,9 @@ struct SmallLu {
 /// Backward Euler ("closest point projection"; Simo & Hughes 1998, Computational Inelasticity, ch. 3) for the models of
 /// plastic_path.hpp. Unknown are the stress, the hardening variables and the multiplier of the end:
 ///     sigma = E(sigma_old, deps - dlambda b(sigma, h)),  h = h_old + dlambda B(sigma, h),  f(sigma, h) = 0
-/// with the model's elastic law E. Newton with the derivative of these equations by dual numbers, so a model gives first
-/// derivatives only; each iterate must lower the residual. Where it does not converge the increment is subdivided, as
-/// fine as `maximum_substeps` allows.
+/// with the model's elastic law E. Newton with the derivative of these equations by dual numbers, so a model gives
+/// first derivatives only; each iterate must lower the residual. Where it does not converge the increment is
+/// subdivided, as fine as `maximum_substeps` allows.
 ///
 /// With T = Dual<6> the solution is differentiated implicitly: one more evaluation with the strain (and what the model
 /// has of it) as independent variables, and a solution with the last matrix for each of them.
@@ -153,8 +153,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     for (int i = 0; i < 6; ++i) elastic[i] = start.strain[i] - multiplier * b[i];
     model_.elastic_step(start.stress, elastic, middle_volume, to);
     for (int i = 0; i < 6; ++i) r[i] = (x[i] - to[i]) / scales.stress;
-    for (int i = 0; i < H; ++i)
-      r[6 + i] = (x[6 + i] - start.h[i] - multiplier * flow.hardening_rate[i]) / scales.h[i];
+    for (int i = 0; i < H; ++i) r[6 + i] = (x[6 + i] - start.h[i] - multiplier * flow.hardening_rate[i]) / scales.h[i];
     r[N - 1] = model_.yield(x, x + 6);
   }
 
@@ -202,8 +201,8 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   }
 
   /// Where Newton fails from the trial stress: the same return for growing parts of the strain increment, each starting
-  /// from the solution of the one before. It ends at the same solution, so the answer does not jump from this way to the
-  /// other.
+  /// from the solution of the one before. It ends at the same solution, so the answer does not jump from this way to
+  /// the other.
   KOKKOS_INLINE_FUNCTION bool follow(const Start<double>& start, double* x, SmallLu<N>& matrix,
                                      const Scales& scales) const {
     Start<double> part = start;

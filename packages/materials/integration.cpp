@@ -19,8 +19,9 @@ void IntegrationOptions::parameters(Parameters& p, const std::string& yield_scal
 
 void IntegrationOptions::check(const Section& section) const {
   if (method == Method::implicit && section.has_parameter("stress tolerance"))
-    section.fail("'integration' = implicit has no error control; remove the stress tolerance or choose an explicit method",
-                 "stress tolerance");
+    section.fail(
+        "'integration' = implicit has no error control; remove the stress tolerance or choose an explicit method",
+        "stress tolerance");
 }
 
 }  // namespace mudline

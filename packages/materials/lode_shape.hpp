@@ -12,16 +12,17 @@ namespace mudline {
 /// exact value at the corners, so strength is lost there: 0.7 % in triaxial compression for phi = 30 deg, theta_T = 29.
 /// sin(phi) = 0 is Tresca, sin(phi) = 1 is Rankine: sigma_1 = mean stress + sqrt(J2) K.
 struct LodeShape {
-  bool circle = true;  // K = 1
-  double sine = 0.0;   // sin(phi)
-  double edge = 1.0;   // sin(3 theta_T)
+  bool circle = true;       // K = 1
+  double sine = 0.0;        // sin(phi)
+  double edge = 1.0;        // sin(3 theta_T)
   double a[2], b[2], c[2];  // [0]: sin 3theta > 0
 
   static LodeShape mohr_coulomb(double sine, double transition_degrees) {
     LodeShape r;
     r.circle = false;
     r.sine = sine;
-    const double t = transition_degrees * 0.017453292519943295, root3 = ::sqrt(3.0), c3 = ::cos(3 * t), s3 = ::sin(3 * t);
+    const double t = transition_degrees * 0.017453292519943295, root3 = ::sqrt(3.0), c3 = ::cos(3 * t),
+                 s3 = ::sin(3 * t);
     r.edge = s3;
     for (int side = 0; side < 2; ++side) {
       const double sg = side == 0 ? 1.0 : -1.0;
@@ -42,8 +43,8 @@ struct LodeValue {
 
 /// The Lode angle of one stress, ready for shapes of the same transition angle.
 struct LodeAngle {
-  double sine3;                    // sin 3theta = -S
-  double sine, cosine, cosine3;    // of theta and 3theta, between the transitions
+  double sine3;                  // sin 3theta = -S
+  double sine, cosine, cosine3;  // of theta and 3theta, between the transitions
 
   /// `edge`: sin(3 theta_T) of the shapes.
   KOKKOS_INLINE_FUNCTION LodeAngle(double s, double edge) : sine3(-s), sine(0), cosine(1), cosine3(1) {

@@ -16,8 +16,8 @@ struct PlasticFlow {
   T hardening_rate[H];      // B in dh = dlambda B
 };
 
-/// One increment of one material point, with what explicit and implicit integration have in common. The models are those
-/// of rate-independent plasticity with isotropic tangential elasticity:
+/// One increment of one material point, with what explicit and implicit integration have in common. The models are
+/// those of rate-independent plasticity with isotropic tangential elasticity:
 ///     dsigma = D (deps - dlambda b),  dh = dlambda B,  f(sigma, h) <= 0
 ///
 /// A Model provides (KOKKOS_INLINE_FUNCTION, tension positive):

@@ -18,9 +18,10 @@ void ModifiedCamClay::parameters(Parameters& p) {
            "Which specific volume enters bulk modulus and hardening");
   p.choice("lode dependence", lode, {{"none", Lode::none}, {"sheng", Lode::sheng}},
            "Strength in triaxial extension: that of compression, or that of the same friction angle");
-  p.add("normal compression volume", normal_volume, "-", non_negative(),
-        "N, specific volume of isotropic virgin compression at 1 kPa; when given, the preconsolidation pressure follows "
-        "from the initial void ratio, and the overconsolidation ratio must be 1");
+  p.add(
+      "normal compression volume", normal_volume, "-", non_negative(),
+      "N, specific volume of isotropic virgin compression at 1 kPa; when given, the preconsolidation pressure follows "
+      "from the initial void ratio, and the overconsolidation ratio must be 1");
   p.add("minimum mean stress", minimum_mean_stress, "Pa", non_negative(),
         "The mean effective stress is held at this value where the soil would loosen further");
   integration.parameters(p, "the preconsolidation pressure squared");

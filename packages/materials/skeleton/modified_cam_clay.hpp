@@ -37,7 +37,8 @@ struct ModifiedCamClay {
   static std::vector<StateVariable> state();
   /// pc = R (p' + q^2/(M^2 p')): the yield surface through the initial stress, scaled by the overconsolidation ratio R.
   /// With N, the specific volume at p' = 1 kPa on the isotropic normal compression line v = N - lambda ln(p'/1 kPa), pc
-  /// follows from the initial stress and void ratio instead: ln(pc/1 kPa) = (N - v - kappa ln(p'/1 kPa))/(lambda - kappa).
+  /// follows from the initial stress and void ratio instead: ln(pc/1 kPa) = (N - v - kappa ln(p'/1 kPa))/(lambda -
+  /// kappa).
   std::string initialise(const InitialPoint& point, double* state) const;
   /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the ratio that one-dimensional
   /// virgin compression tends to: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g = G/K,

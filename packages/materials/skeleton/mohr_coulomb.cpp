@@ -10,7 +10,8 @@ void MohrCoulomb::parameters(Parameters& p) {
   p.required("friction angle [deg]", friction, "deg", closed(0.0, 60.0), "Of effective stress; 0 is Tresca");
   p.add("dilation angle [deg]", dilation, "deg", closed(0.0, 60.0), "Of plastic flow, not above the friction angle");
   p.add("tensile strength", tensile, "Pa", non_negative(),
-        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as by "
+        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as "
+        "by "
         "default");
   p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
         "Part of the distance from the origin to the tip of the cone that the rounding cuts off");

@@ -8,12 +8,12 @@ namespace mudline {
 /// 54:427; Abbo, Lyamin, Sloan & Hambleton 2011, IJSS 48:3001). p' compression positive:
 ///     yield      f = sqrt(J2 K(S)^2 + m^2) - p' sin(phi) - c cos(phi) = 0, m = a c cos(phi)
 ///     potential  g = sqrt(J2 K_psi(S)^2 + (a c cos(psi))^2) - p' sin(psi)
-/// K rounds the corners of the hexagon (lode_shape.hpp), the hyperbola rounds the tip: a is the fraction of the distance
-/// from the origin to the sharp tip, c cot(phi), that it cuts off.
-/// The largest principal stress is limited to the tensile strength by a rounded Rankine surface (frictional_model.hpp),
-/// at most 2 c cos(phi)/(1 + sin(phi)), the uniaxial tensile strength of the cone itself: above that only states with
-/// three tensile principal stresses would differ, and with psi = 0 none of them could be returned to the cone.
-/// c grows with depth, fixed to the material where it starts. Code: tension positive, [Pa].
+/// K rounds the corners of the hexagon (lode_shape.hpp), the hyperbola rounds the tip: a is the fraction of the
+/// distance from the origin to the sharp tip, c cot(phi), that it cuts off. The largest principal stress is limited to
+/// the tensile strength by a rounded Rankine surface (frictional_model.hpp), at most 2 c cos(phi)/(1 + sin(phi)), the
+/// uniaxial tensile strength of the cone itself: above that only states with three tensile principal stresses would
+/// differ, and with psi = 0 none of them could be returned to the cone. c grows with depth, fixed to the material where
+/// it starts. Code: tension positive, [Pa].
 ///
 /// An initial stress outside the surface is brought back to it, at fixed strain, when the law is first evaluated.
 struct MohrCoulomb {
@@ -36,7 +36,9 @@ struct MohrCoulomb {
   /// (1 - sin(phi)) R^sin(phi), at most the passive ratio (Jaky 1944; Mayne & Kulhawy 1982).
   double k0(double overconsolidation_ratio) const;
 
-  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const { return elasticity.moduli(); }
+  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const {
+    return elasticity.moduli();
+  }
   KOKKOS_INLINE_FUNCTION FrictionalModel model(double c, const double* stress) const;
   template <class T>
   KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,

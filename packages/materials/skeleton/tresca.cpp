@@ -13,8 +13,10 @@ void Tresca::parameters(Parameters& p) {
            "How the strength grows with the shear strain rate above the reference rate");
   p.add("rate coefficient", rate_coefficient, "-", non_negative(), "Gain per tenfold rate; for the logarithmic law");
   p.add("rate exponent", rate_exponent, "-", half_open(0.0, 1.0), "Exponent of rate over reference; for the power law");
-  p.add("reference strain rate", reference_rate, "1/s", positive(), "Shear strain rate at which the strength is the given one");
-  p.add("sensitivity", sensitivity, "-", closed(1.0, 1e3), "Intact strength over remoulded strength; 1 means no softening");
+  p.add("reference strain rate", reference_rate, "1/s", positive(),
+        "Shear strain rate at which the strength is the given one");
+  p.add("sensitivity", sensitivity, "-", closed(1.0, 1e3),
+        "Intact strength over remoulded strength; 1 means no softening");
   p.add("ductility", ductility, "-", positive(),
         "Accumulated plastic shear strain at which 95 percent of the softening has happened");
   p.add("lode transition angle [deg]", transition, "deg", closed(20.0, 29.9),
@@ -28,7 +30,8 @@ void Tresca::check(const Section& section) const {
     section.fail("exactly one of 'shear modulus' and 'rigidity index' must be given");
   const char* stiffness = section.has_parameter("shear modulus") ? "shear modulus" : "rigidity index";
   if (!(shear_modulus + rigidity > 0.0)) section.fail("must be positive", stiffness);
-  if (!(strength.value > 0.0) && !(strength.gradient > 0.0)) section.fail("must be positive somewhere", "undrained strength");
+  if (!(strength.value > 0.0) && !(strength.gradient > 0.0))
+    section.fail("must be positive somewhere", "undrained strength");
   const auto only_with = [&](const char* entry, bool used, const char* when) {
     if (!used && section.has_parameter(entry)) section.fail(std::string("has no effect without ") + when, entry);
   };

@@ -12,24 +12,24 @@ namespace mudline {
 /// at which 95 % of the loss has happened (Einav & Randolph 2005, IJNME 63:991; Zhou & Randolph 2009, Int. J. Geomech.
 /// 9:211). Shear strains are sqrt(2 e:e), the engineering shear strain of simple shear and, at constant volume, the
 /// difference of the principal strains in plane strain. The rate is that of the total strain, constant over the
-/// increment, and part of the tangent; without time (dt = 0) R = 1. Below the reference rate R = 1 in both laws, so that
-/// soil at rest keeps its strength. When the rate falls the stress returns to the smaller surface at fixed strain.
+/// increment, and part of the tangent; without time (dt = 0) R = 1. Below the reference rate R = 1 in both laws, so
+/// that soil at rest keeps its strength. When the rate falls the stress returns to the smaller surface at fixed strain.
 /// For effective stress in a u-p analysis as well as for total stress. Code: tension positive, [Pa].
 struct Tresca {
   enum class Rate { none, logarithmic, power };
   enum { strength_here, plastic_shear_strain, state_size };
 
   StrengthProfile strength;
-  double shear_modulus = 0.0;         // [Pa] used where positive, else
-  double rigidity = 0.0;              // [-] G/s_u0
-  double poisson = 0.49;              // [-]
+  double shear_modulus = 0.0;  // [Pa] used where positive, else
+  double rigidity = 0.0;       // [-] G/s_u0
+  double poisson = 0.49;       // [-]
   Rate rate = Rate::none;
-  double rate_coefficient = 0.1;      // [-] lambda
-  double rate_exponent = 0.05;        // [-] beta
-  double reference_rate = 1e-5;       // [1/s]
-  double sensitivity = 1.0;           // [-] S_t
-  double ductility = 10.0;            // [-] xi_95
-  double transition = 29.0;           // [deg]
+  double rate_coefficient = 0.1;  // [-] lambda
+  double rate_exponent = 0.05;    // [-] beta
+  double reference_rate = 1e-5;   // [1/s]
+  double sensitivity = 1.0;       // [-] S_t
+  double ductility = 10.0;        // [-] xi_95
+  double transition = 29.0;       // [deg]
   IntegrationOptions integration = IntegrationOptions::implicit();
 
   void parameters(Parameters& p);

@@ -4,7 +4,8 @@
 
 namespace mudline {
 
-/// Von Mises with isotropic hardening, linear elastic, associated (Simo & Hughes 1998, Computational Inelasticity, ch. 3).
+/// Von Mises with isotropic hardening, linear elastic, associated (Simo & Hughes 1998, Computational Inelasticity, ch.
+/// 3).
 ///     yield       f = q - sigma_y(k) = 0, q = sqrt(3 J2)
 ///     hardening   sigma_y = sigma_0 + H k + Q (1 - exp(-b k)): linear and Voce's, either may be absent
 /// k is the equivalent plastic strain, dk = sqrt(2/3 de_p:de_p). With sigma_y = 2 s_u (triaxial) or sqrt(3) s_u (plane
@@ -27,11 +28,12 @@ struct VonMises {
     return "";
   }
 
-  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const { return elasticity.moduli(); }
+  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const {
+    return elasticity.moduli();
+  }
   template <class T>
   KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
                                      double* state) const;
-
 };
 
 /// The law during one increment; h = (k).
@@ -65,8 +67,7 @@ struct VonMisesModel : ConstantElasticity {
     out.bulk = T(bulk);
     out.shear = T(ConstantElasticity::shear);
     const double rate = law.saturation_rate;
-    out.hardening_gradient[0] =
-        (law.hardening + law.saturation * rate * exponential(-rate * h[0])) / -law.yield_stress;
+    out.hardening_gradient[0] = (law.hardening + law.saturation * rate * exponential(-rate * h[0])) / -law.yield_stress;
     out.hardening_rate[0] = T(1.0 / law.yield_stress);
   }
 

@@ -43,7 +43,8 @@ TEST(LodeShape, ValueSlopeAndCurvatureAreContinuousAtTheTransition) {
       for (const double side : {-1.0, 1.0}) {
         SCOPED_TRACE(testing::Message() << friction << " " << transition << " " << side);
         const LodeShape s = shape(friction, transition);
-        const LodeValue in = LodeAngle(side * s.edge * (1 - 1e-9), s.edge)(s), out = LodeAngle(side * s.edge * (1 + 1e-9), s.edge)(s);
+        const LodeValue in = LodeAngle(side * s.edge * (1 - 1e-9), s.edge)(s),
+                        out = LodeAngle(side * s.edge * (1 + 1e-9), s.edge)(s);
         EXPECT_NEAR(in.k, out.k, 1e-7);
         EXPECT_NEAR(in.slope, out.slope, 1e-6 * (1 + std::abs(in.slope)));
         EXPECT_NEAR(in.curvature, out.curvature, 1e-4 * (1 + std::abs(in.curvature)));
@@ -54,7 +55,8 @@ TEST(LodeShape, DerivativesAgreeWithDifferences) {
   const LodeShape s = shape(25, 29);
   for (double lode = -1.0; lode <= 1.0; lode += 0.037) {
     const double h = 1e-6;
-    const LodeValue v = LodeAngle(lode, s.edge)(s), low = LodeAngle(lode - h, s.edge)(s), high = LodeAngle(lode + h, s.edge)(s);
+    const LodeValue v = LodeAngle(lode, s.edge)(s), low = LodeAngle(lode - h, s.edge)(s),
+                    high = LodeAngle(lode + h, s.edge)(s);
     EXPECT_NEAR(v.slope, (high.k - low.k) / (2 * h), 1e-6 * (1 + std::abs(v.curvature)));
     EXPECT_NEAR(v.curvature, (high.slope - low.slope) / (2 * h), 1e-4 * (1 + std::abs(v.curvature)));
   }
@@ -86,7 +88,9 @@ TEST(ConeStress, GradientAgreesWithDifferences) {
         low[i] -= 1e-5;
         high[i] += 1e-5;
         const ConeStress<double> l(low, 1e-9), h(high, 1e-9);
-        const double slope = (h.yield(LodeAngle(h.lode, s.edge), s, 0.5, 8.0, 0.4) - l.yield(LodeAngle(l.lode, s.edge), s, 0.5, 8.0, 0.4)) / 2e-5;
+        const double slope = (h.yield(LodeAngle(h.lode, s.edge), s, 0.5, 8.0, 0.4) -
+                              l.yield(LodeAngle(l.lode, s.edge), s, 0.5, 8.0, 0.4)) /
+                             2e-5;
         EXPECT_NEAR(a[i], slope, 1e-7);
         const double e = i < 3 ? a[i] - 0.5 / 3 : a[i];
         squared += i < 3 ? e * e : 0.5 * e * e;

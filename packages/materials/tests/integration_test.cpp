@@ -80,7 +80,8 @@ TEST(ModifiedCamClayStart, PreconsolidationFollowsFromTheNormalCompressionLine) 
   point.stress = isotropic_stress(80e3);
   double state[ModifiedCamClay::state_size];
   const double pc = 240.0;  // [kPa]
-  point.void_ratio = 2.5 - 0.15 * std::log(pc) + 0.03 * std::log(pc / 80.0) - 1.0;  // down the line, back up by swelling
+  point.void_ratio =
+      2.5 - 0.15 * std::log(pc) + 0.03 * std::log(pc / 80.0) - 1.0;  // down the line, back up by swelling
   ASSERT_EQ(law.initialise(point, state), "");
   EXPECT_NEAR(state[ModifiedCamClay::preconsolidation], pc * 1e3, 1e-6 * pc * 1e3);
   const double limit = 2.5 - 0.15 * std::log(80.0) - 1.0;  // normally consolidated

@@ -26,8 +26,8 @@ MohrCoulomb soil(double dilation = 0.0, double friction = 30.0) {
   return law;
 }
 
-/// The rounded surface on a triaxial path at constant radial stress: sqrt(q^2 K^2/3 + m^2) = (r +- q/3) sin phi + c cos phi,
-/// solved for q >= 0; upper sign compression. Compression positive.
+/// The rounded surface on a triaxial path at constant radial stress: sqrt(q^2 K^2/3 + m^2) = (r +- q/3) sin phi + c cos
+/// phi, solved for q >= 0; upper sign compression. Compression positive.
 double rounded_q(const MohrCoulomb& law, double radial, double sign) {
   const double sine = std::sin(law.friction * degree), strength = law.cohesion.value * std::cos(law.friction * degree);
   const LodeShape shape = LodeShape::mohr_coulomb(sine, law.transition);
@@ -49,7 +49,10 @@ TEST(MohrCoulomb, TriaxialStrengthIsThatOfTheRoundedSurface) {
     for (const double dilation : {0.0, 12.0, 30.0}) {
       MohrCoulomb law = soil(dilation);
       law.integration.method = method;
-      law.integration.stress_tolerance = method == Method::modified_euler ? 1e-6 : 1e-10;  // the driver's iteration stalls where the number of substeps changes
+      law.integration.stress_tolerance =
+          method == Method::modified_euler
+              ? 1e-6
+              : 1e-10;  // the driver's iteration stalls where the number of substeps changes
       law.integration.yield_tolerance = 1e-12;
       SCOPED_TRACE(testing::Message() << "method " << static_cast<int>(method) << " dilation " << dilation);
       const double compression = 100e3 + rounded_q(law, 100e3, 1.0), extension = 100e3 - rounded_q(law, 100e3, -1.0);

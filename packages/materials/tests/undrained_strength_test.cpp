@@ -105,7 +105,8 @@ TEST(Tresca, TangentIncludesTheRate) {
   law.prepare();
   for (const Method method : {Method::implicit, Method::modified_euler}) {
     law.integration.method = method;
-    SkeletonPoint in{{-50e3, -60e3, -55e3, 1e3, 2e3, 15e3}, {1e-3, -4e-3, 2e-3, 1e-3, -2e-3, 9e-3}, 1.0, 0.0, 0.5, true};
+    SkeletonPoint in{
+        {-50e3, -60e3, -55e3, 1e3, 2e3, 15e3}, {1e-3, -4e-3, 2e-3, 1e-3, -2e-3, 9e-3}, 1.0, 0.0, 0.5, true};
     const double old[2] = {20e3, 0.1};
     double state[2];
     SkeletonResponse out, low, high;
