@@ -3,6 +3,9 @@
 
 #include "materials/skeleton/linear_elastic.hpp"
 #include "materials/skeleton/modified_cam_clay.hpp"
+#include "materials/skeleton/mohr_coulomb.hpp"
+#include "materials/skeleton/tresca.hpp"
+#include "materials/skeleton/von_mises.hpp"
 
 namespace {
 
@@ -74,6 +77,53 @@ void cam_clay_lode_plastic(benchmark::State& bench) {
   run(bench, PointwiseSkeleton<ModifiedCamClay>(clay(true)), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
 }
 BENCHMARK(cam_clay_lode_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {10, 100}});
+
+void cam_clay_implicit_plastic(benchmark::State& bench) {
+  ModifiedCamClay law = clay(false);
+  law.integration.method = IntegrationOptions::Method::implicit;
+  run(bench, PointwiseSkeleton<ModifiedCamClay>(law), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
+}
+BENCHMARK(cam_clay_implicit_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {10, 100, 1000}});
+
+/// Laws with constant elasticity: elastic with much strength; else half of the points or more yield at a strain of
+/// 1e-2.
+PointwiseSkeleton<AutomaticTangent<MohrCoulomb>> sand(bool elastic) {
+  MohrCoulomb law;
+  law.cohesion.value = elastic ? 1e6 : 5e3;
+  law.friction = 25.0;
+  law.dilation = 5.0;
+  return PointwiseSkeleton<AutomaticTangent<MohrCoulomb>>(law);
+}
+PointwiseSkeleton<AutomaticTangent<Tresca>> undrained(bool elastic) {
+  Tresca law;
+  law.strength.value = elastic ? 1e6 : 60e3;
+  law.shear_modulus = 10e6;
+  law.rate = Tresca::Rate::logarithmic;
+  law.sensitivity = 3.0;
+  return PointwiseSkeleton<AutomaticTangent<Tresca>>(law);
+}
+PointwiseSkeleton<AutomaticTangent<VonMises>> metal() {
+  VonMises law;
+  law.yield_stress = 80e3;
+  return PointwiseSkeleton<AutomaticTangent<VonMises>>(law);
+}
+
+void mohr_coulomb_elastic(benchmark::State& bench) { run(bench, sand(true), 1.0, 1e-4, bench.range(0) != 0); }
+BENCHMARK(mohr_coulomb_elastic)->ArgName("tangent")->Arg(0)->Arg(1);
+void mohr_coulomb_plastic(benchmark::State& bench) {
+  run(bench, sand(false), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
+}
+BENCHMARK(mohr_coulomb_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {100, 1000}});
+void tresca_elastic(benchmark::State& bench) { run(bench, undrained(true), 1.0, 1e-4, bench.range(0) != 0); }
+BENCHMARK(tresca_elastic)->ArgName("tangent")->Arg(0)->Arg(1);
+void tresca_plastic(benchmark::State& bench) {
+  run(bench, undrained(false), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
+}
+BENCHMARK(tresca_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {100, 1000}});
+void von_mises_plastic(benchmark::State& bench) {
+  run(bench, metal(), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
+}
+BENCHMARK(von_mises_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {100, 1000}});
 
 }  // namespace
 

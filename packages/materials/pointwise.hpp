@@ -26,7 +26,10 @@ struct SkeletonResponse {
 ///     static std::vector<StateVariable> state();
 ///     std::string initialise(const InitialPoint&, double* state) const;
 ///     ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const;
-///     void parameters(Parameters&);            [optional] void check(const Section&);  double k0(double ocr) const;
+///     void parameters(Parameters&);
+///     void check(const Section&);              [optional] rules across parameters
+///     void prepare();                          [optional] computes constants from the parameters, once
+///     double k0(double ocr) const;             [optional]
 /// into a Skeleton: the only loop over points. Returning false marks the point as failed; the step is then cut.
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -34,10 +37,11 @@ class PointwiseSkeleton : public Skeleton {
 
  public:
   PointwiseSkeleton() : variables_(Law::state()) {}
-  explicit PointwiseSkeleton(const Law& law) : law_(law), variables_(Law::state()) {}
+  explicit PointwiseSkeleton(const Law& law) : law_(law), variables_(Law::state()) { prepare(); }
   void parameters(Parameters& p) { law_.parameters(p); }
   void check(const Section& section) {
     if constexpr (detail_has_check<Law>::value) law_.check(section);
+    prepare();
   }
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
   std::string initialise(const InitialPoint& point, double* state) const override { return law_.initialise(point, state); }
@@ -84,6 +88,13 @@ class PointwiseSkeleton : public Skeleton {
   const Law& law() const { return law_; }
 
  private:
+  void prepare() {
+    if constexpr (detail_has_prepare<Law>::value) law_.prepare();
+  }
+  template <class T, class = void>
+  struct detail_has_prepare : std::false_type {};
+  template <class T>
+  struct detail_has_prepare<T, std::void_t<decltype(std::declval<T&>().prepare())>> : std::true_type {};
   template <class T, class = void>
   struct detail_has_check : std::false_type {};
   template <class T>

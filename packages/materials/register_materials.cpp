@@ -4,9 +4,14 @@
 #include "materials/permeability/constant.hpp"
 #include "materials/permeability/kozeny_carman.hpp"
 #include "materials/permeability/log_linear.hpp"
+#include "materials/skeleton/drucker_prager.hpp"
 #include "materials/skeleton/linear_elastic.hpp"
 #include "materials/skeleton/modified_cam_clay.hpp"
+#include "materials/skeleton/mohr_coulomb.hpp"
+#include "materials/skeleton/neo_hookean.hpp"
+#include "materials/skeleton/tresca.hpp"
 #include "materials/skeleton/umat.hpp"
+#include "materials/skeleton/von_mises.hpp"
 
 namespace mudline {
 
@@ -15,6 +20,16 @@ void register_materials(Registry<Skeleton>& skeletons, Registry<Fluid>& fluids,
   skeletons.add<PointwiseSkeleton<LinearElastic>>("linear elastic", "Isotropic linear elasticity in rate form");
   skeletons.add<PointwiseSkeleton<ModifiedCamClay>>("modified cam clay",
                                                     "Critical state clay with pressure-dependent elasticity");
+  skeletons.add<PointwiseSkeleton<AutomaticTangent<MohrCoulomb>>>(
+      "mohr-coulomb", "Frictional soil with cohesion, dilation, tension cut-off");
+  skeletons.add<PointwiseSkeleton<AutomaticTangent<Tresca>>>(
+      "tresca", "Undrained strength with depth, strain rate and softening");
+  skeletons.add<PointwiseSkeleton<AutomaticTangent<DruckerPrager>>>(
+      "drucker-prager", "Circular frictional cone, matched to Mohr-Coulomb");
+  skeletons.add<PointwiseSkeleton<AutomaticTangent<NeoHookean>>>("neo-hookean",
+                                                                 "Compressible elasticity at large stretch");
+  skeletons.add<PointwiseSkeleton<AutomaticTangent<VonMises>>>("von mises",
+                                                               "Deviatoric yield with isotropic hardening");
   skeletons.add<Umat>("umat", "A subroutine UMAT as finite-element programs take it, from a shared library");
   fluids.add<Water>("water", "Slightly compressible or incompressible water");
   permeabilities.add<ConstantPermeability>("constant", "The same conductivity at every void ratio");

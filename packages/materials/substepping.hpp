@@ -1,66 +1,35 @@
 #pragma once
 
-#include "tensor/sym6.hpp"
+#include "materials/plastic_path.hpp"
 
 namespace mudline {
 
-struct SubsteppingOptions {
-  double stress_tolerance = 1e-4;  // relative local error that a substep may have
-  double yield_tolerance = 1e-9;   // on the model's dimensionless yield function
-  int maximum_substeps = 1000;     // attempts per increment
-};
-
-/// All that the plastic rate equations need of a model at one state. Gradients with respect to stress are strain-like
-/// six-vectors (engineering shear), H is the number of hardening variables.
-template <class T, int H>
-struct PlasticFlow {
-  T bulk, shear;            // [Pa] tangential elastic moduli
-  T yield_gradient[6];      // a = df/dsigma
-  T flow_direction[6];      // b = dg/dsigma; unused by associated models
-  T hardening_gradient[H];  // df/dh
-  T hardening_rate[H];      // B in dh = dlambda B
-};
-
-/// Explicit elastoplastic integration with error control, for any model of rate-independent plasticity with isotropic
-/// tangential elasticity:
-///     dsigma = D (deps - dlambda b),  dh = dlambda B,  dlambda = a.D deps / (a.D b - df/dh.B)
-/// elastic up to the yield surface (Pegasus), then modified Euler substeps whose local error is the difference from
-/// forward Euler, each followed by a correction of the drift from the yield surface at fixed strain.
-/// Source: Sloan 1987, IJNME 24:893; Sloan, Abbo & Sheng 2001, Engineering Computations 18:121.
+/// Explicit elastoplastic integration with error control:
+///     dlambda = a.D deps / (a.D b - df/dh.B)
+/// elastic up to the yield surface (Pegasus), then substeps, each followed by a correction of the drift from the yield
+/// surface at fixed strain. A substep is modified Euler, whose local error is the difference from forward Euler, or the
+/// six-stage Runge-Kutta pair of orders 5 and 4 of Dormand and Prince.
+/// Source: Sloan 1987, IJNME 24:893; Sloan, Abbo & Sheng 2001, Engineering Computations 18:121; Dormand & Prince 1980,
+/// J. Comput. Appl. Math. 6:19 (RK5(4)6M).
 ///
 /// With T = Dual<6> and a strain whose components are the independent variables, the result carries the derivative of
 /// the update as it was computed: the crossing point, the substep sizes and the drift correction are differentiated
 /// too, only the number of substeps is fixed.
-///
-/// A Model provides (KOKKOS_INLINE_FUNCTION, tension positive):
-///     static constexpr int hardening;                       number of hardening variables, at least 1
-///     static constexpr bool associated;                     b = a
-///     T yield(const T* stress, const T* h) const;           dimensionless, negative inside, of order 1 outside
-///     void flow(const T* stress, const T* h, const T& volume_strain, PlasticFlow<T, hardening>&) const;
-///     void elastic(const T* stress, const T* strain, T* out) const;    exact, from the start of the increment
-///     bool admissible(const double* stress, const double* h) const;    where all of the above are defined
-///     bool exhausted(const double* stress) const;           stop here: the model deals with such states itself
-///     double hardening_scale(int i, double h) const;        what the error of variable i is measured by
-/// volume_strain: trace of the strain since the start of the increment.
 template <class T, class Model>
-class Substepping {
+class Substepping : public PlasticPath<T, Model> {
  public:
-  static constexpr int H = Model::hardening;
+  using PlasticPath<T, Model>::H;
+  using PlasticPath<T, Model>::stress;
+  using PlasticPath<T, Model>::h;
 
-  KOKKOS_INLINE_FUNCTION Substepping(const Model& model, const SubsteppingOptions& options, const T* strain)
-      : model_(model), options_(options), volume_(sym6::trace(strain)) {
-    for (int i = 0; i < 6; ++i) strain_[i] = strain[i];
+  KOKKOS_INLINE_FUNCTION Substepping(const Model& model, const IntegrationOptions& options, const T* strain)
+      : PlasticPath<T, Model>(model, options, strain) {
     for (int i = 0; i < 6; ++i) plain_strain_[i] = value(strain[i]);
   }
 
-  T stress[6];  // [Pa] before integrate: old; after: new
-  T h[H];       // hardening variables, likewise
-
   /// False when no admissible state was found; stress and h are then undefined.
   KOKKOS_INLINE_FUNCTION bool integrate() {
-    if (!admissible(stress, h)) return false;
-    // A remapped state may lie outside its surface.
-    if (value(model_.yield(stress, h)) > options_.yield_tolerance && !correct_drift(T(0.0))) return false;
+    if (!this->prepare()) return false;
     T trial[6];
     model_.elastic(stress, strain_, trial);
     const double f = value(model_.yield(trial, h));
@@ -75,16 +44,14 @@ class Substepping {
   }
 
  private:
-  static KOKKOS_INLINE_FUNCTION void copy(const T* from, T* to, int n) {
-    for (int i = 0; i < n; ++i) to[i] = from[i];
-  }
-
-  KOKKOS_INLINE_FUNCTION bool admissible(const T* sigma, const T* hardening) const {
-    double s[6], x[H];
-    for (int i = 0; i < 6; ++i) s[i] = value(sigma[i]);
-    for (int i = 0; i < H; ++i) x[i] = value(hardening[i]);
-    return model_.admissible(s, x);
-  }
+  using PlasticPath<T, Model>::model_;
+  using PlasticPath<T, Model>::options_;
+  using PlasticPath<T, Model>::strain_;
+  using PlasticPath<T, Model>::volume_;
+  using PlasticPath<T, Model>::copy;
+  using PlasticPath<T, Model>::admissible;
+  using PlasticPath<T, Model>::correct_drift;
+  using PlasticPath<T, Model>::plastic_modulus;
 
   /// Yield function after the elastic fraction t of the increment, values only.
   KOKKOS_INLINE_FUNCTION double elastic_yield(double t) const {
@@ -175,7 +142,7 @@ class Substepping {
     T step = 1.0 - time, new_stress[6], new_h[H], error_squared;
     bool rejected = false;
     for (int attempt = 0; attempt < options_.maximum_substeps; ++attempt) {
-      if (!modified_euler(time, step, new_stress, new_h, error_squared)) {
+      if (!substep(time, step, new_stress, new_h, error_squared)) {
         step *= 0.25;
         rejected = true;
       } else if (!(value(error_squared) <= options_.stress_tolerance * options_.stress_tolerance)) {
@@ -202,13 +169,27 @@ class Substepping {
     return model_.exhausted(s);
   }
 
-  /// 0.9 sqrt(tolerance/error) within bounds.
+  /// 0.9 (tolerance/error)^(1/order) within bounds.
   KOKKOS_INLINE_FUNCTION T step_factor(const T& error_squared, double low, double high) const {
+    if (options_.method == IntegrationOptions::Method::dormand_prince) return step_factor_5(error_squared, low, high);
     const double target = 0.6561 * options_.stress_tolerance * options_.stress_tolerance;  // (0.9^4) tolerance^2
     const double raw = target / value(error_squared);                                      // factor^4
     if (!(raw < high * high * high * high)) return T(high);
     if (raw < low * low * low * low) return T(low);
     return square_root(square_root(target / error_squared));
+  }
+  KOKKOS_INLINE_FUNCTION T step_factor_5(const T& error_squared, double low, double high) const {
+    const T ratio = options_.stress_tolerance * options_.stress_tolerance / error_squared;
+    const double factor = 0.9 * ::pow(value(ratio), 0.1);
+    if (!(factor < high)) return T(high);
+    if (factor < low) return T(low);
+    return chain(ratio, factor, 0.1 * factor / value(ratio));
+  }
+
+  KOKKOS_INLINE_FUNCTION bool substep(const T& time, const T& step, T* new_stress, T* new_h, T& error_squared) const {
+    return options_.method == IntegrationOptions::Method::dormand_prince
+               ? dormand_prince(time, step, new_stress, new_h, error_squared)
+               : modified_euler(time, step, new_stress, new_h, error_squared);
   }
 
   /// One substep; false where the rates are undefined on the way.
@@ -233,6 +214,44 @@ class Substepping {
     return true;
   }
 
+  KOKKOS_INLINE_FUNCTION bool dormand_prince(const T& time, const T& step, T* new_stress, T* new_h,
+                                             T& error_squared) const {
+    constexpr double node[6] = {0.0, 1.0 / 5, 3.0 / 10, 3.0 / 5, 2.0 / 3, 1.0};
+    constexpr double weight[7][6] = {{},
+                                     {1.0 / 5},
+                                     {3.0 / 40, 9.0 / 40},
+                                     {3.0 / 10, -9.0 / 10, 6.0 / 5},
+                                     {226.0 / 729, -25.0 / 27, 880.0 / 729, 55.0 / 729},
+                                     {-181.0 / 270, 5.0 / 2, -266.0 / 297, -91.0 / 27, 189.0 / 55},
+                                     {19.0 / 216, 0.0, 1000.0 / 2079, -125.0 / 216, 81.0 / 88, 5.0 / 56}};
+    constexpr double fourth_order[6] = {31.0 / 540, 0.0, 190.0 / 297, -145.0 / 108, 351.0 / 220, 1.0 / 20};
+    T s[6][6], x[6][H], stress_error[6], h_error[H];
+    for (int stage = 0; stage <= 6; ++stage) {
+      copy(stress, new_stress, 6);
+      copy(h, new_h, H);
+      for (int j = 0; j < stage; ++j) {
+        if (weight[stage][j] == 0.0) continue;
+        for (int i = 0; i < 6; ++i) new_stress[i] += weight[stage][j] * s[j][i];
+        for (int i = 0; i < H; ++i) new_h[i] += weight[stage][j] * x[j][i];
+      }
+      if (stage > 0 && !admissible(new_stress, new_h)) return false;
+      if (stage < 6 && !rates(new_stress, new_h, time + step * node[stage], step, s[stage], x[stage])) return false;
+    }
+    for (int i = 0; i < 6; ++i) stress_error[i] = T(0.0);
+    for (int i = 0; i < H; ++i) h_error[i] = T(0.0);
+    for (int j = 0; j < 6; ++j) {
+      const double difference = weight[6][j] - fourth_order[j];
+      for (int i = 0; i < 6; ++i) stress_error[i] += difference * s[j][i];
+      for (int i = 0; i < H; ++i) h_error[i] += difference * x[j][i];
+    }
+    error_squared = sym6::norm_squared(stress_error) / sym6::norm_squared(new_stress);
+    for (int i = 0; i < H; ++i) {
+      const T e = h_error[i] / model_.hardening_scale(i, value(new_h[i]));
+      if (value(e) * value(e) > value(error_squared)) error_squared = e * e;
+    }
+    return true;
+  }
+
   KOKKOS_INLINE_FUNCTION bool rates(const T* sigma, const T* hardening, const T& time, const T& step, T* d_stress,
                                     T* d_hardening) const {
     PlasticFlow<T, H> flow;
@@ -248,56 +267,7 @@ class Substepping {
     return true;
   }
 
-  /// D b and a.D b - df/dh.B; false where the latter is not positive (softening faster than elastic unloading).
-  KOKKOS_INLINE_FUNCTION bool plastic_modulus(const PlasticFlow<T, H>& flow, T* db, T& modulus) const {
-    const T* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
-    sym6::isotropic(flow.bulk, flow.shear, b, db);
-    modulus = sym6::work(db, flow.yield_gradient);
-    for (int i = 0; i < H; ++i) modulus -= flow.hardening_gradient[i] * flow.hardening_rate[i];
-    return value(modulus) > 0.0;
-  }
-
-  /// Returns to the surface at fixed strain: dlambda = f/(a.D b - df/dh.B), or normal to it where that goes away from
-  /// it.
-  KOKKOS_INLINE_FUNCTION bool correct_drift(const T& time) {
-    T f = model_.yield(stress, h);
-    for (int iteration = 0; iteration < 30; ++iteration) {
-      if (::fabs(value(f)) <= options_.yield_tolerance) return true;
-      PlasticFlow<T, H> flow;
-      T db[6], modulus, s[6], x[H];
-      model_.flow(stress, h, volume_ * time, flow);
-      bool consistent = plastic_modulus(flow, db, modulus);
-      if (consistent) {
-        const T multiplier = f / modulus;
-        for (int i = 0; i < 6; ++i) s[i] = stress[i] - multiplier * db[i];
-        for (int i = 0; i < H; ++i) x[i] = h[i] + multiplier * flow.hardening_rate[i];
-        consistent = admissible(s, x) && ::fabs(value(model_.yield(s, x))) < ::fabs(value(f));
-      }
-      if (!consistent) {
-        copy(h, x, H);
-        for (int i = 0; i < 6; ++i) db[i] = flow.yield_gradient[i] * (i < 3 ? 1.0 : 0.5);  // the gradient as a tensor
-        const T step = f / sym6::work(flow.yield_gradient, db);
-        for (int i = 0; i < 6; ++i) s[i] = stress[i] - step * db[i];
-        if (!admissible(s, x)) return false;
-      }
-      copy(s, stress, 6);
-      copy(x, h, H);
-      f = model_.yield(stress, h);
-    }
-    return false;
-  }
-
-  const Model& model_;
-  const SubsteppingOptions& options_;
-  T strain_[6], volume_;
   double plain_strain_[6];
 };
-
-/// d stress_i / d strain_j, row-major, from a stress that was computed with the strain as independent variables.
-KOKKOS_INLINE_FUNCTION void write_tangent(const Dual<6>* stress, double* tangent) {
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) tangent[6 * i + j] = stress[i].d[j];
-}
-KOKKOS_INLINE_FUNCTION void write_tangent(const double*, double*) {}
 
 }  // namespace mudline

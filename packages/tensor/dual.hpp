@@ -4,6 +4,8 @@
 
 #include <Kokkos_Core.hpp>
 
+#include <type_traits>
+
 namespace mudline {
 
 /// Forward dual number: a value and its derivatives in N directions, exact to rounding.
@@ -89,6 +91,22 @@ KOKKOS_INLINE_FUNCTION double value(double a) { return a; }
 template <int N>
 KOKKOS_INLINE_FUNCTION double value(const Dual<N>& a) {
   return a.v;
+}
+
+/// A function of one variable of which value and slope at a are known.
+KOKKOS_INLINE_FUNCTION double chain(double, double f, double) { return f; }
+template <int N>
+KOKKOS_INLINE_FUNCTION Dual<N> chain(const Dual<N>& a, double f, double slope) {
+  return a.chain(f, slope);
+}
+
+/// `a` as another kind of number: itself where the kinds agree, else its value without derivatives.
+template <class T, class S>
+KOKKOS_INLINE_FUNCTION T number_as(const S& a) {
+  if constexpr (std::is_same_v<T, S>)
+    return a;
+  else
+    return T(value(a));
 }
 
 /// Square root; its derivative at 0 is infinite, callers keep away from it.

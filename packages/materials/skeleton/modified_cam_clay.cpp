@@ -18,20 +18,23 @@ void ModifiedCamClay::parameters(Parameters& p) {
            "Which specific volume enters bulk modulus and hardening");
   p.choice("lode dependence", lode, {{"none", Lode::none}, {"sheng", Lode::sheng}},
            "Strength in triaxial extension: that of compression, or that of the same friction angle");
+  p.add(
+      "normal compression volume", normal_volume, "-", non_negative(),
+      "N, specific volume of isotropic virgin compression at 1 kPa; when given, the preconsolidation pressure follows "
+      "from the initial void ratio, and the overconsolidation ratio must be 1");
   p.add("minimum mean stress", minimum_mean_stress, "Pa", non_negative(),
         "The mean effective stress is held at this value where the soil would loosen further");
-  p.add("stress tolerance", substepping.stress_tolerance, "-", open(0.0, 0.1), "Relative error allowed in one substep");
-  p.add("yield tolerance", substepping.yield_tolerance, "-", open(0.0, 1e-3),
-        "Distance from the yield surface, relative to the preconsolidation pressure squared, that counts as on it");
-  p.add("maximum substeps", substepping.maximum_substeps, "-", closed(1, 1e6),
-        "More substeps than this in one increment make the point fail, and the step is cut");
+  integration.parameters(p, "the preconsolidation pressure squared");
 }
 
 void ModifiedCamClay::check(const Section& section) const {
+  integration.check(section);
   if (!(swelling < compression))
     section.fail("the swelling slope must be smaller than the compression slope", "swelling slope");
   if (section.has_parameter("Poisson's ratio") == section.has_parameter("shear modulus"))
     section.fail("exactly one of 'Poisson's ratio' and 'shear modulus' must be given");
+  if (section.has_parameter("normal compression volume") && !(normal_volume > 1.0))
+    section.fail("a specific volume is greater than 1", "normal compression volume");
   if (section.has_parameter("shear modulus") && !(shear_modulus > 0.0))
     section.fail("the shear modulus must be positive", "shear modulus");
   if (lode == Lode::sheng && ratio > 2.0)
@@ -62,7 +65,21 @@ std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state
   // f with pc = 0 is q^2/M(S)^2 + p'^2 in units of 1/scale, that is p' times the pc of the surface through the stress.
   const ModifiedCamClayModel model(*this, 1.0, p);
   const double h[2] = {0.0, 0.0};
-  state[preconsolidation] = point.overconsolidation_ratio * p * model.yield(point.stress.data(), h);
+  const double through = p * model.yield(point.stress.data(), h);
+  state[preconsolidation] = point.overconsolidation_ratio * through;
+  if (normal_volume > 0.0) {
+    if (point.overconsolidation_ratio != 1.0)
+      return "with a normal compression volume the overconsolidation follows from the void ratio; leave the ratio at 1";
+    const double kpa = 1000.0, v = 1.0 + point.void_ratio;
+    const double exponent = (normal_volume - v - swelling * std::log(p / kpa)) / (compression - swelling);
+    const double line = kpa * std::exp(exponent);
+    if (!(line >= through * (1.0 - 1e-9))) {
+      reason << "a void ratio of " << point.void_ratio << " at this stress is looser than the normal compression line, "
+             << "which gives " << point.void_ratio + (compression - swelling) * std::log(line / through);
+      return reason.str();
+    }
+    state[preconsolidation] = std::fmax(line, through);
+  }
   state[plastic_shear_strain] = 0.0;
   state[initial_specific_volume] = 1.0 + point.void_ratio;
   return "";

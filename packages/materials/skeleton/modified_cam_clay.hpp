@@ -1,7 +1,6 @@
 #pragma once
 
-#include "materials/pointwise.hpp"
-#include "materials/substepping.hpp"
+#include "materials/automatic_tangent.hpp"
 
 namespace mudline {
 
@@ -14,7 +13,7 @@ namespace mudline {
 ///     option) Lode measure  M(S) = M [2 a^4/(1 + a^4 + (1 - a^4) S)]^(1/4), a = (3 - sin phi)/(3 + sin phi), sin phi =
 ///     3M/(6+M);
 ///                   S = -1 in triaxial compression (Sheng, Sloan & Yu 2000, Computational Mechanics 26:185), by option
-/// Stress integration and tangent: substepping.hpp. Code: tension positive, [Pa].
+/// Stress integration and tangent: substepping.hpp or implicit_return.hpp. Code: tension positive, [Pa].
 /// The mean effective stress does not fall below `minimum_mean_stress`: a point that arrives there keeps that value
 /// (a tension cut-off), q and pc are made to fit, and the tangent is the elastic one.
 struct ModifiedCamClay {
@@ -28,14 +27,18 @@ struct ModifiedCamClay {
   double poisson = 0.0;                // [-] used unless shear_modulus is positive
   double shear_modulus = 0.0;          // [Pa]
   double minimum_mean_stress = 100.0;  // [Pa]
+  double normal_volume = 0.0;          // [-] N; used where positive
   Lode lode = Lode::none;
   Volume volume = Volume::current;
-  SubsteppingOptions substepping;
+  IntegrationOptions integration;
 
   void parameters(Parameters& p);
   void check(const Section& section) const;
   static std::vector<StateVariable> state();
   /// pc = R (p' + q^2/(M^2 p')): the yield surface through the initial stress, scaled by the overconsolidation ratio R.
+  /// With N, the specific volume at p' = 1 kPa on the isotropic normal compression line v = N - lambda ln(p'/1 kPa), pc
+  /// follows from the initial stress and void ratio instead: ln(pc/1 kPa) = (N - v - kappa ln(p'/1 kPa))/(lambda -
+  /// kappa).
   std::string initialise(const InitialPoint& point, double* state) const;
   /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the ratio that one-dimensional
   /// virgin compression tends to: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g = G/K,
@@ -62,7 +65,7 @@ struct ModifiedCamClay {
   KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
 };
 
-/// The law as substepping sees it during one increment. h = (pc, plastic shear strain).
+/// The law as the integration sees it during one increment. h = (pc, plastic shear strain).
 struct ModifiedCamClayModel {
   static constexpr int hardening = 2;
   static constexpr bool associated = true;
@@ -155,6 +158,17 @@ struct ModifiedCamClayModel {
     for (int i = 0; i < 6; ++i) out[i] += stress[i];
   }
 
+  /// The same with the specific volume that belongs to `volume_strain`.
+  template <class S, class T>
+  KOKKOS_INLINE_FUNCTION void elastic_step(const S* stress, const T* strain, const T& volume_strain, T* out) const {
+    const T v = law.volume == ModifiedCamClay::Volume::current ? volume0 * exponential(volume_strain) : T(volume0);
+    const T per_strain = v / law.swelling, compression = -sym6::trace(strain);
+    const T bulk = sym6::mean_pressure(stress) * per_strain * exponential_quotient(per_strain * compression);
+    const T shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * bulk;
+    sym6::isotropic(bulk, shear, strain, out);
+    for (int i = 0; i < 6; ++i) out[i] += stress[i];
+  }
+
   KOKKOS_INLINE_FUNCTION bool admissible(const double* stress, const double* h) const {
     return sym6::mean_pressure(stress) > 0.0 && h[0] > 0.0;
   }
@@ -186,19 +200,19 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update(const SkeletonPoint& in, con
   for (int i = 0; i < 6; ++i) start[i] = in.stress[i];
   raise_to_minimum(start, h);
   const ModifiedCamClayModel model(*this, specific_volume(in.void_ratio, state_old), h[0]);
-  Substepping<T, ModifiedCamClayModel> path(model, substepping, strain);
-  for (int i = 0; i < 6; ++i) path.stress[i] = T(start[i]);
-  for (int i = 0; i < 2; ++i) path.h[i] = T(h[i]);
-  if (!path.integrate()) return false;
-  for (int i = 0; i < 6; ++i) out.stress[i] = value(path.stress[i]);
-  for (int i = 0; i < 2; ++i) state[i] = value(path.h[i]);
+  T stress[6], hardening[2];
+  for (int i = 0; i < 6; ++i) stress[i] = T(start[i]);
+  for (int i = 0; i < 2; ++i) hardening[i] = T(h[i]);
+  if (!integrate_plasticity(model, integration, strain, stress, hardening)) return false;
+  for (int i = 0; i < 6; ++i) out.stress[i] = value(stress[i]);
+  for (int i = 0; i < 2; ++i) state[i] = value(hardening[i]);
   const bool raised = raise_to_minimum(out.stress, state);
   if (!in.want_tangent) return true;
   if (raised) {
     const ElasticModuli m = moduli(out.stress, in.void_ratio, state_old);
     sym6::isotropic_stiffness(m.bulk, m.shear, out.tangent);
   } else {
-    write_tangent(path.stress, out.tangent);
+    write_tangent(stress, out.tangent);
   }
   return true;
 }

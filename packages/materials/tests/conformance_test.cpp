@@ -13,6 +13,69 @@
 namespace mudline {
 namespace {
 
+std::vector<Teuchos::ParameterList> frictional_variants(Teuchos::ParameterList base) {
+  base.set("cohesion", 15e3);
+  base.set("friction angle [deg]", 28.0);
+  Teuchos::ParameterList dilating(base), associated(base), brittle(base), euler(base), fifth_order(base);
+  dilating.set("dilation angle [deg]", 8.0);
+  associated.set("dilation angle [deg]", 28.0);
+  brittle.set("tensile strength", 1e3);
+  // Explicit substeps are stiff, and their number chancy, at a sharp tip: less of it is met with more cohesion.
+  for (auto* list : {&euler, &fifth_order}) {
+    list->set("cohesion", 300e3);
+    list->set("apex rounding", 0.25);
+    list->set("stress tolerance", 1e-6);
+  }
+  euler.set("integration", "modified euler");
+  euler.set("maximum substeps", 5000);
+  fifth_order.set("dilation angle [deg]", 8.0);
+  fifth_order.set("integration", "runge-kutta-dormand-prince");
+  fifth_order.set("maximum substeps", 5000);
+  return {base, dilating, associated, brittle, euler, fifth_order};
+}
+
+std::vector<Teuchos::ParameterList> cone_variants(const Teuchos::ParameterList& elastic) {
+  auto all = frictional_variants(elastic);
+  Teuchos::ParameterList direct(elastic);
+  direct.set("match", "direct");
+  direct.set("cone slope", 0.5);
+  direct.set("cone intercept", 12e3);
+  direct.set("dilation slope", 0.2);
+  all[1].set("match", "compression");
+  all[2].set("match", "extension");
+  all.push_back(direct);
+  return all;
+}
+
+std::vector<Teuchos::ParameterList> tresca_variants() {
+  Teuchos::ParameterList base;
+  base.set("undrained strength", 40e3);
+  base.set("shear modulus", 6e6);
+  base.set("Poisson's ratio", 0.45);
+  Teuchos::ParameterList rated(base), power(base), euler(base), fifth_order(base);
+  rated.remove("shear modulus");
+  rated.set("rigidity index", 150.0);
+  rated.set("rate law", "logarithmic");
+  rated.set("sensitivity", 4.0);
+  power.set("rate law", "power");
+  euler.set("integration", "modified euler");
+  euler.set("sensitivity", 3.0);
+  fifth_order.set("integration", "runge-kutta-dormand-prince");
+  fifth_order.set("stress tolerance", 1e-6);
+  return {base, rated, power, euler, fifth_order};
+}
+
+std::vector<Teuchos::ParameterList> von_mises_variants(Teuchos::ParameterList base) {
+  base.set("yield stress", 80e3);
+  Teuchos::ParameterList hardening(base), euler(base);
+  hardening.set("hardening modulus", 2e5);
+  hardening.set("saturation stress", 3e4);
+  hardening.set("saturation rate", 40.0);
+  euler = hardening;
+  euler.set("integration", "modified euler");
+  return {base, hardening, euler};
+}
+
 /// Deck entries of the variants under which a type is tested.
 std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   Teuchos::ParameterList elastic, clay;
@@ -27,7 +90,16 @@ std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   sheng.set("lode dependence", "sheng");
   constant_shear.set("shear modulus", 4e6);
   constant_shear.set("specific volume", "initial");
-  return {{"linear elastic", {elastic}}, {"modified cam clay", {plain, sheng, constant_shear}}};
+  Teuchos::ParameterList implicit(sheng), fifth_order(plain);
+  implicit.set("integration", "implicit");
+  fifth_order.set("integration", "runge-kutta-dormand-prince");
+  return {{"linear elastic", {elastic}},
+          {"modified cam clay", {plain, sheng, constant_shear, implicit, fifth_order}},
+          {"neo-hookean", {elastic}},
+          {"mohr-coulomb", frictional_variants(elastic)},
+          {"drucker-prager", cone_variants(elastic)},
+          {"tresca", tresca_variants()},
+          {"von mises", von_mises_variants(elastic)}};
 }
 
 EntryDoc documentation_of(const Registry<Skeleton>& skeletons, const std::string& type) {

@@ -112,6 +112,56 @@ TEST(Registration, RulesAcrossParametersAreChecked) {
   EXPECT_NE(complaint(clay).find("convex"), std::string::npos);
 }
 
+/// What the law objects to when `entry` is added to (or replaces one of) the base, "" if nothing.
+template <class Value>
+std::string complaint(Teuchos::ParameterList list, const char* entry, Value value) {
+  list.set(entry, value);
+  return complaint(list);
+}
+
+TEST(Registration, OptionsThatWouldHaveNoEffectAreRefused) {
+  Teuchos::ParameterList sand, cone, clay, solid;
+  for (auto* list : {&sand, &cone, &solid}) {
+    list->set("Young's modulus", 1e7);
+    list->set("Poisson's ratio", 0.3);
+  }
+  sand.set("type", "mohr-coulomb");
+  sand.set("cohesion", 1e3);
+  sand.set("friction angle [deg]", 30.0);
+  EXPECT_EQ(complaint(sand), "");
+  EXPECT_NE(complaint(sand, "stress tolerance", 1e-5).find("no error control"), std::string::npos);
+  EXPECT_NE(complaint(sand, "dilation angle [deg]", 31.0).find("not be greater"), std::string::npos);
+  EXPECT_NE(complaint(sand, "cohesion", 0.0).find("positive somewhere"), std::string::npos);
+  sand.set("integration", "modified euler");
+  EXPECT_EQ(complaint(sand, "stress tolerance", 1e-5), "");
+
+  cone.set("type", "drucker-prager");
+  cone.set("cohesion", 1e3);
+  EXPECT_NE(complaint(cone).find("friction angle"), std::string::npos);
+  cone.set("friction angle [deg]", 30.0);
+  EXPECT_EQ(complaint(cone), "");
+  EXPECT_NE(complaint(cone, "cone slope", 0.3).find("no effect"), std::string::npos);
+  EXPECT_NE(complaint(cone, "match", "direct").find("no effect"), std::string::npos);
+
+  clay.set("type", "tresca");
+  clay.set("undrained strength", 1e4);
+  clay.set("Poisson's ratio", 0.49);
+  EXPECT_NE(complaint(clay).find("exactly one"), std::string::npos);
+  clay.set("rigidity index", 100.0);
+  EXPECT_EQ(complaint(clay), "");
+  for (const char* entry : {"rate coefficient", "rate exponent", "reference strain rate", "ductility"})
+    EXPECT_NE(complaint(clay, entry, 0.1).find("no effect"), std::string::npos) << entry;
+  EXPECT_NE(complaint(clay, "shear modulus", 1e6).find("exactly one"), std::string::npos);
+  clay.set("rate law", "power");
+  EXPECT_NE(complaint(clay, "rate coefficient", 0.1).find("no effect"), std::string::npos);
+  EXPECT_EQ(complaint(clay, "rate exponent", 0.1), "");
+
+  solid.set("type", "von mises");
+  solid.set("yield stress", 1e5);
+  EXPECT_EQ(complaint(solid), "");
+  EXPECT_NE(complaint(solid, "saturation stress", 1e4).find("belong together"), std::string::npos);
+}
+
 TEST(Registration, EveryEntryIsDocumented) {
   Registries r;
   for (const auto& docs : {r.skeletons.document(), r.fluids.document(), r.permeabilities.document()})

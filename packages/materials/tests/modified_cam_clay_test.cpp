@@ -21,8 +21,8 @@ ModifiedCamClay clay(double ratio = 1.2, double compression = 0.15, double swell
   law.compression = compression;
   law.swelling = swelling;
   law.poisson = poisson;
-  law.substepping.stress_tolerance = 1e-7;
-  law.substepping.maximum_substeps = 20000;
+  law.integration.stress_tolerance = 1e-7;
+  law.integration.maximum_substeps = 20000;
   return law;
 }
 
@@ -322,7 +322,7 @@ TEST(ModifiedCamClay, RoundingOfTheStartCostsNoAccuracyOnChords) {
 // With the default tolerance and engineering increments, mixed control converges as Newton's method should.
 TEST(ModifiedCamClay, NewtonNeedsFewIterationsAtTheDefaultTolerance) {
   ModifiedCamClay parameters = clay();
-  parameters.substepping = SubsteppingOptions();
+  parameters.integration = IntegrationOptions();
   const Law law(parameters);
   PointDriver point(law, isotropic_stress(100 * kpa), 1.0, 1.2);
   for (int i = 0; i < 100; ++i) {

@@ -71,7 +71,7 @@ class PointDriver {
       size = 0.0;
       for (int c = 0; c < 6; ++c)
         if (hold[c]) size = std::max(size, std::abs(stress[c] - stress_[c]));
-      if (size < 1e-9 * p()) break;
+      if (size <= 1e-9 * std::abs(p())) break;
       correct(hold, stress, tangent, increment);
     }
     ASSERT_LT(iterations_, 30) << "no convergence, residual " << size << " Pa";

@@ -9,10 +9,12 @@
 namespace mudline {
 namespace {
 
-struct Cone {
+struct Cone : ConstantElasticity {
   static constexpr int hardening = 1;
   static constexpr bool associated = false;
-  double bulk = 20e6, shear = 10e6, friction = 0.9, dilation = 0.3, strength = 5e3, modulus = 1e6;
+  double friction = 0.9, dilation = 0.3, strength = 5e3, modulus = 1e6;
+
+  Cone() : ConstantElasticity{20e6, 10e6} {}
 
   template <class T>
   T yield(const T* stress, const T* h) const {
@@ -35,11 +37,6 @@ struct Cone {
     out.hardening_gradient[0] = T(-1.0 / strength);
     out.hardening_rate[0] = T(modulus / strength);
   }
-  template <class T>
-  void elastic(const T* stress, const T* strain, T* out) const {
-    sym6::isotropic(bulk, shear, strain, out);
-    for (int i = 0; i < 6; ++i) out[i] += stress[i];
-  }
   bool admissible(const double*, const double*) const { return true; }
   bool exhausted(const double*) const { return false; }
   double hardening_scale(int, double h) const { return h; }
@@ -47,7 +44,7 @@ struct Cone {
 
 template <class T>
 bool run(const Cone& cone, const double* start, double h, const T* strain, T* stress, T* hardening,
-         SubsteppingOptions options = {}) {
+         IntegrationOptions options = {}) {
   Substepping<T, Cone> path(cone, options, strain);
   for (int i = 0; i < 6; ++i) path.stress[i] = T(start[i]);
   path.h[0] = T(h);

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "materials/implicit_return.hpp"
+#include "materials/pointwise.hpp"
+#include "materials/substepping.hpp"
+
+namespace mudline {
+
+/// Gives a law its tangent by differentiation. The law writes its stress once, as a template on the number type:
+///     template <class T>
+///     KOKKOS_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
+///                                 double* state) const;
+/// where `strain` is the increment (in.strain as independent variables) and `state` holds a copy of the old state; the
+/// rest is that of pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>.
+///
+/// A point that fails reports its old stress and state, so that nothing undefined gets about.
+template <class Law>
+struct AutomaticTangent : Law {
+  AutomaticTangent() = default;
+  AutomaticTangent(const Law& law) : Law(law) {}  // NOLINT: the same law with a tangent
+
+  KOKKOS_INLINE_FUNCTION bool operator()(const SkeletonPoint& in, const double* state_old, double* state,
+                                         SkeletonResponse& out) const {
+    const int size = Law::state_size;
+    for (int i = 0; i < size; ++i) state[i] = state_old[i];
+    bool ok;
+    if (in.want_tangent) {
+      Dual<6> strain[6], stress[6];
+      for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
+      ok = this->update(in, strain, state_old, stress, state);
+      for (int i = 0; i < 6; ++i) out.stress[i] = stress[i].v;
+      write_tangent(stress, out.tangent);
+    } else {
+      ok = this->update(in, in.strain, state_old, out.stress, state);
+    }
+    if (ok) return true;
+    for (int i = 0; i < size; ++i) state[i] = state_old[i];
+    for (int i = 0; i < 6; ++i) out.stress[i] = in.stress[i];
+    for (int i = 0; i < 36; ++i) out.tangent[i] = 0.0;
+    return false;
+  }
+};
+
+/// Moves `stress` and the hardening variables `h` over one increment along a path of class Path.
+template <class Path, class T, class Model>
+KOKKOS_INLINE_FUNCTION bool integrate_plasticity_by(const Model& model, const IntegrationOptions& options,
+                                                    const T* strain, T* stress, T* h) {
+  Path path(model, options, strain);
+  for (int i = 0; i < 6; ++i) path.stress[i] = stress[i];
+  for (int i = 0; i < Model::hardening; ++i) path.h[i] = h[i];
+  if (!path.integrate()) return false;
+  for (int i = 0; i < 6; ++i) stress[i] = path.stress[i];
+  for (int i = 0; i < Model::hardening; ++i) h[i] = path.h[i];
+  return true;
+}
+
+/// The same by the method of the options.
+template <class T, class Model>
+KOKKOS_INLINE_FUNCTION bool integrate_plasticity(const Model& model, const IntegrationOptions& options, const T* strain,
+                                                 T* stress, T* h) {
+  return options.method == IntegrationOptions::Method::implicit
+             ? integrate_plasticity_by<ImplicitReturn<T, Model>>(model, options, strain, stress, h)
+             : integrate_plasticity_by<Substepping<T, Model>>(model, options, strain, stress, h);
+}
+
+}  // namespace mudline

@@ -1,0 +1,261 @@
+#pragma once
+
+#include "materials/plastic_path.hpp"
+
+namespace mudline {
+
+/// Dense N x N factorisation with partial pivoting, in place.
+template <int N>
+struct SmallLu {
+  double a[N][N];
+  int row[N];
+
+  KOKKOS_INLINE_FUNCTION bool factorise() {
+    for (int k = 0; k < N; ++k) {
+      int best = k;
+      for (int i = k + 1; i < N; ++i)
+        if (::fabs(a[i][k]) > ::fabs(a[best][k])) best = i;
+      row[k] = best;
+      if (!(::fabs(a[best][k]) > 1e-300)) return false;
+      if (best != k)
+        for (int j = 0; j < N; ++j) {
+          const double swap = a[k][j];
+          a[k][j] = a[best][j];
+          a[best][j] = swap;
+        }
+      const double inverse = 1.0 / a[k][k];
+      for (int i = k + 1; i < N; ++i) {
+        const double factor = a[i][k] * inverse;
+        a[i][k] = factor;
+        if (factor != 0.0)
+          for (int j = k + 1; j < N; ++j) a[i][j] -= factor * a[k][j];
+      }
+    }
+    return true;
+  }
+  KOKKOS_INLINE_FUNCTION void solve(double* b) const {
+    for (int k = 0; k < N; ++k) {
+      const double swap = b[row[k]];
+      b[row[k]] = b[k];
+      b[k] = swap;
+    }
+    for (int i = 1; i < N; ++i)
+      for (int j = 0; j < i; ++j) b[i] -= a[i][j] * b[j];
+    for (int i = N - 1; i >= 0; --i) {
+      for (int j = i + 1; j < N; ++j) b[i] -= a[i][j] * b[j];
+      b[i] /= a[i][i];
+    }
+  }
+};
+
+/// Backward Euler ("closest point projection"; Simo & Hughes 1998, Computational Inelasticity, ch. 3) for the models of
+/// plastic_path.hpp. Unknown are the stress, the hardening variables and the multiplier of the end:
+///     sigma = E(sigma_old, deps - dlambda b(sigma, h)),  h = h_old + dlambda B(sigma, h),  f(sigma, h) = 0
+/// with the model's elastic law E. Newton with the derivative of these equations by dual numbers, so a model gives
+/// first derivatives only; each iterate must lower the residual. Where it does not converge the increment is
+/// subdivided, as fine as `maximum_substeps` allows.
+///
+/// With T = Dual<6> the solution is differentiated implicitly: one more evaluation with the strain (and what the model
+/// has of it) as independent variables, and a solution with the last matrix for each of them.
+template <class T, class Model>
+class ImplicitReturn : public PlasticPath<T, Model> {
+ public:
+  using PlasticPath<T, Model>::H;
+  using PlasticPath<T, Model>::stress;
+  using PlasticPath<T, Model>::h;
+
+  KOKKOS_INLINE_FUNCTION ImplicitReturn(const Model& model, const IntegrationOptions& options, const T* strain)
+      : PlasticPath<T, Model>(model, options, strain) {}
+
+  /// False when no admissible state was found; stress and h are then undefined.
+  KOKKOS_INLINE_FUNCTION bool integrate() {
+    if (!this->prepare()) return false;
+    double time = 0.0, step = 1.0;
+    for (int attempt = 0; attempt < options_.maximum_substeps; ++attempt) {
+      if (advance(time, step)) {
+        time += step;
+        if (time >= 1.0) return true;
+        step = ::fmin(2.0 * step, 1.0 - time);
+      } else {
+        step *= 0.25;  // a power of two, so that time reaches 1 exactly
+        if (step < 1e-8) return false;
+      }
+    }
+    return false;
+  }
+
+ private:
+  using PlasticPath<T, Model>::model_;
+  using PlasticPath<T, Model>::options_;
+  using PlasticPath<T, Model>::strain_;
+  using PlasticPath<T, Model>::volume_;
+  using PlasticPath<T, Model>::copy;
+  using PlasticPath<T, Model>::admissible;
+
+  static constexpr int N = 7 + H;
+
+  /// What stays fixed during one subincrement.
+  template <class X>
+  struct Start {
+    X stress[6], h[H], strain[6], middle_volume, end_volume;
+  };
+  struct Scales {
+    double stress, h[H];
+  };
+
+  KOKKOS_INLINE_FUNCTION bool advance(double time, double step) {
+    Start<T> start;
+    copy(stress, start.stress, 6);
+    copy(h, start.h, H);
+    for (int i = 0; i < 6; ++i) start.strain[i] = step * strain_[i];
+    start.middle_volume = (time + 0.5 * step) * volume_;
+    start.end_volume = (time + step) * volume_;
+    T trial[6];
+    model_.elastic_step(start.stress, start.strain, start.middle_volume, trial);
+    const double f = value(model_.yield(trial, h));
+    if (!(::fabs(f) < 1e200) || !admissible(trial, h)) return false;
+    if (f <= options_.yield_tolerance) {
+      copy(trial, stress, 6);
+      return true;
+    }
+    double x[N];
+    Start<double> plain;
+    Scales scales;
+    scales.stress = 0.0;
+    for (int i = 0; i < 6; ++i) {
+      x[i] = value(trial[i]);
+      plain.stress[i] = value(stress[i]);
+      plain.strain[i] = value(start.strain[i]);
+      scales.stress = ::fmax(scales.stress, ::fmax(::fabs(plain.stress[i]), ::fabs(x[i])));
+    }
+    for (int i = 0; i < H; ++i) {
+      x[6 + i] = plain.h[i] = value(h[i]);
+      scales.h[i] = model_.hardening_scale(i, plain.h[i]);
+    }
+    plain.middle_volume = value(start.middle_volume);
+    plain.end_volume = value(start.end_volume);
+    x[N - 1] = 0.0;
+    SmallLu<N> matrix;
+    if (!iterate(plain, x, matrix, scales) && !follow(plain, x, matrix, scales)) return false;
+    write(start, x, matrix, scales);
+    return true;
+  }
+
+  /// The equations, scaled to order one.
+  template <class X, class S>
+  KOKKOS_INLINE_FUNCTION void residual(const X* x, const Start<S>& start, const Scales& scales, X* r) const {
+    PlasticFlow<X, H> flow;
+    const X end_volume(start.end_volume), middle_volume(start.middle_volume);
+    model_.flow(x, x + 6, end_volume, flow);
+    const X* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
+    const X& multiplier = x[N - 1];
+    X elastic[6], to[6];
+    for (int i = 0; i < 6; ++i) elastic[i] = start.strain[i] - multiplier * b[i];
+    model_.elastic_step(start.stress, elastic, middle_volume, to);
+    for (int i = 0; i < 6; ++i) r[i] = (x[i] - to[i]) / scales.stress;
+    for (int i = 0; i < H; ++i) r[6 + i] = (x[6 + i] - start.h[i] - multiplier * flow.hardening_rate[i]) / scales.h[i];
+    r[N - 1] = model_.yield(x, x + 6);
+  }
+
+  KOKKOS_INLINE_FUNCTION bool evaluate(const double* x, const Start<double>& start, const Scales& scales, Dual<N>* r,
+                                       double& size) const {
+    if (!model_.admissible(x, x + 6)) return false;
+    Dual<N> y[N];
+    for (int i = 0; i < N; ++i) y[i] = Dual<N>(x[i], i);
+    residual(y, start, scales, r);
+    size = 0.0;
+    for (int i = 0; i < N; ++i) size += r[i].v * r[i].v;
+    size = ::sqrt(size);
+    return size < 1e200;  // not for a NaN
+  }
+
+  /// Newton; `matrix` is the factorised derivative at the solution, but for the last, tiny, correction.
+  KOKKOS_INLINE_FUNCTION bool iterate(const Start<double>& start, double* x, SmallLu<N>& matrix,
+                                      const Scales& scales) const {
+    Dual<N> r[N];
+    double size;
+    if (!evaluate(x, start, scales, r, size)) return false;
+    for (int iteration = 0; iteration < 30; ++iteration) {
+      double step[N];
+      for (int i = 0; i < N; ++i) {
+        step[i] = -r[i].v;
+        for (int j = 0; j < N; ++j) matrix.a[i][j] = r[i].d[j];
+      }
+      if (!matrix.factorise()) return false;
+      matrix.solve(step);
+      if (size < 1e-9) {  // the last correction brings it down to rounding
+        for (int i = 0; i < N; ++i) x[i] += step[i];
+        return x[N - 1] >= 0.0 && model_.admissible(x, x + 6);
+      }
+      double y[N], fraction = 1.0, new_size;
+      bool lower = false;
+      for (int cut = 0; cut < 7 && !lower; ++cut, fraction *= 0.5) {
+        for (int i = 0; i < N; ++i) y[i] = x[i] + fraction * step[i];
+        lower = evaluate(y, start, scales, r, new_size) && new_size < (1.0 - 1e-3 * fraction) * size;
+      }
+      if (!lower) return false;
+      copy_plain(y, x, N);
+      size = new_size;
+    }
+    return false;
+  }
+
+  /// Where Newton fails from the trial stress: the same return for growing parts of the strain increment, each starting
+  /// from the solution of the one before. It ends at the same solution, so the answer does not jump from this way to
+  /// the other.
+  KOKKOS_INLINE_FUNCTION bool follow(const Start<double>& start, double* x, SmallLu<N>& matrix,
+                                     const Scales& scales) const {
+    Start<double> part = start;
+    double y[N], done = 0.0, step = 0.25;
+    copy_plain(start.stress, x, 6);
+    copy_plain(start.h, x + 6, H);
+    x[N - 1] = 0.0;
+    for (int attempt = 0; attempt < 60 && done < 1.0 && step > 1e-4; ++attempt) {
+      for (int i = 0; i < 6; ++i) part.strain[i] = (done + step) * start.strain[i];
+      model_.elastic_step(part.stress, part.strain, part.middle_volume, y);
+      copy_plain(start.h, y + 6, H);
+      bool ok = model_.admissible(y, y + 6);
+      if (ok && model_.yield(y, y + 6) > options_.yield_tolerance) {
+        if (x[N - 1] > 0.0) copy_plain(x, y, N);
+        if (!(x[N - 1] > 0.0)) y[N - 1] = 0.0;
+        ok = iterate(part, y, matrix, scales);
+      } else {
+        y[N - 1] = 0.0;
+      }
+      if (ok) {
+        copy_plain(y, x, N);
+        done += step;
+        step = ::fmin(2.0 * step, 1.0 - done);
+      } else {
+        step *= 0.5;
+      }
+    }
+    return done >= 1.0;
+  }
+
+  static KOKKOS_INLINE_FUNCTION void copy_plain(const double* from, double* to, int n) {
+    for (int i = 0; i < n; ++i) to[i] = from[i];
+  }
+
+  /// Takes over the solution, with derivatives where T has them: (dR/dx) dx = -dR/d(strain).
+  KOKKOS_INLINE_FUNCTION void write(const Start<T>& start, const double* x, const SmallLu<N>& matrix,
+                                    const Scales& scales) {
+    T y[N];
+    for (int i = 0; i < N; ++i) y[i] = T(x[i]);
+    if constexpr (!std::is_same_v<T, double>) {
+      T r[N];
+      residual(y, start, scales, r);
+      constexpr int directions = sizeof(r[0].d) / sizeof(double);
+      for (int j = 0; j < directions; ++j) {
+        double column[N];
+        for (int i = 0; i < N; ++i) column[i] = -r[i].d[j];
+        matrix.solve(column);
+        for (int i = 0; i < N; ++i) y[i].d[j] = column[i];
+      }
+    }
+    copy(y, stress, 6);
+    copy(y + 6, h, H);
+  }
+};
+
+}  // namespace mudline

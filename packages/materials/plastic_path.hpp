@@ -1,0 +1,134 @@
+#pragma once
+
+#include "materials/integration.hpp"
+#include "tensor/sym6.hpp"
+
+namespace mudline {
+
+/// All that the plastic rate equations need of a model at one state. Gradients with respect to stress are strain-like
+/// six-vectors (engineering shear), H is the number of hardening variables.
+template <class T, int H>
+struct PlasticFlow {
+  T bulk, shear;            // [Pa] tangential elastic moduli
+  T yield_gradient[6];      // a = df/dsigma
+  T flow_direction[6];      // b = dg/dsigma; unused by associated models
+  T hardening_gradient[H];  // df/dh
+  T hardening_rate[H];      // B in dh = dlambda B
+};
+
+/// One increment of one material point, with what explicit and implicit integration have in common. The models are
+/// those of rate-independent plasticity with isotropic tangential elasticity:
+///     dsigma = D (deps - dlambda b),  dh = dlambda B,  f(sigma, h) <= 0
+///
+/// A Model provides (KOKKOS_INLINE_FUNCTION, tension positive):
+///     static constexpr int hardening;                       number of hardening variables, at least 1
+///     static constexpr bool associated;                     b = a
+///     T yield(const T* stress, const T* h) const;           dimensionless, negative inside, of order 1 outside
+///     void flow(const T* stress, const T* h, const T& volume_strain, PlasticFlow<T, hardening>&) const;
+///     void elastic(const T* stress, const T* strain, T* out) const;    exact, from the start of the increment
+///     void elastic_step(const T* stress, const T* strain, const T& volume_strain, T* out) const;
+///                                                           the same from any state, with the density that belongs to
+///                                                           the volume strain; for implicit integration
+///     bool admissible(const double* stress, const double* h) const;    where all of the above are defined
+///     bool exhausted(const double* stress) const;           stop here: the model deals with such states itself
+///     double hardening_scale(int i, double h) const;        what the error of variable i is measured by
+/// T is double or a Dual. volume_strain: trace of the strain since the start of the increment.
+template <class T, class Model>
+class PlasticPath {
+ public:
+  static constexpr int H = Model::hardening;
+
+  KOKKOS_INLINE_FUNCTION PlasticPath(const Model& model, const IntegrationOptions& options, const T* strain)
+      : model_(model), options_(options), volume_(sym6::trace(strain)) {
+    for (int i = 0; i < 6; ++i) strain_[i] = strain[i];
+  }
+
+  T stress[6];  // [Pa] before integration: old; after: new
+  T h[H];       // hardening variables, likewise
+
+ protected:
+  static KOKKOS_INLINE_FUNCTION void copy(const T* from, T* to, int n) {
+    for (int i = 0; i < n; ++i) to[i] = from[i];
+  }
+
+  KOKKOS_INLINE_FUNCTION bool admissible(const T* sigma, const T* hardening) const {
+    double s[6], x[H];
+    for (int i = 0; i < 6; ++i) s[i] = value(sigma[i]);
+    for (int i = 0; i < H; ++i) x[i] = value(hardening[i]);
+    return model_.admissible(s, x);
+  }
+
+  /// The state from which the increment starts: admissible, and on or inside the surface. A remapped state may lie
+  /// outside, and so does one whose strength has just fallen.
+  KOKKOS_INLINE_FUNCTION bool prepare() {
+    if (!admissible(stress, h)) return false;
+    return value(model_.yield(stress, h)) <= options_.yield_tolerance || correct_drift(T(0.0));
+  }
+
+  /// D b and a.D b - df/dh.B; false where the latter is not positive (softening faster than elastic unloading).
+  KOKKOS_INLINE_FUNCTION bool plastic_modulus(const PlasticFlow<T, H>& flow, T* db, T& modulus) const {
+    const T* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
+    sym6::isotropic(flow.bulk, flow.shear, b, db);
+    modulus = sym6::work(db, flow.yield_gradient);
+    for (int i = 0; i < H; ++i) modulus -= flow.hardening_gradient[i] * flow.hardening_rate[i];
+    return value(modulus) > 0.0;
+  }
+
+  /// Returns to the surface at fixed strain: dlambda = f/(a.D b - df/dh.B), or normal to it where that goes away from
+  /// it.
+  KOKKOS_INLINE_FUNCTION bool correct_drift(const T& time) {
+    T f = model_.yield(stress, h);
+    for (int iteration = 0; iteration < 30; ++iteration) {
+      if (::fabs(value(f)) <= options_.yield_tolerance) return true;
+      PlasticFlow<T, H> flow;
+      T db[6], modulus, s[6], x[H];
+      model_.flow(stress, h, volume_ * time, flow);
+      bool consistent = plastic_modulus(flow, db, modulus);
+      if (consistent) {
+        const T multiplier = f / modulus;
+        for (int i = 0; i < 6; ++i) s[i] = stress[i] - multiplier * db[i];
+        for (int i = 0; i < H; ++i) x[i] = h[i] + multiplier * flow.hardening_rate[i];
+        consistent = admissible(s, x) && ::fabs(value(model_.yield(s, x))) < ::fabs(value(f));
+      }
+      if (!consistent) {
+        copy(h, x, H);
+        for (int i = 0; i < 6; ++i) db[i] = flow.yield_gradient[i] * (i < 3 ? 1.0 : 0.5);  // the gradient as a tensor
+        const T step = f / sym6::work(flow.yield_gradient, db);
+        for (int i = 0; i < 6; ++i) s[i] = stress[i] - step * db[i];
+        if (!admissible(s, x)) return false;
+      }
+      copy(s, stress, 6);
+      copy(x, h, H);
+      f = model_.yield(stress, h);
+    }
+    return false;
+  }
+
+  const Model& model_;
+  const IntegrationOptions& options_;
+  T strain_[6], volume_;
+};
+
+/// Elasticity with constant moduli: the elastic part of a model.
+struct ConstantElasticity {
+  double bulk, shear;  // [Pa]
+
+  template <class S, class T>
+  KOKKOS_INLINE_FUNCTION void elastic(const S* stress, const T* strain, T* out) const {
+    sym6::isotropic(bulk, shear, strain, out);
+    for (int i = 0; i < 6; ++i) out[i] += stress[i];
+  }
+  template <class S, class T>
+  KOKKOS_INLINE_FUNCTION void elastic_step(const S* stress, const T* strain, const T&, T* out) const {
+    elastic(stress, strain, out);
+  }
+};
+
+/// d stress_i / d strain_j, row-major, from a stress that was computed with the strain as independent variables.
+KOKKOS_INLINE_FUNCTION void write_tangent(const Dual<6>* stress, double* tangent) {
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) tangent[6 * i + j] = stress[i].d[j];
+}
+KOKKOS_INLINE_FUNCTION void write_tangent(const double*, double*) {}
+
+}  // namespace mudline

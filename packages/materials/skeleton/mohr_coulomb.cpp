@@ -1,0 +1,60 @@
+#include "materials/skeleton/mohr_coulomb.hpp"
+
+#include <cmath>
+
+namespace mudline {
+
+void MohrCoulomb::parameters(Parameters& p) {
+  elasticity.parameters(p);
+  cohesion.parameters(p, "cohesion");
+  p.required("friction angle [deg]", friction, "deg", closed(0.0, 60.0), "Of effective stress; 0 is Tresca");
+  p.add("dilation angle [deg]", dilation, "deg", closed(0.0, 60.0), "Of plastic flow, not above the friction angle");
+  p.add("tensile strength", tensile, "Pa", non_negative(),
+        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as "
+        "by "
+        "default");
+  p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
+        "Part of the distance from the origin to the tip of the cone that the rounding cuts off");
+  p.add("lode transition angle [deg]", transition, "deg", closed(20.0, 29.9),
+        "From this Lode angle to 30 degrees the corners of the hexagon are rounded");
+  integration.parameters(p, "the shear strength at the mean stress of the start");
+}
+
+void MohrCoulomb::check(const Section& section) const {
+  integration.check(section);
+  if (dilation > friction)
+    section.fail("the dilation angle must not be greater than the friction angle", "dilation angle [deg]");
+  if (!(cohesion.value > 0.0) && !(cohesion.gradient > 0.0))
+    section.fail("must be positive somewhere, for the rounded tip of the cone; for a clean sand give about 100 Pa",
+                 "cohesion");
+}
+
+void MohrCoulomb::prepare() {
+  const double degree = std::acos(-1.0) / 180.0;
+  sine_ = std::sin(friction * degree);
+  cosine_ = std::cos(friction * degree);
+  dilation_sine_ = std::sin(dilation * degree);
+  dilation_cosine_ = std::cos(dilation * degree);
+  yield_shape_ = LodeShape::mohr_coulomb(sine_, transition);
+  potential_shape_ = LodeShape::mohr_coulomb(dilation_sine_, transition);
+  tension_shape_ = LodeShape::mohr_coulomb(1.0, transition);
+}
+
+std::vector<StateVariable> MohrCoulomb::state() {
+  return {{"cohesion", 1, "Pa", RemapRule::value, 0.0, 1e300},
+          {"plastic shear strain", 1, "-", RemapRule::value, 0.0, 1e300}};
+}
+
+std::string MohrCoulomb::initialise(const InitialPoint& point, double* state) const {
+  const double c = cohesion.at(point.position);
+  if (!(c > 0.0)) return "the cohesion is zero here; the rounded tip of Mohr-Coulomb needs a positive one, e.g. 100 Pa";
+  state[cohesion_here] = c;
+  state[plastic_shear_strain] = 0.0;
+  return "";
+}
+
+double MohrCoulomb::k0(double overconsolidation_ratio) const {
+  return std::min((1.0 - sine_) * std::pow(overconsolidation_ratio, sine_), (1.0 + sine_) / (1.0 - sine_));
+}
+
+}  // namespace mudline

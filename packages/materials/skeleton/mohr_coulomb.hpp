@@ -1,0 +1,78 @@
+#pragma once
+
+#include "materials/frictional_model.hpp"
+
+namespace mudline {
+
+/// Mohr-Coulomb, linear elastic and perfectly plastic, smooth everywhere (Abbo & Sloan 1995, Computers & Structures
+/// 54:427; Abbo, Lyamin, Sloan & Hambleton 2011, IJSS 48:3001). p' compression positive:
+///     yield      f = sqrt(J2 K(S)^2 + m^2) - p' sin(phi) - c cos(phi) = 0, m = a c cos(phi)
+///     potential  g = sqrt(J2 K_psi(S)^2 + (a c cos(psi))^2) - p' sin(psi)
+/// K rounds the corners of the hexagon (lode_shape.hpp), the hyperbola rounds the tip: a is the fraction of the
+/// distance from the origin to the sharp tip, c cot(phi), that it cuts off. The largest principal stress is limited to
+/// the tensile strength by a rounded Rankine surface (frictional_model.hpp), at most 2 c cos(phi)/(1 + sin(phi)), the
+/// uniaxial tensile strength of the cone itself: above that only states with three tensile principal stresses would
+/// differ, and with psi = 0 none of them could be returned to the cone. c grows with depth, fixed to the material where
+/// it starts. Code: tension positive, [Pa].
+///
+/// An initial stress outside the surface is brought back to it, at fixed strain, when the law is first evaluated.
+struct MohrCoulomb {
+  enum { cohesion_here, plastic_shear_strain, state_size };
+
+  ElasticConstants elasticity;
+  StrengthProfile cohesion;
+  double friction = 30.0, dilation = 0.0;  // [deg] phi, psi
+  double tensile = 1e12;                   // [Pa]
+  double apex = 0.05;                      // [-] a
+  double transition = 29.0;                // [deg] theta_T
+  IntegrationOptions integration = IntegrationOptions::implicit();
+
+  void parameters(Parameters& p);
+  void check(const Section& section) const;
+  /// Constants that follow from the parameters.
+  void prepare();
+  static std::vector<StateVariable> state();
+  std::string initialise(const InitialPoint& point, double* state) const;
+  /// (1 - sin(phi)) R^sin(phi), at most the passive ratio (Jaky 1944; Mayne & Kulhawy 1982).
+  double k0(double overconsolidation_ratio) const;
+
+  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const {
+    return elasticity.moduli();
+  }
+  KOKKOS_INLINE_FUNCTION FrictionalModel model(double c, const double* stress) const;
+  template <class T>
+  KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
+                                     double* state) const;
+
+ private:
+  double sine_ = 0, cosine_ = 1, dilation_sine_ = 0, dilation_cosine_ = 1;
+  LodeShape yield_shape_, potential_shape_, tension_shape_;
+};
+
+KOKKOS_INLINE_FUNCTION FrictionalModel MohrCoulomb::model(double c, const double* stress) const {
+  const ElasticModuli m = elasticity.moduli();
+  const double strength = c * cosine_, p = ::fmax(sym6::mean_pressure(stress), 0.0);
+  return {{m.bulk, m.shear},
+          yield_shape_,
+          potential_shape_,
+          tension_shape_,
+          sine_,
+          dilation_sine_,
+          strength,
+          ::fmin(tensile, 2.0 * strength / (1.0 + sine_)),
+          apex * strength,
+          apex * c * dilation_cosine_,
+          strength + p * sine_};
+}
+
+template <class T>
+KOKKOS_INLINE_FUNCTION bool MohrCoulomb::update(const SkeletonPoint& in, const T* strain, const double* state_old,
+                                                T* stress, double* state) const {
+  for (int i = 0; i < 6; ++i) stress[i] = T(in.stress[i]);
+  T h[1] = {T(state_old[plastic_shear_strain])};
+  if (!integrate_plasticity(model(state_old[cohesion_here], in.stress), integration, strain, stress, h)) return false;
+  state[plastic_shear_strain] = value(h[0]);
+  return true;
+}
+
+}  // namespace mudline
