@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <dlfcn.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -12,6 +14,13 @@
 namespace {
 
 using namespace mudline;
+
+/// Parallelism is by ranks. A threaded OpenBLAS would take all cores for the small dense blocks of a sparse factorisation and
+/// spin on them: slower alone, and much slower beside anything else. Whoever wants its threads says so in the environment.
+void keep_blas_serial() {
+  if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr || std::getenv("OMP_NUM_THREADS") != nullptr) return;
+  if (void* set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<void (*)(int)>(set)(1);
+}
 
 void add_deck_options(CLI::App& command, cli::DeckOptions& deck) {
   command.add_option("deck", deck.decks, "deck, then overlays that replace single parameters of it")->required();
@@ -131,6 +140,7 @@ int dispatch(int argc, char** argv, bool root) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_blas_serial();
   // The command line is ours: Kokkos would answer --help with its own options.
   int own_count = 1;
   Tpetra::ScopeGuard scope(&own_count, &argv);

@@ -9,7 +9,7 @@ void OutputSettings::parameters(Parameters& p) {
   p.add("field steps", field_steps, "-", closed(0, 1e9), "fields are written every so many steps; 0: off");
   p.add("history steps", history_steps, "-", closed(1, 1e9), "a row of the history file every so many steps");
   p.add("checkpoint steps", checkpoint_steps, "-", closed(0, 1e9), "a checkpoint every so many steps; 0: at the end of stages only");
-  p.passes_on("probes", "named points whose nearest nodes' values are written to the history file: Array(double) of two coordinates each");
+  p.passes_on("probes", "named points, Array(double) of two coordinates each; of every field the history has the value at the nearest node that carries it (pore pressure: the nearest cell corner)");
 }
 
 OutputSettings OutputSettings::read(const Section& section, const std::string& deck_name) {

@@ -2,32 +2,11 @@
 
 #include <charconv>
 
+#include "core/text.hpp"
+
 namespace mudline::xdmf {
 
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string number(double value) {
   char text[32];
@@ -49,7 +28,7 @@ std::string attributes(const Model& model, const std::map<std::string, Field>& f
   for (const auto& [link, field] : fields) {
     const char* type = field.components == 1 ? "Scalar" : field.components == 3 ? "Vector" : "Tensor6";
     const std::string columns = field.components == 1 ? "" : " " + std::to_string(field.components);
-    text += "        <Attribute Name=\"" + escaped(field.name + " [" + field.unit + "]") + "\" AttributeType=\"" +
+    text += "        <Attribute Name=\"" + xml_escaped(field.name + " [" + field.unit + "]") + "\" AttributeType=\"" +
             type + "\" Center=\"" + centre + "\">" +
             heavy(model, group + "/" + link, std::to_string(rows) + columns, real) + "</Attribute>\n";
   }
@@ -60,7 +39,7 @@ std::string body_grid(const Model& model, const Step& step, const std::string& l
   const std::string points = std::to_string(body.points);
   std::string line;
   for (long long i = 0; i < body.points; ++i) line += (i == 0 ? "" : " ") + std::to_string(i);
-  return "      <Grid Name=\"" + escaped(body.name) +
+  return "      <Grid Name=\"" + xml_escaped(body.name) +
          "\" GridType=\"Uniform\">\n"
          "        <Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" +
          points +
@@ -83,7 +62,7 @@ std::string grid(const Model& model, const Step& step) {
                             std::to_string(step.number) +
                             "\"/>\n"
                             "      <Information Name=\"stage\" Value=\"" +
-                            escaped(step.stage) + "\"/>\n";
+                            xml_escaped(step.stage) + "\"/>\n";
   const std::string mesh = "        <Topology TopologyType=\"Mixed\" NumberOfElements=\"" + elements + "\">" +
                            heavy(model, "/mesh/topology", std::to_string(model.topology_length), integer) +
                            "</Topology>\n"
