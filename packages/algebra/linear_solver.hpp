@@ -52,6 +52,8 @@ class LinearSolver {
   virtual void set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) = 0;
   /// x starts from zero. `tolerance` bounds LinearReport::relative_residual.
   virtual LinearReport solve(const Vector& b, Vector& x, double tolerance) = 0;
+  /// True when it holds factors of the very matrix that was set last: another right-hand side then costs a solve only.
+  virtual bool exact() const { return false; }
   /// Forget factorisations and hierarchies (after a remap, a failed step, a stage change).
   virtual void reset() = 0;
   /// What a restarted run needs so that it goes on bit for bit; empty when nothing is kept. A solver that cannot tell

@@ -76,8 +76,8 @@ std::string MumpsSolver::factor() {
 }
 
 std::vector<double> MumpsSolver::memory() {
-  if (!reuse_ || !factored_) return {};
-  std::vector<double> memory{static_cast<double>(wait_), static_cast<double>(skip_), helped_ ? 1.0 : 0.0};
+  if (!factored_ || !(reuse_ || current_)) return {};
+  std::vector<double> memory{static_cast<double>(wait_), static_cast<double>(skip_), helped_ ? 1.0 : 0.0, current_ ? 1.0 : 0.0};
   memory.insert(memory.end(), factored_values_.begin(), factored_values_.end());
   return memory;
 }
@@ -85,12 +85,12 @@ std::vector<double> MumpsSolver::memory() {
 void MumpsSolver::restore(RCP<CrsMatrix> matrix, const std::vector<double>& memory) {
   {
     auto values = matrix->getLocalMatrixHost().values;
-    if (memory.size() != values.extent(0) + 3) throw std::logic_error("the direct solver's memory does not fit the matrix");
-    for (std::size_t i = 0; i < values.extent(0); ++i) values(i) = memory[i + 3];
+    if (memory.size() != values.extent(0) + 4) throw std::logic_error("the direct solver's memory does not fit the matrix");
+    for (std::size_t i = 0; i < values.extent(0); ++i) values(i) = memory[i + 4];
   }
   matrix_ = matrix;
   factor();
-  current_ = false;
+  current_ = memory[3] != 0;
   wait_ = static_cast<int>(memory[0]);
   skip_ = static_cast<int>(memory[1]);
   helped_ = memory[2] != 0;

@@ -21,6 +21,7 @@ class MumpsSolver : public LinearSolver {
   std::string prepare(RCP<const DofMap> dofs) override;
   void set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) override;
   LinearReport solve(const Vector& b, Vector& x, double tolerance) override;
+  bool exact() const override { return factored_ && current_; }
   void reset() override;
   /// The values of the matrix that the kept factors belong to, behind the counters of the reuse.
   std::vector<double> memory() override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 namespace mudline {
 
@@ -11,12 +12,32 @@ class ChordControl {
  public:
   bool enabled = false;
 
+  /// Key: what the matrix depends on apart from the state, that is step size, scheme and free unknowns.
+  bool belongs_to(const std::vector<double>& key) const { return key == key_; }
+  void start_step(const std::vector<double>& key) {
+    key_ = key;
+    count_ = 0;
+  }
+  /// All that the next step needs, for a checkpoint; and back.
+  void save(std::vector<double>& to) const {
+    to.insert(to.end(), key_.begin(), key_.end());
+    to.push_back(valid_ ? 1.0 : 0.0);
+    to.push_back(first_contraction_);
+    to.push_back(static_cast<double>(key_.size()));
+  }
+  void restore(std::vector<double>& from) {
+    const auto size = static_cast<std::size_t>(from.back());
+    first_contraction_ = from[from.size() - 2];
+    valid_ = from[from.size() - 3] != 0;
+    key_.assign(from.end() - 3 - size, from.end() - 3);
+    from.resize(from.size() - 3 - size);
+  }
+
   /// The matrix no longer belongs to the coming steps (other step size, unknowns, scheme), or must not be relied on.
   void forget() {
     valid_ = false;
     first_contraction_ = 1;
   }
-  void start_step() { count_ = 0; }
   void renewed() { valid_ = true; }
   /// The residual of the next iterate.
   void observe(double ratio) {
@@ -33,6 +54,7 @@ class ChordControl {
   }
 
  private:
+  std::vector<double> key_;
   bool valid_ = false;
   int count_ = 0;
   double last_ = 0, contraction_ = 1, first_contraction_ = 1;

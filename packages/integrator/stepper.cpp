@@ -227,18 +227,16 @@ void Stepper::add_matrices() {
 }
 
 void Stepper::check_chord() {
-  const bool same = scheme_ == chord_scheme_ && view_.dt == chord_dt_ && chord_mask_.extent(0) == constraints_.mask.extent(0) &&
-                    std::equal(chord_mask_.data(), chord_mask_.data() + chord_mask_.extent(0), constraints_.mask.data());
-  if (sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) > 0) chord_.forget();
-  chord_scheme_ = scheme_;
-  chord_dt_ = view_.dt;
-  chord_mask_ = Kokkos::View<char*>("chord mask", constraints_.mask.extent(0));
-  Kokkos::deep_copy(chord_mask_, constraints_.mask);
-  chord_.start_step();
+  const TimeScheme& t = scheme_;
+  std::vector<double> key{view_.dt,  t.inertia ? 1.0 : 0.0, t.flow ? 1.0 : 0.0, t.alpha_m,      t.alpha_f, t.beta,
+                          t.gamma,   t.incremental ? 1.0 : 0.0, t.flow_alpha_m, t.flow_alpha_f, t.theta};
+  key.insert(key.end(), constraints_.mask.data(), constraints_.mask.data() + constraints_.mask.extent(0));
+  if (sum_over_ranks(*space_.dofs()->comm(), chord_.belongs_to(key) ? 0 : 1) > 0) chord_.forget();
+  chord_.start_step(key);
 }
 
 bool Stepper::jacobian(const Vector& x) {
-  if (chord_.may_keep()) return true;
+  if (chord_.may_keep() && solver_.exact()) return true;
   {
     const Stopwatch watch(times_.jacobian);
     evaluated_.reset();

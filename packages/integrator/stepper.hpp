@@ -61,7 +61,7 @@ class Stepper : public NonlinearProblem {
 
   /// Lets the linear solver take up what LinearSolver::memory() gave in the run that is continued.
   void restore_solver(const std::vector<double>& memory);
-  /// What restore_solver takes. The run goes on as a restarted one would.
+  /// What restore_solver takes: the solver's memory and which Jacobian may serve on. The run goes on as a restarted one would.
   std::vector<double> solver_memory();
 
   /// First half of an attempt: predictor, prescribed unknowns, the terms' begin. Afterwards residual() and jacobian() may
@@ -137,9 +137,6 @@ class Stepper : public NonlinearProblem {
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;
   ChordControl chord_;
-  TimeScheme chord_scheme_;
-  double chord_dt_ = 0;
-  Kokkos::View<char*> chord_mask_;
   std::unique_ptr<Vector> evaluated_;  // where the trial state stands; null: elsewhere
 };
 

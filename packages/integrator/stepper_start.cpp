@@ -59,12 +59,18 @@ NodalView Stepper::static_residual() {
 void Stepper::restore_solver(const std::vector<double>& memory) {
   const int any = memory.empty() ? 0 : 1;
   if (sum_over_ranks(*space_.dofs()->comm(), any) == 0) return;
-  solver_.restore(rcp(new CrsMatrix(*assembler_.matrix(), Teuchos::Copy)), memory);
+  std::vector<double> solver = memory;
+  chord_.restore(solver);
+  solver_.restore(rcp(new CrsMatrix(*assembler_.matrix(), Teuchos::Copy)), solver);
 }
 
 std::vector<double> Stepper::solver_memory() {
-  chord_.forget();
-  return solver_.memory();
+  std::vector<double> memory = solver_.memory();
+  if (memory.empty())
+    chord_.forget();
+  else
+    chord_.save(memory);
+  return memory;
 }
 
 bool Stepper::initialise_rates(const StepRequest& request, double linear_tolerance) {

@@ -14,11 +14,6 @@ struct TimeScheme {
   double alpha_m = 0, alpha_f = 0, beta = 0.25, gamma = 0.5;
   bool incremental = false;
   double flow_alpha_m = 1, flow_alpha_f = 1, theta = 1;
-  bool operator==(const TimeScheme& s) const {
-    return inertia == s.inertia && flow == s.flow && alpha_m == s.alpha_m && alpha_f == s.alpha_f && beta == s.beta &&
-           gamma == s.gamma && incremental == s.incremental && flow_alpha_m == s.flow_alpha_m && flow_alpha_f == s.flow_alpha_f &&
-           theta == s.theta;
-  }
 };
 
 /// A way to step through time. Stateless.
