@@ -1,0 +1,23 @@
+"""Undrained expansion of a cylindrical cavity in Tresca soil at finite strain, to four times its radius.
+
+The reference is elastic in logarithmic strain. So is the rate form of the program here: the axes of stretch do not turn, and
+the increments add up to it.
+"""
+import unittest
+
+import numpy as np
+
+from strength_case import StrengthCase
+
+
+class Cylinder(StrengthCase):
+    def test_wall_pressure(self):
+        history = self.run_deck(self.deck("cavity_expansion", "cylinder"))
+        radius = 1 + 3 * history.time ** 2
+        pressure = history["reaction/cavity x"] / (2 * np.pi * radius)
+        for a, exact in ((1.2, 188.4409e3), (2, 206.3997e3), (4, 210.8626e3)):
+            self.assert_between(f"pressure at {a} radii", np.interp(a, radius, pressure) / exact, 0.999, 1.001)
+
+
+if __name__ == "__main__":
+    unittest.main()
