@@ -18,7 +18,12 @@ void InitialState::parameters(Parameters& p) {
   has_water_ = p.given("water level");
   p.add("K0", k0_, "-", "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
   has_k0_ = p.given("K0");
+  p.add("K0 friction angle [deg]", k0_angle_, "deg", "geostatic, instead of K0: K0 = (1 - sin(phi)) OCR^sin(phi) (Jaky; Mayne and Kulhawy); function of position");
+  has_k0_angle_ = p.given("K0 friction angle [deg]");
   p.add("overconsolidation ratio", ocr_, "-", "scales the yield surface through the initial stress; function of position");
+  has_ocr_ = p.given("overconsolidation ratio");
+  p.add("preoverburden pressure", preoverburden_, "Pa", "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + POP/sigma'_v; function of position");
+  has_preoverburden_ = p.given("preoverburden pressure");
 }
 
 std::vector<InitialState::Layer> InitialState::layers(const Soil& soil, const Section& section) const {
@@ -38,6 +43,37 @@ std::vector<InitialState::Layer> InitialState::layers(const Soil& soil, const Se
     section.fail("the mesh regions are not horizontal layers; use a stage of type 'geostatic' from a uniform state, or one density", "type");
   }
   return result;
+}
+
+void InitialState::check(const Section& section) const {
+  if (has_k0_ && has_k0_angle_) section.fail("give either this or 'K0', not both", "K0 friction angle [deg]");
+  if (has_ocr_ && has_preoverburden_) section.fail("give either this or 'overconsolidation ratio', not both", "preoverburden pressure");
+  if (kind_ == Kind::geostatic) return;
+  if (has_k0_angle_) section.fail("only a geostatic start has a K0", "K0 friction angle [deg]");
+  if (has_preoverburden_) section.fail("only a geostatic start has a vertical stress to add it to", "preoverburden pressure");
+}
+
+std::string InitialState::at_rest(InitialPoint& point, double vertical, const Skeleton& skeleton) const {
+  if (has_preoverburden_) {
+    const double pop = preoverburden_(0, point.position);
+    if (pop < 0) return "the preoverburden pressure is negative";
+    if (pop > 0 && vertical <= 0) return "a preoverburden pressure needs vertical effective stress; give a 'surcharge'";
+    if (pop > 0) point.overconsolidation_ratio = 1 + pop / vertical;
+  }
+  double k0 = 0;
+  if (has_k0_) {
+    k0 = k0_(0, point.position);
+  } else if (has_k0_angle_) {
+    const double phi = k0_angle_(0, point.position);
+    if (!(phi >= 0 && phi < 90)) return "the K0 friction angle must be in [0, 90) degrees; it is " + std::to_string(phi);
+    const double sine = std::sin(phi * 3.14159265358979323846 / 180);
+    k0 = (1 - sine) * std::pow(point.overconsolidation_ratio, sine);
+  } else {
+    k0 = skeleton.k0(point.overconsolidation_ratio);
+    if (k0 < 0) return "the skeleton law has no K0 of its own; give 'K0'";
+  }
+  point.stress = {-k0 * vertical, -vertical, -k0 * vertical, 0, 0, 0};
+  return "";
 }
 
 double InitialState::pore_pressure(double y, double unit_weight) const {
@@ -66,6 +102,7 @@ void InitialState::set_pressure(const Soil& soil, StateStore& store, double unit
 }
 
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
+  check(section);
   const double g = -gravity.vector[1];
   if (kind_ == Kind::geostatic && g <= 0) section.fail("a geostatic start needs gravity pointing down: give the physics a 'gravity'", "type");
   State& state = store.committed();
@@ -93,18 +130,18 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         point.overconsolidation_ratio = ocr_(0, point.position);
         point.void_ratio = b.material->initial_void_ratio;
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
+        std::string rest;
         if (kind_ == Kind::geostatic) {
           const double y = point.position[1];
           const double vertical = total_vertical(column, y, g, top_pressure) -
                                   (b.porous() ? b.material->biot_coefficient * pore_pressure(y, unit_weight) : 0.0);
-          const double k0 = has_k0_ ? k0_(0, point.position) : skeleton.k0(point.overconsolidation_ratio);
-          if (k0 < 0 && problem.empty()) problem = "the skeleton law of material '" + b.material->name + "' has no K0 of its own; give 'K0'";
-          point.stress = {-k0 * vertical, -vertical, -k0 * vertical, 0, 0, 0};
+          rest = at_rest(point, vertical, skeleton);
         }
         const int row = e * b.points + q;
         for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
         state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
-        const std::string reason = skeleton.initialise(point, state.arrays[b.law].data() + row * state.arrays[b.law].extent(1));
+        const std::string reason =
+            rest.empty() ? skeleton.initialise(point, state.arrays[b.law].data() + row * state.arrays[b.law].extent(1)) : rest;
         if (!reason.empty() && problem.empty())
           problem = "material '" + b.material->name + "' cannot start at (" + std::to_string(point.position[0]) + ", " +
                     std::to_string(point.position[1]) + "): " + reason;

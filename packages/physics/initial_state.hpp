@@ -21,6 +21,9 @@ class InitialState {
   struct Layer {
     double bottom, top, density;
   };
+  void check(const Section& section) const;
+  /// Overconsolidation ratio and stress of a geostatic point under this vertical effective stress; "" or the problem.
+  std::string at_rest(InitialPoint& point, double vertical, const Skeleton& skeleton) const;
   std::vector<Layer> layers(const Soil& soil, const Section& section) const;
   double pore_pressure(double y, double unit_weight) const;
   double total_vertical(const std::vector<Layer>& layers, double y, double g, double top_pressure) const;
@@ -30,8 +33,8 @@ class InitialState {
   double stress_[4] = {0, 0, 0, 0};  // xx yy zz xy, compression positive
   double pressure_ = 0;
   double surcharge_ = 0, water_level_ = 0;
-  bool has_water_ = false, has_k0_ = false;
-  Function k0_, ocr_{1.0};
+  bool has_water_ = false, has_k0_ = false, has_k0_angle_ = false, has_ocr_ = false, has_preoverburden_ = false;
+  Function k0_, k0_angle_, ocr_{1.0}, preoverburden_;
 };
 
 }  // namespace mudline

@@ -1,0 +1,20 @@
+// A slope of 1 : 2, five metres high, toe at (0, 0), on eight metres of the same soil.
+DefineConstant[ size = {1.0, Name "size"}, height = {5.0, Name "height"} ];
+Point(1) = {-15, -8, 0, 2*size};
+Point(2) = {25, -8, 0, 2*size};
+Point(3) = {25, height, 0, 2*size};
+Point(4) = {2*height, height, 0, size};
+Point(5) = {0, 0, 0, size};
+Point(6) = {-15, 0, 0, 2*size};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 6};
+Line(6) = {6, 1};
+Curve Loop(1) = {1:6};
+Plane Surface(1) = {1};
+Physical Surface("soil") = {1};
+Physical Curve("base") = {1};
+Physical Curve("sides") = {2, 6};
+Physical Curve("surface") = {3, 4, 5};

@@ -1,0 +1,112 @@
+"""Geostatic start of layers, and of a slope under gravity that grows."""
+import os
+import unittest
+
+import h5py
+import numpy as np
+
+from mudline_case import program
+from strength_case import StrengthCase
+
+G, WATER = 9.81, 1000 * 9.81
+# bottom and top [m], porosity, grain density of the layers in inputs/initial_state/layers.xml
+LAYERS = ((-2, 0, 0.4, 2650), (-5, -2, 0.6, 2700), (-6, -5, 0.3, 2650))
+
+
+def vertical(y):
+    """Effective vertical stress [Pa], by integration of each layer's weight."""
+    total = 10e3
+    for bottom, top, porosity, grains in LAYERS:
+        total += ((1 - porosity) * grains + porosity * 1000) * G * max(top - max(y, bottom), 0)
+    return total - WATER * max(-1 - y, 0)
+
+
+def overconsolidation(y):
+    return 1 + 50e3 / vertical(y)
+
+
+def horizontal(y):
+    sine = np.sin(np.radians(35 if y > -2 else 25))
+    return (1 - sine) * overconsolidation(y) ** sine * vertical(y)
+
+
+def mean_over_cell(function, y, height, points):
+    """The mean that fields show, of values at the Gauss points: three across a cell."""
+    return sum(w * function(y + 0.5 * height * x) for x, w in points)
+
+
+GAUSS = ((-np.sqrt(0.6), 5 / 18), (0.0, 8 / 18), (np.sqrt(0.6), 5 / 18))
+
+
+def components(step):
+    """xx yy zz xy of the mean effective stress of cells, compression positive; the file has xx xy xz yy yz zz."""
+    return -step["effective_stress"][:][:, [0, 3, 5, 1]]
+
+
+class Layers(StrengthCase):
+    def stress(self, settings=()):
+        self.run_deck(self.deck("initial_state", "layers"), settings)
+        with h5py.File(os.path.join(self.folder, "results", "layers.h5"), "r") as file:
+            cells = file["mesh/topology"][:].reshape(-1, 10)[:, 1:]
+            y = file["mesh/coordinates"][:, 1][cells[:, :4]].mean(axis=1)
+            step = file["steps"][sorted(file["steps"])[-1]]["cell"]
+            return y, components(step), step["preconsolidation_pressure"][:].ravel()
+
+    def test_stress_of_layers_with_a_lost_overburden(self):
+        y, stress, preconsolidation = self.stress()
+        for i, height in enumerate(y):
+            self.assertAlmostEqual(stress[i, 1] / vertical(height), 1, delta=1e-6)
+            for c in (0, 2):
+                self.assertAlmostEqual(stress[i, c] / mean_over_cell(horizontal, height, 0.5, GAUSS), 1, delta=1e-5)
+            self.assertAlmostEqual(stress[i, 3], 0, delta=1e-6)
+
+        def through(depth):  # the surface through the initial stress, M = 1
+            v, h = vertical(depth), horizontal(depth)
+            p, q = (v + 2 * h) / 3, v - h
+            return overconsolidation(depth) * (p + q * q / p)
+        clay = (y > -5) & (y < -2)
+        self.assertEqual(clay.sum(), 12)
+        for height, value in zip(y[clay], preconsolidation[clay]):
+            self.assertAlmostEqual(value / mean_over_cell(through, height, 0.5, GAUSS), 1, delta=1e-5)
+
+    def test_both_ways_to_say_the_same_are_refused(self):
+        for settings, what in ((("K0=0.5",), "give either this or 'K0'"),
+                               (("overconsolidation ratio=2",), "give either this or 'overconsolidation ratio'"),
+                               (("preoverburden pressure=-1e3",), "the preoverburden pressure is negative"),
+                               (("K0 friction angle [deg]=90",), "the K0 friction angle must be in [0, 90) degrees")):
+            arguments = ["run", "-q", self.deck("initial_state", "layers")]
+            for setting in settings:
+                arguments += ["--set", "physics/ground/initial state/" + setting]
+            done = program(arguments, 1, self.folder)
+            self.assertEqual(done.returncode, 2, what)
+            self.assertIn(what, done.stderr)
+
+
+class Slope(StrengthCase):
+    def test_gravity_stage_leaves_a_slope_in_balance(self):
+        history = self.run_deck(self.deck("initial_state", "slope"))
+        weight = (40 * 8 + 25 * 5 - 0.5 * 10 * 5) * 1900 * G
+        # 1e-6 of the weight; the area of the slope shrinks as it settles, its mass does not
+        self.assertAlmostEqual(history["reaction/base y"][-1] / weight, 1, delta=1e-5)
+        for probe in ("crest", "toe"):
+            for axis in "xy":
+                self.assertEqual(history[f"probe/{probe}/displacement {axis}"][-1], 0)
+        self.assertLess(history["probe/crest/displacement y"][-3], -1e-3)  # it settled before
+        with h5py.File(os.path.join(self.folder, "results", "slope.h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]["cell"]
+            stress = components(step)
+            nodes, topology = file["mesh/coordinates"][:], file["mesh/topology"][:].reshape(-1, 7)[:, 1:4]
+        centre = nodes[topology].mean(axis=1)
+        far = (centre[:, 0] < -12) & (centre[:, 1] > -7)  # level ground away from the slope: weight above, within the mesh
+        depth = -centre[far, 1]
+        self.assertLess(np.abs(stress[far, 1] / (1900 * G * depth) - 1)[depth > 3].max(), 0.1)
+
+    def test_report_of_a_slope(self):
+        self.run_deck(self.deck("initial_state", "slope"))
+        done = program(["report", "results/slope"], 1, self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "results", "slope_report.html")))
+
+
+if __name__ == "__main__":
+    unittest.main()
