@@ -31,7 +31,8 @@ void StepControl::complete(double duration) {
 
 double StepControl::after_success(double dt, int iterations, double error) const {
   double factor = 1;
-  if (iterations <= easy_iterations) factor = growth == 1 && dt < initial ? std::min(1 / cut, initial / dt) : growth;
+  // after a cut slowly, or every second step would be the size that failed
+  if (iterations <= easy_iterations) factor = growth == 1 && dt < initial ? std::min(1.25, initial / dt) : growth;
   if (iterations > hard_iterations) factor = cut;
   if (error_tolerance > 0 && error > 0) {
     const double wanted = std::clamp(0.9 / std::cbrt(error), 0.25, 2.0);
