@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/friction.hpp"
 #include "core/registry.hpp"
 #include "physics/rigid_body/rigid_body.hpp"
 #include "physics/term.hpp"
@@ -16,6 +17,7 @@ namespace mudline {
 struct ContactContext {
   const Space& space;
   const std::map<std::string, std::shared_ptr<RigidBody>>& bodies;  // by name
+  const Registry<Friction>& frictions;
   /// Representative constrained modulus lambda + 2 G [Pa] of the soil in an element (block, element): scale of
   /// penalties.
   std::function<double(int block, int element)> stiffness;
@@ -29,11 +31,13 @@ class Contact : public Term {
   /// Normal pressure [Pa] on the soil, compression positive, by local node (owned and ghost), averaged from the contact
   /// points around; 0 off the surface. For output. Collective.
   virtual std::vector<double> nodal_pressure(const State& state) const = 0;
+  /// The same of the shear stress [Pa] on the soil, positive along the body's contour; empty without friction.
+  virtual std::vector<double> nodal_shear(const State&) const { return {}; }
 };
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;
 
-/// "frictionless penalty"; a plain list.
+/// "penalty", "frictionless penalty"; a plain list.
 void register_contact(ContactRegistry& registry);
 
 }  // namespace mudline

@@ -28,7 +28,7 @@ double chord(const ConstCoordinateView& x, const SurfaceSide& side) {
 
 }  // namespace
 
-ContactSurface::ContactSurface(const Space& space, const std::string& side_set)
+ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures)
     : mesh_(space.mesh()), exchange_(mesh_) {
   int rows[2] = {0, 0};
   for (const Side& side : mesh_.side_sets().at(side_set)) {
@@ -40,11 +40,17 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set)
     sides_.push_back(here);
   }
   const auto& first = space.node_dof(space.find("displacement"));
+  const int pressure = pressures ? space.find("pore pressure") : -1;
   for (int count = 2; count <= 3; ++count) {
-    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", rows[count - 2], 2 * count);
-    for (const SurfaceSide& side : sides_)
-      for (int a = 0; a < count && side.count == count; ++a)
+    int more = 0;
+    if (pressure >= 0) more = space.field(pressure).support == Support::vertices ? 2 : count;
+    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", rows[count - 2], 2 * count + more);
+    for (const SurfaceSide& side : sides_) {
+      if (side.count != count) continue;
+      for (int a = 0; a < count; ++a)
         for (int i = 0; i < 2; ++i) table(side.row, 2 * a + i) = first(side.node[a]) + i;
+      for (int a = 0; a < more; ++a) table(side.row, 2 * count + a) = space.node_dof(pressure)(side.node[a]);
+    }
     dofs_[count - 2] = table;
   }
   const long long local = static_cast<long long>(sides_.size());

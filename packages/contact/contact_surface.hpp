@@ -21,14 +21,16 @@ struct SurfaceSide {
 /// The sides of a side set that may touch a body: nodes, dofs, neighbours over the ranks.
 class ContactSurface {
  public:
-  /// Collective.
-  ContactSurface(const Space& space, const std::string& side_set);
+  /// `pressures`: the dof tables hold the pore pressures too. Collective.
+  ContactSurface(const Space& space, const std::string& side_set, bool pressures);
 
   const std::vector<SurfaceSide>& sides() const { return sides_; }
   /// Over all ranks.
   long long num_global_sides() const { return num_global_sides_; }
-  /// Displacement dofs of the sides with `count` nodes: (row, dof).
+  /// Dofs of the sides with `count` nodes: (row, displacements node after node, then pore pressures).
   const ElementDofs& dofs(int count) const { return dofs_[count - 2]; }
+  /// How many of the first nodes of a side with `count` nodes have their pore pressure in its dofs.
+  int pressure_nodes(int count) const { return static_cast<int>(dofs_[count - 2].extent(1)) - 2 * count; }
 
   /// Shortest and longest distance between the corners of a side [m], over all ranks. Collective.
   double shortest(const ConstCoordinateView& x) const;

@@ -1,20 +1,11 @@
 #include "contact/penalty_contact.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
 namespace mudline {
 
-namespace {
-
-/// Columns of the array of points.
-namespace column {
-enum : int { gap, pressure, active, force_x, force_y, area };
-}
-
-}  // namespace
+namespace column = contact_column;
 
 void PenaltyContact::declare_state(StateStore& store) {
   body_->declare_state(store);
@@ -29,6 +20,12 @@ void PenaltyContact::declare_state(StateStore& store) {
   work_info.name = name() + "/work";
   work_info.variables = {{"work", 1, "J"}};
   work_ = store.declare(std::move(work_info), 1);
+  if (!friction_) return;
+  ArrayInfo frictions;
+  frictions.name = name() + "/friction";
+  frictions.variables = {{"shear", 1, "Pa"}, {"slip", 1, "m"},    {"dissipated", 1, "J"},
+                         {"slides", 1, "-"}, {"force x", 1, "N"}, {"force y", 1, "N"}};
+  frictions_ = store.declare(std::move(frictions), first_row_.back());
 }
 
 void PenaltyContact::sparsity(Assembler& assembler) {
@@ -73,8 +70,8 @@ void PenaltyContact::begin(const StepView& view) {
   }
 }
 
-void PenaltyContact::write_points(const PointView& rows, std::size_t side,
-                                  const std::vector<ContactPoint>& points) const {
+void PenaltyContact::write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const {
+  const PointView& rows = trial.arrays[points_];
   for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) {
     const ContactPoint& point = points[row - first_row_[side]];
     rows(row, column::gap) = point.gap;
@@ -83,7 +80,49 @@ void PenaltyContact::write_points(const PointView& rows, std::size_t side,
     rows(row, column::force_x) = point.force[0];
     rows(row, column::force_y) = point.force[1];
     rows(row, column::area) = point.area;
+    if (!friction_) continue;
+    const PointView& shear = trial.arrays[frictions_];
+    shear(row, friction_column::shear) = point.shear.shear;
+    shear(row, friction_column::slip) = point.shear.slip;
+    shear(row, friction_column::dissipated) = point.shear.dissipated;
+    shear(row, friction_column::slides) = point.shear.slides;
+    shear(row, friction_column::force_x) = point.friction[0];
+    shear(row, friction_column::force_y) = point.friction[1];
   }
+}
+
+SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t side, std::vector<ShearState>& old) const {
+  const SurfaceSide& at = surface_->sides()[side];
+  const PointView& rows = view.committed->arrays[frictions_];
+  old.clear();
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
+    old.push_back({rows(row, friction_column::shear), rows(row, friction_column::slip),
+                   rows(row, friction_column::dissipated), rows(row, friction_column::slides) > 0});
+  SideFriction result{*friction_,
+                      friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
+                      view.time_end,
+                      body_->position(*view.committed),
+                      coordinates(at, view.x_old),
+                      old.data(),
+                      sticks_,
+                      surface_->pressure_nodes(at.count),
+                      {}};
+  for (int a = 0; a < result.pressure_nodes; ++a)
+    result.pressure[a] = view.value_end(surface_->dofs(at.count)(at.row, 2 * at.count + a));
+  return result;
+}
+
+bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
+                              std::vector<ContactPoint>& points) const {
+  const SurfaceSide& at = surface_->sides()[side];
+  const auto position = body_->position(*view.trial);
+  const double penalty = view.trial->arrays[penalties_](side, 0);
+  const SideCoordinates x = coordinates(at, view.x_end);
+  if (!friction_)
+    return penalty_side(rule(at), *body_, position, penalty, nullptr, x, axisymmetric_, want_tangent, force, points);
+  std::vector<ShearState> old;
+  const SideFriction friction = side_friction(view, side, old);
+  return penalty_side(rule(at), *body_, position, penalty, &friction, x, axisymmetric_, want_tangent, force, points);
 }
 
 std::array<double, 2> PenaltyContact::local_force(const State& state) const {
@@ -97,26 +136,27 @@ std::array<double, 2> PenaltyContact::local_force(const State& state) const {
 }
 
 int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
-  const auto position = body_->position(*view.trial);
-  const PointView& rows = view.trial->arrays[points_];
-  const PointView& penalty = view.trial->arrays[penalties_];
   const auto& sides = surface_->sides();
   int failures = 0;
   magnitude_ = 0;
   std::vector<ContactPoint> points;
+  std::vector<ShearState> old;
   SideForce side_force;
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const ContactRule& at = rule(sides[s]);
     if (!candidate_[s]) {
       // the rows of a skipped side say that it is at least as far away as the search looked
-      points.assign(at.points, ContactPoint{capture_, 0, {0, 0}, 0, false});
-      write_points(rows, s, points);
+      ContactPoint away{};
+      away.gap = capture_;
+      points.assign(rule(sides[s]).points, away);
+      if (friction_) {
+        side_friction(view, s, old);
+        for (std::size_t c = 0; c < old.size(); ++c) points[c].shear = {0, old[c].slip, old[c].dissipated, false};
+      }
+      write_points(*view.trial, s, points);
       continue;
     }
-    if (!penalty_side(at, *body_, position, penalty(s, 0), coordinates(sides[s], view.x_end), axisymmetric_, false,
-                      side_force, points))
-      ++failures;
-    write_points(rows, s, points);
+    if (!evaluate(view, s, false, side_force, points)) ++failures;
+    write_points(*view.trial, s, points);
     const ElementDofs& dofs = surface_->dofs(sides[s].count);
     for (int a = 0; a < 2 * sides[s].count; ++a) {
       f(dofs(sides[s].row, a)) -= side_force.f[a];
@@ -132,8 +172,6 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
 }
 
 void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  const auto position = body_->position(*view.trial);
-  const PointView& penalty = view.trial->arrays[penalties_];
   const auto& sides = surface_->sides();
   const MatrixScatter to[2] = {assembler.scatter(group_[0]), assembler.scatter(group_[1])};
   std::vector<ContactPoint> points;
@@ -141,10 +179,10 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const SurfaceSide& side = sides[s];
     if (!candidate_[s]) continue;
-    penalty_side(rule(side), *body_, position, penalty(s, 0), coordinates(side, view.x_end), axisymmetric_, true, force,
-                 points);
+    evaluate(view, s, true, force, points);
+    const int columns = 2 * side.count + surface_->pressure_nodes(side.count);
     for (int a = 0; a < 2 * side.count; ++a)
-      for (int b = 0; b < 2 * side.count; ++b) to[side.count - 2].add(side.row, a, b, -weight * force.k[a][b]);
+      for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * force.k[a][b]);
   }
 }
 
@@ -172,50 +210,10 @@ void PenaltyContact::constrain(const StepView& view, Constraints& constraints) {
     if (sealed[node] && dof(node) >= 0) constraints.mask(dof(node)) = 0;
 }
 
-void PenaltyContact::histories(const StepView& view, std::map<std::string, double>& values) {
-  const State& state = *view.committed;
-  const PointView& rows = state.arrays[points_];
-  const auto force = local_force(state);
-  double local[5] = {-force[0], -force[1], 0, 0, state.arrays[work_](0, 0)}, sum[5];
-  double deepest = 0, deepest_everywhere = 0;
-  for (int row = 0; row < first_row_.back(); ++row) {
-    if (rows(row, column::active) == 0) continue;
-    local[2] += rows(row, column::area);
-    local[3] += 1;
-    deepest = std::max(deepest, -rows(row, column::gap));
-  }
-  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 5, local, sum);
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, deepest, Teuchos::outArg(deepest_everywhere));
-  values[name() + "/reaction x [N]"] = sum[0];
-  values[name() + "/reaction y [N]"] = sum[1];
-  values[name() + "/contact area [m2]"] = sum[2];
-  values[name() + "/active points"] = sum[3];
-  values[name() + "/maximum penetration [m]"] = deepest_everywhere;
-  values[name() + "/work [J]"] = sum[4];
-}
-
 double PenaltyContact::step_limit(const State& committed, double dt) const {
   const double edge = surface_->shortest(committed.coordinates);
   const double speed = body_->speed(committed, dt);
   return speed > 0 ? deck_.advance_limit * edge / speed : 1e300;
-}
-
-std::vector<double> PenaltyContact::nodal_pressure(const State& state) const {
-  constexpr double node_xi[max_side_nodes] = {-1, 1, 0};
-  const int nodes = context_.space.mesh().num_nodes();
-  std::vector<double> weighted(nodes, 0.0), weights(nodes, 0.0);
-  const PointView& rows = state.arrays[points_];
-  const auto& sides = surface_->sides();
-  for (std::size_t s = 0; s < sides.size(); ++s)
-    for (int a = 0; a < sides[s].count; ++a)
-      for (int c = 0; c < rule(sides[s]).points; ++c) {
-        // hat of half the side's length around the node: positive weights, unlike the quadratic shapes
-        const double near = std::max(0.0, 1 - std::abs(rule(sides[s]).xi[c] - node_xi[a]));
-        weighted[sides[s].node[a]] += near * rows(first_row_[s] + c, column::pressure);
-        weights[sides[s].node[a]] += near;
-      }
-  return surface_->mean(std::move(weighted), std::move(weights));
 }
 
 }  // namespace mudline

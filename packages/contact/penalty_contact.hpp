@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-/// What the deck says of a frictionless penalty contact.
+/// What the deck says of a penalty contact, besides friction.
 struct PenaltyParameters {
   enum class Drainage { sealed, drained };
   void parameters(Parameters& p);
@@ -22,24 +22,25 @@ struct PenaltyParameters {
   double capture_distance = 0;              // [m]
   double advance_limit = 0.25;              // [-] of the shortest side
   Drainage drainage = Drainage::sealed;
-  double sealing_gap = 0.1;                    // [-] of the side's length
+  double sealing_gap = 0.1;  // [-] of the side's length
 };
 
-/// Frictionless contact of a soil surface with a rigid body: R_u -= int N^T t n ds at n+1, t = penalty <-gap> [Pa],
-/// n from the body into the soil; axisymmetric forces are those of the whole circumference, plane strain ones per
-/// metre.
+/// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s m) ds at n+1, t = penalty <-gap> [Pa], n from
+/// the body into the soil, m along the body's contour, s [Pa] from the friction law, 0 without one; axisymmetric forces
+/// are those of the whole circumference, plane strain ones per metre.
 ///
 /// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area),
-/// "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step), "contact/<name>/work" (this
-/// rank's share of the work done on the soil, trapezoidal in the body's displacement).
+/// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
+/// friction), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
+/// "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
 ///
 /// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
 /// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set.
 class PenaltyContact : public Contact {
  public:
   explicit PenaltyContact(const ContactContext& context) : context_(context) {}
-  static void document(Parameters& p) { PenaltyParameters().parameters(p); }
-  void parameters(Parameters& p) { deck_.parameters(p); }
+  static void document(Parameters& p);
+  void parameters(Parameters& p);
   /// Binds to body and surface. InputError for unknown names, empty surfaces and deep initial overlap. Collective.
   void check(const Section& section);
 
@@ -48,6 +49,8 @@ class PenaltyContact : public Contact {
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
+  bool asks_for_prediction() const override { return friction_ != nullptr && body_->active(); }
+  void predicting(bool on) override { sticks_ = on; }
   void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
   double magnitude_squared(int field) const override { return field == displacement_ ? magnitude_ : 0.0; }
@@ -55,19 +58,29 @@ class PenaltyContact : public Contact {
   void histories(const StepView& view, std::map<std::string, double>& values) override;
   double step_limit(const State& committed, double dt) const override;
   std::vector<double> nodal_pressure(const State& state) const override;
+  std::vector<double> nodal_shear(const State& state) const override;
+
+ protected:
+  PenaltyParameters deck_;
 
  private:
+  /// Committed shear states and pore pressures of one side; what it refers to lives as long as `old`.
+  SideFriction side_friction(const StepView& view, std::size_t side, std::vector<ShearState>& old) const;
+  /// Force of one side at the linearisation point. False for a degenerate side.
+  bool evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
+                std::vector<ContactPoint>& points) const;
+  std::vector<double> nodal_mean(const PointView& rows, int column) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
   void check_overlap(const Section& section) const;
   void set_penalties(const StepView& view) const;
-  void write_points(const PointView& rows, std::size_t side, const std::vector<ContactPoint>& points) const;
+  void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
   /// More than half of the side's points press or are nearer than the sealing gap; `length` of the side [m].
   bool closed(const PointView& rows, std::size_t side, double length) const;
   std::array<double, 2> local_force(const State& state) const;
 
   ContactContext context_;
-  PenaltyParameters deck_;
+  std::unique_ptr<const Friction> friction_;  // null: smooth
   std::string name_;
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;
@@ -77,9 +90,26 @@ class PenaltyContact : public Contact {
   double capture_ = 0;              // [m] of this step
   double magnitude_ = 0;            // of the last residual call
   bool axisymmetric_ = false;
+  bool sticks_ = false;  // predicting: no point slides
   int displacement_ = -1, pressure_ = -1;
-  int points_ = -1, penalties_ = -1, work_ = -1;  // state handles
+  int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1;  // state handles
   int group_[2] = {-1, -1};
 };
+
+/// The same without friction, by its own name.
+class FrictionlessPenaltyContact : public PenaltyContact {
+ public:
+  using PenaltyContact::PenaltyContact;
+  static void document(Parameters& p) { PenaltyParameters().parameters(p); }
+  void parameters(Parameters& p) { deck_.parameters(p); }
+};
+
+/// Columns of the arrays of contact points.
+namespace contact_column {
+enum : int { gap, pressure, active, force_x, force_y, area };
+}
+namespace friction_column {
+enum : int { shear, slip, dissipated, slides, force_x, force_y };
+}
 
 }  // namespace mudline

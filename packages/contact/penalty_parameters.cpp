@@ -30,6 +30,22 @@ void PenaltyParameters::parameters(Parameters& p) {
         "Largest advance of the body in one step, as a fraction of the surface's shortest side");
 }
 
+namespace {
+void friction_section(Parameters& p) {
+  p.passes_on("friction", "Friction along the surface; 'type' names a friction law; absent: a smooth body");
+}
+}  // namespace
+
+void PenaltyContact::document(Parameters& p) {
+  PenaltyParameters().parameters(p);
+  friction_section(p);
+}
+
+void PenaltyContact::parameters(Parameters& p) {
+  deck_.parameters(p);
+  friction_section(p);
+}
+
 void PenaltyContact::check(const Section& section) {
   name_ = section.name();
   const Space& space = context_.space;
@@ -49,7 +65,8 @@ void PenaltyContact::check(const Section& section) {
                  "surface");
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
-  surface_ = std::make_unique<ContactSurface>(space, deck_.surface);
+  if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
+  surface_ = std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective());
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
   axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
   rules_.clear();
@@ -83,10 +100,11 @@ void PenaltyContact::check_overlap(const Section& section) const {
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(teller));
   Teuchos::broadcast(comm, teller, 2, worst);
   char text[160];
-  std::snprintf(text, sizeof text,
-                "' overlaps the surface by %.4g m at (%.6g, %.6g) at the start, more than half of its shortest side, %.4g m; "
-                "move its 'position'",
-                -everywhere, worst[0], worst[1], edge);
+  std::snprintf(
+      text, sizeof text,
+      "' overlaps the surface by %.4g m at (%.6g, %.6g) at the start, more than half of its shortest side, %.4g m; "
+      "move its 'position'",
+      -everywhere, worst[0], worst[1], edge);
   section.fail("body '" + deck_.body + text, "body");
 }
 

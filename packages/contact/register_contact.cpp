@@ -4,8 +4,9 @@
 namespace mudline {
 
 void register_contact(ContactRegistry& registry) {
-  registry.add<PenaltyContact>("frictionless penalty",
-                               "Soil surface against a smooth rigid body, normal penalty, no friction");
+  registry.add<PenaltyContact>("penalty", "Soil surface against a rigid body, penalty, with or without friction");
+  registry.add<FrictionlessPenaltyContact>("frictionless penalty",
+                                           "Soil surface against a smooth rigid body, normal penalty, no friction");
 }
 
 }  // namespace mudline

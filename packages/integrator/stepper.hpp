@@ -99,8 +99,10 @@ class Stepper : public NonlinearProblem {
 
  private:
   /// Where prescribed unknowns move, replaces the guess `x` (the others left behind, which folds or yields the elements in
-  /// between when the motion is large) by the linear answer of the committed state to it. False where it leaves x alone.
+  /// between when the motion is large) by the linear answer of the committed state to it; also where a term asks for that.
+  /// False where it leaves x alone.
   bool predict(Vector& x);
+  bool predict_linear(Vector& x, bool always);
   /// Forgets the Jacobian at hand if the coming step has another step size, scheme or set of free unknowns.
   void check_chord();
   /// Whether the trial state was last evaluated at exactly x. Collective.

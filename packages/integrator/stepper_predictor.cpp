@@ -1,26 +1,43 @@
 // The first guess of a step whose prescribed unknowns move.
+#include <algorithm>
+
 #include "integrator/overlap.hpp"
 #include "integrator/stepper.hpp"
 
 namespace mudline {
 
 bool Stepper::predict(Vector& x) {
+  const bool asked = std::any_of(active_.begin(), active_.end(), [](Term* term) { return term->asks_for_prediction(); });
+  for (Term* term : active_) term->predicting(asked);
+  const bool predicted = predict_linear(x, asked);
+  for (Term* term : active_) term->predicting(false);
+  if (!asked) return predicted;
+  // nothing of the more linear step may enter the iteration: no sizes of forces, no state, no Jacobian
+  std::fill(reference_.begin(), reference_.end(), 0.0);
+  evaluated_.reset();
+  chord_.forget();
+  return predicted;
+}
+
+bool Stepper::predict_linear(Vector& x, bool always) {
   Vector old(map()), moved(map());
   {
     auto start = old.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) start(i, 0) = store_.committed().value(i);
   }
   moved.update(1, x, -1, old, 0);
-  if (moved.norm2() == 0) return false;
+  const bool moves = moved.norm2() > 0;
+  if (!moves && !always) return false;
   // The columns of prescribed unknowns are not in the matrix: their product with the change is differenced. The fraction is
   // small enough for the elements next to the moving nodes, large enough against rounding.
   constexpr double fraction = 1e-3;
   Vector f(map()), shifted(map()), part(old, Teuchos::Copy), correction(map());
   part.update(fraction, moved, 1);
-  if (!residual(part, shifted) || !residual(old, f)) return false;
+  if (moves && !residual(part, shifted)) return false;
+  if (!residual(old, f)) return false;
   chord_.forget();  // its rate of convergence is not known here
   if (!jacobian(old)) return false;
-  f.update(1 / fraction, shifted, 1 - 1 / fraction);
+  if (moves) f.update(1 / fraction, shifted, 1 - 1 / fraction);
   if (!solve(f, correction)) return false;
   x.update(-1, correction, 1);
   return true;

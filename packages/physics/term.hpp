@@ -65,6 +65,11 @@ class Term {
   virtual void sparsity(Assembler&) {}
   /// Once per step, after the predictor: search, freeze what stays fixed during Newton.
   virtual void begin(const StepView&) {}
+  /// True where the first guess of a step needs a linear answer to what moves in it (a body that drags the soil along):
+  /// the integrator then solves once, between predicting(true) and predicting(false), before it iterates.
+  virtual bool asks_for_prediction() const { return false; }
+  /// While predicting, a term may be more linear than it is: friction sticks.
+  virtual void predicting(bool) {}
   /// Adds or releases prescribed unknowns that depend on state (drainage under contact).
   virtual void constrain(const StepView&, Constraints&) {}
   /// Adds to `f`. Pure in (committed, x). Returns the number of points on this rank where it failed.

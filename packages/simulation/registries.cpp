@@ -16,6 +16,7 @@ void register_all(Registries& r) {
   register_contours(r.contours);
   register_motions(r.motions);
   register_contact(r.contacts);
+  register_friction(r.frictions);
   register_time_integrators(r.integrators);
   register_linear_solvers(r.linear_solvers);
   register_point_tests(r.point_tests);
@@ -54,6 +55,7 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.motions);
   append(docs, r.conditions);
   append(docs, r.contacts);
+  append(docs, r.frictions);
   docs.push_back(fixed("stages", "what happens in time, in order; one named section each", [](Parameters& p) { Stage::document(p); }));
   docs.push_back(fixed("time step", "size of a stage's steps", [](Parameters& p) { StepControl().parameters(p); }));
   append(docs, r.integrators);

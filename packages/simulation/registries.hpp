@@ -25,6 +25,7 @@ struct Registries {
   Registry<ContourShape> contours{"contour"};
   Registry<BodyMotion> motions{"motion"};
   ContactRegistry contacts{"contact"};
+  Registry<Friction> frictions{"friction"};
   Registry<TimeIntegrator> integrators{"integrator"};
   Registry<LinearSolver> linear_solvers{"linear solver"};
   Registry<PointTest> point_tests{"test"};

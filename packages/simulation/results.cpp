@@ -105,6 +105,10 @@ std::vector<OutputField> Results::nodal_fields() const {
     std::vector<double> pressure = contact->nodal_pressure(state);
     pressure.resize(model_.mesh().num_owned_nodes());
     result.push_back({"contact pressure " + name, "Pa", 1, pressure});
+    std::vector<double> shear = contact->nodal_shear(state);
+    if (shear.empty()) continue;
+    shear.resize(model_.mesh().num_owned_nodes());
+    result.push_back({"contact shear " + name, "Pa", 1, shear});
   }
   return result;
 }

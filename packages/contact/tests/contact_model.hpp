@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <random>
 #include <string>
 
 #include "contact/contact.hpp"
@@ -52,19 +53,20 @@ inline GlobalMesh strip(Cells cells, int nx, int ny, double x0, double width, do
 /// A soil strip, one body and one contact, driven by hand through steps: what a stepper would do.
 struct ContactModel {
   ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
-               std::function<double(int, int)> stiffness = {})
-      : deck(bodies + "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" +
-             text_parameter("type", "frictionless penalty") + contact_parameters +
-             "</ParameterList>\n</ParameterList>\n"),
+               std::function<double(int, int)> stiffness = {}, const std::string& type = "frictionless penalty",
+               Support pressure = Support::vertices)
+      : deck(bodies + "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" + text_parameter("type", type) +
+             contact_parameters + "</ParameterList>\n</ParameterList>\n"),
         mesh(Tpetra::getDefaultComm(), geometry, std::move(global)),
-        space(mesh, {{"displacement", "m", "N", 2, Support::all_nodes, 2},
-                     {"pore pressure", "Pa", "m3/s", 1, Support::vertices, 1}}),
+        space(mesh,
+              {{"displacement", "m", "N", 2, Support::all_nodes, 2}, {"pore pressure", "Pa", "m3/s", 1, pressure, 1}}),
         store(space),
         assembler(space.dofs()) {
     bodies_["b"] = deck.body("b", geometry);
     register_contact(registry);
-    contact =
-        registry.create(deck.deck.root().section("contacts").section("c"), {space, bodies_, std::move(stiffness)});
+    register_friction(frictions);
+    contact = registry.create(deck.deck.root().section("contacts").section("c"),
+                              {space, bodies_, frictions, std::move(stiffness)});
     contact->declare_state(store);
     contact->sparsity(assembler);
     assembler.finalise();
@@ -111,10 +113,66 @@ struct ContactModel {
   Assembler assembler;
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   ContactRegistry registry{"contact"};
+  Registry<Friction> frictions{"friction"};
   std::unique_ptr<Contact> contact;
   StepView view{};
   int failures = 0;
 };
+
+/// Random displacements of the trial coordinates, fixed seed; nodes of the axis stay on it.
+inline void deform(ContactModel& model, double size) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int node = 0; node < model.mesh.num_nodes(); ++node)
+    for (int i = 0; i < 2; ++i) {
+      const double change = size * unit(random);
+      if (i == 1 || model.mesh.coordinates()(node, 0) > 0) model.store.trial().coordinates(node, i) += change;
+    }
+}
+
+/// What jacobian_error() varies: forces are so much larger per metre than per pascal that one hides the other.
+enum class Moved { soil, pressures };
+
+/// Largest difference of J d and the central difference of the residual, relative to the largest |J d|.
+inline double jacobian_error(ContactModel& model, Moved moved = Moved::soil) {
+  model.residual();
+  model.assembler.begin(Kokkos::View<char*>("free", model.space.dofs()->num_overlap_dofs()));
+  model.contact->jacobian(model.view, model.assembler, 1.0);
+  model.assembler.end();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Vector d(model.space.dofs()->owned()), product(model.space.dofs()->owned());
+  const int n = model.space.dofs()->num_owned_dofs();
+  {
+    auto data = d.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int i = 0; i < n; ++i)
+      data(i, 0) = (model.space.dofs()->field_of(i) == 0) == (moved == Moved::soil) ? unit(random) : 0.0;
+    // inside a sharp body the axis is a ridge of the gap: its nodes do not leave it
+    for (int node = 0; node < model.mesh.num_nodes(); ++node)
+      if (model.mesh.coordinates()(node, 0) == 0) data(model.dof(node, 0), 0) = 0;
+  }
+  model.assembler.matrix()->apply(d, product);
+  const auto data = d.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto move = [&](double h) {
+    for (int node = 0; node < model.mesh.num_nodes(); ++node)
+      for (int i = 0; i < 2; ++i) model.store.trial().coordinates(node, i) += h * data(model.dof(node, i), 0);
+    for (int i = 0; i < n; ++i)
+      if (model.space.dofs()->field_of(i) == 1) model.store.trial().value(i) += h * data(i, 0);
+  };
+  const double h = moved == Moved::soil ? 1e-7 : 1.0;
+  move(h);
+  const NodalView plus = model.residual();
+  move(-2 * h);
+  const NodalView minus = model.residual();
+  move(h);
+  double error = 0, size = 0;
+  const auto jd = product.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int i = 0; i < n; ++i) {
+    error = std::max(error, std::abs((plus(i) - minus(i)) / (2 * h) - jd(i, 0)));
+    size = std::max(size, std::abs(jd(i, 0)));
+  }
+  return size > 0 ? error / size : error;
+}
 
 /// A wide flat plate, its face at y, that moves down with the given speed.
 inline std::string plate_xml(double y, double speed = 0) {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <random>
 
 #include "contact_model.hpp"
 #include "core/tests/input_error.hpp"
@@ -82,55 +81,6 @@ TEST_P(EveryContact, UniformPressureGivesConsistentNodalForces) {
     EXPECT_NEAR(f(model.dof(node, 1)), load * share, 1e-9) << x;
     EXPECT_NEAR(f(model.dof(node, 0)), 0, 1e-9);
   }
-}
-
-/// Random displacements of the trial coordinates, fixed seed; nodes of the axis stay on it.
-void deform(ContactModel& model, double size) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  for (int node = 0; node < model.mesh.num_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) {
-      const double change = size * unit(random);
-      if (i == 1 || model.mesh.coordinates()(node, 0) > 0) model.store.trial().coordinates(node, i) += change;
-    }
-}
-
-/// Largest difference of J d and the central difference of the residual, relative to the largest |J d|.
-double jacobian_error(ContactModel& model) {
-  model.residual();
-  model.assembler.begin(Kokkos::View<char*>("free", model.space.dofs()->num_overlap_dofs()));
-  model.contact->jacobian(model.view, model.assembler, 1.0);
-  model.assembler.end();
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  Vector d(model.space.dofs()->owned()), product(model.space.dofs()->owned());
-  const int n = model.space.dofs()->num_owned_dofs();
-  {
-    auto data = d.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int i = 0; i < n; ++i) data(i, 0) = unit(random);
-    // inside a sharp body the axis is a ridge of the gap: its nodes do not leave it
-    for (int node = 0; node < model.mesh.num_nodes(); ++node)
-      if (model.mesh.coordinates()(node, 0) == 0) data(model.dof(node, 0), 0) = 0;
-  }
-  model.assembler.matrix()->apply(d, product);
-  const auto data = d.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto move = [&](double h) {
-    for (int node = 0; node < model.mesh.num_nodes(); ++node)
-      for (int i = 0; i < 2; ++i) model.store.trial().coordinates(node, i) += h * data(model.dof(node, i), 0);
-  };
-  const double h = 1e-7;
-  move(h);
-  const NodalView plus = model.residual();
-  move(-2 * h);
-  const NodalView minus = model.residual();
-  move(h);
-  double error = 0, size = 0;
-  const auto jd = product.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (int i = 0; i < n; ++i) {
-    error = std::max(error, std::abs((plus(i) - minus(i)) / (2 * h) - jd(i, 0)));
-    size = std::max(size, std::abs(jd(i, 0)));
-  }
-  return size > 0 ? error / size : error;
 }
 
 int active_points(ContactModel& model) {

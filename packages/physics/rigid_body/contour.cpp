@@ -17,7 +17,7 @@ PlanePoint right_of(const PlanePoint& t) { return {t[1], -t[0]}; }
 /// The foot lies at a corner or at an open end: the gap is the distance to that point, its sign that of `outward`.
 void point_foot(const PlanePoint& from_foot, const PlanePoint& outward, double tolerance, ContourFoot& result) {
   const double distance = std::hypot(from_foot[0], from_foot[1]);
-  result.curvature = 0;
+  result.curvature = result.travel = 0;
   if (distance <= tolerance) {
     result.gap = 0;
     result.normal = outward;
@@ -71,6 +71,7 @@ ContourFoot Contour::closest(const PlanePoint& x) const {
     ContourFoot image = closest({-x[0], x[1]});
     image.normal[0] = -image.normal[0];
     image.foot[0] = -image.foot[0];
+    image.arc_length = -image.arc_length;
     image.tangent = {-image.normal[1], image.normal[0]};
     return image;
   }
@@ -103,10 +104,17 @@ ContourFoot Contour::closest(const PlanePoint& x) const {
     result.normal = own;
     result.curvature = piece.curvature(s);
     const double stretch = 1 + result.curvature * result.gap;
-    result.turning = std::abs(stretch) > 1e-9 ? result.curvature / stretch : 0.0;  // 0 at the centre of an arc
+    const bool centre = std::abs(stretch) <= 1e-9;  // of an arc: everything there has the same foot
+    result.turning = centre ? 0.0 : result.curvature / stretch;
+    result.travel = centre ? 0.0 : 1 / stretch;
   }
   result.tangent = {-result.normal[1], result.normal[0]};
   return result;
+}
+
+double Contour::distance(const ContourFoot& from, const ContourFoot& to) const {
+  const double direct = to.arc_length - from.arc_length;
+  return closed_ ? std::remainder(direct, length()) : direct;
 }
 
 std::vector<PlanePoint> Contour::sample(double chord_error) const {

@@ -17,6 +17,7 @@ struct ContourFoot {
   PlanePoint foot;     // [m] the nearest point of the contour
   int piece;           // that the foot lies on
   double arc_length;   // [m] of the foot from the contour's start
+  double travel;       // d arc_length / dx = travel t: 1 / (1 + kappa gap), and 0 at a corner
 };
 
 /// Part of the plane that a contour describes. half: the body is symmetric about x = 0, the contour starts on that axis
@@ -39,6 +40,8 @@ class Contour {
   ContourExtent extent() const { return extent_; }
   const std::vector<std::shared_ptr<const ContourPiece>>& pieces() const { return pieces_; }
   double length() const { return start_.back(); }
+  /// Signed distance along the contour between two feet [m]; the shorter way round where the contour is closed.
+  double distance(const ContourFoot& from, const ContourFoot& to) const;
   /// Polyline for output whose chords stay within `chord_error` [m] of the contour.
   std::vector<PlanePoint> sample(double chord_error) const;
   /// A half contour and its mirror image.

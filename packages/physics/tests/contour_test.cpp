@@ -168,6 +168,17 @@ TEST(Contour, CornersOutsideInsideAndAtThePoint) {
   EXPECT_NEAR(foot.normal[1], (1.2 - 1) / foot.gap, 1e-12);
 }
 
+TEST(Contour, ArcLengthTravelsWithThePointAndRoundTheSeam) {
+  const Contour ball = contour(text_parameter("type", "sphere") + number_parameter("diameter", 2.0)).mirrored();
+  const double inside = 0.9, turn = 1e-3, seam = 2 * std::atan(1.0);  // a full circle starts and ends at the top
+  const auto at = [&](double angle) { return ball.closest({inside * std::cos(angle), 1 + inside * std::sin(angle)}); };
+  for (const double angle : {-1.2, 0.3, seam - turn / 2})
+    EXPECT_NEAR(ball.distance(at(angle), at(angle + turn)), turn, 1e-12) << angle;
+  EXPECT_NEAR(at(0.3).travel, 1 / inside, 1e-12);  // per distance that the point makes at its smaller radius
+  const Contour c = contour(cone(1.0, 60, 0.0, 0.0));
+  EXPECT_EQ(c.closest({0.1, 0.0}).travel, 1);
+}
+
 TEST(Contour, NodesJustLeftOfTheAxisMirror) {
   const Contour c = contour(cone(1.0, 60, 0.0, 0.0));
   const ContourFoot right = c.closest({1e-3, 0.1}), left = c.closest({-1e-3, 0.1});

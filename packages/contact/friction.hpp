@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/registry.hpp"
+#include "physics/rigid_body/contour_piece.hpp"
+
+namespace mudline {
+
+/// Where and when a friction law is asked.
+struct FrictionPoint {
+  double normal;        // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
+  PlanePoint position;  // [m] of the contact point at the start of the step
+  double slip;          // [m] path that it has slid so far, at the start of the step
+  double time;          // [s] end of the step
+};
+
+/// Largest shear stress that an interface carries.
+struct ShearStrength {
+  double value;  // [Pa] >= 0
+  double slope;  // [-] d value / d normal
+};
+
+/// Friction law of an interface: type of a contact's "friction". Pure. The contact does the rest: below the strength
+/// the point sticks (an elastic spring along the surface), at the strength it slides.
+class Friction {
+ public:
+  virtual ~Friction() = default;
+  virtual ShearStrength strength(const FrictionPoint& at) const = 0;
+  /// Stiffness along the surface while sticking, as a multiple of the contact's normal penalty.
+  double tangential_factor() const { return tangential_factor_; }
+  /// Whether FrictionPoint::normal is the total traction less the pore pressure of the soil at the interface.
+  bool effective() const { return traction_ == Traction::effective; }
+
+ protected:
+  /// Declares what all laws share.
+  void interface_parameters(Parameters& p);
+
+ private:
+  enum class Traction { effective, total };
+  double tangential_factor_ = 1;
+  Traction traction_ = Traction::effective;
+};
+
+/// strength = adhesion + coefficient <normal>, at most the cap.
+class CoulombFriction : public Friction {
+ public:
+  void parameters(Parameters& p);
+  ShearStrength strength(const FrictionPoint& at) const override;
+
+ private:
+  double coefficient_ = 0, adhesion_ = 0;
+  Function cap_;
+  bool capped_ = false;
+};
+
+/// "coulomb"; a plain list.
+void register_friction(Registry<Friction>& registry);
+
+}  // namespace mudline
