@@ -151,6 +151,8 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
   p.finish();
   mark_used(section.section("newton").section("nox").list());
   if (section.has_section("linear solver")) {
+    const Section own = section.section("linear solver");
+    if (!own.has_parameter("type")) own.list().set("type", std::string("direct"));  // the default needs no name
     solver_ = registries.linear_solvers.create(section.section("linear solver"));
   } else {
     Teuchos::ParameterList list("linear solver");

@@ -130,6 +130,9 @@ class Help(MudlineCase):
             depth = 10 if physics == "solid" else 2 * (1e-5 * modulus / 9.81e3 * 100 / math.pi) ** 0.5
             self.assertAlmostEqual(settlement / (1e4 * depth / modulus), 1, delta=5e-3 if physics == "solid" else 0.1)
 
+    def test_default_solver_needs_no_name(self):
+        self.said("check", "-q", TERZAGHI, "--set", "solver/linear solver/reuse factorisation=false")
+
     def test_reference(self):
         self.assertIn("## modified cam clay (skeleton)", self.said("list", "--markdown"))
         tree.fromstring(self.said("list", "--xsd"))
