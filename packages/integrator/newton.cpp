@@ -1,5 +1,7 @@
 #include "integrator/newton.hpp"
 
+#include <Teuchos_oblackholestream.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -107,6 +109,10 @@ NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& option
   // line search would only crawl (measured on the cone deck: no rejected step against 4 % with backtracking).
   if (!list->isSublist("Line Search")) list->sublist("Line Search").set("Method", "Full Step");
   list->sublist("Printing").set("Output Information", 0);
+  // NOX tells of a failed evaluation whatever the level; the step's own message says more
+  static const RCP<std::ostream> nowhere = rcp(new Teuchos::oblackholestream);
+  list->sublist("Printing").set("Output Stream", nowhere);
+  list->sublist("Printing").set("Error Stream", nowhere);
   list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", false);
   try {
     const auto solver = NOX::Solver::buildSolver(group, test, list);
