@@ -28,17 +28,21 @@ struct PointCommand {
 };
 
 /// Rank 0 reads the files, every rank gets the text and the settings.
-void read_deck(const DeckOptions& options, Deck& deck);
+Deck read_deck(const DeckOptions& options);
+/// What results are called by default: after the first deck's file.
+std::string result_name(const DeckOptions& options);
 /// A deck for `mudline point` alone: tests, but nothing to mesh.
-bool is_point_deck(const Section& root);
+bool is_point_deck(const Deck& deck);
 /// The command line of the report's Python script.
 std::vector<std::string> report_command(const std::vector<std::string>& arguments);
+/// The words as exec takes them, with a null at the end; they point into `command`.
+std::vector<char*> argv_of(std::vector<std::string>& command);
 
 // Each returns the program's exit code; all collective over MPI_COMM_WORLD.
 int run(const RunCommand& command);
 int check(const DeckOptions& deck);
 int point(const PointCommand& command);
-int check_point(const DeckOptions& deck);
+int check_point(const Deck& deck, const std::string& name);
 int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);
 int explain(const std::string& name, const std::string& plugin);
 int print_template(const std::string& name);

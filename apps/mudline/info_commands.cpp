@@ -94,12 +94,17 @@ std::vector<std::string> report_command(const std::vector<std::string>& argument
   throw std::runtime_error("the report script is not installed");
 }
 
-int report(const std::vector<std::string>& arguments) {
-  if (!root()) return 0;
-  std::vector<std::string> command = report_command(arguments);
+std::vector<char*> argv_of(std::vector<std::string>& command) {
   std::vector<char*> argv;
   for (std::string& word : command) argv.push_back(word.data());
   argv.push_back(nullptr);
+  return argv;
+}
+
+int report(const std::vector<std::string>& arguments) {
+  if (!root()) return 0;
+  std::vector<std::string> command = report_command(arguments);
+  const std::vector<char*> argv = argv_of(command);
   execvp(argv[0], argv.data());
   throw std::runtime_error("python3 cannot be started; install python3, python3-h5py and python3-matplotlib");
 }

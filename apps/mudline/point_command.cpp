@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 
 #include "commands.hpp"
@@ -82,11 +81,14 @@ void read_tests(PointDeck& d) {
   }
 }
 
-std::unique_ptr<PointDeck> load_point(const DeckOptions& options, bool want_tests) {
+void refuse_ranks() {
   if (Tpetra::getDefaultComm()->getSize() > 1)
     throw InputError("a material point cannot be shared: run `mudline point` on one rank");
+}
+
+std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name, bool want_tests) {
   auto d = std::make_unique<PointDeck>();
-  read_deck(options, d->deck);
+  d->deck = deck;
   register_all(d->registries);
   d->root = std::make_unique<Section>(d->deck.root());
   d->root->allow_parameters({});
@@ -94,8 +96,7 @@ std::unique_ptr<PointDeck> load_point(const DeckOptions& options, bool want_test
   known.push_back("tests");
   d->root->allow_sections(known);
   load_plugins(d->root->section("plugins"), d->registries);
-  d->output =
-      OutputSettings::read(d->root->section("output"), std::filesystem::path(options.decks.front()).stem().string());
+  d->output = OutputSettings::read(d->root->section("output"), name);
   read_soils(*d);
   if (want_tests && !d->root->has_section("tests"))
     d->root->fail("required section 'tests' is missing; see `mudline list test`");
@@ -156,22 +157,12 @@ bool conforms(const PointDeck& d, const PointSoil& soil) {
   return good;
 }
 
-void make_folder(const PointDeck& d) {
-  std::error_code error;
-  std::filesystem::create_directories(d.output.folder, error);
-  if (error || !std::filesystem::is_directory(d.output.folder))
-    d.root->section("output").fail(
-        "the folder '" + d.output.folder + "' cannot be made" + (error ? ": " + error.message() : ""), "folder");
-}
-
 /// By the report's script, which is waited for: what it prints comes before the prompt.
 void draw(const std::string& png, const std::vector<std::string>& files) {
   std::vector<std::string> arguments{"--point", png};
   arguments.insert(arguments.end(), files.begin(), files.end());
   std::vector<std::string> command = report_command(arguments);
-  std::vector<char*> argv;
-  for (std::string& word : command) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  const std::vector<char*> argv = argv_of(command);
   pid_t child = 0;
   int status = 0;
   if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0 ||
@@ -182,14 +173,15 @@ void draw(const std::string& png, const std::vector<std::string>& files) {
 }  // namespace
 
 int point(const PointCommand& command) {
-  const auto d = load_point(command.deck, !command.conformance);
+  refuse_ranks();
+  const auto d = load_point(read_deck(command.deck), result_name(command.deck), !command.conformance);
   if (command.conformance) {
     if (!command.png.empty()) throw InputError("--conformance draws nothing; give --png without it");
     bool good = true;
     for (const PointSoil& soil : d->soils) good = conforms(*d, soil) && good;
     return good ? 0 : 1;
   }
-  make_folder(*d);
+  d->output.make_folder(d->root->section("output"));
   bool complete = true;
   std::vector<std::string> files;
   for (const NamedTest& test : d->tests) {
@@ -215,8 +207,9 @@ int point(const PointCommand& command) {
   return complete ? 0 : 3;
 }
 
-int check_point(const DeckOptions& options) {
-  const auto d = load_point(options, true);
+int check_point(const Deck& deck, const std::string& name) {
+  refuse_ranks();
+  const auto d = load_point(deck, name, true);
   std::string tests;
   for (const NamedTest& test : d->tests) tests += (tests.empty() ? "" : ", ") + test.name;
   log::info("tests of material points: " + tests);

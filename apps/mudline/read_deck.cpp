@@ -36,12 +36,16 @@ std::string read_everywhere(const Comm& comm, const std::string& path) {
 
 }  // namespace
 
-void read_deck(const DeckOptions& options, Deck& deck) {
+Deck read_deck(const DeckOptions& options) {
+  Deck deck;
   const auto comm = Tpetra::getDefaultComm();
   for (const std::string& path : options.decks) deck.overlay(read_everywhere(*comm, path), path);
   for (const std::string& setting : options.settings) deck.set(setting);
+  return deck;
 }
 
-bool is_point_deck(const Section& root) { return root.has_section("tests") && !root.has_section("mesh"); }
+std::string result_name(const DeckOptions& options) { return std::filesystem::path(options.decks.front()).stem().string(); }
+
+bool is_point_deck(const Deck& deck) { return deck.list().isSublist("tests") && !deck.list().isSublist("mesh"); }
 
 }  // namespace mudline::cli

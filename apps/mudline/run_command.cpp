@@ -1,7 +1,6 @@
 #include <Tpetra_Core.hpp>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "commands.hpp"
 #include "core/deck.hpp"
@@ -36,20 +35,10 @@ void check_probes(const Loaded& loaded) {
                 number_text(box[2 * i]) + " to " + number_text(box[2 * i + 1]), name);
 }
 
-/// Made before the run, so that a wrong place is an error of the deck.
-void make_folder(const Loaded& loaded) {
-  agree(*loaded.model->mesh().comm(), [&] {
-    std::error_code error;
-    std::filesystem::create_directories(loaded.output.folder, error);
-    if (error || !std::filesystem::is_directory(loaded.output.folder))
-      loaded.root->section("output").fail("the folder '" + loaded.output.folder + "' cannot be made" + (error ? ": " + error.message() : ""), "folder");
-  });
-}
-
-std::unique_ptr<Loaded> load(const DeckOptions& options) {
+std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
-  read_deck(options, loaded->deck);
+  loaded->deck = deck;
   register_all(loaded->registries);
   loaded->root = std::make_unique<Section>(loaded->deck.root());
   if (loaded->root->has_section("tests"))
@@ -57,7 +46,7 @@ std::unique_ptr<Loaded> load(const DeckOptions& options) {
   loaded->root->allow_parameters({});
   loaded->root->allow_sections(deck_sections());
   load_plugins(loaded->root->section("plugins"), loaded->registries);
-  loaded->output = OutputSettings::read(loaded->root->section("output"), std::filesystem::path(options.decks.front()).stem().string());
+  loaded->output = OutputSettings::read(loaded->root->section("output"), name);
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
@@ -76,9 +65,10 @@ void describe(const Model& model) {
 }  // namespace
 
 int run(const RunCommand& command) {
-  const auto loaded = load(command.deck);
+  const auto loaded = load(read_deck(command.deck), result_name(command.deck));
   describe(*loaded->model);
-  make_folder(*loaded);
+  // before the run, so that a wrong place is an error of the deck
+  agree(*loaded->model->mesh().comm(), [&] { loaded->output.make_folder(loaded->root->section("output")); });
   catch_signals();
   RunOptions options;
   options.restart = command.restart;
@@ -88,12 +78,9 @@ int run(const RunCommand& command) {
 }
 
 int check(const DeckOptions& options) {
-  {
-    Deck deck;
-    read_deck(options, deck);
-    if (is_point_deck(deck.root())) return check_point(options);
-  }
-  const auto loaded = load(options);
+  const Deck deck = read_deck(options);
+  if (is_point_deck(deck)) return check_point(deck, result_name(options));
+  const auto loaded = load(deck, result_name(options));
   describe(*loaded->model);
   std::string stages;
   for (const auto& stage : loaded->model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;

@@ -70,8 +70,8 @@ struct MumpsFactor::Instance {
   RCP<const Import> to_root;
   RCP<Vector> root_vector;
 
-  /// Runs a job; returns INFOG(1), the same on all ranks.
-  int run(int job) {
+  /// Runs a job; afterwards code() is the same on all ranks.
+  void run(int job) {
     if (here) {
       id.job = job;
       dmumps_c(&id);
@@ -80,7 +80,6 @@ struct MumpsFactor::Instance {
     if (one_process) MPI_Bcast(outcome, 2, MPI_INT, 0, ranks);
     id.infog[0] = outcome[0];
     id.infog[1] = outcome[1];
-    return code();
   }
   int& control(int i) { return id.icntl[i - 1]; }  // numbered as in the manual
   int code() const { return id.infog[0]; }

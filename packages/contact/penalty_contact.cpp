@@ -91,13 +91,17 @@ void PenaltyContact::write_points(const State& trial, std::size_t side, const st
   }
 }
 
-SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t side, std::vector<ShearState>& old) const {
-  const SurfaceSide& at = surface_->sides()[side];
-  const PointView& rows = view.committed->arrays[frictions_];
-  old.clear();
+std::vector<ShearState> PenaltyContact::shear_states(const State& state, std::size_t side) const {
+  const PointView& rows = state.arrays[frictions_];
+  std::vector<ShearState> states;
   for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    old.push_back({rows(row, friction_column::shear), rows(row, friction_column::slip),
-                   rows(row, friction_column::dissipated), rows(row, friction_column::slides) > 0});
+    states.push_back({rows(row, friction_column::shear), rows(row, friction_column::slip),
+                      rows(row, friction_column::dissipated), rows(row, friction_column::slides) > 0});
+  return states;
+}
+
+SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const {
+  const SurfaceSide& at = surface_->sides()[side];
   SideFriction result{*friction_,
                       friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
                       view.time_end,
@@ -120,7 +124,7 @@ bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_
   const SideCoordinates x = coordinates(at, view.x_end);
   if (!friction_)
     return penalty_side(rule(at), *body_, position, penalty, nullptr, x, axisymmetric_, want_tangent, force, points);
-  std::vector<ShearState> old;
+  const std::vector<ShearState> old = shear_states(*view.committed, side);
   const SideFriction friction = side_friction(view, side, old);
   return penalty_side(rule(at), *body_, position, penalty, &friction, x, axisymmetric_, want_tangent, force, points);
 }
@@ -140,7 +144,6 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   int failures = 0;
   magnitude_ = 0;
   std::vector<ContactPoint> points;
-  std::vector<ShearState> old;
   SideForce side_force;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     if (!candidate_[s]) {
@@ -149,7 +152,7 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
       away.gap = capture_;
       points.assign(rule(sides[s]).points, away);
       if (friction_) {
-        side_friction(view, s, old);
+        const std::vector<ShearState> old = shear_states(*view.committed, s);
         for (std::size_t c = 0; c < old.size(); ++c) points[c].shear = {0, old[c].slip, old[c].dissipated, false};
       }
       write_points(*view.trial, s, points);

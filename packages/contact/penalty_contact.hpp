@@ -64,8 +64,10 @@ class PenaltyContact : public Contact {
   PenaltyParameters deck_;
 
  private:
-  /// Committed shear states and pore pressures of one side; what it refers to lives as long as `old`.
-  SideFriction side_friction(const StepView& view, std::size_t side, std::vector<ShearState>& old) const;
+  /// Shear states of one side's points.
+  std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
+  /// What friction on one side needs; refers to `old`, its committed shear states.
+  SideFriction side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const;
   /// Force of one side at the linearisation point. False for a degenerate side.
   bool evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
                 std::vector<ContactPoint>& points) const;

@@ -27,8 +27,11 @@ class FieldTest : public NOX::StatusTest::Generic {
     const int iteration = solver.getNumIterations();
     report_.iterations = iteration;
     const std::vector<double> f = problem_.residual_ratios(NoxVector::of(group.getF()));
-    if (static_cast<int>(report_.history.size()) <= iteration) report_.history.push_back(f);
     const double worst = largest(f);
+    if (static_cast<int>(report_.history.size()) <= iteration) {
+      report_.history.push_back(f);
+      problem_.observe(worst);
+    }
     log_iteration(iteration, f);
     if (!std::isfinite(worst)) return finish(NOX::StatusTest::Failed, "the residual could not be evaluated");
     double worst_update = 0;

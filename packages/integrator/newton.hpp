@@ -26,6 +26,8 @@ class NonlinearProblem {
   /// Norms per field, already divided by their scales: converged when all are <= 1.
   virtual std::vector<double> residual_ratios(const Vector& f) = 0;
   virtual std::vector<double> update_ratios(const Vector& dx, const Vector& x) = 0;
+  /// Told once of every iterate, with the worst of its residual ratios.
+  virtual void observe(double worst) {}
 };
 
 struct NewtonOptions {

@@ -22,6 +22,13 @@ void import_owned(const DofMap& dofs, const Vector& owned, const NodalView& over
   for (int i = 0; i < dofs.num_overlap_dofs(); ++i) overlap(i) = data(i, 0);
 }
 
+Vector owned_part(const DofMap& dofs, const NodalView& overlap) {
+  Vector owned(dofs.owned());
+  auto data = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int i = 0; i < dofs.num_owned_dofs(); ++i) data(i, 0) = overlap(i);
+  return owned;
+}
+
 void export_overlap(const DofMap& dofs, const NodalView& overlap, Vector& owned) {
   Vector source(dofs.overlap());
   {

@@ -13,6 +13,8 @@ namespace mudline {
 std::vector<std::pair<int, int>> overlap_ranges(const DofMap& dofs, int field);
 /// Owned vector -> overlap view (ghost copies filled). Collective.
 void import_owned(const DofMap& dofs, const Vector& owned, const NodalView& overlap);
+/// The owned entries of an overlap view.
+Vector owned_part(const DofMap& dofs, const NodalView& overlap);
 /// Sum of all ranks' contributions of an overlap view -> owned vector. Collective.
 void export_overlap(const DofMap& dofs, const NodalView& overlap, Vector& owned);
 /// Sum of all ranks' contributions, ghost copies filled. Collective.

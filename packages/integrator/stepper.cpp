@@ -36,7 +36,7 @@ void StepTolerances::parameters(Parameters& p) {
 Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms, LinearSolver& solver,
                  std::function<BlockData(const StepView&)> block_data)
     : space_(space), store_(store), terms_(std::move(terms)), solver_(solver), block_data_(std::move(block_data)),
-      assembler_(space.dofs()) {
+      assembler_(space.dofs()), evaluated_(space.dofs()->owned()) {
   int slots = 0;
   for (Term* term : terms_) {
     term->declare_state(store_);
@@ -71,7 +71,7 @@ void Stepper::activate(const std::vector<Term*>& active) {
 
 void Stepper::prepare_view(const StepRequest& request) {
   store_.begin();
-  evaluated_.reset();
+  stands_ = false;
   scheme_ = request.scheme;
   const State& old = store_.committed();
   State& trial = store_.trial();
@@ -204,7 +204,7 @@ int Stepper::evaluate_terms() {
 
 bool Stepper::residual(const Vector& x, Vector& f) {
   const Stopwatch watch(times_.residual);
-  evaluated_.reset();
+  stands_ = false;
   levels(x);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
   if (failures > 0) {
@@ -216,7 +216,8 @@ bool Stepper::residual(const Vector& x, Vector& f) {
     if (constraints_.mask(i)) total_(i) = 0;
   export_overlap(*space_.dofs(), total_, f);
   update_references();
-  evaluated_ = std::make_unique<Vector>(x, Teuchos::Copy);
+  Tpetra::deep_copy(evaluated_, x);
+  stands_ = true;
   return true;
 }
 
@@ -239,7 +240,7 @@ bool Stepper::jacobian(const Vector& x) {
   if (chord_.may_keep() && solver_.exact()) return true;
   {
     const Stopwatch watch(times_.jacobian);
-    evaluated_.reset();
+    stands_ = false;
     levels(x);
     add_matrices();
     chord_.renewed();
@@ -285,16 +286,12 @@ std::vector<double> Stepper::residual_ratios(const Vector& f) {
     const double reference = std::max(reference_[i], 1e-6 * reference_floor_[i]);
     ratios.push_back(norms[i] == 0 ? 0.0 : norms[i] / (tolerances_.residual * std::max(reference, 1e-300)));
   }
-  chord_.observe(*std::max_element(ratios.begin(), ratios.end()));
   return ratios;
 }
 
 std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
   Vector increment(x, Teuchos::Copy);
-  {
-    auto data = increment.getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) data(i, 0) -= store_.committed().value(i);
-  }
+  increment.update(-1, owned_part(*space_.dofs(), store_.committed().value), 1);
   const auto update = owned_field_norms(*space_.dofs(), dx), step = owned_field_norms(*space_.dofs(), increment),
              size = owned_field_norms(*space_.dofs(), x);
   std::vector<double> ratios;
@@ -327,9 +324,9 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
 }
 
 bool Stepper::stands_at(const Vector& x) const {
-  bool same = evaluated_ != nullptr;
+  bool same = stands_;
   if (same) {
-    const auto here = evaluated_->getLocalViewHost(Tpetra::Access::ReadOnly), there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto here = evaluated_.getLocalViewHost(Tpetra::Access::ReadOnly), there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; same && i < here.extent(0); ++i) same = here(i, 0) == there(i, 0);
   }
   return sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) == 0;

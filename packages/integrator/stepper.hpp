@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -96,6 +95,7 @@ class Stepper : public NonlinearProblem {
   bool solve(const Vector& f, Vector& dx) override;
   std::vector<double> residual_ratios(const Vector& f) override;
   std::vector<double> update_ratios(const Vector& dx, const Vector& x) override;
+  void observe(double worst) override { chord_.observe(worst); }
 
  private:
   /// Where prescribed unknowns move, replaces the guess `x` (the others left behind, which folds or yields the elements in
@@ -139,7 +139,8 @@ class Stepper : public NonlinearProblem {
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;
   ChordControl chord_;
-  std::unique_ptr<Vector> evaluated_;  // where the trial state stands; null: elsewhere
+  Vector evaluated_;     // where the trial state stands,
+  bool stands_ = false;  // unless it has been moved since
 };
 
 }  // namespace mudline

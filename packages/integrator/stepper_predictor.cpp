@@ -14,17 +14,14 @@ bool Stepper::predict(Vector& x) {
   if (!asked) return predicted;
   // nothing of the more linear step may enter the iteration: no sizes of forces, no state, no Jacobian
   std::fill(reference_.begin(), reference_.end(), 0.0);
-  evaluated_.reset();
+  stands_ = false;
   chord_.forget();
   return predicted;
 }
 
 bool Stepper::predict_linear(Vector& x, bool always) {
-  Vector old(map()), moved(map());
-  {
-    auto start = old.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) start(i, 0) = store_.committed().value(i);
-  }
+  const Vector old = owned_part(*space_.dofs(), store_.committed().value);
+  Vector moved(map());
   moved.update(1, x, -1, old, 0);
   const bool moves = moved.norm2() > 0;
   if (!moves && !always) return false;

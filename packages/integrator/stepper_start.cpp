@@ -23,12 +23,7 @@ StepRequest standing_still(bool inertia) {
 
 bool Stepper::refresh_history() {
   prepare_view(standing_still(false));
-  Vector x(map());
-  {
-    auto data = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) data(i, 0) = store_.committed().value(i);
-  }
-  levels(x);
+  levels(owned_part(*space_.dofs(), store_.committed().value));
   view_.time_end = store_.trial().time = store_.committed().time;
   int failures = 0;
   for (Term* term : active_) {
@@ -44,12 +39,7 @@ bool Stepper::refresh_history() {
 
 NodalView Stepper::static_residual() {
   prepare_view(standing_still(false));
-  Vector x(map());
-  {
-    auto data = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i) data(i, 0) = store_.committed().value(i);
-  }
-  levels(x);
+  levels(owned_part(*space_.dofs(), store_.committed().value));
   view_.time_end = view_.momentum.time = view_.balance.time = store_.trial().time = store_.committed().time;
   for (Term* term : active_) term->begin(view_);
   evaluate_terms();

@@ -12,8 +12,6 @@ namespace mudline {
 ///                                 double* state) const;
 /// where `strain` is the increment (in.strain as independent variables) and `state` holds a copy of the old state; the
 /// rest is that of pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>.
-///
-/// A point that fails reports its old stress and state, so that nothing undefined gets about.
 template <class Law>
 struct AutomaticTangent : Law {
   AutomaticTangent() = default;
@@ -21,23 +19,14 @@ struct AutomaticTangent : Law {
 
   KOKKOS_INLINE_FUNCTION bool operator()(const SkeletonPoint& in, const double* state_old, double* state,
                                          SkeletonResponse& out) const {
-    const int size = Law::state_size;
-    for (int i = 0; i < size; ++i) state[i] = state_old[i];
-    bool ok;
-    if (in.want_tangent) {
-      Dual<6> strain[6], stress[6];
-      for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
-      ok = this->update(in, strain, state_old, stress, state);
-      for (int i = 0; i < 6; ++i) out.stress[i] = stress[i].v;
-      write_tangent(stress, out.tangent);
-    } else {
-      ok = this->update(in, in.strain, state_old, out.stress, state);
-    }
-    if (ok) return true;
-    for (int i = 0; i < size; ++i) state[i] = state_old[i];
-    for (int i = 0; i < 6; ++i) out.stress[i] = in.stress[i];
-    for (int i = 0; i < 36; ++i) out.tangent[i] = 0.0;
-    return false;
+    for (int i = 0; i < Law::state_size; ++i) state[i] = state_old[i];
+    if (!in.want_tangent) return this->update(in, in.strain, state_old, out.stress, state);
+    Dual<6> strain[6], stress[6];
+    for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
+    if (!this->update(in, strain, state_old, stress, state)) return false;
+    for (int i = 0; i < 6; ++i) out.stress[i] = stress[i].v;
+    write_tangent(stress, out.tangent);
+    return true;
   }
 };
 
@@ -61,6 +50,18 @@ KOKKOS_INLINE_FUNCTION bool integrate_plasticity(const Model& model, const Integ
   return options.method == IntegrationOptions::Method::implicit
              ? integrate_plasticity_by<ImplicitReturn<T, Model>>(model, options, strain, stress, h)
              : integrate_plasticity_by<Substepping<T, Model>>(model, options, strain, stress, h);
+}
+
+/// The update of a law with one hardening variable, from h_old to h_new.
+template <class T, class Model>
+KOKKOS_INLINE_FUNCTION bool integrate_point(const Model& model, const IntegrationOptions& options, const SkeletonPoint& in,
+                                            const T* strain, double h_old, T* stress, double& h_new) {
+  static_assert(Model::hardening == 1, "the caller has one variable");
+  for (int i = 0; i < 6; ++i) stress[i] = T(in.stress[i]);
+  T h[1] = {T(h_old)};
+  if (!integrate_plasticity(model, options, strain, stress, h)) return false;
+  h_new = value(h[0]);
+  return true;
 }
 
 }  // namespace mudline

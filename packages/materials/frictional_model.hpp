@@ -34,6 +34,20 @@ struct StrengthProfile {
   double at(const Point& position) const { return value + gradient * ::fmax(0.0, elevation - position[1]); }
 };
 
+/// How the tip of a cone is closed; part of the laws that have one.
+struct ConeTip {
+  double tensile = 1e12;  // [Pa] largest principal stress
+  double apex = 0.05;     // [-] part of the distance from the origin to the tip that the hyperbola cuts off
+
+  void parameters(Parameters& p) {
+    p.add("tensile strength", tensile, "Pa", non_negative(),
+          "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as "
+          "by default");
+    p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
+          "Part of the distance from the origin to the tip of the cone that the rounding cuts off");
+  }
+};
+
 /// Perfectly plastic frictional soil: a shear cone with its own potential, and a tension cut-off, as integration sees
 /// it.
 ///     f_s = sqrt(J2 K^2 + m^2) - eta p' - k               shear, K of the law's shape, potential with eta and K of
@@ -100,10 +114,6 @@ struct FrictionalModel : ConstantElasticity {
     const T squared = (2.0 / 3.0) * at.shear_squared(b);
     out.hardening_rate[0] = value(squared) * scale * scale > 1e-20 ? square_root(squared) : T(0.0);
   }
-
-  KOKKOS_INLINE_FUNCTION bool admissible(const double*, const double*) const { return true; }
-  KOKKOS_INLINE_FUNCTION bool exhausted(const double*) const { return false; }
-  KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }
 
  private:
   /// f_s - f_t, the value only: it tells which of the two is needed.

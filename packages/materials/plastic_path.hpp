@@ -122,6 +122,9 @@ struct ConstantElasticity {
   KOKKOS_INLINE_FUNCTION void elastic_step(const S* stress, const T* strain, const T&, T* out) const {
     elastic(stress, strain, out);
   }
+  KOKKOS_INLINE_FUNCTION bool admissible(const double*, const double*) const { return true; }
+  KOKKOS_INLINE_FUNCTION bool exhausted(const double*) const { return false; }
+  KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }  // hardening is by a plastic strain
 };
 
 /// d stress_i / d strain_j, row-major, from a stress that was computed with the strain as independent variables.

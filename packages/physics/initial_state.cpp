@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/earth_pressure.hpp"
+
 namespace mudline {
 
 void InitialState::parameters(Parameters& p) {
@@ -66,8 +68,7 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Sk
   } else if (has_k0_angle_) {
     const double phi = k0_angle_(0, point.position);
     if (!(phi >= 0 && phi < 90)) return "the K0 friction angle must be in [0, 90) degrees; it is " + std::to_string(phi);
-    const double sine = std::sin(phi * 3.14159265358979323846 / 180);
-    k0 = (1 - sine) * std::pow(point.overconsolidation_ratio, sine);
+    k0 = earth_pressure_at_rest(std::sin(phi * 3.14159265358979323846 / 180), point.overconsolidation_ratio);
   } else {
     k0 = skeleton.k0(point.overconsolidation_ratio);
     if (k0 < 0) return "the skeleton law has no K0 of its own; give 'K0'";

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "materials/pore_volume.hpp"
 #include "physics/element.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline {
 
 /// The soil's mixture as kernels see it: porosity, density and storage follow the deformation of the step.
-/// n = alpha - (alpha - n_old) exp(-(ln J + dp/K_s)): solid mass is conserved exactly for alpha = 1.
 struct Mixture {
   double alpha, grain_density, fluid_density, fluid_compliance, grain_compliance;
 
@@ -20,7 +20,7 @@ struct Mixture {
         grain_compliance(m.grain_bulk_modulus > 0 ? 1 / m.grain_bulk_modulus : 0.0) {}
 
   KOKKOS_INLINE_FUNCTION double porosity(double old, double volume_ratio, double dp) const {
-    return alpha - (alpha - old) * std::exp(-(std::log(volume_ratio) + dp * grain_compliance));
+    return porosity_after(alpha, old, ::log(volume_ratio), dp * grain_compliance);
   }
   /// d n / d(ln J); d n / dp is this times the grain compliance.
   KOKKOS_INLINE_FUNCTION double porosity_slope(double n) const { return alpha - n; }

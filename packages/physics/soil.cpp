@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/pore_volume.hpp"
+
 namespace mudline {
 
 void SoilMaterial::parameters(Parameters& p) {
@@ -56,8 +58,7 @@ double SoilMaterial::density(double porosity) const {
 }
 
 double SoilMaterial::porosity(double old, double ln_j, double dp) const {
-  const double grains = grain_bulk_modulus > 0 ? dp / grain_bulk_modulus : 0.0;
-  return biot_coefficient - (biot_coefficient - old) * std::exp(-(ln_j + grains));
+  return porosity_after(biot_coefficient, old, ln_j, grain_bulk_modulus > 0 ? dp / grain_bulk_modulus : 0.0);
 }
 
 double SoilMaterial::storage(double porosity) const {

@@ -150,17 +150,11 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
   p.section("newton", newton_, "nonlinear iterations");
   p.finish();
   mark_used(section.section("newton").section("nox").list());
-  if (section.has_section("linear solver")) {
-    const Section own = section.section("linear solver");
-    if (!own.has_parameter("type")) own.list().set("type", std::string("direct"));  // the default needs no name
-    solver_ = registries.linear_solvers.create(section.section("linear solver"));
-  } else {
-    Teuchos::ParameterList list("linear solver");
-    list.set("type", std::string("direct"));
-    solver_ = registries.linear_solvers.create(Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""));
-  }
+  const Section linear = section.section("linear solver");
+  if (!linear.has_parameter("type")) linear.list().set("type", std::string("direct"));  // the default needs no name
+  solver_ = registries.linear_solvers.create(linear);
   const std::string reason = solver_->prepare(space_->dofs());
-  if (!reason.empty()) section.section("linear solver").fail(reason, "type");
+  if (!reason.empty()) linear.fail(reason, "type");
 }
 
 void Model::activate(const Stage& stage, bool fresh) {

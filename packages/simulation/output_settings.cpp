@@ -1,5 +1,7 @@
 #include "simulation/output_settings.hpp"
 
+#include <filesystem>
+
 namespace mudline {
 
 void OutputSettings::parameters(Parameters& p) {
@@ -27,6 +29,13 @@ OutputSettings OutputSettings::read(const Section& section, const std::string& d
   }
   reader.finish();
   return settings;
+}
+
+void OutputSettings::make_folder(const Section& section) const {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    section.fail("the folder '" + folder + "' cannot be made" + (error ? ": " + error.message() : ""), "folder");
 }
 
 }  // namespace mudline

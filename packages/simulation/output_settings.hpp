@@ -24,6 +24,8 @@ class OutputSettings {
   int checkpoint_steps = 100;  // 0: only at the end of stages
   std::vector<std::pair<std::string, std::array<double, 2>>> probes;
 
+  /// Makes the folder for the results. `section`: the deck's "output". InputError.
+  void make_folder(const Section& section) const;
   /// Stem of all files of the run.
   std::string stem() const { return folder + "/" + name; }
 };

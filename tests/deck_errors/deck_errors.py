@@ -36,16 +36,19 @@ class Answering(MudlineCase):
         self.assertEqual(own_lines(done.stderr), [expected.replace("{folder}", os.path.realpath(self.folder))])
         self.assertEqual(done.returncode, 2)
 
-
-class DeckErrors(Answering):
-    def wrong(self, wrong, ranks):
+    def answer_of(self, command, wrong, ranks):
         self.write("deck.xml", wrong.text)
         for name, content in wrong.files:
             self.write(name, content)
-        arguments = ["check", "deck.xml"]
+        arguments = [command, "deck.xml"]
         for text in wrong.settings:
             arguments += ["--set", text]
         self.answer(arguments, wrong.expected, ranks)
+
+
+class DeckErrors(Answering):
+    def wrong(self, wrong, ranks):
+        self.answer_of("check", wrong, ranks)
 
     def test_the_base_is_valid(self):
         self.write("deck.xml", BASE)
@@ -66,13 +69,7 @@ class PointErrors(Answering):
     """Decks of `mudline point`."""
 
     def wrong(self, wrong, ranks):
-        self.write("deck.xml", wrong.text)
-        for name, content in wrong.files:
-            self.write(name, content)
-        arguments = ["point", "deck.xml"]
-        for text in wrong.settings:
-            arguments += ["--set", text]
-        self.answer(arguments, wrong.expected, ranks)
+        self.answer_of("point", wrong, ranks)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
 
     def test_the_base_is_valid(self):

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/pore_volume.hpp"
 #include "tensor/sym6.hpp"
 
 namespace mudline {
@@ -58,7 +59,7 @@ PointTrial MaterialPoint::evaluate(const PointMotion& motion, double dt, bool wa
 
 void MaterialPoint::commit(const PointMotion& motion, double dt, const PointTrial& trial) {
   const double old = void_ratio_ / (1.0 + void_ratio_);
-  const double porosity = alpha_ - (alpha_ - old) * std::exp(-sym6::trace(motion.strain.data()));
+  const double porosity = porosity_after(alpha_, old, sym6::trace(motion.strain.data()), 0.0);
   void_ratio_ = porosity / (1.0 - porosity);
   stress_ = trial.stress;
   state_ = trial.state;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "tensor/midpoint_rule.hpp"
+#include "tensor/small_lu.hpp"
 
 namespace mudline {
 
@@ -21,50 +23,38 @@ double largest(const Six& values) {
 
 }  // namespace
 
-/// Hughes and Winget's midpoint rule for f = F_{n+1} F_n^-1 of the plane, its trace replaced by ln J and its axes
-/// turned to those of the end, as in the finite elements (physics/solid/kinematics.hpp).
+/// The midpoint rule for f = F_{n+1} F_n^-1 of the plane, as in the finite elements.
 PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& change) const {
   PointMotion motion;
   motion.strain = change;
   if (!increment.sliding) return motion;
   const double height = std::exp(strain_[1]), stretch = std::exp(change[1]);  // heights over that before
   const double slide = change[5] / height;
-  const double xy = 2.0 * slide / (1.0 + stretch), yy = 2.0 * (stretch - 1.0) / (1.0 + stretch);
-  const double shift = (change[1] - yy) / 3.0;
-  const double spin = -0.5 * xy, q = 1.0 + 0.25 * spin * spin;
-  motion.cosine = (1.0 - 0.25 * spin * spin) / q;
-  motion.sine = spin / q;
-  // from the axes of the midpoint to those of the end
-  const double cc = 1.0 / q, ss = 0.25 * spin * spin / q, cs = 0.5 * spin / q;
-  motion.strain = {ss * yy - cs * xy + shift,     cc * yy + cs * xy + shift, shift, 0.0, 0.0,
-                   (cc - ss) * xy - 2.0 * cs * yy};
+  const double H[2][2] = {{0.0, 2.0 * slide / (1.0 + stretch)}, {0.0, 2.0 * (stretch - 1.0) / (1.0 + stretch)}};
+  MidpointRule rule;
+  rule.evaluate(H, 0.0, true);
+  motion.cosine = rule.cosine;
+  motion.sine = rule.sine;
+  motion.strain = {rule.increment[0], rule.increment[1], rule.increment[2], 0.0, 0.0, rule.increment[3]};
   return motion;
 }
 
-/// Newton's correction of the stress-controlled components, with pivoting; false for a singular tangent. The rotation
-/// of a sliding point is left out: it hardly depends on what is sought.
+/// Newton's correction of the stress-controlled components; false for a singular tangent. The rotation of a sliding
+/// point is left out: it hardly depends on what is sought.
 bool PointControl::correct(const PointIncrement& increment, const PointTrial& trial, Six& change) const {
-  int index[6], n = 0;
-  for (int c = 0; c < 6; ++c)
-    if (increment.stress_controlled[c]) index[n++] = c;
-  double a[6][7];
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) a[i][j] = trial.tangent[6 * index[i] + index[j]];
-    a[i][n] = increment.stress[index[i]] - trial.stress[index[i]];
-  }
-  for (int k = 0; k < n; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    if (!(std::abs(a[pivot][k]) > 0.0)) return false;
-    std::swap(a[k], a[pivot]);
-    for (int i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const double factor = a[i][k] / a[k][k];
-      for (int j = k; j <= n; ++j) a[i][j] -= factor * a[k][j];
+  SmallLu<6> matrix;
+  Six step{};
+  for (int i = 0; i < 6; ++i) {
+    const bool sought = increment.stress_controlled[i];
+    if (sought) step[i] = increment.stress[i] - trial.stress[i];
+    for (int j = 0; j < 6; ++j) {
+      const double kept = i == j ? 1.0 : 0.0;  // a component that follows its strain is not corrected
+      matrix.a[i][j] = sought && increment.stress_controlled[j] ? trial.tangent[6 * i + j] : kept;
     }
   }
-  for (int i = 0; i < n; ++i) change[index[i]] += a[i][n] / a[i][i];
+  if (!matrix.factorise()) return false;
+  matrix.solve(step.data());
+  for (int c = 0; c < 6; ++c) change[c] += step[c];
   return std::isfinite(largest(change));
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "materials/earth_pressure.hpp"
+
 namespace mudline {
 
 void DruckerPrager::parameters(Parameters& p) {
@@ -19,12 +21,7 @@ void DruckerPrager::parameters(Parameters& p) {
   p.add("cone slope", slope, "-", non_negative(), "Growth of sqrt(J2) with mean stress, given directly");
   p.add("cone intercept", intercept, "Pa", non_negative(), "sqrt(J2) at failure without mean stress, given directly");
   p.add("dilation slope", dilation_slope, "-", non_negative(), "Slope of the plastic potential, given directly");
-  p.add("tensile strength", tensile, "Pa", non_negative(),
-        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as "
-        "by "
-        "default");
-  p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
-        "Part of the distance from the origin to the tip of the cone that the rounding cuts off");
+  ConeTip::parameters(p);
   integration.parameters(p, "the shear strength at the mean stress of the start");
 }
 
@@ -80,8 +77,7 @@ std::string DruckerPrager::initialise(const InitialPoint&, double* state) const 
 
 double DruckerPrager::k0(double overconsolidation_ratio) const {
   if (match == Match::direct) return -1.0;
-  const double sine = std::sin(friction * std::acos(-1.0) / 180.0);
-  return std::min((1.0 - sine) * std::pow(overconsolidation_ratio, sine), (1.0 + sine) / (1.0 - sine));
+  return earth_pressure_within_strength(std::sin(friction * std::acos(-1.0) / 180.0), overconsolidation_ratio);
 }
 
 }  // namespace mudline

@@ -17,7 +17,7 @@ namespace mudline {
 /// a is the fraction of the distance from the origin to the tip that the hyperbola cuts off. Tension cut-off as in
 /// Mohr-Coulomb (frictional_model.hpp), at most sqrt(3) k/(1 + eta/sqrt(3)), the uniaxial tensile strength of the cone.
 /// Code: tension positive, [Pa].
-struct DruckerPrager {
+struct DruckerPrager : ConeTip {
   enum class Match { compression, extension, plane_strain, direct };
   enum { plastic_shear_strain, state_size };
 
@@ -27,8 +27,6 @@ struct DruckerPrager {
   double cohesion = 0.0;                     // [Pa] c
   double slope = 0.0, dilation_slope = 0.0;  // [-] eta, eta_psi
   double intercept = 0.0;                    // [Pa] k
-  double tensile = 1e12;                     // [Pa]
-  double apex = 0.05;                        // [-] a
   IntegrationOptions integration = IntegrationOptions::implicit();
 
   void parameters(Parameters& p);
@@ -61,11 +59,8 @@ struct DruckerPrager {
   template <class T>
   KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
                                      double* state) const {
-    for (int i = 0; i < 6; ++i) stress[i] = T(in.stress[i]);
-    T h[1] = {T(state_old[plastic_shear_strain])};
-    if (!integrate_plasticity(model(in.stress), integration, strain, stress, h)) return false;
-    state[plastic_shear_strain] = value(h[0]);
-    return true;
+    return integrate_point(model(in.stress), integration, in, strain, state_old[plastic_shear_strain], stress,
+                           state[plastic_shear_strain]);
   }
 
  private:

@@ -220,20 +220,10 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update(const SkeletonPoint& in, con
 KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::operator()(const SkeletonPoint& in, const double* state_old, double* state,
                                                         SkeletonResponse& out) const {
   for (int i = 0; i < state_size; ++i) state[i] = state_old[i];
-  bool ok;
-  if (in.want_tangent) {
-    Dual<6> strain[6];
-    for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
-    ok = update(in, strain, state_old, state, out);
-  } else {
-    ok = update(in, in.strain, state_old, state, out);
-  }
-  if (ok) return true;
-  // A failed point reports its old state, so that nothing undefined gets about.
-  for (int i = 0; i < state_size; ++i) state[i] = state_old[i];
-  for (int i = 0; i < 6; ++i) out.stress[i] = in.stress[i];
-  for (int i = 0; i < 36; ++i) out.tangent[i] = 0.0;
-  return false;
+  if (!in.want_tangent) return update(in, in.strain, state_old, state, out);
+  Dual<6> strain[6];
+  for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
+  return update(in, strain, state_old, state, out);
 }
 
 }  // namespace mudline

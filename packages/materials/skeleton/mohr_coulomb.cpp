@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "materials/earth_pressure.hpp"
+
 namespace mudline {
 
 void MohrCoulomb::parameters(Parameters& p) {
@@ -9,12 +11,7 @@ void MohrCoulomb::parameters(Parameters& p) {
   cohesion.parameters(p, "cohesion");
   p.required("friction angle [deg]", friction, "deg", closed(0.0, 60.0), "Of effective stress; 0 is Tresca");
   p.add("dilation angle [deg]", dilation, "deg", closed(0.0, 60.0), "Of plastic flow, not above the friction angle");
-  p.add("tensile strength", tensile, "Pa", non_negative(),
-        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as "
-        "by "
-        "default");
-  p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
-        "Part of the distance from the origin to the tip of the cone that the rounding cuts off");
+  ConeTip::parameters(p);
   p.add("lode transition angle [deg]", transition, "deg", closed(20.0, 29.9),
         "From this Lode angle to 30 degrees the corners of the hexagon are rounded");
   integration.parameters(p, "the shear strength at the mean stress of the start");
@@ -54,7 +51,7 @@ std::string MohrCoulomb::initialise(const InitialPoint& point, double* state) co
 }
 
 double MohrCoulomb::k0(double overconsolidation_ratio) const {
-  return std::min((1.0 - sine_) * std::pow(overconsolidation_ratio, sine_), (1.0 + sine_) / (1.0 - sine_));
+  return earth_pressure_within_strength(sine_, overconsolidation_ratio);
 }
 
 }  // namespace mudline

@@ -16,14 +16,12 @@ namespace mudline {
 /// it starts. Code: tension positive, [Pa].
 ///
 /// An initial stress outside the surface is brought back to it, at fixed strain, when the law is first evaluated.
-struct MohrCoulomb {
+struct MohrCoulomb : ConeTip {
   enum { cohesion_here, plastic_shear_strain, state_size };
 
   ElasticConstants elasticity;
   StrengthProfile cohesion;
   double friction = 30.0, dilation = 0.0;  // [deg] phi, psi
-  double tensile = 1e12;                   // [Pa]
-  double apex = 0.05;                      // [-] a
   double transition = 29.0;                // [deg] theta_T
   IntegrationOptions integration = IntegrationOptions::implicit();
 
@@ -68,11 +66,8 @@ KOKKOS_INLINE_FUNCTION FrictionalModel MohrCoulomb::model(double c, const double
 template <class T>
 KOKKOS_INLINE_FUNCTION bool MohrCoulomb::update(const SkeletonPoint& in, const T* strain, const double* state_old,
                                                 T* stress, double* state) const {
-  for (int i = 0; i < 6; ++i) stress[i] = T(in.stress[i]);
-  T h[1] = {T(state_old[plastic_shear_strain])};
-  if (!integrate_plasticity(model(state_old[cohesion_here], in.stress), integration, strain, stress, h)) return false;
-  state[plastic_shear_strain] = value(h[0]);
-  return true;
+  return integrate_point(model(state_old[cohesion_here], in.stress), integration, in, strain, state_old[plastic_shear_strain], stress,
+                         state[plastic_shear_strain]);
 }
 
 }  // namespace mudline

@@ -99,10 +99,6 @@ struct TrescaModel : ConstantElasticity {
     const T squared = 2.0 * at.shear_squared(g);
     out.hardening_rate[0] = value(squared) * scale * scale > 1e-20 ? square_root(squared) : T(0.0);
   }
-
-  KOKKOS_INLINE_FUNCTION bool admissible(const double*, const double*) const { return true; }
-  KOKKOS_INLINE_FUNCTION bool exhausted(const double*) const { return false; }
-  KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }
 };
 
 template <class T>
@@ -130,11 +126,8 @@ KOKKOS_INLINE_FUNCTION bool Tresca::update(const SkeletonPoint& in, const T* str
   const ElasticModuli m = moduli(in.stress, in.void_ratio, state_old);
   const TrescaModel<T> model{{m.bulk, m.shear}, shape_,    intact * rate_factor(strain, in.dt),
                              1.0 / sensitivity, ductility, intact};
-  for (int i = 0; i < 6; ++i) stress[i] = T(in.stress[i]);
-  T h[1] = {T(state_old[plastic_shear_strain])};
-  if (!integrate_plasticity(model, integration, strain, stress, h)) return false;
-  state[plastic_shear_strain] = value(h[0]);
-  return true;
+  return integrate_point(model, integration, in, strain, state_old[plastic_shear_strain], stress,
+                         state[plastic_shear_strain]);
 }
 
 }  // namespace mudline

@@ -70,10 +70,6 @@ struct VonMisesModel : ConstantElasticity {
     out.hardening_gradient[0] = (law.hardening + law.saturation * rate * exponential(-rate * h[0])) / -law.yield_stress;
     out.hardening_rate[0] = T(1.0 / law.yield_stress);
   }
-
-  KOKKOS_INLINE_FUNCTION bool admissible(const double*, const double*) const { return true; }
-  KOKKOS_INLINE_FUNCTION bool exhausted(const double*) const { return false; }
-  KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }
 };
 
 template <class T>
@@ -81,11 +77,8 @@ KOKKOS_INLINE_FUNCTION bool VonMises::update(const SkeletonPoint& in, const T* s
                                              T* stress, double* state) const {
   const ElasticModuli m = elasticity.moduli();
   const VonMisesModel model{{m.bulk, m.shear}, *this};
-  for (int i = 0; i < 6; ++i) stress[i] = T(in.stress[i]);
-  T h[1] = {T(state_old[equivalent_plastic_strain])};
-  if (!integrate_plasticity(model, integration, strain, stress, h)) return false;
-  state[equivalent_plastic_strain] = value(h[0]);
-  return true;
+  return integrate_point(model, integration, in, strain, state_old[equivalent_plastic_strain], stress,
+                         state[equivalent_plastic_strain]);
 }
 
 }  // namespace mudline

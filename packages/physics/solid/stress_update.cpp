@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "materials/pore_volume.hpp"
 #include "physics/solid/kinematics.hpp"
 
 namespace mudline {
@@ -76,7 +77,7 @@ int StressUpdate::kinematics(const StepView& view, int first, int last) {
           if constexpr (NP > 0)
             for (int c = 0; c < NP; ++c) dp += Np(q, c) * p_change[c];
           const double n_old = e_old(row, 0) / (1 + e_old(row, 0));
-          const double n = alpha - (alpha - n_old) * std::exp(-(k.log_volume + dp * grain_compliance));
+          const double n = porosity_after(alpha, n_old, k.log_volume, dp * grain_compliance);
           e_new(row, 0) = n / (1 - n);
           e_new(row, 1) = e_old(row, 1);
         }
