@@ -11,7 +11,8 @@ namespace mudline {
 ///     KOKKOS_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
 ///                                 double* state) const;
 /// where `strain` is the increment (in.strain as independent variables) and `state` holds a copy of the old state; the
-/// rest is that of pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>.
+/// rest is that of pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>. A point that fails shows its
+/// old stress.
 template <class Law>
 struct AutomaticTangent : Law {
   AutomaticTangent() = default;
@@ -20,13 +21,18 @@ struct AutomaticTangent : Law {
   KOKKOS_INLINE_FUNCTION bool operator()(const SkeletonPoint& in, const double* state_old, double* state,
                                          SkeletonResponse& out) const {
     for (int i = 0; i < Law::state_size; ++i) state[i] = state_old[i];
-    if (!in.want_tangent) return this->update(in, in.strain, state_old, out.stress, state);
-    Dual<6> strain[6], stress[6];
-    for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
-    if (!this->update(in, strain, state_old, stress, state)) return false;
-    for (int i = 0; i < 6; ++i) out.stress[i] = stress[i].v;
-    write_tangent(stress, out.tangent);
-    return true;
+    bool ok;
+    if (in.want_tangent) {
+      Dual<6> strain[6], stress[6];
+      for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
+      ok = this->update(in, strain, state_old, stress, state);
+      for (int i = 0; i < 6; ++i) out.stress[i] = stress[i].v;
+      write_tangent(stress, out.tangent);
+    } else {
+      ok = this->update(in, in.strain, state_old, out.stress, state);
+    }
+    for (int i = 0; !ok && i < 6; ++i) out.stress[i] = in.stress[i];
+    return ok;
   }
 };
 
