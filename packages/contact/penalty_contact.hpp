@@ -57,6 +57,8 @@ class PenaltyContact : public Contact {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void histories(const StepView& view, std::map<std::string, double>& values) override;
   double step_limit(const State& committed, double dt) const override;
+  void relocate(const ConstCoordinateView& x_old, State& committed) override;
+  void adopt(const State& evaluated, State& committed) override;
   std::vector<double> nodal_pressure(const State& state) const override;
   std::vector<double> nodal_shear(const State& state) const override;
 

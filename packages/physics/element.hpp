@@ -8,7 +8,7 @@
 
 #include "algebra/assembler.hpp"
 #include "discretisation/mesh.hpp"
-#include "physics/state.hpp"
+#include "physics/term.hpp"
 
 namespace mudline {
 

@@ -17,6 +17,28 @@ State make_state(const Space& space) {
   return state;
 }
 
+void copy(const State& from, State& to) {
+  to.time = from.time;
+  Kokkos::deep_copy(to.value, from.value);
+  Kokkos::deep_copy(to.rate, from.rate);
+  Kokkos::deep_copy(to.acceleration, from.acceleration);
+  for (std::size_t i = 0; i < from.history_forces.size(); ++i) Kokkos::deep_copy(to.history_forces[i], from.history_forces[i]);
+  Kokkos::deep_copy(to.coordinates, from.coordinates);
+  for (std::size_t i = 0; i < from.arrays.size(); ++i) Kokkos::deep_copy(to.arrays[i], from.arrays[i]);
+}
+
+/// A state of the same sizes, its content undefined.
+State room_for(const State& like) {
+  State state;
+  state.value = NodalView("value", like.value.extent(0));
+  state.rate = NodalView("rate", like.rate.extent(0));
+  state.acceleration = NodalView("acceleration", like.acceleration.extent(0));
+  for (const NodalView& force : like.history_forces) state.history_forces.emplace_back("history force", force.extent(0));
+  state.coordinates = CoordinateView("coordinates", like.coordinates.extent(0), 2);
+  for (const PointView& array : like.arrays) state.arrays.emplace_back("kept", array.extent(0), array.extent(1));
+  return state;
+}
+
 }  // namespace
 
 StateStore::StateStore(const Space& space) : committed_(make_state(space)), trial_(make_state(space)) {}
@@ -44,16 +66,14 @@ void StateStore::allocate_history(int terms) {
   }
 }
 
-void StateStore::begin() {
-  trial_.time = committed_.time;
-  Kokkos::deep_copy(trial_.value, committed_.value);
-  Kokkos::deep_copy(trial_.rate, committed_.rate);
-  Kokkos::deep_copy(trial_.acceleration, committed_.acceleration);
-  for (std::size_t i = 0; i < committed_.history_forces.size(); ++i)
-    Kokkos::deep_copy(trial_.history_forces[i], committed_.history_forces[i]);
-  Kokkos::deep_copy(trial_.coordinates, committed_.coordinates);
-  for (std::size_t i = 0; i < committed_.arrays.size(); ++i) Kokkos::deep_copy(trial_.arrays[i], committed_.arrays[i]);
+void StateStore::begin() { copy(committed_, trial_); }
+
+void StateStore::keep() {
+  if (kept_.value.extent(0) != committed_.value.extent(0)) kept_ = room_for(committed_);
+  copy(committed_, kept_);
 }
+
+void StateStore::restore() { copy(kept_, committed_); }
 
 void StateStore::accept() { std::swap(committed_, trial_); }
 

@@ -54,10 +54,13 @@ class StateStore {
   void begin();
   /// The trial state becomes the committed one.
   void accept();
+  /// Keeps a copy of the committed state, and makes it the committed one again: for what may be refused after acceptance.
+  void keep();
+  void restore();
 
  private:
   std::vector<ArrayInfo> info_;
-  State committed_, trial_;
+  State committed_, trial_, kept_;
 };
 
 }  // namespace mudline

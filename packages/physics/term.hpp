@@ -79,6 +79,11 @@ class Term {
   virtual double magnitude_squared(int field) const { return -1; }
   /// Adds weight * dR/dx at the linearisation point of the last residual call.
   virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
+  /// After the mesh was moved under the committed state (ALE): carries the term's own arrays, those that are not point data
+  /// of the soil, over to their new places.
+  virtual void relocate(const ConstCoordinateView& x_old, State& committed) {}
+  /// Takes over what an evaluation of the relocated state at rest wrote: stresses back on the yield surface, gaps.
+  virtual void adopt(const State& evaluated, State& committed) {}
   /// Named scalars for the history file, already summed over ranks: "reaction y [N]" -> value. Collective, after acceptance.
   virtual void histories(const StepView&, std::map<std::string, double>&) {}
   /// Largest step the term can accept [s] given the committed state (contact advance); infinite by default. Collective.

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "integrator/overlap.hpp"
-#include "physics/element.hpp"
-#include "physics/porosity.hpp"
 
 namespace mudline {
 
@@ -17,41 +15,8 @@ int Balances::row_of(const Term* term) const {
   return first_term + static_cast<int>(std::find(terms_.begin(), terms_.end(), term) - terms_.begin());
 }
 
-Balances::Inventory Balances::inventory(const State& state) const {
-  Inventory result{};
-  const auto& soil = model_.soil();
-  if (!soil) return result;
-  double sum[5] = {0, 0, 0, 0, 0};
-  for (const SoilBlock& b : soil->blocks) {
-    const Mixture mixture(*b.material);
-    const PointView void_ratio = state.arrays[b.void_ratio];
-    dispatch_pair(b.shape, b.porous(), [&](auto pair) {
-      constexpr int NU = decltype(pair)::NU;
-      for (int e = 0; e < b.elements; ++e) {
-        double x[NU][2];
-        gather<NU>(b.nodes, e, state.coordinates, x);
-        for (int q = 0; q < b.points; ++q) {
-          PointGeometry<NU> at;
-          at.compute(x, &b.u.dN(q, 0, 0), &b.u.N(q, 0), soil->axisymmetric);
-          const double dv = at.volume(b.u.weights(q)), ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio);
-          double v[2] = {0, 0}, p = 0;
-          for (int a = 0; a < NU; ++a)
-            for (int i = 0; i < 2; ++i) v[i] += b.u.N(q, a) * state.rate(b.dofs(e, 2 * a + i));
-          for (int c = 0; c < b.p.nodes; ++c) p += b.p.N(q, c) * state.value(b.dofs(e, 2 * NU + c));
-          const double mass = mixture.density(n) * dv;
-          sum[0] += mass * v[0];
-          sum[1] += mass * v[1];
-          sum[2] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1]);
-          if (b.porous()) {
-            sum[3] += n * (1 + p * mixture.fluid_compliance) * dv;
-            sum[4] += n * dv;
-          }
-        }
-      }
-    });
-  }
-  const std::vector<double> total = sum_over_ranks(*model_.space().dofs()->comm(), std::vector<double>(sum, sum + 5));
-  return {{total[0], total[1]}, total[2], total[3], total[4]};
+Inventory Balances::inventory(const State& state) const {
+  return model_.soil() ? take_inventory(*model_.soil(), state) : Inventory{};
 }
 
 void Balances::start() {
@@ -102,6 +67,20 @@ void Balances::add_step() {
   rows(impulse_y, 0) += view.inertia ? total[terms + 3] * view.dt : 0.0;
 }
 
+void Balances::add_remap(const MeshReceipt& receipt) {
+  const PointView rows = model_.store().committed().arrays[handle_];
+  const Inventory &before = receipt.before, &after = receipt.after;
+  rows(remap_solid, 0) += after.solid - before.solid;
+  rows(remap_water, 0) += after.water - before.water;
+  rows(remap_kinetic, 0) += after.kinetic - before.kinetic;
+  for (int i = 0; i < 2; ++i) {
+    rows(remap_momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
+    rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
+  }
+  // the steps' own balances go on from here
+  rows(water_start, 0) += after.water - before.water;
+}
+
 std::vector<HistoryValue> Balances::values() const {
   const State& state = model_.store().committed();
   const PointView rows = state.arrays[handle_];
@@ -130,6 +109,15 @@ std::vector<HistoryValue> Balances::values() const {
     result.push_back({"balance/water/change", "m3", change});
     result.push_back({"balance/water/outflow", "m3", rows(outflow, 0)});
     result.push_back({"balance/water/error", "-", (change + rows(outflow, 0)) / std::max(now.pore_volume, 1e-300)});
+  }
+  if (model_.ale()) {
+    result.push_back({"mesh motion/quality", "-", model_.ale()->quality(state)});
+    result.push_back({"mesh motion/change of solid", "-", rows(remap_solid, 0) / std::max(now.solid, 1e-300)});
+    if (model_.soil()->pressure >= 0)
+      result.push_back({"mesh motion/change of water", "-", rows(remap_water, 0) / std::max(now.pore_volume, 1e-300)});
+    for (int i = 0; i < 2; ++i)
+      result.push_back({std::string("mesh motion/change of momentum ") + names[i], "N s", rows(remap_momentum_x + i, 0)});
+    result.push_back({"mesh motion/change of kinetic energy", "J", rows(remap_kinetic, 0)});
   }
   return result;
 }

@@ -15,6 +15,8 @@ class Balances {
   explicit Balances(Model& model);
   /// After a successful attempt, before acceptance: adds the step to the trial state. Collective.
   void add_step();
+  /// After a relocation of the mesh: what it changed is kept apart from the balances of the steps.
+  void add_remap(const MeshReceipt& receipt);
   /// Columns of the history file for the committed state. Collective.
   std::vector<HistoryValue> values() const;
   /// Takes the present water content and momentum as the start. Collective; when the run begins (not at a restart).
@@ -22,10 +24,8 @@ class Balances {
 
  private:
   // Rows of the state array; the works of all terms of the model follow.
-  enum Row { reaction_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start, first_term };
-  struct Inventory {
-    double momentum[2], kinetic, water, pore_volume;
-  };
+  enum Row { reaction_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start,
+             remap_solid, remap_water, remap_momentum_x, remap_momentum_y, remap_kinetic, first_term };
   Inventory inventory(const State& state) const;
   int row_of(const Term* term) const;
 

@@ -11,7 +11,7 @@ namespace mudline {
 
 const std::vector<std::string>& deck_sections() {
   static const std::vector<std::string> names{"mesh", "functions", "materials", "physics", "bodies", "boundary conditions",
-                                              "contacts", "stages", "solver", "output", "plugins"};
+                                              "contacts", "mesh motion", "stages", "solver", "output", "plugins"};
   return names;
 }
 
@@ -50,6 +50,7 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
   read_conditions(deck, registries);
   read_bodies(deck, registries);
   read_contacts(deck, registries);
+  read_mesh_motion(deck, registries);
   read_stages(deck, registries);
   read_solver(deck, registries);
 
@@ -130,6 +131,13 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
     const ContactContext context{*space_, bodies_, registries.frictions, [this](int block, int element) { return constrained_modulus(block, element); }};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
   }
+}
+
+void Model::read_mesh_motion(const Section& deck, const Registries& registries) {
+  if (!deck.has_section("mesh motion")) return;
+  const Section section = deck.section("mesh motion");
+  if (!soil_) section.fail("mesh motion needs a physics with soil");
+  ale_ = std::make_unique<Ale>(*space_, *soil_, bodies_, section, MeshMotionRegistries{registries.interior_motions, registries.remaps});
 }
 
 void Model::read_stages(const Section& deck, const Registries& registries) {

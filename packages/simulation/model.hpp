@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ale/ale.hpp"
 #include "integrator/stepper.hpp"
 #include "simulation/registries.hpp"
 #include "simulation/stage.hpp"
@@ -29,6 +30,8 @@ class Model {
   const std::vector<std::unique_ptr<Condition>>& conditions() const { return conditions_; }
   /// Every term of the model, active or not, in a fixed order.
   std::vector<const Term*> all_terms() const;
+  /// Mesh motion; null: the mesh goes with the soil.
+  const Ale* ale() const { return ale_.get(); }
   LinearSolver& linear_solver() { return *solver_; }
   const StepTolerances& tolerances() const { return tolerances_; }
   const NewtonOptions& newton() const { return newton_; }
@@ -45,6 +48,7 @@ class Model {
   void read_conditions(const Section& deck, const Registries& registries);
   void read_bodies(const Section& deck, const Registries& registries);
   void read_contacts(const Section& deck, const Registries& registries);
+  void read_mesh_motion(const Section& deck, const Registries& registries);
   void read_stages(const Section& deck, const Registries& registries);
   void read_solver(const Section& deck, const Registries& registries);
   void check_contradictions(const Section& deck) const;
@@ -60,6 +64,7 @@ class Model {
   std::vector<std::unique_ptr<Condition>> conditions_;
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
+  std::unique_ptr<Ale> ale_;
   std::vector<std::unique_ptr<Stage>> stages_;
   std::unique_ptr<LinearSolver> solver_;
   std::unique_ptr<StateStore> store_;

@@ -1,5 +1,6 @@
 #include "simulation/registries.hpp"
 
+#include "ale/ale.hpp"
 #include "core/function_types.hpp"
 #include "integrator/step_control.hpp"
 #include "simulation/output_settings.hpp"
@@ -17,6 +18,8 @@ void register_all(Registries& r) {
   register_motions(r.motions);
   register_contact(r.contacts);
   register_friction(r.frictions);
+  register_interior_motions(r.interior_motions);
+  register_remaps(r.remaps);
   register_time_integrators(r.integrators);
   register_linear_solvers(r.linear_solvers);
   register_point_tests(r.point_tests);
@@ -56,6 +59,9 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.conditions);
   append(docs, r.contacts);
   append(docs, r.frictions);
+  docs.push_back(fixed("mesh motion", "how the mesh moves against the soil (ALE); absent: it goes with it", [](Parameters& p) { Ale::document(p); }));
+  append(docs, r.interior_motions);
+  append(docs, r.remaps);
   docs.push_back(fixed("stages", "what happens in time, in order; one named section each", [](Parameters& p) { Stage::document(p); }));
   docs.push_back(fixed("time step", "size of a stage's steps", [](Parameters& p) { StepControl().parameters(p); }));
   append(docs, r.integrators);

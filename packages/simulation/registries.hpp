@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "ale/interior_motion.hpp"
+#include "ale/remap.hpp"
 #include "algebra/linear_solver.hpp"
 #include "contact/contact.hpp"
 #include "integrator/time_scheme.hpp"
@@ -26,6 +28,8 @@ struct Registries {
   Registry<BodyMotion> motions{"motion"};
   ContactRegistry contacts{"contact"};
   Registry<Friction> frictions{"friction"};
+  Registry<InteriorMotion> interior_motions{"mesh motion"};
+  Registry<Remap> remaps{"remap"};
   Registry<TimeIntegrator> integrators{"integrator"};
   Registry<LinearSolver> linear_solvers{"linear solver"};
   Registry<PointTest> point_tests{"test"};

@@ -201,8 +201,9 @@ std::map<std::string, double> Run::term_histories() {
 
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
   for (;;) {
+    if (moves_mesh(stage)) model_.store().keep();
     report = model_.stepper().attempt(request(stage, dt), model_.tolerances(), model_.newton());
-    if (report.converged) return true;
+    if (report.converged && accept(stage, report)) return true;
     ++rejected_;
     const double next = stage.control.after_failure(dt);
     const double time = model_.store().committed().time;
@@ -229,11 +230,41 @@ void Run::log_step(const Stage& stage, double dt, const StepReport& report) cons
   log::info(line);
 }
 
-void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
-  const double error = local_error(stage);
+bool Run::accept(const Stage& stage, StepReport& report) {
+  error_ = local_error(stage);
   balances_.add_step();
   model_.store().accept();
-  const auto histories = term_histories();
+  histories_ = term_histories();
+  if (!moves_mesh(stage) || !model_.ale()->due(progress_.step + 1, model_.store().committed())) return true;
+  report.reason = relocate_mesh();
+  if (report.reason.empty()) return true;
+  model_.store().restore();
+  report.converged = false;
+  return false;
+}
+
+bool Run::moves_mesh(const Stage& stage) const { return model_.ale() && stage.mesh_motion; }
+
+std::string Run::relocate_mesh() {
+  StateStore& store = model_.store();
+  const MeshReceipt receipt = model_.ale()->relocate(store);
+  if (!receipt.moved) return receipt.veto;
+  // the trial state still has the mesh as it was
+  for (Term* term : model_.stepper().active()) term->relocate(store.trial().coordinates, store.committed());
+  if (!model_.stepper().refresh_history()) return "the remapped state cannot be evaluated";
+  for (Term* term : model_.stepper().active()) term->adopt(store.trial(), store.committed());
+  balances_.add_remap(receipt);
+  char line[200];
+  std::snprintf(line, sizeof line, "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e", receipt.quality_before, receipt.quality,
+                receipt.largest_motion, receipt.after.solid / receipt.before.solid - 1,
+                receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0);
+  log::detail(line);
+  return "";
+}
+
+void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
+  const double error = error_;
+  const auto& histories = histories_;
   ++progress_.step;
   ++progress_.step_in_stage;
   ++steps_here_;

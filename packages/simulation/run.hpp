@@ -36,6 +36,11 @@ class Run {
   bool run_geostatic(const Stage& stage);
   ExitCode run_stage(const Stage& stage);
   bool take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit);
+  /// Takes a converged step over and moves the mesh where that is due. False, the state as before, when the mesh cannot be.
+  bool accept(const Stage& stage, StepReport& report);
+  bool moves_mesh(const Stage& stage) const;
+  /// "" or why the mesh was not moved; the state is then undefined.
+  std::string relocate_mesh();
   void after_step(const Stage& stage, double dt, const StepReport& report);
   double choose_dt(const Stage& stage) const;
   double local_error(const Stage& stage) const;
@@ -58,6 +63,8 @@ class Run {
   std::unique_ptr<Results> results_;
   Progress progress_;
   CheckpointData checkpoint_;   // that a restart began from
+  double error_ = 0;                         // of the step last accepted, in units of the tolerance
+  std::map<std::string, double> histories_;  // of its terms
   int steps_here_ = 0;
   int rejected_ = 0;
   double wall_start_ = 0;

@@ -14,6 +14,7 @@ void Stage::parameters(Parameters& p) {
            {{"keep", InitialRates::keep}, {"zero", InitialRates::zero}, {"consistent", InitialRates::consistent}},
            "dynamic, at the begin: keep those of the stage before (rest at the start of a run); zero; consistent: accelerations "
            "and pressure rates from the equations of motion, for first steps short against the time a wave takes through an element");
+  p.add("mesh motion", mesh_motion, "the mesh moves against the soil in this stage, where the deck says how");
   p.add("reset displacements", reset_displacements, "set the displacements to zero at the end of the stage");
   p.add("balance tolerance", balance_tolerance, "m", non_negative(),
         "geostatic: the run ends with an error when equilibrium needs larger displacements than this; 0: no limit");

@@ -31,6 +31,7 @@ class Stage {
   std::vector<std::string> conditions;   // active ones, in deck order
   std::vector<std::string> contacts;
   InitialRates initial_rates = InitialRates::keep;
+  bool mesh_motion = true;               // where the deck has mesh motion
   bool reset_displacements = false;      // at the end
   double balance_tolerance = 0;          // geostatic: largest displacement [m] before the start counts as unbalanced; 0: off
 

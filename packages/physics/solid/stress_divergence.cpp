@@ -170,4 +170,9 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
   }
 }
 
+void StressDivergence::adopt(const State& evaluated, State& committed) {
+  for (const SoilBlock& b : soil_->blocks)
+    for (int handle : {b.stress, b.law}) Kokkos::deep_copy(committed.arrays[handle], evaluated.arrays[handle]);
+}
+
 }  // namespace mudline

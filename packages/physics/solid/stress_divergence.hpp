@@ -20,6 +20,7 @@ class StressDivergence : public Term {
   int residual(const StepView& view, const ResidualView& f) override;
   double magnitude_squared(int field) const override { return field == soil_->displacement ? magnitude_squared_ : 0.0; }
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  void adopt(const State& evaluated, State& committed) override;
 
  private:
   std::shared_ptr<Soil> soil_;

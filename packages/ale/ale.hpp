@@ -1,0 +1,76 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ale/boundary_motion.hpp"
+#include "ale/interior_motion.hpp"
+#include "ale/nodal_remap.hpp"
+#include "ale/remap.hpp"
+#include "physics/inventory.hpp"
+
+namespace mudline {
+
+/// The registries that the deck's "mesh motion" needs.
+struct MeshMotionRegistries {
+  const Registry<InteriorMotion>& motions;
+  const Registry<Remap>& remaps;
+};
+
+/// What the deck says of mesh motion, besides its parts.
+struct AleParameters {
+  void parameters(Parameters& p);
+  int every = 1;
+  double quality_below = 2, lowest_quality = 0.05, mass_tolerance = 1e-3;
+};
+
+/// What a relocation of the mesh did, or would have done.
+struct MeshReceipt {
+  bool moved = false;
+  std::string veto;             // why it was not made; empty: it was
+  double quality_before = 1, quality = 1;  // smallest scaled Jacobian [-]
+  double largest_motion = 0;    // [-] of the element's size: Courant number
+  Inventory before, after;
+};
+
+/// Relocation of the mesh under a committed state (arbitrary Lagrangian-Eulerian, operator split): boundary nodes slide
+/// along the deformed boundary, the interior follows, state variables and nodal fields are carried over; the topology is
+/// kept. A transaction of its own: a vetoed relocation leaves the state untouched.
+class Ale {
+ public:
+  /// Reads "mesh motion". InputError. Collective.
+  Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
+      const Section& section, const MeshMotionRegistries& registries);
+  static void document(Parameters& p);
+
+  /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
+  bool due(int step, const State& committed) const;
+  /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and lets it be
+  /// taken over (Term::adopt). Collective.
+  MeshReceipt relocate(StateStore& store) const;
+  /// Smallest scaled Jacobian of the mesh. Collective.
+  double quality(const State& state) const;
+
+ private:
+  /// New positions of all nodes; a reason when there are none.
+  std::string new_positions(const Positions& x_old, const State& state, Positions& x) const;
+  bool folded(const Positions& x) const;
+  void place_middles(const Positions& boundary, Positions& x) const;
+  void carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const;
+  void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
+
+  AleParameters deck_;
+  const Space& space_;
+  const Soil& soil_;
+  WholeMesh mesh_;
+  Positions source_;
+  CornerTriangles corners_;
+  BoundaryMotion boundary_;
+  std::unique_ptr<InteriorMotion> interior_;
+  std::unique_ptr<Remap> remap_;
+  std::vector<char> on_path_, movable_;  // (node)
+};
+
+}  // namespace mudline

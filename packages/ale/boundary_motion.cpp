@@ -1,0 +1,123 @@
+#include "ale/boundary_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.hpp"
+
+namespace mudline {
+
+namespace {
+
+std::vector<std::array<double, 2>> places(const MeshPath& path, const Positions& x) {
+  std::vector<std::array<double, 2>> result;
+  for (int node : path.nodes) result.push_back(x[node]);
+  return result;
+}
+
+}  // namespace
+
+void BoundaryMotion::parameters(Parameters& p) {
+  p.add("corners", corners_, "point sets whose nodes stay material points, besides the corners of the mesh");
+  p.add("corner angle [deg]", corner_angle_, "-", open(0, 180), "a boundary that turns by more in the source's mesh has a corner there");
+  p.add("material sides", material_sides_, "side sets whose nodes do not slide");
+  p.add("largest slide", largest_slide_, "-", half_open(0, 0.5), "a node slides at most by this share of its sides' length at once");
+  p.add("focus", focus_, "body whose reference point the finest sides travel with; empty: the source's spacing everywhere");
+  p.add("size near focus", near_size_, "m", non_negative(), "length of the sides near the focus; only its ratio to the growth counts");
+  p.add("near distance", near_distance_, "m", non_negative(), "distance from the focus up to which that size holds");
+  p.add("growth", growth_, "-", non_negative(), "increase of the size per distance beyond");
+}
+
+SizeField BoundaryMotion::size_field(const std::array<double, 2>& focus) const {
+  if (focus_.empty()) return [](const std::array<double, 2>&) { return 1.0; };
+  return [this, focus](const std::array<double, 2>& x) {
+    return near_size_ + growth_ * std::max(0.0, std::hypot(x[0] - focus[0], x[1] - focus[1]) - near_distance_);
+  };
+}
+
+void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
+                          const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section) {
+  bodies_ = bodies;
+  for (const std::string& name : corners_)
+    if (!mesh.node_sets().count(name)) {
+      std::vector<std::string> known;
+      for (const auto& [set, nodes] : mesh.node_sets()) known.push_back(set);
+      section.fail("unknown point set '" + name + "'" + suggestion(name, known), "corners");
+    }
+  for (const std::string& name : material_sides_) require_side_set(mesh.mesh(), section, "material sides", name);
+  std::array<double, 2> focus{};
+  if (!focus_.empty()) {
+    std::vector<std::string> known;
+    for (const auto& [name, body] : bodies) known.push_back(name);
+    if (!bodies.count(focus_)) section.fail("unknown body '" + focus_ + "'" + suggestion(focus_, known), "focus");
+    if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
+    focus = bodies.at(focus_)->initial_position();
+  }
+  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180);
+  for (const MeshPath& path : paths_) {
+    const PathCurve curve(places(path, source));
+    const CurveMeasure measure(curve, size_field(focus));
+    std::vector<double> shares;
+    for (int v = 0; v < path.num_vertices(); ++v) shares.push_back(measure.at(curve.parameter(v * path.stride)) / measure.total());
+    shares_.push_back(shares);
+    bool slides = path.num_vertices() > 2;
+    for (const std::string& name : material_sides_) slides = slides && !path.sets.count(name);
+    slides_.push_back(slides);
+  }
+}
+
+std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::array<double, 2>& x) const {
+  std::optional<ContourFoot> nearest;
+  for (const auto& [name, body] : bodies_) {
+    const ContourFoot here = body->closest(state, x);
+    if (!nearest || here.gap < nearest->gap) nearest = here;
+  }
+  return nearest;
+}
+
+Positions BoundaryMotion::move(const Positions& x, const State& state) const {
+  Positions result = x;
+  const SizeField size = size_field(focus_.empty() ? std::array<double, 2>{} : bodies_.at(focus_)->position(state));
+  for (std::size_t p = 0; p < paths_.size(); ++p)
+    if (slides_[p]) move_path(p, state, size, result);
+  return result;
+}
+
+void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeField& size, Positions& x) const {
+  const MeshPath& path = paths_[p];
+  const PathCurve curve(places(path, x));
+  const CurveMeasure measure(curve, size);
+  const int vertices = path.num_vertices(), stride = path.stride, last = static_cast<int>(path.nodes.size()) - 1;
+  std::vector<double> s(path.nodes.size());
+  for (int v = 0; v < vertices; ++v) {
+    const int i = v * stride;
+    const double old = curve.parameter(i);
+    s[i] = old;
+    if (v == 0 || v == vertices - 1) continue;
+    const double room = std::min(old - curve.parameter(i - stride), curve.parameter(i + stride) - old);
+    const double slide = measure.place(shares_[p][v] * measure.total()) - old;
+    // what rounding alone moves stays where it is
+    if (std::abs(slide) > 1e-9 * room) s[i] = old + std::clamp(slide, -largest_slide_ * room, largest_slide_ * room);
+  }
+  for (int i = 1; stride == 2 && i < last; i += 2) {
+    s[i] = 0.5 * (s[i - 1] + s[i + 1]);
+    if (s[i - 1] == curve.parameter(i - 1) && s[i + 1] == curve.parameter(i + 1) &&
+        std::abs(s[i] - curve.parameter(i)) < 1e-9 * (s[i + 1] - s[i - 1]))
+      s[i] = curve.parameter(i);
+  }
+  std::vector<double> gaps(path.nodes.size(), 1e300);
+  if (!bodies_.empty())
+    for (int i = 0; i <= last; ++i) gaps[i] = foot(state, x[path.nodes[i]])->gap;
+  for (int i = 1; i < last; ++i) {
+    if (s[i] == curve.parameter(i)) continue;
+    std::array<double, 2> to = curve.at(s[i]);
+    const double gap = bodies_.empty() ? 1e300 : curve.interpolate(gaps, s[i]);
+    if (gap < 0.25 * (s[std::min(i + 1, last)] - s[i - 1])) {
+      const ContourFoot here = *foot(state, to);
+      for (int d = 0; d < 2; ++d) to[d] += (gap - here.gap) * here.normal[d];
+    }
+    x[path.nodes[i]] = to;
+  }
+}
+
+}  // namespace mudline

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ale/mesh_paths.hpp"
+#include "ale/path_curve.hpp"
+#include "physics/rigid_body/rigid_body.hpp"
+
+namespace mudline {
+
+/// Slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each side keeps its
+/// share of the path, measured in sides of a wanted size that is uniform, or finer near a point that travels with a body:
+/// size = near + growth (distance - near distance). The shares are those of the source's mesh, so that a boundary at rest
+/// stays as it is. Where the boundary touches a body, nodes keep the gap that was at their new place, so that contact
+/// pressures are not disturbed.
+class BoundaryMotion {
+ public:
+  void parameters(Parameters& p);
+  /// Finds paths and shares. InputError for unknown bodies and sets. Collective only in its errors: the same everywhere.
+  void bind(const WholeMesh& mesh, const Positions& source, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
+            const Section& section);
+
+  /// New positions of the nodes on paths, middle nodes among them; the others as in `x`.
+  Positions move(const Positions& x, const State& state) const;
+  const std::vector<MeshPath>& paths() const { return paths_; }
+
+ private:
+  SizeField size_field(const std::array<double, 2>& focus) const;
+  /// Gap to the nearest body.
+  std::optional<ContourFoot> foot(const State& state, const std::array<double, 2>& x) const;
+  void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
+
+  std::string focus_;
+  double near_size_ = 0, near_distance_ = 0, growth_ = 0.3, largest_slide_ = 0.3, corner_angle_ = 30;
+  std::vector<std::string> corners_, material_sides_;
+  std::vector<MeshPath> paths_;
+  std::vector<std::vector<double>> shares_;  // (path, vertex) measure in the source's mesh, as a share of the total
+  std::vector<char> slides_;                 // (path)
+  std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
+};
+
+}  // namespace mudline

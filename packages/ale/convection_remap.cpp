@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ale/remap.hpp"
+
+namespace mudline {
+
+void ConvectionRemap::parameters(Parameters& p) {
+  p.choice("scheme", scheme_, {{"upwind", Scheme::upwind}, {"incremental", Scheme::incremental}},
+           "share of the recovered field itself: growing with the distance moved, or none");
+  p.add("limited", limited_, "no new extremum over the elements that a point leaves and enters");
+}
+
+void ConvectionRemap::transfer(const PointTransfer& t) const {
+  const Recovery recovered(t.mesh, t.block, t.x_old, t.old, t.columns);
+  const PointLocator locator(t.mesh, t.x_old);
+  std::vector<double> low, high;
+  for (const StateVariable& variable : t.variables)
+    for (int c = 0; c < variable.components; ++c) {
+      low.push_back(variable.low);
+      high.push_back(variable.high);
+    }
+  for (int e : t.mesh.block_elements(t.block.block)) {
+    const auto& element = t.mesh.elements()[e];
+    bool moved = false;
+    for (int a = 0; a < num_nodes(element.shape); ++a) moved = moved || t.x_new[element.nodes[a]] != t.x_old[element.nodes[a]];
+    if (!moved) continue;
+    double area2 = 0;
+    const int corners = num_corners(element.shape);
+    for (int a = 0; a < corners; ++a) {
+      const auto &p = t.x_old[element.nodes[a]], &q = t.x_old[element.nodes[(a + 1) % corners]];
+      area2 += p[0] * q[1] - p[1] * q[0];
+    }
+    const double size = std::sqrt(std::abs(corners == 3 ? area2 : 0.5 * area2));
+    for (int q = 0; q < t.block.points; ++q) {
+      const auto from = Recovery::position(element, t.block, q, t.x_old), to = Recovery::position(element, t.block, q, t.x_new);
+      const MeshPlace place = locator.find(to, e);
+      const double courant = std::min(1.0, std::hypot(to[0] - from[0], to[1] - from[1]) / (0.5 * size));
+      const double own = scheme_ == Scheme::upwind ? 1 - courant : 1.0;
+      const std::size_t row = static_cast<std::size_t>(t.mesh.first_row(e, t.block.points) + q) * t.columns;
+      for (int c = 0; c < t.columns; ++c) {
+        double value = recovered.at(place, c) + own * (t.old[row + c] - recovered.at_point(e, q, c));
+        if (limited_) {
+          double least = 1e300, most = -1e300;
+          recovered.widen_range(e, c, least, most);
+          recovered.widen_range(place.element, c, least, most);
+          value = std::clamp(value, least, most);
+        }
+        t.now[row + c] = std::clamp(value, low[c], high[c]);
+      }
+    }
+  }
+}
+
+void register_remaps(Registry<Remap>& registry) {
+  registry.add<ConvectionRemap>("convection", "f + (x_new - x_old) . grad f with recovered gradients, limited");
+}
+
+}  // namespace mudline

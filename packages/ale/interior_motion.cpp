@@ -1,0 +1,62 @@
+#include "ale/interior_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace mudline {
+
+CornerTriangles::CornerTriangles(const WholeMesh& mesh) : at_node(mesh.num_nodes()) {
+  for (const auto& element : mesh.elements()) {
+    const auto& n = element.nodes;
+    if (num_corners(element.shape) == 3)
+      triangles.push_back({n[0], n[1], n[2]});
+    else
+      for (int i = 0; i < 4; ++i) triangles.push_back({n[i], n[(i + 1) % 4], n[(i + 3) % 4]});
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int node : triangles[t]) at_node[node].push_back(static_cast<int>(t));
+}
+
+double twice_area(const std::array<int, 3>& t, const Positions& x) {
+  return (x[t[1]][0] - x[t[0]][0]) * (x[t[2]][1] - x[t[0]][1]) - (x[t[1]][1] - x[t[0]][1]) * (x[t[2]][0] - x[t[0]][0]);
+}
+
+void LaplaceMotion::parameters(Parameters& p) {
+  p.add("sweeps", sweeps_, "-", closed(1, 100000), "largest number of passes over the vertices");
+  p.add("sweep tolerance", tolerance_, "-", positive(), "passes end when no vertex moves by more than this share of its elements' size");
+}
+
+void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
+  const auto& triangles = mesh.corners.triangles;
+  std::vector<std::vector<int>> neighbours(x.size());
+  for (std::size_t node = 0; node < x.size(); ++node) {
+    if (!mesh.movable[node]) continue;
+    std::set<int> around;
+    for (int t : mesh.corners.at_node[node]) around.insert(triangles[t].begin(), triangles[t].end());
+    around.erase(static_cast<int>(node));
+    neighbours[node].assign(around.begin(), around.end());
+  }
+  for (int sweep = 0; sweep < sweeps_; ++sweep) {
+    double largest = 0;
+    for (std::size_t node = 0; node < x.size(); ++node) {
+      if (neighbours[node].empty()) continue;
+      std::array<double, 2> mean{};
+      double size = 0;
+      for (int other : neighbours[node])
+        for (int d = 0; d < 2; ++d) mean[d] += x[other][d] / neighbours[node].size();
+      for (int other : neighbours[node]) size = std::max(size, std::hypot(x[other][0] - mean[0], x[other][1] - mean[1]));
+      largest = std::max(largest, std::hypot(mean[0] - x[node][0], mean[1] - x[node][1]) / size);
+      x[node] = mean;
+    }
+    if (largest < tolerance_) break;
+  }
+}
+
+void register_interior_motions(Registry<InteriorMotion>& registry) {
+  registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
+  registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
+  registry.add<LaplaceMotion>("Laplace", "every vertex at the mean of its neighbours");
+}
+
+}  // namespace mudline

@@ -1,0 +1,102 @@
+#include "ale/mesh_paths.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+namespace {
+
+struct Edge {
+  int from, to, middle;  // middle -1: straight
+  std::set<std::string> sets;
+  bool used = false;
+};
+
+/// Sides on the outer boundary and between regions; an outer side keeps the direction of its element.
+std::vector<Edge> feature_edges(const WholeMesh& mesh) {
+  std::map<std::pair<int, int>, std::set<std::string>> sets;
+  for (const auto& [name, sides] : mesh.side_sets())
+    for (const auto& side : sides) sets[{side.element, side.side}].insert(name);
+  std::vector<Edge> edges;
+  const auto& elements = mesh.elements();
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e)
+    for (int s = 0; s < num_sides(elements[e].shape); ++s) {
+      const int other = elements[e].neighbours[s];
+      if (other >= 0 && (other < e || elements[other].block == elements[e].block)) continue;
+      const std::vector<int> local = side_nodes(elements[e].shape, s);
+      const auto& nodes = elements[e].nodes;
+      Edge edge{nodes[local[0]], nodes[local[1]], local.size() > 2 ? nodes[local[2]] : -1, sets[{e, s}]};
+      edges.push_back(edge);
+    }
+  return edges;
+}
+
+double turning(const Positions& x, int before, int at, int after) {
+  const double ax = x[at][0] - x[before][0], ay = x[at][1] - x[before][1];
+  const double bx = x[after][0] - x[at][0], by = x[after][1] - x[at][1];
+  return std::abs(std::atan2(ax * by - ay * bx, ax * bx + ay * by));
+}
+
+class Splitter {
+ public:
+  Splitter(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle)
+      : x_(source), edges_(feature_edges(mesh)) {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      at_[edges_[i].from].push_back(static_cast<int>(i));
+      at_[edges_[i].to].push_back(static_cast<int>(i));
+    }
+    std::set<int> named;
+    for (const std::string& name : corners)
+      for (int node : mesh.node_sets().at(name)) named.insert(node);
+    for (const auto& [node, touching] : at_)
+      if (touching.size() != 2 || named.count(node) || edges_[touching[0]].sets != edges_[touching[1]].sets ||
+          turning(x_, other_end(touching[0], node), node, other_end(touching[1], node)) > corner_angle)
+        ends_.insert(node);
+  }
+
+  std::vector<MeshPath> paths() {
+    std::vector<MeshPath> result;
+    for (int start : ends_)
+      for (int edge : at_.at(start))
+        if (!edges_[edge].used) result.push_back(follow(start, edge));
+    for (std::size_t i = 0; i < edges_.size(); ++i)  // closed curves without a corner: cut anywhere
+      if (!edges_[i].used) {
+        ends_.insert(edges_[i].from);
+        result.push_back(follow(edges_[i].from, static_cast<int>(i)));
+      }
+    return result;
+  }
+
+ private:
+  int other_end(int edge, int node) const { return edges_[edge].from == node ? edges_[edge].to : edges_[edge].from; }
+
+  MeshPath follow(int start, int edge) {
+    MeshPath path{{start}, edges_[edge].middle >= 0 ? 2 : 1, edges_[edge].sets};
+    for (int node = start;;) {
+      Edge& here = edges_[edge];
+      here.used = true;
+      if (here.middle >= 0) path.nodes.push_back(here.middle);
+      const int next = other_end(edge, node);
+      path.nodes.push_back(node = next);
+      if (ends_.count(node)) break;
+      const std::vector<int>& touching = at_.at(node);
+      edge = touching[0] == edge ? touching[1] : touching[0];
+    }
+    return path;
+  }
+
+  const Positions& x_;
+  std::vector<Edge> edges_;
+  std::map<int, std::vector<int>> at_;
+  std::set<int> ends_;
+};
+
+}  // namespace
+
+std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
+                                 double corner_angle) {
+  return Splitter(mesh, source, corners, corner_angle).paths();
+}
+
+}  // namespace mudline

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ale/whole_mesh.hpp"
+
+namespace mudline {
+
+/// A chain of element sides along the boundary of a region from one corner to the next; its nodes may slide along it.
+struct MeshPath {
+  std::vector<int> nodes;  // in order; with quadratic elements every second one is the middle of a side
+  int stride;              // 2 with middle nodes, 1 without
+  std::set<std::string> sets;  // side sets that all its sides belong to
+
+  int num_vertices() const { return static_cast<int>(nodes.size() - 1) / stride + 1; }
+};
+
+/// All boundaries of the mesh's regions, split into paths. A path ends where regions meet, where the side sets change, at
+/// the nodes of the sets named as corners, and where the boundary of the source's mesh turns by more than `corner_angle`
+/// [rad]. The ends of paths are material points.
+std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
+                                 double corner_angle);
+
+}  // namespace mudline

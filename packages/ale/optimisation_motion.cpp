@@ -1,0 +1,123 @@
+#include <cmath>
+
+#include "ale/interior_motion.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// T = sum over the corners v of x_v w_v^T for the ideal triangle `ideal`.
+struct IdealTriangle {
+  double w[3][2];
+  IdealTriangle(const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& c) {
+    const double p[2] = {b[0] - a[0], b[1] - a[1]}, q[2] = {c[0] - a[0], c[1] - a[1]};
+    const double det = p[0] * q[1] - p[1] * q[0], scale = std::sqrt(std::abs(det));  // size does not count
+    const double inverse[2][2] = {{q[1] / det * scale, -q[0] / det * scale}, {-p[1] / det * scale, p[0] / det * scale}};
+    for (int k = 0; k < 2; ++k) {
+      w[1][k] = inverse[0][k];
+      w[2][k] = inverse[1][k];
+      w[0][k] = -w[1][k] - w[2][k];
+    }
+  }
+};
+
+/// Objective of the triangles around one vertex, a convex function of its position, and its derivatives.
+struct PatchObjective {
+  double value = 0, gradient[2] = {0, 0}, hessian[3] = {0, 0, 0};  // xx, xy, yy
+  bool valid = true;
+
+  void add(const IdealTriangle& ideal, const std::array<int, 3>& nodes, int moving, const Positions& x) {
+    double t[2][2] = {{0, 0}, {0, 0}};
+    for (int v = 0; v < 3; ++v)
+      for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 2; ++k) t[i][k] += x[nodes[v]][i] * ideal.w[v][k];
+    const double det = t[0][0] * t[1][1] - t[0][1] * t[1][0];
+    if (!(det > 0)) {
+      valid = false;
+      return;
+    }
+    const double* w = ideal.w[moving];
+    const double n = t[0][0] * t[0][0] + t[0][1] * t[0][1] + t[1][0] * t[1][0] + t[1][1] * t[1][1];
+    const double dn[2] = {2 * (t[0][0] * w[0] + t[0][1] * w[1]), 2 * (t[1][0] * w[0] + t[1][1] * w[1])};
+    const double dd[2] = {w[0] * t[1][1] - w[1] * t[1][0], t[0][0] * w[1] - t[0][1] * w[0]};
+    const double mu = n / (2 * det), ddn = 2 * (w[0] * w[0] + w[1] * w[1]);
+    double dmu[2], hmu[3];
+    for (int i = 0; i < 2; ++i) dmu[i] = (dn[i] - 2 * mu * dd[i]) / (2 * det);
+    const auto second = [&](int i, int j) {
+      return ((i == j ? ddn : 0.0) - (dn[i] * dd[j] + dd[i] * dn[j]) / det) / (2 * det) + n * dd[i] * dd[j] / (det * det * det);
+    };
+    hmu[0] = second(0, 0);
+    hmu[1] = second(0, 1);
+    hmu[2] = second(1, 1);
+    value += mu * mu;
+    for (int i = 0; i < 2; ++i) gradient[i] += 2 * mu * dmu[i];
+    hessian[0] += 2 * (mu * hmu[0] + dmu[0] * dmu[0]);
+    hessian[1] += 2 * (mu * hmu[1] + dmu[0] * dmu[1]);
+    hessian[2] += 2 * (mu * hmu[2] + dmu[1] * dmu[1]);
+  }
+};
+
+}  // namespace
+
+void OptimisationMotion::parameters(Parameters& p) {
+  p.choice("ideal", ideal_, {{"source", Ideal::source}, {"equilateral", Ideal::equilateral}},
+           "shape that every element strives for: its own in the mesh as it was made, or the regular one");
+  p.add("sweeps", sweeps_, "-", closed(1, 10000), "largest number of passes over the vertices");
+  p.add("sweep tolerance", tolerance_, "-", positive(), "passes end when no vertex moves by more than this share of its elements' size");
+}
+
+void OptimisationMotion::move(const InteriorMesh& mesh, Positions& x) const {
+  const auto& triangles = mesh.corners.triangles;
+  std::vector<IdealTriangle> ideals;
+  for (const auto& t : triangles) {
+    if (ideal_ == Ideal::source)
+      ideals.emplace_back(mesh.source[t[0]], mesh.source[t[1]], mesh.source[t[2]]);
+    else
+      ideals.emplace_back(std::array<double, 2>{0, 0}, std::array<double, 2>{1, 0}, std::array<double, 2>{0.5, std::sqrt(0.75)});
+  }
+  const auto objective = [&](int node) {
+    PatchObjective result;
+    for (int t : mesh.corners.at_node[node]) {
+      int moving = 0;
+      while (triangles[t][moving] != node) ++moving;
+      result.add(ideals[t], triangles[t], moving, x);
+      if (!result.valid) break;
+    }
+    return result;
+  };
+  const int nodes = static_cast<int>(x.size());
+  for (int sweep = 0; sweep < sweeps_; ++sweep) {
+    double largest = 0;
+    for (int k = 0; k < nodes; ++k) {
+      const int node = sweep % 2 == 0 ? k : nodes - 1 - k;
+      if (!mesh.movable[node]) continue;
+      const PatchObjective now = objective(node);
+      const double det = now.hessian[0] * now.hessian[2] - now.hessian[1] * now.hessian[1];
+      if (!now.valid || !(det > 0)) continue;
+      const double step[2] = {-(now.hessian[2] * now.gradient[0] - now.hessian[1] * now.gradient[1]) / det,
+                              -(now.hessian[0] * now.gradient[1] - now.hessian[1] * now.gradient[0]) / det};
+      const std::array<double, 2> from = x[node];
+      double size = 0;
+      for (int t : mesh.corners.at_node[node]) size = std::max(size, std::abs(twice_area(triangles[t], x)));
+      size = std::sqrt(size);
+      // rounding decides below this: leave the vertex where it is, so that a mesh at its optimum does not creep
+      if (std::hypot(step[0], step[1]) < 1e-9 * size) continue;
+      double factor = 1;
+      for (int cut = 0;; ++cut, factor *= 0.5) {
+        if (cut == 12) {
+          x[node] = from;
+          break;
+        }
+        x[node] = {from[0] + factor * step[0], from[1] + factor * step[1]};
+        const PatchObjective then = objective(node);
+        if (then.valid && then.value <= now.value) {
+          largest = std::max(largest, factor * std::hypot(step[0], step[1]) / size);
+          break;
+        }
+      }
+    }
+    if (largest < tolerance_) break;
+  }
+}
+
+}  // namespace mudline

@@ -1,0 +1,77 @@
+#include "ale/path_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace mudline {
+
+PathCurve::PathCurve(std::vector<std::array<double, 2>> points) : points_(std::move(points)) {
+  const int n = static_cast<int>(points_.size());
+  if (n < 2) throw std::logic_error("a curve needs two points");
+  s_.push_back(0);
+  for (int i = 1; i < n; ++i)
+    s_.push_back(s_.back() + std::hypot(points_[i][0] - points_[i - 1][0], points_[i][1] - points_[i - 1][1]));
+  for (int i = 0; i < n; ++i) {
+    std::array<double, 2> slope{};
+    for (int d = 0; d < 2; ++d) {
+      const auto secant = [&](int k) { return (points_[k + 1][d] - points_[k][d]) / (s_[k + 1] - s_[k]); };
+      if (n == 2) {
+        slope[d] = secant(0);
+        continue;
+      }
+      const int k = std::clamp(i, 1, n - 2);  // middle of the parabola
+      const double before = s_[k] - s_[k - 1], after = s_[k + 1] - s_[k];
+      const double bend = (secant(k) - secant(k - 1)) / (before + after);
+      slope[d] = secant(k - 1) + bend * before + 2 * bend * (s_[i] - s_[k]);
+    }
+    slopes_.push_back(slope);
+  }
+}
+
+int PathCurve::segment(double s) const {
+  const int last = static_cast<int>(s_.size()) - 2;
+  return std::clamp(static_cast<int>(std::upper_bound(s_.begin(), s_.end(), s) - s_.begin()) - 1, 0, last);
+}
+
+std::array<double, 2> PathCurve::at(double s) const {
+  const int k = segment(s);
+  const double h = s_[k + 1] - s_[k], t = (s - s_[k]) / h;
+  const double start = (1 + 2 * t) * (1 - t) * (1 - t), end = t * t * (3 - 2 * t);
+  std::array<double, 2> x;
+  for (int d = 0; d < 2; ++d)
+    x[d] = start * points_[k][d] + end * points_[k + 1][d] + h * t * (1 - t) * ((1 - t) * slopes_[k][d] - t * slopes_[k + 1][d]);
+  return x;
+}
+
+double PathCurve::interpolate(const std::vector<double>& values, double s) const {
+  const int k = segment(s);
+  const double t = (s - s_[k]) / (s_[k + 1] - s_[k]);
+  return (1 - t) * values[k] + t * values[k + 1];
+}
+
+CurveMeasure::CurveMeasure(const PathCurve& curve, const SizeField& size) {
+  const int samples = 8 * curve.points();
+  step_ = curve.length() / samples;
+  sum_.push_back(0);
+  double before = 1 / size(curve.at(0));
+  for (int i = 1; i <= samples; ++i) {
+    const double here = 1 / size(curve.at(step_ * i));
+    sum_.push_back(sum_.back() + 0.5 * step_ * (before + here));
+    before = here;
+  }
+}
+
+double CurveMeasure::at(double s) const {
+  const int last = static_cast<int>(sum_.size()) - 2;
+  const int k = std::clamp(static_cast<int>(s / step_), 0, last);
+  return sum_[k] + (sum_[k + 1] - sum_[k]) * (s / step_ - k);
+}
+
+double CurveMeasure::place(double measure) const {
+  const int last = static_cast<int>(sum_.size()) - 2;
+  const int k = std::clamp(static_cast<int>(std::upper_bound(sum_.begin(), sum_.end(), measure) - sum_.begin()) - 1, 0, last);
+  return step_ * (k + (measure - sum_[k]) / (sum_[k + 1] - sum_[k]));
+}
+
+}  // namespace mudline

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace mudline {
+
+/// A smooth curve (C1, piecewise cubic) through given points, parametrised by the length s [m] of the chords between
+/// them. The slope at a point is that of the parabola through it and its two neighbours, so the curve is local: a kink
+/// disturbs the segments beside it only.
+class PathCurve {
+ public:
+  explicit PathCurve(std::vector<std::array<double, 2>> points);
+  double length() const { return s_.back(); }
+  int points() const { return static_cast<int>(points_.size()); }
+  /// Parameter of the given point.
+  double parameter(int point) const { return s_[point]; }
+  std::array<double, 2> at(double s) const;
+  /// Linear interpolation of values given at the points.
+  double interpolate(const std::vector<double>& values, double s) const;
+
+ private:
+  int segment(double s) const;
+  std::vector<std::array<double, 2>> points_, slopes_;
+  std::vector<double> s_;
+};
+
+/// A wanted size [m] of the sides at a place.
+using SizeField = std::function<double(const std::array<double, 2>&)>;
+
+/// How many sides of the wanted size fit between the start of a curve and any place on it: the integral of ds / size.
+class CurveMeasure {
+ public:
+  CurveMeasure(const PathCurve& curve, const SizeField& size);
+  double total() const { return sum_.back(); }
+  double at(double s) const;
+  /// The place at which the measure is reached.
+  double place(double measure) const;
+
+ private:
+  double step_;
+  std::vector<double> sum_;
+};
+
+}  // namespace mudline

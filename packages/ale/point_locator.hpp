@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include "ale/whole_mesh.hpp"
+
+namespace mudline {
+
+/// Where a point lies in the mesh: element and its reference coordinates.
+struct MeshPlace {
+  int element = -1;
+  double xi[2] = {0, 0};
+};
+
+/// Finds points in a mesh by walking from a guess to the neighbour in whose direction the point lies; exact on curved
+/// elements. Does not leave the guess's block: materials do not mix. A point outside, beyond a curved boundary, gets the
+/// boundary element next to it with reference coordinates outside the cell.
+class PointLocator {
+ public:
+  PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
+  MeshPlace find(const std::array<double, 2>& point, int guess) const;
+  /// Inverse of the isoparametric map of one element. False where Newton's method finds none.
+  bool invert(int element, const std::array<double, 2>& point, double xi[2]) const;
+
+ private:
+  const WholeMesh& mesh_;
+  const Positions& x_;
+};
+
+}  // namespace mudline

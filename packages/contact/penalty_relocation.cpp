@@ -1,0 +1,67 @@
+// What becomes of a penalty contact's history when the mesh is moved under it.
+#include <cmath>
+
+#include "contact/penalty_contact.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Where a point at xi of a side lies.
+PlanePoint place(const SideCoordinates& x, int count, double xi) {
+  double N[3], dN[3];
+  evaluate_line(count, xi, N, dN);
+  PlanePoint result{};
+  for (int a = 0; a < count; ++a)
+    for (int d = 0; d < 2; ++d) result[d] += N[a] * x[a][d];
+  return result;
+}
+
+/// Least squares slope of values over places.
+double slope(const std::vector<double>& at, const std::vector<double>& values) {
+  double mean_at = 0, mean = 0, top = 0, bottom = 0;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    mean_at += at[i] / at.size();
+    mean += values[i] / at.size();
+  }
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    top += (at[i] - mean_at) * (values[i] - mean);
+    bottom += (at[i] - mean_at) * (at[i] - mean_at);
+  }
+  return bottom > 0 ? top / bottom : 0.0;
+}
+
+}  // namespace
+
+void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
+  // gaps and pressures are those of the new places, evaluated anew; the shear stress and the path slid are history and are
+  // convected along the side, f + (s_new - s_old) df/ds
+  if (!friction_) return;
+  const PointView& rows = committed.arrays[frictions_];
+  const auto& sides = surface_->sides();
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const int count = sides[s].count, points = first_row_[s + 1] - first_row_[s];
+    const SideCoordinates before = coordinates(sides[s], x_old), after = coordinates(sides[s], committed.coordinates);
+    const double length = std::hypot(before[1][0] - before[0][0], before[1][1] - before[0][1]);
+    const PlanePoint along{(before[1][0] - before[0][0]) / length, (before[1][1] - before[0][1]) / length};
+    std::vector<double> at(points), shift(points), values(points);
+    for (int c = 0; c < points; ++c) {
+      const double xi = rule(sides[s]).xi[c];
+      const PlanePoint from = place(before, count, xi), to = place(after, count, xi);
+      at[c] = from[0] * along[0] + from[1] * along[1];
+      shift[c] = (to[0] - from[0]) * along[0] + (to[1] - from[1]) * along[1];
+    }
+    for (int column : {friction_column::shear, friction_column::slip}) {
+      for (int c = 0; c < points; ++c) values[c] = rows(first_row_[s] + c, column);
+      const double gradient = slope(at, values);
+      for (int c = 0; c < points; ++c) rows(first_row_[s] + c, column) = values[c] + gradient * shift[c];
+    }
+  }
+}
+
+void PenaltyContact::adopt(const State& evaluated, State& committed) {
+  Kokkos::deep_copy(committed.arrays[points_], evaluated.arrays[points_]);
+  if (friction_) Kokkos::deep_copy(committed.arrays[frictions_], evaluated.arrays[frictions_]);
+}
+
+}  // namespace mudline

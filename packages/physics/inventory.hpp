@@ -1,0 +1,19 @@
+#pragma once
+
+#include "physics/soil.hpp"
+
+namespace mudline {
+
+/// What the soil of the whole mesh holds in one state.
+struct Inventory {
+  double momentum[2] = {0, 0};  // [N s]
+  double kinetic = 0;           // [J]
+  double solid = 0;             // mass of the grains [kg]
+  double water = 0;             // volume of pore water, at zero pressure [m3]
+  double pore_volume = 0;       // [m3]
+};
+
+/// Axisymmetric: of the whole circumference; plane strain: per metre. Collective.
+Inventory take_inventory(const Soil& soil, const State& state);
+
+}  // namespace mudline
