@@ -35,7 +35,7 @@ void Ale::document(Parameters& p) {
 
 Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
          const Section& section, const MeshMotionRegistries& registries)
-    : space_(space), soil_(soil), mesh_(space.mesh()), source_(mesh_.gather(space.mesh().coordinates())), corners_(mesh_) {
+    : space_(space), soil_(soil), mesh_(space.mesh()), source_(mesh_.gather(space.mesh().coordinates())), corners_(mesh_, {}) {
   section.allow_sections({"interior", "boundary", "remap"});
   Parameters p(section);
   deck_.parameters(p);
@@ -51,6 +51,8 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   interior_ = registries.motions.create(with_default("interior", "optimisation"));
   remap_ = registries.remaps.create(with_default("remap", "convection"));
   boundary_.bind(mesh_, source_, bodies, section.section("boundary"));
+  corners_ = CornerTriangles(mesh_, boundary_.paths());
+  corners_.add_tangents(source_, source_);
   on_path_.assign(mesh_.num_nodes(), 0);
   movable_.assign(mesh_.num_nodes(), 0);
   for (const MeshPath& path : boundary_.paths())
@@ -93,20 +95,24 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
 }
 
 std::string Ale::new_positions(const Positions& x_old, const State& state, Positions& x) const {
-  if (folded(x_old)) return "an element is folded";
   const Positions boundary = boundary_.move(x_old, state);
-  x = x_old;
+  Positions before = x_old;
+  corners_.add_tangents(x_old, before);
+  x = before;
   // The boundary moves in as few parts as it can without running over the vertices inside, which follow each part.
   for (double done = 0, part = 1; done < 1;) {
-    Positions next = x;
-    for (int node = 0; node < mesh_.num_nodes(); ++node)
-      if (on_path_[node])
-        for (int d = 0; d < 2; ++d)
-          next[node][d] = done + part < 1 ? x_old[node][d] + (done + part) * (boundary[node][d] - x_old[node][d]) : boundary[node][d];
+    Positions next = x, curve = boundary;
+    const double share = done + part;
+    for (int node = 0; node < mesh_.num_nodes(); ++node) {
+      if (!on_path_[node]) continue;
+      for (int d = 0; share < 1 && d < 2; ++d) curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
+      next[node] = curve[node];
+    }
+    corners_.add_tangents(curve, next);
     if (!folded(next)) {
-      interior_->move({corners_, source_, x_old, movable_}, next);
+      interior_->move({corners_, source_, before, movable_}, next);
       if (!folded(next)) {
-        done += part;
+        done = share;
         x.swap(next);
         continue;
       }
@@ -114,6 +120,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, Posit
     part *= 0.5;
     if (part < 1.0 / 64) return "the moved boundary folds elements";
   }
+  x.resize(mesh_.num_nodes());
   place_middles(boundary, x);
   double largest = 0;
   for (const auto& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1])});
@@ -162,10 +169,12 @@ MeshReceipt Ale::relocate(StateStore& store) const {
     receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at (" + number(at[0]) + ", " + number(at[1]) + ")";
     return receipt;
   }
-  for (const auto& t : corners_.triangles)
+  for (int i = 0; i < corners_.of_elements; ++i) {
+    const auto& t = corners_.triangles[i];
     for (int node : t)
       receipt.largest_motion = std::max(receipt.largest_motion, std::hypot(x_new[node][0] - x_old[node][0], x_new[node][1] - x_old[node][1]) /
                                                                     std::sqrt(twice_area(t, x_old)));
+  }
   receipt.before = take_inventory(soil_, state);
   // The trial state is free between steps: it takes the new state, so that the committed one survives a veto.
   store.begin();

@@ -65,7 +65,7 @@ class Ale {
   const Space& space_;
   const Soil& soil_;
   WholeMesh mesh_;
-  Positions source_;
+  Positions source_;  // and the ends of its tangents
   CornerTriangles corners_;
   BoundaryMotion boundary_;
   std::unique_ptr<InteriorMotion> interior_;

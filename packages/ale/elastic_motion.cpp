@@ -13,8 +13,9 @@ class ElasticMesh {
   ElasticMesh(const InteriorMesh& mesh, const Positions& from, double poisson) : mesh_(mesh) {
     // E = 1 / area cancels the area of the integral
     const double lambda = poisson / ((1 + poisson) * (1 - 2 * poisson)), shear = 0.5 / (1 + poisson);
-    diagonal_.assign(2 * from.size(), 0.0);
-    for (const auto& t : mesh.corners.triangles) {
+    diagonal_.assign(2 * mesh.movable.size(), 0.0);
+    for (int i = 0; i < mesh.corners.of_elements; ++i) {
+      const auto& t = mesh.corners.triangles[i];
       Stiffness k{};
       const double area2 = twice_area(t, from);
       double g[3][2];
@@ -75,7 +76,7 @@ void ElasticMotion::parameters(Parameters& p) {
 void ElasticMotion::move(const InteriorMesh& mesh, Positions& x) const {
   const Positions from = from_ == From::source ? mesh.source : mesh.before;
   const ElasticMesh elastic(mesh, from, poisson_);
-  const std::size_t n = 2 * x.size();
+  const std::size_t n = 2 * mesh.movable.size();
   std::vector<double> u(n), r, z(n, 0.0), p;
   for (std::size_t i = 0; i < n; ++i) u[i] = x[i / 2][i % 2] - from[i / 2][i % 2];
   r = elastic.apply(u);

@@ -6,7 +6,11 @@
 
 namespace mudline {
 
-CornerTriangles::CornerTriangles(const WholeMesh& mesh) : at_node(mesh.num_nodes()) {
+CornerTriangles::CornerTriangles(const WholeMesh& mesh, const std::vector<MeshPath>& paths)
+    : at_node(mesh.num_nodes()), nodes_(mesh.num_nodes()) {
+  std::set<int> curved;  // middle nodes on paths
+  for (const MeshPath& path : paths)
+    for (std::size_t i = 1; path.stride == 2 && i < path.nodes.size(); i += 2) curved.insert(path.nodes[i]);
   for (const auto& element : mesh.elements()) {
     const auto& n = element.nodes;
     if (num_corners(element.shape) == 3)
@@ -14,8 +18,30 @@ CornerTriangles::CornerTriangles(const WholeMesh& mesh) : at_node(mesh.num_nodes
     else
       for (int i = 0; i < 4; ++i) triangles.push_back({n[i], n[(i + 1) % 4], n[(i + 3) % 4]});
   }
+  of_elements = static_cast<int>(triangles.size());
+  for (const auto& element : mesh.elements()) {
+    if (order(element.shape) == 1) continue;
+    const int corners = num_corners(element.shape);
+    for (int s = 0; s < corners; ++s) {
+      const int a = element.nodes[s], b = element.nodes[(s + 1) % corners], middle = element.nodes[corners + s];
+      if (!curved.count(middle)) continue;
+      const int first = nodes_ + static_cast<int>(tangents_.size());
+      tangents_.push_back({a, b, middle});
+      tangents_.push_back({b, a, middle});
+      triangles.push_back({a, first, element.nodes[(s + corners - 1) % corners]});
+      triangles.push_back({first + 1, b, element.nodes[(s + 2) % corners]});
+    }
+  }
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int node : triangles[t]) at_node[node].push_back(static_cast<int>(t));
+    for (int node : triangles[t])
+      if (node < nodes_) at_node[node].push_back(static_cast<int>(t));
+}
+
+void CornerTriangles::add_tangents(const Positions& curve, Positions& x) const {
+  x.resize(nodes_ + tangents_.size());
+  for (std::size_t i = 0; i < tangents_.size(); ++i)
+    for (int d = 0; d < 2; ++d)  // derivative of the quadratic side at its end, over a reference length of 1
+      x[nodes_ + i][d] = 4 * curve[tangents_[i].middle][d] - 2 * curve[tangents_[i].at][d] - curve[tangents_[i].other][d];
 }
 
 double twice_area(const std::array<int, 3>& t, const Positions& x) {
@@ -29,17 +55,18 @@ void LaplaceMotion::parameters(Parameters& p) {
 
 void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
   const auto& triangles = mesh.corners.triangles;
-  std::vector<std::vector<int>> neighbours(x.size());
-  for (std::size_t node = 0; node < x.size(); ++node) {
+  std::vector<std::vector<int>> neighbours(mesh.movable.size());
+  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
     if (!mesh.movable[node]) continue;
     std::set<int> around;
-    for (int t : mesh.corners.at_node[node]) around.insert(triangles[t].begin(), triangles[t].end());
+    for (int t : mesh.corners.at_node[node])
+      if (t < mesh.corners.of_elements) around.insert(triangles[t].begin(), triangles[t].end());
     around.erase(static_cast<int>(node));
     neighbours[node].assign(around.begin(), around.end());
   }
   for (int sweep = 0; sweep < sweeps_; ++sweep) {
     double largest = 0;
-    for (std::size_t node = 0; node < x.size(); ++node) {
+    for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
       if (neighbours[node].empty()) continue;
       std::array<double, 2> mean{};
       double size = 0;

@@ -3,23 +3,37 @@
 #include <memory>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/mesh_paths.hpp"
 #include "core/registry.hpp"
 
 namespace mudline {
 
 /// The triangles that the corners of the elements span: a triangle itself, or the four corners of a quadrilateral. The
-/// mesh motion works on these; middle nodes follow.
-struct CornerTriangles {
-  explicit CornerTriangles(const WholeMesh& mesh);
-  std::vector<std::array<int, 3>> triangles;  // global nodes, counter-clockwise
+/// mesh motion works on these; middle nodes follow. A curved side on a path spans two more, of the element's corner
+/// opposite and the side's tangents at its ends, whose areas are the Jacobians there: a side that bulges into a flat
+/// element counts as bad before it folds. The ends of these tangents are further positions behind those of the nodes.
+class CornerTriangles {
+ public:
+  CornerTriangles(const WholeMesh& mesh, const std::vector<MeshPath>& paths);
+  /// Sets the tangents' ends behind the nodes' positions; `curve` holds the paths' nodes, middle ones among them.
+  void add_tangents(const Positions& curve, Positions& x) const;
+
+  std::vector<std::array<int, 3>> triangles;  // positions, counter-clockwise; those of the elements first
+  int of_elements = 0;                        // how many
   std::vector<std::vector<int>> at_node;      // (node) triangles that touch it
+
+ private:
+  struct Tangent {
+    int at, other, middle;
+  };
+  int nodes_;
+  std::vector<Tangent> tangents_;
 };
 
 /// Twice the signed area of a triangle [m2].
 double twice_area(const std::array<int, 3>& triangle, const Positions& x);
 
-/// What an interior motion may look at.
+/// What an interior motion may look at. Positions are those of nodes, then of tangents' ends.
 struct InteriorMesh {
   const CornerTriangles& corners;
   const Positions& source;           // of the source's mesh

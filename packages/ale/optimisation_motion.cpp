@@ -85,7 +85,7 @@ void OptimisationMotion::move(const InteriorMesh& mesh, Positions& x) const {
     }
     return result;
   };
-  const int nodes = static_cast<int>(x.size());
+  const int nodes = static_cast<int>(mesh.movable.size());
   for (int sweep = 0; sweep < sweeps_; ++sweep) {
     double largest = 0;
     for (int k = 0; k < nodes; ++k) {

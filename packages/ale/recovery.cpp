@@ -8,38 +8,45 @@ namespace mudline {
 
 namespace {
 
-constexpr std::size_t enough_points = 6;  // for a fit of three coefficients that does not follow noise
+constexpr int terms = 6;  // of a quadratic polynomial
+constexpr std::size_t enough_points = 9;  // for a fit that does not follow noise
 
 struct Patch {
   std::array<double, 2> centre;
   double size;
-  std::vector<double> coefficients;  // (column, 3): value, slopes times size
+  std::vector<double> coefficients;  // (column, term)
+
+  std::array<double, terms> basis(const std::array<double, 2>& x) const {
+    const double a = (x[0] - centre[0]) / size, b = (x[1] - centre[1]) / size;
+    return {1, a, b, a * a, a * b, b * b};
+  }
   double at(const std::array<double, 2>& x, int column) const {
-    const double* c = &coefficients[3 * column];
-    return c[0] + c[1] * (x[0] - centre[0]) / size + c[2] * (x[1] - centre[1]) / size;
+    const auto powers = basis(x);
+    double sum = 0;
+    for (int k = 0; k < terms; ++k) sum += powers[k] * coefficients[terms * column + k];
+    return sum;
   }
 };
 
-/// Solves the 3 x 3 normal equations for all columns; a singular direction (points in a line) is left flat.
-void solve_normal(double a[3][3], std::vector<double>& b) {
-  double largest = a[0][0];
-  for (int k = 0; k < 3; ++k) {
-    const bool flat = a[k][k] < 1e-10 * largest;
-    for (std::size_t c = 0; c < b.size(); c += 3)
-      if (flat) b[c + k] = 0;
-    for (int i = k + 1; i < 3; ++i) {
-      const double factor = flat ? 0.0 : a[i][k] / a[k][k];
-      for (int j = k; j < 3; ++j) a[i][j] -= factor * a[k][j];
-      for (std::size_t c = 0; c < b.size(); c += 3) b[c + i] -= factor * b[c + k];
-    }
-    if (flat) {
-      a[k][k] = 1;
-      for (int j = k + 1; j < 3; ++j) a[k][j] = 0;
+/// Solves the normal equations for all columns. A direction that the points do not resolve (they lie on a conic) is left
+/// out: its coefficient is zero.
+void solve_normal(double (&a)[terms][terms], std::vector<double>& b) {
+  double diagonal[terms];
+  for (int k = 0; k < terms; ++k) diagonal[k] = a[k][k];
+  bool out[terms];
+  for (int k = 0; k < terms; ++k) {
+    out[k] = a[k][k] <= 1e-8 * diagonal[k];
+    for (std::size_t c = 0; out[k] && c < b.size(); c += terms) b[c + k] = 0;
+    for (int i = k + 1; !out[k] && i < terms; ++i) {
+      const double factor = a[i][k] / a[k][k];
+      for (int j = k; j < terms; ++j) a[i][j] -= factor * a[k][j];
+      for (std::size_t c = 0; c < b.size(); c += terms) b[c + i] -= factor * b[c + k];
     }
   }
-  for (std::size_t c = 0; c < b.size(); c += 3)
-    for (int k = 2; k >= 0; --k) {
-      for (int j = k + 1; j < 3; ++j) b[c + k] -= a[k][j] * b[c + j];
+  for (std::size_t c = 0; c < b.size(); c += terms)
+    for (int k = terms - 1; k >= 0; --k) {
+      if (out[k]) continue;
+      for (int j = k + 1; j < terms; ++j) b[c + k] -= out[j] ? 0.0 : a[k][j] * b[c + j];
       b[c + k] /= a[k][k];
     }
 }
@@ -69,22 +76,22 @@ Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const Position
       if (wider.size() == elements.size()) break;
       elements.swap(wider);
     }
-    Patch patch{x[node], 0, std::vector<double>(3 * columns, 0.0)};
+    Patch patch{x[node], 0, std::vector<double>(terms * columns, 0.0)};
     std::vector<std::array<double, 2>> places;
     for (int e : elements)
       for (int q = 0; q < block.points; ++q) {
         places.push_back(position(mesh.elements()[e], block, q, x));
         patch.size = std::max(patch.size, std::hypot(places.back()[0] - x[node][0], places.back()[1] - x[node][1]));
       }
-    double a[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    double a[terms][terms] = {};
     std::size_t i = 0;
     for (int e : elements)
       for (int q = 0; q < block.points; ++q, ++i) {
-        const double basis[3] = {1, (places[i][0] - x[node][0]) / patch.size, (places[i][1] - x[node][1]) / patch.size};
+        const auto powers = patch.basis(places[i]);
         const double* values = &table[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * columns];
-        for (int r = 0; r < 3; ++r) {
-          for (int s = 0; s < 3; ++s) a[r][s] += basis[r] * basis[s];
-          for (int c = 0; c < columns; ++c) patch.coefficients[3 * c + r] += basis[r] * values[c];
+        for (int r = 0; r < terms; ++r) {
+          for (int s = 0; s < terms; ++s) a[r][s] += powers[r] * powers[s];
+          for (int c = 0; c < columns; ++c) patch.coefficients[terms * c + r] += powers[r] * values[c];
         }
       }
     solve_normal(a, patch.coefficients);

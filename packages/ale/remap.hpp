@@ -34,11 +34,13 @@ class Remap {
 /// enters. Exact for linear fields.
 class ConvectionRemap : public Remap {
  public:
+  enum class Scheme { upwind, incremental };
+  ConvectionRemap() = default;
+  ConvectionRemap(Scheme scheme, bool limited) : scheme_(scheme), limited_(limited) {}
   void parameters(Parameters& p);
   void transfer(const PointTransfer& transfer) const override;
 
  private:
-  enum class Scheme { upwind, incremental };
   Scheme scheme_ = Scheme::upwind;
   bool limited_ = true;
 };

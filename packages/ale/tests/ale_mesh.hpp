@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Tpetra_Core.hpp>
+
+#include <cmath>
+#include <memory>
+
+#include "ale/whole_mesh.hpp"
+#include "physics/soil.hpp"
+
+namespace mudline::testing {
+
+/// A box of n by n cells, or of triangles that halve them, with inner vertices scattered.
+inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2, double width = 1.0) {
+  GlobalMesh global;
+  const int columns = 2 * n + 1;
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < columns; ++i) global.coordinates.push_back({width * i / (columns - 1.0), j / (columns - 1.0)});
+  const auto id = [=](int i, int j) { return static_cast<long long>(j) * columns + i; };
+  GlobalMesh::Block block{"soil", shape, {}};
+  for (int j = 0; j < columns - 1; j += 2)
+    for (int i = 0; i < columns - 1; i += 2) {
+      const auto add = [&](std::initializer_list<long long> nodes) { block.nodes.insert(block.nodes.end(), nodes); };
+      if (shape == CellShape::quad9) {
+        add({id(i, j), id(i + 2, j), id(i + 2, j + 2), id(i, j + 2), id(i + 1, j), id(i + 2, j + 1), id(i + 1, j + 2), id(i, j + 1), id(i + 1, j + 1)});
+      } else {
+        add({id(i, j), id(i + 2, j), id(i, j + 2), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
+        add({id(i + 2, j), id(i + 2, j + 2), id(i, j + 2), id(i + 2, j + 1), id(i + 1, j + 2), id(i + 1, j + 1)});
+      }
+    }
+  for (int j = 2; j < columns - 2; j += 2)
+    for (int i = 2; i < columns - 2; i += 2)
+      for (int d = 0; d < 2; ++d) global.coordinates[id(i, j)][d] += distortion / n * std::sin(1.3 * i + 2.1 * j + d) * (d == 0 ? width : 1.0);
+  const int per_cell = shape == CellShape::quad9 ? 1 : 2;
+  for (int k = 0; k < n; ++k) {
+    global.side_sets["bottom"].push_back({0, k * per_cell, 0});
+    global.side_sets["top"].push_back({0, ((n - 1) * n + k) * per_cell + per_cell - 1, shape == CellShape::quad9 ? 2 : 1});
+  }
+  // middle nodes between their ends, centres between all
+  const int nodes = num_nodes(shape), corners = num_corners(shape);
+  for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
+    for (int s = 0; s < corners; ++s)
+      for (int d = 0; d < 2; ++d) {
+        const auto &a = global.coordinates[block.nodes[e + s]], &b = global.coordinates[block.nodes[e + (s + 1) % corners]];
+        global.coordinates[block.nodes[e + corners + s]][d] = 0.5 * (a[d] + b[d]);
+      }
+  if (shape == CellShape::quad9)
+    for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
+      for (int d = 0; d < 2; ++d) {
+        double sum = 0;
+        for (int s = 0; s < 4; ++s) sum += 0.25 * global.coordinates[block.nodes[e + s]][d];
+        global.coordinates[block.nodes[e + 8]][d] = sum;
+      }
+  global.blocks.push_back(block);
+  return std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::plane_strain, std::move(global));
+}
+
+/// What the remap needs of a soil block: quadrature and place in the mesh.
+inline SoilBlock points_of(const Mesh& mesh, int degree = 2) {
+  SoilBlock block;
+  block.block = 0;
+  block.shape = mesh.blocks()[0].shape;
+  block.u = tabulate(block.shape, cell_quadrature(block.shape, degree));
+  block.elements = mesh.blocks()[0].num_elements;
+  block.points = block.u.points;
+  return block;
+}
+
+}  // namespace mudline::testing
