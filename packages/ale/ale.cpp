@@ -110,7 +110,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, Posit
     }
     corners_.add_tangents(curve, next);
     if (!folded(next)) {
-      interior_->move({corners_, source_, before, movable_}, next);
+      interior_->move({corners_, source_, before, movable_, state.time}, next);
       if (!folded(next)) {
         done = share;
         x.swap(next);

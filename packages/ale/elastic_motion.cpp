@@ -104,4 +104,26 @@ void ElasticMotion::move(const InteriorMesh& mesh, Positions& x) const {
     if (mesh.movable[i / 2]) x[i / 2][i % 2] = from[i / 2][i % 2] + u[i];
 }
 
+void ArtificialMotion::parameters(Parameters& p) {
+  ElasticMotion::parameters(p);
+  p.add("amplitude", amplitude_, "-", closed(0, 0.25), "of the swing, as a share of the smallest side at the vertex in the source's mesh");
+  p.required("period", period_, "s", positive(), "of the swing");
+}
+
+void ArtificialMotion::move(const InteriorMesh& mesh, Positions& x) const {
+  ElasticMotion::move(mesh, x);
+  const double turn = 2 * std::acos(-1.0);
+  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
+    if (!mesh.movable[node]) continue;
+    double side = 1e300;
+    for (int t : mesh.corners.at_node[node])
+      for (int k : mesh.corners.triangles[t])
+        if (k != static_cast<int>(node))
+          side = std::min(side, std::hypot(mesh.source[k][0] - mesh.source[node][0], mesh.source[k][1] - mesh.source[node][1]));
+    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_), direction = 2.4 * static_cast<double>(node);
+    x[node][0] += swing * std::cos(direction);
+    x[node][1] += swing * std::sin(direction);
+  }
+}
+
 }  // namespace mudline

@@ -83,6 +83,7 @@ void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
 void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
+  registry.add<ArtificialMotion>("artificial", "elastic, and a swing of every vertex: shows what the remap does to a solution");
   registry.add<LaplaceMotion>("Laplace", "every vertex at the mean of its neighbours");
 }
 

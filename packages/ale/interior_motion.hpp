@@ -39,6 +39,7 @@ struct InteriorMesh {
   const Positions& source;           // of the source's mesh
   const Positions& before;           // before any node of this relocation moved
   const std::vector<char>& movable;  // (node) vertices that are free to move
+  double time = 0;                   // [s] of the state that the mesh carries
 };
 
 /// Places the vertices inside when those on paths have moved: type of the deck's "mesh motion".
@@ -87,6 +88,17 @@ class ElasticMotion : public InteriorMotion {
   enum class From { source, present };
   From from_ = From::source;
   double poisson_ = 0.3;
+};
+
+/// The elastic motion, and on top a swing of every vertex about its place by a share of the smallest side around it: no use
+/// but to show what the remap does to a solution.
+class ArtificialMotion : public ElasticMotion {
+ public:
+  void parameters(Parameters& p);
+  void move(const InteriorMesh& mesh, Positions& x) const override;
+
+ private:
+  double amplitude_ = 0.1, period_ = 1;
 };
 
 void register_interior_motions(Registry<InteriorMotion>& registry);

@@ -93,15 +93,21 @@ def point_deck(skeleton, tests, void_ratio=1.0, extra=""):
             "</ParameterList>\n")
 
 
+def deck_text(name, entries):
+    """A deck from nested dictionaries of numbers, texts, truth values and lists."""
+    return _section(name, entries)
+
+
 def _section(name, entries):
     text = f'<ParameterList name="{name}">\n'
     for key, value in entries.items():
         if isinstance(value, dict):
             text += _section(key, value)
         elif isinstance(value, (list, tuple)):
-            kind = "string" if value and isinstance(value[0], str) else "double"
+            kind = {str: "string", int: "int", float: "double"}[type(value[0])] if value else "double"
             text += f'<Parameter name="{key}" type="Array({kind})" value="{{{", ".join(str(v) for v in value)}}}"/>\n'
         else:
-            kind = {str: "string", int: "int", float: "double"}[type(value)]
+            kind = {str: "string", int: "int", float: "double", bool: "bool"}[type(value)]
+            value = str(value).lower() if kind == "bool" else value
             text += f'<Parameter name="{key}" type="{kind}" value="{value}"/>\n'
     return text + "</ParameterList>\n"
