@@ -3,7 +3,7 @@ import os
 import unittest
 
 import numpy as np
-from mudline_case import ROOT, MudlineCase
+from mudline_case import ROOT, MudlineCase, deck_text
 
 DECK = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
 DIRECT = []
@@ -16,8 +16,10 @@ ROUNDING = 1e-8
 
 
 class Mpi(MudlineCase):
+    overlay = None
+
     def history(self, name, settings, ranks, extra=()):
-        return self.run_deck(DECK, settings=[f"output/name={name}"] + settings, ranks=ranks, extra=extra, name=name)
+        return self.run_deck([DECK] + ([self.overlay] if self.overlay else []), settings=[f"output/name={name}"] + settings, ranks=ranks, extra=extra, name=name)
 
     def content(self, name):
         with open(os.path.join(self.folder, "results", name + ".csv"), "rb") as file:
@@ -44,6 +46,24 @@ class Mpi(MudlineCase):
 
     def test_ranks_block_amg(self):
         self.check_ranks(BLOCK_AMG)
+
+    def move_the_mesh(self):
+        """From here on the mesh moves against the clay."""
+        self.overlay = self.write("ale.xml", deck_text("ale", {"mesh motion": {"boundary": {
+            "focus": "ball", "size near focus": 0.05, "near distance": 0.1, "growth": 0.2}}}))
+
+    def test_ranks_ale(self):
+        self.move_the_mesh()
+        self.check_ranks(DIRECT)
+        self.assertGreater(np.ptp(self.history("moved", DIRECT, 1)["mesh motion/quality"]), 1e-3)
+
+    def test_restart_ale(self):
+        self.move_the_mesh()
+        self.check_restart(DIRECT, 1)
+
+    def test_restart_ale_2(self):
+        self.move_the_mesh()
+        self.check_restart(DIRECT, 2)
 
     def test_clay_is_plastic(self):
         import h5py
