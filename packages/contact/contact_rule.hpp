@@ -45,6 +45,8 @@ struct ContactPoint {
   bool active;           // gap < 0
   ShearState shear;      // with friction
   double friction[2];    // [N] part of the force that is along the surface
+  double height;         // [m] in the body's frame above its reference point
+  double moment;         // [N m] of the force about the body's centre
 };
 
 /// What friction on one side depends on.
@@ -52,7 +54,7 @@ struct SideFriction {
   const Friction& law;
   double stiffness;                    // [Pa/m] along the surface
   double time;                         // [s] end of the step
-  std::array<double, 2> position_old;  // of the body [m]
+  BodyPlacement placement_old;         // of the body
   SideCoordinates x_old;               // [m]
   const ShearState* old;               // (point) committed
   bool sticks;                         // whatever the strength: for a first guess
@@ -60,18 +62,30 @@ struct SideFriction {
   double pressure[max_side_nodes];     // [Pa] there
 };
 
-/// Forces of one side on the soil [N] and their derivatives with respect to the nodes' coordinates [N/m], node after
-/// node, component after component, then (with friction) with respect to the pore pressures [m2].
+/// Dofs of one side in its element matrix: the nodes' displacements, node after node, component after component; then
+/// (with friction on the effective traction) the pore pressures of the first nodes; then the body's unknowns.
+constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
+
+/// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m, m2].
 struct SideForce {
-  double f[2 * max_side_nodes];
-  double k[2 * max_side_nodes][3 * max_side_nodes];
+  double f[max_side_dofs];
+  double k[max_side_dofs][max_side_dofs];
 };
 
-/// Penalty law t = penalty <-gap> at the contact points of a side against a body whose reference point is at
-/// `position`: f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null
-/// `friction`: s = 0. The tangent is exact: variation of gap, normal (curvature of the body), travel, length and radius
-/// of the side. penalty [Pa/m]. `points` receives rule.points results. False for a degenerate side.
-bool penalty_side(const ContactRule& rule, const RigidBody& body, const std::array<double, 2>& position, double penalty,
+/// Where the body is and how far the tangent looks.
+struct SideBody {
+  const RigidBody& body;
+  BodyPlacement placement;
+  /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
+  /// touches nothing yet would have no stiffness at all.
+  double touch = 0;
+};
+
+/// Penalty law t = penalty <-gap> at the contact points of a side against a body:
+/// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s = 0.
+/// The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
+/// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. `points` receives rule.points results. False for a degenerate side.
+bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty,
                   const SideFriction* friction, const SideCoordinates& x, bool axisymmetric, bool want_tangent,
                   SideForce& out, std::vector<ContactPoint>& points);
 

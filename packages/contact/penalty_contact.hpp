@@ -29,7 +29,8 @@ struct PenaltyParameters {
 /// the body into the soil, m along the body's contour, s [Pa] from the friction law, 0 without one; axisymmetric forces
 /// are those of the whole circumference, plane strain ones per metre.
 ///
-/// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area),
+/// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area,
+/// height above the body's reference point, moment about its centre),
 /// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
 /// friction), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
 /// "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
@@ -53,8 +54,9 @@ class PenaltyContact : public Contact {
   void predicting(bool on) override { sticks_ = on; }
   void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
-  double magnitude_squared(int field) const override { return field == displacement_ ? magnitude_ : 0.0; }
+  double magnitude_squared(int field) const override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  std::string hint(const StepView& view) const override;
   void histories(const StepView& view, std::map<std::string, double>& values) override;
   double step_limit(const State& committed, double dt) const override;
   std::vector<double> nodal_pressure(const State& state) const override;
@@ -71,7 +73,11 @@ class PenaltyContact : public Contact {
   /// Force of one side at the linearisation point. False for a degenerate side.
   bool evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
                 std::vector<ContactPoint>& points) const;
+  /// A released body without inertia that touches nothing gets its tangent from the points that are nearest. Collective.
+  void look_for_touch(const StepView& view);
   std::vector<double> nodal_mean(const PointView& rows, int column) const;
+  /// Lower bound of the gap of a side's points [m].
+  double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
   void check_overlap(const Section& section) const;
@@ -79,7 +85,8 @@ class PenaltyContact : public Contact {
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
   /// More than half of the side's points press or are nearer than the sealing gap; `length` of the side [m].
   bool closed(const PointView& rows, std::size_t side, double length) const;
-  std::array<double, 2> local_force(const State& state) const;
+  /// Force [N] and moment about the body's centre [N m] on the soil, this rank's part.
+  std::array<double, 3> local_force(const State& state) const;
 
   ContactContext context_;
   std::unique_ptr<const Friction> friction_;  // null: smooth
@@ -90,7 +97,8 @@ class PenaltyContact : public Contact {
   std::vector<int> first_row_;      // (side) in the points array; one more: number of rows
   std::vector<char> candidate_;     // (side) near enough to be evaluated in this step
   double capture_ = 0;              // [m] of this step
-  double magnitude_ = 0;            // of the last residual call
+  double magnitude_ = 0, body_magnitude_ = 0;  // of the last residual call
+  double touch_ = 0;                // [m] see SideBody
   bool axisymmetric_ = false;
   bool sticks_ = false;  // predicting: no point slides
   int displacement_ = -1, pressure_ = -1;
@@ -108,7 +116,7 @@ class FrictionlessPenaltyContact : public PenaltyContact {
 
 /// Columns of the arrays of contact points.
 namespace contact_column {
-enum : int { gap, pressure, active, force_x, force_y, area };
+enum : int { gap, pressure, active, force_x, force_y, area, height, moment };
 }
 namespace friction_column {
 enum : int { shear, slip, dissipated, slides, force_x, force_y };

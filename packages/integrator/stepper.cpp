@@ -297,7 +297,7 @@ std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < update.size(); ++i) {
     // coordinates carry the rounding of the mesh's size into every displacement; pressures that of the largest so far
-    const bool moves = space_.field(static_cast<int>(i)).name == "displacement";
+    const bool moves = space_.field(static_cast<int>(i)).time_order == 2;
     const double rounding = 1e-14 * std::max(size[i], std::max(size_floor_[i], moves ? coordinate_norm_ : 0.0));
     const double allowed = tolerances_.update * step[i] + rounding;
     ratios.push_back(update[i] == 0 ? 0.0 : update[i] / std::max(allowed, 1e-300));
@@ -340,6 +340,8 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   StepReport report{solved.converged, solved.iterations + predicted, linear_iterations_, factorisations_, solved.reason};
   if (!solved.converged) {
     if (!failure_.empty()) report.reason = failure_;
+    for (const Term* term : active_)
+      if (const std::string hint = term->hint(view_); !hint.empty()) report.reason += "; " + hint;
     solver_.reset();
     chord_.forget();
     return report;

@@ -77,6 +77,8 @@ class Term {
   /// Sum of squares of the element contributions to one field in the last residual call, on this rank: the scale against
   /// which convergence is measured, meaningful where the contributions cancel. Negative: use the assembled residual.
   virtual double magnitude_squared(int field) const { return -1; }
+  /// What a user should know when a step fails on account of this term; empty: nothing. Collective.
+  virtual std::string hint(const StepView&) const { return ""; }
   /// Adds weight * dR/dx at the linearisation point of the last residual call.
   virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
   /// Named scalars for the history file, already summed over ranks: "reaction y [N]" -> value. Collective, after acceptance.

@@ -9,6 +9,10 @@
 
 namespace mudline {
 
+namespace {
+bool is_inertia(const Term& term) { return term.name() == "inertia" || term.name() == "body inertia"; }
+}  // namespace
+
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
   handle_ = model.store().declare({"balance", {{"value", 1, "SI"}}}, static_cast<int>(first_term + terms_.size()));
 }
@@ -50,6 +54,14 @@ Balances::Inventory Balances::inventory(const State& state) const {
       }
     });
   }
+  for (const auto& [name, body] : model_.bodies()) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    for (int k = 0; unknowns.owned && k < unknowns.count; ++k) {
+      const double v = state.rate(unknowns.dof[k]);
+      if (unknowns.direction[k] < 2) sum[unknowns.direction[k]] += moving_mass(*body) * v;
+      sum[2] += 0.5 * moving_mass(*body) * v * v;
+    }
+  }
   const std::vector<double> total = sum_over_ranks(*model_.space().dofs()->comm(), std::vector<double>(sum, sum + 5));
   return {{total[0], total[1]}, total[2], total[3], total[4]};
 }
@@ -73,19 +85,22 @@ void Balances::add_step() {
   const int terms = static_cast<int>(stepper.active().size());
   // this rank's shares: work by term, reaction work, outflow, force without inertia (2)
   std::vector<double> local(terms + 4, 0.0);
+  const auto add_mechanics = [&](int i, int direction) {
+    const double du = view.value_end(i) - view.value_old(i);
+    const bool pushes = direction < 2;  // a moment adds no linear momentum
+    for (int k = 0; k < terms; ++k) {
+      const double force = stepper.term_force(k)(i);
+      local[k] += force * du;
+      if (pushes && !is_inertia(*stepper.active()[k])) local[terms + 2 + direction] -= force;
+    }
+    local[terms] += stepper.reaction()(i) * du;
+    if (pushes) local[terms + 2 + direction] += stepper.reaction()(i);
+  };
   if (u >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
-      for (int i = begin; i < end; ++i) {
-        const double du = view.value_end(i) - view.value_old(i);
-        const int direction = (i - begin) % 2;
-        for (int k = 0; k < terms; ++k) {
-          const double force = stepper.term_force(k)(i);
-          local[k] += force * du;
-          if (stepper.active()[k]->name() != "inertia") local[terms + 2 + direction] -= force;
-        }
-        local[terms] += stepper.reaction()(i) * du;
-        local[terms + 2 + direction] += stepper.reaction()(i);
-      }
+      for (int i = begin; i < end; ++i) add_mechanics(i, (i - begin) % 2);
+  for (const auto& [name, body] : model_.bodies())
+    for (int k = 0; k < body->unknowns().count; ++k) add_mechanics(body->unknowns().dof[k], body->unknowns().direction[k]);
   if (p >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), p))
       for (int i = begin; i < end; ++i) {
@@ -109,14 +124,18 @@ std::vector<HistoryValue> Balances::values() const {
   std::vector<HistoryValue> result;
   if (!model_.soil()) return result;
   // Energy supplied by prescribed motion goes into the terms' works (kinetic energy among them): they add up to it.
-  double works = 0;
+  double works = 0, inertia = 0;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const double work = rows(first_term + static_cast<int>(k), 0);
     works += work;
+    if (is_inertia(*terms_[k])) inertia += work;
     if (terms_[k]->name().rfind("flux/", 0) == 0 || terms_[k]->name() == "fluid mass") continue;
     result.push_back({"balance/energy/" + terms_[k]->name(), "J", work});
   }
-  result.push_back({"balance/energy/kinetic", "J", now.kinetic - rows(kinetic_start, 0)});
+  const double kinetic = now.kinetic - rows(kinetic_start, 0);
+  result.push_back({"balance/energy/kinetic", "J", kinetic});
+  // the integrator's share: what inertia took and the velocities do not show
+  result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic});
   result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
   result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});
   const char* names[2] = {"x", "y"};

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "discretisation/mesh.hpp"
+#include "physics/rigid_body/contour.hpp"
+
+namespace mudline {
+
+/// Volume enclosed by a contour below a height in the body's frame: of the whole circumference in axisymmetry, per
+/// metre of depth in plane strain (of the half that a half contour models).
+class ContourVolume {
+ public:
+  ContourVolume(const Contour& contour, Geometry geometry);
+
+  /// [m3] below the height h [m]; of an open contour as far as it is drawn.
+  double below(double h) const;
+  /// d below / dh [m2]: the area of the section.
+  double section(double h) const;
+  /// [m3] of a closed contour; 0 of an open one, which has no end.
+  double total() const { return total_; }
+  /// [m2] largest area across the vertical: what the water meets.
+  double frontal_area() const { return frontal_area_; }
+
+ private:
+  /// pi x^2 or x: the section's share of one flank.
+  double flank(double x) const;
+  std::vector<PlanePoint> points_;
+  bool axisymmetric_;
+  double total_ = 0, frontal_area_ = 0;
+};
+
+}  // namespace mudline
