@@ -113,8 +113,6 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
   SideFriction result{*friction_,
                       friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
                       view.time_end,
-                      body_->placement(*view.committed),
-                      coordinates(at, view.x_old),
                       old.data(),
                       sticks_,
                       surface_->pressure_nodes(at.count),
@@ -127,14 +125,33 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
 bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
                               std::vector<ContactPoint>& points) const {
   const SurfaceSide& at = surface_->sides()[side];
-  const SideBody against{*body_, body_->placement(*view.trial), touch_};
+  const SideBody against{*body_, body_->placement(*view.trial), {body_->placement(*view.committed), coordinates(at, view.x_old)}, touch_};
   const double penalty = view.trial->arrays[penalties_](side, 0);
   const SideCoordinates x = coordinates(at, view.x_end);
+  std::vector<PointForce> forces;
+  SideImpact impact{};
+  if (view.inertia) {
+    forces = point_forces(*view.committed, side);
+    impact = {1 - view.sensitivity[displacement_].value, forces.data()};
+  }
+  const SideImpact* within = view.inertia ? &impact : nullptr;
   if (!friction_)
-    return penalty_side(rule(at), against, penalty, nullptr, x, axisymmetric_, want_tangent, force, points);
+    return penalty_side(rule(at), against, penalty, nullptr, within, x, axisymmetric_, want_tangent, force, points);
   const std::vector<ShearState> old = shear_states(*view.committed, side);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, penalty, &friction, x, axisymmetric_, want_tangent, force, points);
+  return penalty_side(rule(at), against, penalty, &friction, within, x, axisymmetric_, want_tangent, force, points);
+}
+
+std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::size_t side) const {
+  const PointView& rows = state.arrays[points_];
+  std::vector<PointForce> forces;
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
+    forces.push_back({rows(row, column::force_x), rows(row, column::force_y), rows(row, column::moment)});
+  return forces;
+}
+
+void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
+  for (const auto& [dof, share] : correction_) f(dof) -= share;
 }
 
 double PenaltyContact::magnitude_squared(int field) const {
@@ -157,6 +174,7 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   const auto& sides = surface_->sides();
   int failures = 0;
   magnitude_ = body_magnitude_ = 0;
+  correction_.clear();
   std::vector<ContactPoint> points;
   SideForce side_force;
   for (std::size_t s = 0; s < sides.size(); ++s) {
@@ -179,6 +197,7 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     for (int a = 0; a < all; ++a) {
       if (a >= soil && a < all - body_->unknowns().count) continue;  // the fluxes are none of contact's
       f(dofs(sides[s].row, a)) -= side_force.f[a];
+      if (side_force.correction[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), side_force.correction[a]);
       (a < soil ? magnitude_ : body_magnitude_) += side_force.f[a] * side_force.f[a];
     }
   }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "contact/contact.hpp"
-#include "contact/contact_rule.hpp"
 #include "contact/contact_surface.hpp"
+#include "contact/penalty_side.hpp"
 
 namespace mudline {
 
@@ -54,6 +54,7 @@ class PenaltyContact : public Contact {
   void predicting(bool on) override { sticks_ = on; }
   void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
+  void correction(const StepView& view, const ResidualView& f) override;
   double magnitude_squared(int field) const override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   std::string hint(const StepView& view) const override;
@@ -66,6 +67,7 @@ class PenaltyContact : public Contact {
   PenaltyParameters deck_;
 
  private:
+  std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
   /// What friction on one side needs; refers to `old`, its committed shear states.
@@ -99,6 +101,7 @@ class PenaltyContact : public Contact {
   double capture_ = 0;              // [m] of this step
   double magnitude_ = 0, body_magnitude_ = 0;  // of the last residual call
   double touch_ = 0;                // [m] see SideBody
+  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool sticks_ = false;  // predicting: no point slides
   int displacement_ = -1, pressure_ = -1;

@@ -196,6 +196,7 @@ int Stepper::evaluate_terms() {
       const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
       Kokkos::deep_copy(now, force);
       for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = new_weight * now(i) + scheme_.alpha_f * old(i);
+      active_[k]->correction(view_, force);
     }
     for (std::size_t i = 0; i < force.extent(0); ++i) total_(i) += force(i);
   }

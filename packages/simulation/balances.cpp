@@ -77,6 +77,15 @@ void Balances::start() {
   rows(kinetic_start, 0) = now.kinetic;
 }
 
+void Balances::jump(const std::function<void()>& change) {
+  const Inventory before = inventory(model_.store().committed());
+  change();
+  const Inventory after = inventory(model_.store().committed());
+  const PointView rows = model_.store().committed().arrays[handle_];
+  for (int i = 0; i < 2; ++i) rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
+  rows(kinetic_start, 0) += after.kinetic - before.kinetic;
+}
+
 void Balances::add_step() {
   const Stepper& stepper = model_.stepper();
   const StepView& view = stepper.view();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "simulation/model.hpp"
@@ -17,6 +18,9 @@ class Balances {
   void add_step();
   /// Columns of the history file for the committed state. Collective.
   std::vector<HistoryValue> values() const;
+  /// A change of the committed velocities that no step makes (a body is set free with a velocity): the start moves along.
+  /// Collective.
+  void jump(const std::function<void()>& change);
   /// Takes the present water content and momentum as the start. Collective; when the run begins (not at a restart).
   void start();
 

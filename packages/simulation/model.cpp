@@ -59,7 +59,10 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
     if (condition->term()) terms.push_back(condition->term());
   for (const auto& [name, contact] : contacts_) terms.push_back(contact.get());
   store_ = std::make_unique<StateStore>(*space_);
-  for (const auto& [name, body] : bodies_) body->declare_state(*store_);
+  for (const auto& [name, body] : bodies_) {
+    body->declare_state(*store_);
+    body->set_active(false);  // until the first stage
+  }
   stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_, [this](const StepView& view) { return block_data_(view); });
   const Section physics = deck.section("physics");
   for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->initialise(*store_, physics.section(physics.section_names()[i]));

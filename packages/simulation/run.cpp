@@ -95,7 +95,7 @@ bool Run::begin_stage(const Stage& stage) {
     log::warn("initial accelerations cannot be computed; stage '" + stage.name + "' starts from zero ones");
     Kokkos::deep_copy(state.acceleration, 0.0);
   }
-  model_.start_bodies(stage);
+  balances_.jump([&] { model_.start_bodies(stage); });
   return true;
 }
 

@@ -91,16 +91,28 @@ struct ContactModel {
     view.value_end = trial.value;
     view.x_old = store.committed().coordinates;
     view.x_end = trial.coordinates;
-    view.flow = view.inertia = true;
+    view.flow = true;
+    view.inertia = false;
+    view.sensitivity.assign(3, Sensitivity());
     view.committed = &store.committed();
     view.trial = &trial;
     contact->begin(view);
   }
-  /// Residual of the contact by overlap dof, this rank's part.
+  /// Residual of the contact by overlap dof, this rank's part. With inertia: its alpha level less the share of F_n.
   NodalView residual() {
     NodalView f("f", space.dofs()->num_overlap_dofs());
     failures = contact->residual(view, f);
+    if (!view.inertia) return f;
+    for (std::size_t i = 0; i < f.extent(0); ++i) f(i) *= weight();
+    contact->correction(view, f);
     return f;
+  }
+  /// Of the end of the step.
+  double weight() const { return view.inertia ? view.sensitivity[0].value : 1.0; }
+  /// From now on dynamic, with this weight of the start of the step.
+  void set_inertia(double alpha_f) {
+    view.inertia = true;
+    view.sensitivity[0].value = 1 - alpha_f;
   }
   std::map<std::string, double> step(double dt) {
     begin(dt);
@@ -144,7 +156,7 @@ enum class Moved { soil = 0, pressures = 1, body = 2 };
 inline double jacobian_error(ContactModel& model, Moved moved = Moved::soil) {
   model.residual();
   model.assembler.begin(Kokkos::View<char*>("free", model.space.dofs()->num_overlap_dofs()));
-  model.contact->jacobian(model.view, model.assembler, 1.0);
+  model.contact->jacobian(model.view, model.assembler, model.weight());
   model.assembler.end();
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "contact/impact_share.hpp"
 #include "contact_model.hpp"
 
 namespace mudline {
@@ -79,7 +80,8 @@ struct Case {
   Cells cells;
   const char* method;
   double coefficient;
-  double lift;  // [m] after the first step: opens most of the points
+  double lift;            // [m] after the first step: opens most of the points
+  double alpha_f = -1;    // negative: without inertia
 };
 
 class EveryFreeBody : public testing::TestWithParam<Case> {};
@@ -89,6 +91,10 @@ INSTANTIATE_TEST_SUITE_P(FreeBody, EveryFreeBody,
                                          Case{Geometry::plane_strain, Cells::quad9, "surface quadrature", 0.02, 0},   // slides
                                          Case{Geometry::plane_strain, Cells::tri6, "nodes", 50, 0},                   // sticks
                                          Case{Geometry::plane_strain, Cells::quad4, "surface quadrature", 0.2, 0.03},  // opens
+                                         Case{Geometry::plane_strain, Cells::quad9, "surface quadrature", 0.2, 0, 0.5},
+                                         Case{Geometry::plane_strain, Cells::tri6, "surface quadrature", 0.2, 0.03, 0.4},
+                                         Case{Geometry::axisymmetric, Cells::quad9, "surface quadrature", 0.2, 0, 0.3},
+                                         Case{Geometry::axisymmetric, Cells::tri6, "surface quadrature", 0.2, 0.03, 0.5},
                                          Case{Geometry::axisymmetric, Cells::quad9, "nodes", 0.02, 0},
                                          Case{Geometry::axisymmetric, Cells::tri6, "surface quadrature", 50, 0},
                                          Case{Geometry::axisymmetric, Cells::quad4, "surface quadrature", 0.2, 0.03}));
@@ -105,6 +111,7 @@ TEST_P(EveryFreeBody, JacobianIsTheDifferencedResidual) {
   model.residual();
   model.store.accept();
   model.begin(1);
+  if (c.alpha_f >= 0) model.set_inertia(c.alpha_f);
   deform(model, 0.002);
   place(model, 0.004, -0.005 + c.lift, 0.02);
   for (int i = 0; i < model.space.dofs()->num_overlap_dofs(); ++i)
@@ -113,11 +120,12 @@ TEST_P(EveryFreeBody, JacobianIsTheDifferencedResidual) {
   if (c.coefficient == 0) return;
   const PointView& rows = model.store.trial().arrays[model.store.find("contact/c/friction")];
   const PointView& points = model.points(model.store.trial());
-  int slides = 0, active = 0, opened = 0;
+  int slides = 0, active = 0, opened = 0, closed = 0;
   for (std::size_t i = 0; i < rows.extent(0); ++i) {
     slides += rows(i, 3) > 0;
     active += points(i, 2) > 0;
     opened += points(i, 2) == 0 && model.points(model.store.committed())(i, 2) > 0;
+    closed += points(i, 2) > 0 && model.points(model.store.committed())(i, 2) == 0;
   }
   EXPECT_GT(active, 0);
   if (c.coefficient > 1) {
@@ -129,6 +137,51 @@ TEST_P(EveryFreeBody, JacobianIsTheDifferencedResidual) {
   if (c.lift > 0) {
     EXPECT_GT(opened, 0);
   }
+  if (c.alpha_f >= 0 && c.lift == 0) {
+    EXPECT_GT(closed, 0);
+  }
+}
+
+TEST(ImpactShare, DoesTheWorkThatTheSpringStoresOrGivesBack) {
+  const double stiffness = 7, alpha_f = 0.5;
+  for (const double gap_old : {1e-6, 0.3})
+    for (const double gap : {-1e-6, -0.2}) {
+      const double stored = 0.5 * stiffness * gap * gap, way = gap - gap_old;
+      EXPECT_NEAR((1 - alpha_f) * closing_share(gap_old, gap).value * stiffness * gap * way, stored, 1e-15);
+      // and back
+      EXPECT_NEAR(alpha_f * leaving_share(gap, gap_old).value * stiffness * gap * -way, -stored, 1e-15);
+    }
+}
+
+TEST(FreeBody, ImpactGivesTheSpringsEnergyBack) {
+  // down through the flat surface and up again, in steps that hit neither the touch nor the leave: no net work
+  ContactModel model(Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 2, 1, 0),
+                     body_xml("b", text_parameter("type", "polyline") + array_parameter("x", "0, 10") + array_parameter("y", "0, 0"),
+                              free_motion("y"), "0, 0", number_parameter("mass", 50)),
+                     contact_parameters("surface quadrature", eps));
+  const int dof = model.bodies_["b"]->unknowns().dof[1];
+  const double path[] = {0.013, -0.02, -0.031, -0.004, 0.007};
+  double work = 0, before = 0, old_force = 0, stored = 0;
+  for (const double y : path) {
+    model.begin(1);
+    if (before != 0) model.set_inertia(0.5);
+    model.store.trial().value(dof) = y;
+    // the stepper's interpolation
+    NodalView now("now", model.space.dofs()->num_overlap_dofs());
+    model.contact->residual(model.view, now);
+    NodalView alpha("alpha", now.extent(0));
+    alpha(dof) = 0.5 * (now(dof) + old_force);
+    model.contact->correction(model.view, alpha);
+    if (before != 0) work += alpha(dof) * (y - before);
+    stored = 0.5 * eps * 2 * y * y * (y < 0);
+    if (before != 0) {
+      EXPECT_NEAR(work, stored, 1e-9) << y;
+    }
+    old_force = now(dof);
+    before = y;
+    model.store.accept();
+  }
+  EXPECT_EQ(stored, 0);
 }
 
 TEST(FreeBody, WithoutInertiaGetsStiffnessFromTheNearestPoints) {
