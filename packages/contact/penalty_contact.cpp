@@ -130,16 +130,22 @@ bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_
   const SideCoordinates x = coordinates(at, view.x_end);
   std::vector<PointForce> forces;
   SideImpact impact{};
-  if (view.inertia) {
+  const bool conserving = view.inertia && conserves();
+  if (conserving) {
     forces = point_forces(*view.committed, side);
     impact = {1 - view.sensitivity[displacement_].value, forces.data()};
   }
-  const SideImpact* within = view.inertia ? &impact : nullptr;
+  const SideImpact* within = conserving ? &impact : nullptr;
   if (!friction_)
     return penalty_side(rule(at), against, penalty, nullptr, within, x, axisymmetric_, want_tangent, force, points);
   const std::vector<ShearState> old = shear_states(*view.committed, side);
   const SideFriction friction = side_friction(view, side, old);
   return penalty_side(rule(at), against, penalty, &friction, within, x, axisymmetric_, want_tangent, force, points);
+}
+
+bool PenaltyContact::conserves() const {
+  if (deck_.impact == PenaltyParameters::Impact::automatic) return body_->unknowns().count > 0;
+  return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
 std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::size_t side) const {

@@ -13,6 +13,7 @@ namespace mudline {
 /// What the deck says of a penalty contact, besides friction.
 struct PenaltyParameters {
   enum class Drainage { sealed, drained };
+  enum class Impact { automatic, conserving, interpolated };
   void parameters(Parameters& p);
 
   std::string body, surface;
@@ -22,6 +23,7 @@ struct PenaltyParameters {
   double capture_distance = 0;              // [m]
   double advance_limit = 0.25;              // [-] of the shortest side
   Drainage drainage = Drainage::sealed;
+  Impact impact = Impact::automatic;
   double sealing_gap = 0.1;  // [-] of the side's length
 };
 
@@ -67,6 +69,8 @@ class PenaltyContact : public Contact {
   PenaltyParameters deck_;
 
  private:
+  /// Whether points that touch or leave within a dynamic step exert a share of their force only.
+  bool conserves() const;
   std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;

@@ -24,6 +24,11 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}},
            "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
            "prescribed");
+  p.choice("impact", impact,
+           {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
+           "Points that touch or leave within a dynamic step. conserving: they exert the share of their force that adds no "
+           "energy, whatever the step; interpolated: the integrator's mean of start and end, smoother where a body is pushed "
+           "steadily; automatic: conserving for a body that may be free, interpolated otherwise");
   p.add("sealing gap", sealing_gap, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the body still seals the side");
   p.add("advance limit", advance_limit, "-", positive(),
