@@ -180,6 +180,10 @@ void Stepper::constrain(const StepRequest& request) {
   for (Term* term : active_) term->constrain(view_, constraints_);
 }
 
+int Stepper::history_slot(int k) const {
+  return history_slot_[std::find(terms_.begin(), terms_.end(), active_[k]) - terms_.begin()];
+}
+
 int Stepper::evaluate_terms() {
   Kokkos::deep_copy(total_, 0.0);
   int failures = 0;
@@ -191,7 +195,7 @@ int Stepper::evaluate_terms() {
     const int failed = active_[k]->residual(view_, force);
     if (failed > 0 && failure_.empty()) failure_ = active_[k]->name();
     failures += failed;
-    const int slot = history_slot_[std::find(terms_.begin(), terms_.end(), active_[k]) - terms_.begin()];
+    const int slot = history_slot(static_cast<int>(k));
     if (slot >= 0) {
       const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
       Kokkos::deep_copy(now, force);

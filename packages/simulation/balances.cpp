@@ -92,14 +92,22 @@ void Balances::add_step() {
   const Space& space = model_.space();
   const int u = space.find("displacement"), p = space.find("pore pressure");
   const int terms = static_cast<int>(stepper.active().size());
-  // this rank's shares: work by term, reaction work, outflow, force without inertia (2)
-  std::vector<double> local(terms + 4, 0.0);
+  // this rank's shares: work by term, reaction work, outflow, force without inertia (2), excess work
+  std::vector<double> local(terms + 5, 0.0);
+  // Internal forces are interpolated for the step; above the trapezium their work is the integrator's dissipation.
+  std::vector<std::pair<NodalView, NodalView>> ends(terms);
+  for (int k = 0; k < terms; ++k) {
+    const int slot = dynamic_cast<const Contact*>(stepper.active()[k]) ? -1 : stepper.history_slot(k);
+    if (slot >= 0)
+      ends[k] = {model_.store().committed().history_forces[slot], model_.store().trial().history_forces[slot]};
+  }
   const auto add_mechanics = [&](int i, int direction) {
     const double du = view.value_end(i) - view.value_old(i);
     const bool pushes = direction < 2;  // a moment adds no linear momentum
     for (int k = 0; k < terms; ++k) {
       const double force = stepper.term_force(k)(i);
       local[k] += force * du;
+      if (ends[k].first.extent(0) > 0) local[terms + 4] += (force - 0.5 * (ends[k].first(i) + ends[k].second(i))) * du;
       if (pushes && !is_inertia(*stepper.active()[k])) local[terms + 2 + direction] -= force;
     }
     local[terms] += stepper.reaction()(i) * du;
@@ -121,6 +129,7 @@ void Balances::add_step() {
   const PointView rows = model_.store().trial().arrays[handle_];
   for (int k = 0; k < terms; ++k) rows(row_of(stepper.active()[k]), 0) += total[k];
   rows(reaction_work, 0) += total[terms];
+  rows(excess_work, 0) += view.inertia ? total[terms + 4] : 0.0;
   rows(outflow, 0) += view.flow ? total[terms + 1] * view.dt : 0.0;
   rows(impulse_x, 0) += view.inertia ? total[terms + 2] * view.dt : 0.0;
   rows(impulse_y, 0) += view.inertia ? total[terms + 3] * view.dt : 0.0;
@@ -143,8 +152,8 @@ std::vector<HistoryValue> Balances::values() const {
   }
   const double kinetic = now.kinetic - rows(kinetic_start, 0);
   result.push_back({"balance/energy/kinetic", "J", kinetic});
-  // the integrator's share: what inertia took and the velocities do not show
-  result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic});
+  // the integrator's share: what inertia took and the velocities do not show, and what internal forces took and did not store
+  result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic + rows(excess_work, 0)});
   result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
   result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});
   const char* names[2] = {"x", "y"};

@@ -26,7 +26,7 @@ class Balances {
 
  private:
   // Rows of the state array; the works of all terms of the model follow.
-  enum Row { reaction_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start, first_term };
+  enum Row { reaction_work, excess_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start, first_term };
   struct Inventory {
     double momentum[2], kinetic, water, pore_volume;
   };

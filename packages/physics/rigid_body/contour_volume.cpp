@@ -7,51 +7,71 @@ namespace mudline {
 
 namespace {
 constexpr double pi = 3.14159265358979323846;
-constexpr double chord_error = 1e-6;  // of the contour's length
+constexpr int runs_per_piece = 32;
 }  // namespace
 
 ContourVolume::ContourVolume(const Contour& contour, Geometry geometry)
-    : points_(contour.sample(chord_error * contour.length())), axisymmetric_(geometry == Geometry::axisymmetric) {
+    : axisymmetric_(geometry == Geometry::axisymmetric) {
+  double left = 0, right = 0;
+  for (const auto& piece : contour.pieces())
+    for (int i = 0; i < runs_per_piece; ++i) {
+      const double from = piece->length() * i / runs_per_piece, to = piece->length() * (i + 1) / runs_per_piece;
+      const PlanePoint first = piece->point(from), last = piece->point(to);
+      runs_.push_back({piece, from, to, first[1], last[1], integrate(*piece, from, to)});
+      left = std::min({left, first[0], last[0]});
+      right = std::max({right, first[0], last[0]});
+    }
   const bool half = contour.extent() == ContourExtent::half;
-  double low = 0, high = 0;
-  for (const PlanePoint& point : points_) {
-    low = std::min(low, point[0]);
-    high = std::max(high, point[0]);
-  }
-  frontal_area_ = axisymmetric_ ? pi * high * high : high - low;
-  const PlanePoint first = points_.front(), last = points_.back();
-  const double gap = half ? std::abs(last[0]) : std::hypot(last[0] - first[0], last[1] - first[1]);
-  if (gap <= 1e-9 * contour.length()) total_ = below(1e300);
+  frontal_area_ = axisymmetric_ ? pi * right * right : right - left;
+  const PlanePoint first = contour.pieces().front()->point(0);
+  const PlanePoint last = contour.pieces().back()->point(contour.pieces().back()->length());
+  const double open = half ? std::abs(last[0]) : std::hypot(last[0] - first[0], last[1] - first[1]);
+  if (open > 1e-9 * contour.length()) return;
+  for (const Run& run : runs_) total_ += run.volume;
 }
 
 double ContourVolume::flank(double x) const { return axisymmetric_ ? pi * x * x : x; }
+
+double ContourVolume::integrate(const ContourPiece& piece, double from, double to) const {
+  constexpr double at[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+  constexpr double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+  double sum = 0;
+  for (int q = 0; q < 4; ++q) {
+    const double s = 0.5 * (from + to) + 0.5 * (to - from) * at[q];
+    sum += 0.5 * (to - from) * weight[q] * flank(piece.point(s)[0]) * piece.tangent(s)[1];
+  }
+  return sum;
+}
+
+double ContourVolume::crossing(const Run& run, double h) {
+  double below = run.from, above = run.to;
+  if (run.low > run.high) std::swap(below, above);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (below + above);
+    (run.piece->point(middle)[1] < h ? below : above) = middle;
+  }
+  return 0.5 * (below + above);
+}
 
 // int flank(x) dy along the contour as far as it is below h: by Green's theorem the volume that it encloses there, since
 // neither the axis nor the level itself contributes.
 double ContourVolume::below(double h) const {
   double sum = 0;
-  for (std::size_t i = 1; i < points_.size(); ++i) {
-    PlanePoint a = points_[i - 1], b = points_[i];
-    if (a[1] >= h && b[1] >= h) continue;
-    const bool cut = a[1] > h || b[1] > h;
-    if (cut) {
-      const double t = (h - a[1]) / (b[1] - a[1]);
-      (a[1] > h ? a : b) = {a[0] + t * (b[0] - a[0]), h};
+  for (const Run& run : runs_) {
+    if (run.crosses(h)) {
+      const double at = crossing(run, h);
+      sum += run.low < h ? integrate(*run.piece, run.from, at) : integrate(*run.piece, at, run.to);
+    } else if (run.low < h) {
+      sum += run.volume;
     }
-    const double mean = axisymmetric_ ? pi * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) / 3 : 0.5 * (a[0] + b[0]);
-    sum += mean * (b[1] - a[1]);
   }
   return sum;
 }
 
 double ContourVolume::section(double h) const {
   double sum = 0;
-  for (std::size_t i = 1; i < points_.size(); ++i) {
-    const PlanePoint &a = points_[i - 1], &b = points_[i];
-    if ((a[1] < h) == (b[1] < h)) continue;
-    const double x = a[0] + (h - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-    sum += b[1] > a[1] ? flank(x) : -flank(x);
-  }
+  for (const Run& run : runs_)
+    if (run.crosses(h)) sum += (run.low < h ? 1 : -1) * flank(run.piece->point(crossing(run, h))[0]);
   return sum;
 }
 

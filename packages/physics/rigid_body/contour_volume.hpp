@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "discretisation/mesh.hpp"
@@ -23,9 +24,19 @@ class ContourVolume {
   double frontal_area() const { return frontal_area_; }
 
  private:
+  /// A short run of a piece; heights at its ends and the volume between it and the axis.
+  struct Run {
+    std::shared_ptr<const ContourPiece> piece;
+    double from, to, low, high, volume;
+    bool crosses(double h) const { return (low < h) != (high < h); }
+  };
   /// pi x^2 or x: the section's share of one flank.
   double flank(double x) const;
-  std::vector<PlanePoint> points_;
+  /// int flank dy between two arc lengths of a piece.
+  double integrate(const ContourPiece& piece, double from, double to) const;
+  /// Where a run crosses the height.
+  static double crossing(const Run& run, double h);
+  std::vector<Run> runs_;
   bool axisymmetric_;
   double total_ = 0, frontal_area_ = 0;
 };
