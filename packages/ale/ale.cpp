@@ -149,9 +149,11 @@ void Ale::carry_points(StateStore& store, const Positions& x_old, const Position
 
 void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
   const NodalRemap nodal(mesh_, boundary_.paths(), x_old, x_new);
-  for (int f = 0; f < space_.num_fields(); ++f)
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    if (space_.field(f).support == Support::apart) continue;
     for (const NodalView& values : {to.value, to.rate, to.acceleration})
       mesh_.scatter(space_, f, nodal.apply(mesh_.gather(space_, f, values), space_.field(f).components, space_.field(f).support), values);
+  }
 }
 
 MeshReceipt Ale::relocate(StateStore& store) const {

@@ -69,7 +69,7 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
 std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::array<double, 2>& x) const {
   std::optional<ContourFoot> nearest;
   for (const auto& [name, body] : bodies_) {
-    const ContourFoot here = body->closest(state, x);
+    const ContourFoot here = body->closest(body->placement(state), x);
     if (!nearest || here.gap < nearest->gap) nearest = here;
   }
   return nearest;

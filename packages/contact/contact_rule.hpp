@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "contact/stick_slip.hpp"
-#include "physics/rigid_body/rigid_body.hpp"
+#include "discretisation/shapes.hpp"
+#include "physics/rigid_body/contour_piece.hpp"
 
 namespace mudline {
 
@@ -36,43 +36,5 @@ struct SideAreas {
   std::vector<double> area;                                       // (point)
   std::vector<std::array<double, 2 * max_side_nodes>> variation;  // (point, dof) [m]
 };
-
-/// What happens at one contact point.
-struct ContactPoint {
-  double gap, pressure;  // [m] negative: penetration; [Pa] >= 0
-  double force[2];       // [N] on the soil
-  double area;           // [m2]
-  bool active;           // gap < 0
-  ShearState shear;      // with friction
-  double friction[2];    // [N] part of the force that is along the surface
-};
-
-/// What friction on one side depends on.
-struct SideFriction {
-  const Friction& law;
-  double stiffness;                    // [Pa/m] along the surface
-  double time;                         // [s] end of the step
-  std::array<double, 2> position_old;  // of the body [m]
-  SideCoordinates x_old;               // [m]
-  const ShearState* old;               // (point) committed
-  bool sticks;                         // whatever the strength: for a first guess
-  int pressure_nodes;                  // first nodes of the side that carry pore pressure; 0: none counts
-  double pressure[max_side_nodes];     // [Pa] there
-};
-
-/// Forces of one side on the soil [N] and their derivatives with respect to the nodes' coordinates [N/m], node after
-/// node, component after component, then (with friction) with respect to the pore pressures [m2].
-struct SideForce {
-  double f[2 * max_side_nodes];
-  double k[2 * max_side_nodes][3 * max_side_nodes];
-};
-
-/// Penalty law t = penalty <-gap> at the contact points of a side against a body whose reference point is at
-/// `position`: f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null
-/// `friction`: s = 0. The tangent is exact: variation of gap, normal (curvature of the body), travel, length and radius
-/// of the side. penalty [Pa/m]. `points` receives rule.points results. False for a degenerate side.
-bool penalty_side(const ContactRule& rule, const RigidBody& body, const std::array<double, 2>& position, double penalty,
-                  const SideFriction* friction, const SideCoordinates& x, bool axisymmetric, bool want_tangent,
-                  SideForce& out, std::vector<ContactPoint>& points);
 
 }  // namespace mudline

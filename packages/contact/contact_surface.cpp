@@ -28,8 +28,8 @@ double chord(const ConstCoordinateView& x, const SurfaceSide& side) {
 
 }  // namespace
 
-ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures)
-    : mesh_(space.mesh()), exchange_(mesh_) {
+ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures, const BodyUnknowns& body)
+    : mesh_(space.mesh()), exchange_(mesh_), body_unknowns_(body.count) {
   int rows[2] = {0, 0};
   for (const Side& side : mesh_.side_sets().at(side_set)) {
     const ElementBlock& block = mesh_.blocks()[side.block];
@@ -44,12 +44,13 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
   for (int count = 2; count <= 3; ++count) {
     int more = 0;
     if (pressure >= 0) more = space.field(pressure).support == Support::vertices ? 2 : count;
-    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", rows[count - 2], 2 * count + more);
+    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", rows[count - 2], 2 * count + more + body.count);
     for (const SurfaceSide& side : sides_) {
       if (side.count != count) continue;
       for (int a = 0; a < count; ++a)
         for (int i = 0; i < 2; ++i) table(side.row, 2 * a + i) = first(side.node[a]) + i;
       for (int a = 0; a < more; ++a) table(side.row, 2 * count + a) = space.node_dof(pressure)(side.node[a]);
+      for (int k = 0; k < body.count; ++k) table(side.row, 2 * count + more + k) = body.dof[k];
     }
     dofs_[count - 2] = table;
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "physics/nodal_exchange.hpp"
+#include "physics/rigid_body/rigid_body.hpp"
 #include "physics/space.hpp"
 #include "physics/state.hpp"
 
@@ -21,16 +22,16 @@ struct SurfaceSide {
 /// The sides of a side set that may touch a body: nodes, dofs, neighbours over the ranks.
 class ContactSurface {
  public:
-  /// `pressures`: the dof tables hold the pore pressures too. Collective.
-  ContactSurface(const Space& space, const std::string& side_set, bool pressures);
+  /// `pressures`: the dof tables hold the pore pressures too; those of the body's unknowns follow. Collective.
+  ContactSurface(const Space& space, const std::string& side_set, bool pressures, const BodyUnknowns& body);
 
   const std::vector<SurfaceSide>& sides() const { return sides_; }
   /// Over all ranks.
   long long num_global_sides() const { return num_global_sides_; }
-  /// Dofs of the sides with `count` nodes: (row, displacements node after node, then pore pressures).
+  /// Dofs of the sides with `count` nodes: (row, displacements node after node, then pore pressures, then the body's).
   const ElementDofs& dofs(int count) const { return dofs_[count - 2]; }
   /// How many of the first nodes of a side with `count` nodes have their pore pressure in its dofs.
-  int pressure_nodes(int count) const { return static_cast<int>(dofs_[count - 2].extent(1)) - 2 * count; }
+  int pressure_nodes(int count) const { return static_cast<int>(dofs_[count - 2].extent(1)) - 2 * count - body_unknowns_; }
 
   /// Shortest and longest distance between the corners of a side [m], over all ranks. Collective.
   double shortest(const ConstCoordinateView& x) const;
@@ -49,6 +50,7 @@ class ContactSurface {
   ElementDofs dofs_[2];
   std::vector<double> sides_at_node_;
   long long num_global_sides_ = 0;
+  int body_unknowns_ = 0;
 };
 
 }  // namespace mudline

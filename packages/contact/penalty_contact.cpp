@@ -1,5 +1,7 @@
 #include "contact/penalty_contact.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,8 @@ void PenaltyContact::declare_state(StateStore& store) {
   ArrayInfo points, penalties, work_info;
   points.name = name() + "/points";
   points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"active", 1, "-"},
-                      {"force x", 1, "N"}, {"force y", 1, "N"},   {"area", 1, "m2"}};
+                      {"force x", 1, "N"}, {"force y", 1, "N"},   {"area", 1, "m2"},
+                      {"height", 1, "m"},  {"moment", 1, "N m"}};
   points_ = store.declare(std::move(points), first_row_.back());
   penalties.name = name() + "/penalty";
   penalties.variables = {{"penalty", 1, "Pa/m"}};
@@ -52,22 +55,25 @@ void PenaltyContact::set_penalties(const StepView& view) const {
 void PenaltyContact::begin(const StepView& view) {
   body_->advance(view);
   set_penalties(view);
-  const auto from = body_->position(*view.committed), to = body_->position(*view.trial);
-  const double advance = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
+  // what a free body will do in the step is not known yet
+  const double advance = body_->released() ? body_->speed(*view.committed, view.dt) * view.dt
+                                           : std::hypot(to.centre[0] - from.centre[0], to.centre[1] - from.centre[1]);
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
-  const auto& sides = surface_->sides();
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const SideCoordinates x = coordinates(sides[s], view.x_old);
-    PlanePoint low = x[0], high = x[0];
-    for (int a = 1; a < sides[s].count; ++a)
-      for (int i = 0; i < 2; ++i) {
-        low[i] = std::min(low[i], x[a][i]);
-        high[i] = std::max(high[i], x[a][i]);
-      }
-    const PlanePoint centre{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
-    const double half_diagonal = 0.5 * std::hypot(high[0] - low[0], high[1] - low[1]);
-    candidate_[s] = body_->closest(to, centre).gap <= capture_ + half_diagonal;
-  }
+  for (std::size_t s = 0; s < candidate_.size(); ++s) candidate_[s] = least_gap(s, view.x_old, to) <= capture_;
+}
+
+double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const {
+  const SurfaceSide& at = surface_->sides()[side];
+  const SideCoordinates x = coordinates(at, coordinates_now);
+  PlanePoint low = x[0], high = x[0];
+  for (int a = 1; a < at.count; ++a)
+    for (int i = 0; i < 2; ++i) {
+      low[i] = std::min(low[i], x[a][i]);
+      high[i] = std::max(high[i], x[a][i]);
+    }
+  const PlanePoint centre{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
+  return body_->closest(placement, centre).gap - 0.5 * std::hypot(high[0] - low[0], high[1] - low[1]);
 }
 
 void PenaltyContact::write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const {
@@ -80,6 +86,8 @@ void PenaltyContact::write_points(const State& trial, std::size_t side, const st
     rows(row, column::force_x) = point.force[0];
     rows(row, column::force_y) = point.force[1];
     rows(row, column::area) = point.area;
+    rows(row, column::height) = point.height;
+    rows(row, column::moment) = point.moment;
     if (!friction_) continue;
     const PointView& shear = trial.arrays[frictions_];
     shear(row, friction_column::shear) = point.shear.shear;
@@ -105,8 +113,6 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
   SideFriction result{*friction_,
                       friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
                       view.time_end,
-                      body_->position(*view.committed),
-                      coordinates(at, view.x_old),
                       old.data(),
                       sticks_,
                       surface_->pressure_nodes(at.count),
@@ -119,22 +125,53 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
 bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
                               std::vector<ContactPoint>& points) const {
   const SurfaceSide& at = surface_->sides()[side];
-  const auto position = body_->position(*view.trial);
+  const SideBody against{*body_, body_->placement(*view.trial), {body_->placement(*view.committed), coordinates(at, view.x_old)}, touch_};
   const double penalty = view.trial->arrays[penalties_](side, 0);
   const SideCoordinates x = coordinates(at, view.x_end);
+  std::vector<PointForce> forces;
+  SideImpact impact{};
+  const bool conserving = view.inertia && conserves();
+  if (conserving) {
+    forces = point_forces(*view.committed, side);
+    impact = {1 - view.sensitivity[displacement_].value, forces.data()};
+  }
+  const SideImpact* within = conserving ? &impact : nullptr;
   if (!friction_)
-    return penalty_side(rule(at), *body_, position, penalty, nullptr, x, axisymmetric_, want_tangent, force, points);
+    return penalty_side(rule(at), against, penalty, nullptr, within, x, axisymmetric_, want_tangent, force, points);
   const std::vector<ShearState> old = shear_states(*view.committed, side);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), *body_, position, penalty, &friction, x, axisymmetric_, want_tangent, force, points);
+  return penalty_side(rule(at), against, penalty, &friction, within, x, axisymmetric_, want_tangent, force, points);
 }
 
-std::array<double, 2> PenaltyContact::local_force(const State& state) const {
+bool PenaltyContact::conserves() const {
+  if (deck_.impact == PenaltyParameters::Impact::automatic) return body_->unknowns().count > 0;
+  return deck_.impact == PenaltyParameters::Impact::conserving;
+}
+
+std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::size_t side) const {
   const PointView& rows = state.arrays[points_];
-  std::array<double, 2> sum{};
+  std::vector<PointForce> forces;
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
+    forces.push_back({rows(row, column::force_x), rows(row, column::force_y), rows(row, column::moment)});
+  return forces;
+}
+
+void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
+  for (const auto& [dof, share] : correction_) f(dof) -= share;
+}
+
+double PenaltyContact::magnitude_squared(int field) const {
+  if (field == displacement_) return magnitude_;
+  return field == body_->unknowns().field ? body_magnitude_ : 0.0;
+}
+
+std::array<double, 3> PenaltyContact::local_force(const State& state) const {
+  const PointView& rows = state.arrays[points_];
+  std::array<double, 3> sum{};
   for (int row = 0; row < first_row_.back(); ++row) {
     sum[0] += rows(row, column::force_x);
     sum[1] += rows(row, column::force_y);
+    sum[2] += rows(row, column::moment);
   }
   return sum;
 }
@@ -142,7 +179,8 @@ std::array<double, 2> PenaltyContact::local_force(const State& state) const {
 int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   const auto& sides = surface_->sides();
   int failures = 0;
-  magnitude_ = 0;
+  magnitude_ = body_magnitude_ = 0;
+  correction_.clear();
   std::vector<ContactPoint> points;
   SideForce side_force;
   for (std::size_t s = 0; s < sides.size(); ++s) {
@@ -161,17 +199,33 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     if (!evaluate(view, s, false, side_force, points)) ++failures;
     write_points(*view.trial, s, points);
     const ElementDofs& dofs = surface_->dofs(sides[s].count);
-    for (int a = 0; a < 2 * sides[s].count; ++a) {
+    const int soil = 2 * sides[s].count, all = static_cast<int>(dofs.extent(1));
+    for (int a = 0; a < all; ++a) {
+      if (a >= soil && a < all - body_->unknowns().count) continue;  // the fluxes are none of contact's
       f(dofs(sides[s].row, a)) -= side_force.f[a];
-      magnitude_ += side_force.f[a] * side_force.f[a];
+      if (side_force.correction[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), side_force.correction[a]);
+      (a < soil ? magnitude_ : body_magnitude_) += side_force.f[a] * side_force.f[a];
     }
   }
   const auto before = local_force(*view.committed), now = local_force(*view.trial);
-  const auto u_old = body_->displacement(*view.committed), u_new = body_->displacement(*view.trial);
+  const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   double done = view.committed->arrays[work_](0, 0);
-  for (int i = 0; i < 2; ++i) done += 0.5 * (before[i] + now[i]) * (u_new[i] - u_old[i]);
+  for (int i = 0; i < 2; ++i) done += 0.5 * (before[i] + now[i]) * (to.centre[i] - from.centre[i]);
+  done += 0.5 * (before[2] + now[2]) * (to.angle - from.angle);
   view.trial->arrays[work_](0, 0) = done;
+  look_for_touch(view);
   return failures;
+}
+
+void PenaltyContact::look_for_touch(const StepView& view) {
+  touch_ = 0;
+  if (view.inertia || !body_->released()) return;
+  const PointView& rows = view.trial->arrays[points_];
+  double nearest = 1e300, everywhere = 0;
+  for (int row = 0; row < first_row_.back(); ++row)
+    if (rows(row, column::area) > 0) nearest = std::min(nearest, rows(row, column::gap));
+  Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
+  if (everywhere >= 0 && everywhere < 1e300) touch_ = everywhere + 1e-3 * surface_->shortest(view.x_old);
 }
 
 void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
@@ -183,9 +237,12 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
     const SurfaceSide& side = sides[s];
     if (!candidate_[s]) continue;
     evaluate(view, s, true, force, points);
-    const int columns = 2 * side.count + surface_->pressure_nodes(side.count);
-    for (int a = 0; a < 2 * side.count; ++a)
+    const int soil = 2 * side.count, first_body = soil + surface_->pressure_nodes(side.count);
+    const int columns = first_body + body_->unknowns().count;
+    for (int a = 0; a < columns; ++a) {
+      if (a >= soil && a < first_body) continue;
       for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * force.k[a][b]);
+    }
   }
 }
 
@@ -216,7 +273,12 @@ void PenaltyContact::constrain(const StepView& view, Constraints& constraints) {
 double PenaltyContact::step_limit(const State& committed, double dt) const {
   const double edge = surface_->shortest(committed.coordinates);
   const double speed = body_->speed(committed, dt);
-  return speed > 0 ? deck_.advance_limit * edge / speed : 1e300;
+  const BodyPlacement placement = body_->placement(committed);
+  double nearest = 1e300, everywhere = 0;
+  for (std::size_t s = 0; s < candidate_.size(); ++s) nearest = std::min(nearest, least_gap(s, committed.coordinates, placement));
+  Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
+  // a body that is still far away may come half the way
+  return speed > 0 ? std::max(deck_.advance_limit * edge, 0.5 * everywhere) / speed : 1e300;
 }
 
 }  // namespace mudline

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "contact/contact.hpp"
-#include "contact/contact_rule.hpp"
 #include "contact/contact_surface.hpp"
+#include "contact/penalty_side.hpp"
 
 namespace mudline {
 
 /// What the deck says of a penalty contact, besides friction.
 struct PenaltyParameters {
   enum class Drainage { sealed, drained };
+  enum class Impact { automatic, conserving, interpolated };
   void parameters(Parameters& p);
 
   std::string body, surface;
@@ -22,6 +23,7 @@ struct PenaltyParameters {
   double capture_distance = 0;              // [m]
   double advance_limit = 0.25;              // [-] of the shortest side
   Drainage drainage = Drainage::sealed;
+  Impact impact = Impact::automatic;
   double sealing_gap = 0.1;  // [-] of the side's length
 };
 
@@ -29,7 +31,8 @@ struct PenaltyParameters {
 /// the body into the soil, m along the body's contour, s [Pa] from the friction law, 0 without one; axisymmetric forces
 /// are those of the whole circumference, plane strain ones per metre.
 ///
-/// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area),
+/// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area,
+/// height above the body's reference point, moment about its centre),
 /// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
 /// friction), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
 /// "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
@@ -53,8 +56,10 @@ class PenaltyContact : public Contact {
   void predicting(bool on) override { sticks_ = on; }
   void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
-  double magnitude_squared(int field) const override { return field == displacement_ ? magnitude_ : 0.0; }
+  void correction(const StepView& view, const ResidualView& f) override;
+  double magnitude_squared(int field) const override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  std::string hint(const StepView& view) const override;
   void histories(const StepView& view, std::map<std::string, double>& values) override;
   double step_limit(const State& committed, double dt) const override;
   void relocate(const ConstCoordinateView& x_old, State& committed) override;
@@ -66,6 +71,9 @@ class PenaltyContact : public Contact {
   PenaltyParameters deck_;
 
  private:
+  /// Whether points that touch or leave within a dynamic step exert a share of their force only.
+  bool conserves() const;
+  std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
   /// What friction on one side needs; refers to `old`, its committed shear states.
@@ -73,7 +81,11 @@ class PenaltyContact : public Contact {
   /// Force of one side at the linearisation point. False for a degenerate side.
   bool evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
                 std::vector<ContactPoint>& points) const;
+  /// A released body without inertia that touches nothing gets its tangent from the points that are nearest. Collective.
+  void look_for_touch(const StepView& view);
   std::vector<double> nodal_mean(const PointView& rows, int column) const;
+  /// Lower bound of the gap of a side's points [m].
+  double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
   void check_overlap(const Section& section) const;
@@ -81,7 +93,8 @@ class PenaltyContact : public Contact {
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
   /// More than half of the side's points press or are nearer than the sealing gap; `length` of the side [m].
   bool closed(const PointView& rows, std::size_t side, double length) const;
-  std::array<double, 2> local_force(const State& state) const;
+  /// Force [N] and moment about the body's centre [N m] on the soil, this rank's part.
+  std::array<double, 3> local_force(const State& state) const;
 
   ContactContext context_;
   std::unique_ptr<const Friction> friction_;  // null: smooth
@@ -92,7 +105,9 @@ class PenaltyContact : public Contact {
   std::vector<int> first_row_;      // (side) in the points array; one more: number of rows
   std::vector<char> candidate_;     // (side) near enough to be evaluated in this step
   double capture_ = 0;              // [m] of this step
-  double magnitude_ = 0;            // of the last residual call
+  double magnitude_ = 0, body_magnitude_ = 0;  // of the last residual call
+  double touch_ = 0;                // [m] see SideBody
+  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool sticks_ = false;  // predicting: no point slides
   int displacement_ = -1, pressure_ = -1;
@@ -110,7 +125,7 @@ class FrictionlessPenaltyContact : public PenaltyContact {
 
 /// Columns of the arrays of contact points.
 namespace contact_column {
-enum : int { gap, pressure, active, force_x, force_y, area };
+enum : int { gap, pressure, active, force_x, force_y, area, height, moment };
 }
 namespace friction_column {
 enum : int { shear, slip, dissipated, slides, force_x, force_y };

@@ -24,10 +24,16 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}},
            "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
            "prescribed");
+  p.choice("impact", impact,
+           {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
+           "Points that touch or leave within a dynamic step. conserving: they exert the share of their force that adds no "
+           "energy, whatever the step; interpolated: the integrator's mean of start and end, smoother where a body is pushed "
+           "steadily; automatic: conserving for a body that may be free, interpolated otherwise");
   p.add("sealing gap", sealing_gap, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the body still seals the side");
   p.add("advance limit", advance_limit, "-", positive(),
-        "Largest advance of the body in one step, as a fraction of the surface's shortest side");
+        "Largest advance of the body in one step, as a fraction of the surface's shortest side; while the body is far "
+        "away, half the distance to the surface");
 }
 
 namespace {
@@ -66,7 +72,7 @@ void PenaltyContact::check(const Section& section) {
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
-  surface_ = std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective());
+  surface_ = std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
   axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
   rules_.clear();
@@ -84,7 +90,7 @@ void PenaltyContact::check_overlap(const Section& section) const {
   for (const SurfaceSide& side : surface_->sides())
     for (int a = 0; a < side.count; ++a) {
       const PlanePoint at{x(side.node[a], 0), x(side.node[a], 1)};
-      const double gap = body_->closest(body_->initial_position(), at).gap;
+      const double gap = body_->closest(body_->initial_placement(), at).gap;
       if (gap >= deepest) continue;
       deepest = gap;
       worst[0] = at[0];

@@ -10,12 +10,19 @@ namespace mudline {
 
 namespace column = contact_column;
 
+std::string PenaltyContact::hint(const StepView& view) const {
+  if (view.inertia || touch_ == 0) return "";
+  return "body '" + deck_.body + "' touches nothing in contact '" + name_ +
+         "' and has no inertia in a quasi-static stage: hold it, or release it in a dynamic stage";
+}
+
 void PenaltyContact::histories(const StepView& view, std::map<std::string, double>& values) {
   const State& state = *view.committed;
   const PointView& rows = state.arrays[points_];
   const auto force = local_force(state);
-  // reaction (2), area, active points, work; friction: force (2), heat, sliding points
-  double local[9] = {-force[0], -force[1], 0, 0, state.arrays[work_](0, 0)}, sum[9];
+  // reaction (2), area, active points, work; friction: force (2), heat, sliding points; the tip's reaction
+  constexpr int sums = 10;
+  double local[sums] = {-force[0], -force[1], 0, 0, state.arrays[work_](0, 0)}, sum[sums];
   double deepest = 0, deepest_everywhere = 0;
   for (int row = 0; row < first_row_.back(); ++row) {
     if (friction_) {
@@ -26,15 +33,18 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
       local[8] += shear(row, friction_column::slides);
     }
     if (rows(row, column::active) == 0) continue;
+    if (rows(row, column::height) < body_->tip_height()) local[9] -= rows(row, column::force_y);
     local[2] += rows(row, column::area);
     local[3] += 1;
     deepest = std::max(deepest, -rows(row, column::gap));
   }
   const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 9, local, sum);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, sums, local, sum);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, deepest, Teuchos::outArg(deepest_everywhere));
   values[name() + "/reaction x [N]"] = sum[0];
   values[name() + "/reaction y [N]"] = sum[1];
+  values[name() + "/tip reaction y [N]"] = sum[9];
+  values[name() + "/shaft reaction y [N]"] = sum[1] - sum[9];
   values[name() + "/contact area [m2]"] = sum[2];
   values[name() + "/active points"] = sum[3];
   values[name() + "/maximum penetration [m]"] = deepest_everywhere;

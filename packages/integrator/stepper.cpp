@@ -180,6 +180,10 @@ void Stepper::constrain(const StepRequest& request) {
   for (Term* term : active_) term->constrain(view_, constraints_);
 }
 
+int Stepper::history_slot(int k) const {
+  return history_slot_[std::find(terms_.begin(), terms_.end(), active_[k]) - terms_.begin()];
+}
+
 int Stepper::evaluate_terms() {
   Kokkos::deep_copy(total_, 0.0);
   int failures = 0;
@@ -191,11 +195,12 @@ int Stepper::evaluate_terms() {
     const int failed = active_[k]->residual(view_, force);
     if (failed > 0 && failure_.empty()) failure_ = active_[k]->name();
     failures += failed;
-    const int slot = history_slot_[std::find(terms_.begin(), terms_.end(), active_[k]) - terms_.begin()];
+    const int slot = history_slot(static_cast<int>(k));
     if (slot >= 0) {
       const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
       Kokkos::deep_copy(now, force);
       for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = new_weight * now(i) + scheme_.alpha_f * old(i);
+      active_[k]->correction(view_, force);
     }
     for (std::size_t i = 0; i < force.extent(0); ++i) total_(i) += force(i);
   }
@@ -297,7 +302,7 @@ std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < update.size(); ++i) {
     // coordinates carry the rounding of the mesh's size into every displacement; pressures that of the largest so far
-    const bool moves = space_.field(static_cast<int>(i)).name == "displacement";
+    const bool moves = space_.field(static_cast<int>(i)).time_order == 2;
     const double rounding = 1e-14 * std::max(size[i], std::max(size_floor_[i], moves ? coordinate_norm_ : 0.0));
     const double allowed = tolerances_.update * step[i] + rounding;
     ratios.push_back(update[i] == 0 ? 0.0 : update[i] / std::max(allowed, 1e-300));
@@ -340,6 +345,8 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   StepReport report{solved.converged, solved.iterations + predicted, linear_iterations_, factorisations_, solved.reason};
   if (!solved.converged) {
     if (!failure_.empty()) report.reason = failure_;
+    for (const Term* term : active_)
+      if (const std::string hint = term->hint(view_); !hint.empty()) report.reason += "; " + hint;
     solver_.reset();
     chord_.forget();
     return report;

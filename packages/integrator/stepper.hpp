@@ -75,6 +75,8 @@ class Stepper : public NonlinearProblem {
   const std::vector<Term*>& active() const { return active_; }
   /// Alpha-level contribution of active term k (history terms: interpolated), this rank's part, by overlap dof.
   NodalView term_force(int k) const { return force_[k]; }
+  /// Index of active term k's F_n among State::history_forces; -1 where it has none.
+  int history_slot(int k) const;
   /// Sum over the terms at constrained dofs: the reaction, this rank's part; zero elsewhere.
   NodalView reaction() const { return reaction_; }
   const Constraints& constraints() const { return constraints_; }

@@ -10,6 +10,12 @@ std::vector<FieldLayout> layouts(const Mesh& mesh, const std::vector<Field>& fie
   std::vector<FieldLayout> result;
   for (const Field& field : fields) {
     FieldLayout layout{field.name, field.components, {}, 0};
+    if (field.support == Support::apart) {
+      for (int point = 0; point < field.count; ++point) layout.node_ids.push_back(point);
+      layout.num_owned = mesh.comm()->getRank() == 0 ? field.count : 0;
+      result.push_back(std::move(layout));
+      continue;
+    }
     for (int node = 0; node < mesh.num_nodes(); ++node) {
       if (field.support == Support::vertices && !mesh.is_vertex()[node]) continue;
       layout.node_ids.push_back(mesh.node_ids()[node]);
@@ -28,11 +34,19 @@ Space::Space(const Mesh& mesh, std::vector<Field> fields)
     Kokkos::View<int*> table("node dof", mesh.num_nodes());
     int carrying = 0;
     for (int node = 0; node < mesh.num_nodes(); ++node) {
-      const bool carries = fields_[f].support == Support::all_nodes || mesh.is_vertex()[node];
+      const bool carries = fields_[f].support == Support::all_nodes ||
+                           (fields_[f].support == Support::vertices && mesh.is_vertex()[node]);
       table(node) = carries ? dofs_->dof(f, carrying++) : -1;
     }
     node_dof_.push_back(table);
   }
+}
+
+std::vector<std::string> Space::mesh_fields() const {
+  std::vector<std::string> names;
+  for (const Field& field : fields_)
+    if (field.support != Support::apart) names.push_back(field.name);
+  return names;
 }
 
 CellShape Space::shape(int f, int block) const {

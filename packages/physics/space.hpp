@@ -9,8 +9,9 @@
 
 namespace mudline {
 
-/// Which nodes carry a field: all of them, or the cell corners (the linear partner of a Taylor-Hood pair).
-enum class Support { all_nodes, vertices };
+/// Which nodes carry a field: all of them, the cell corners (the linear partner of a Taylor-Hood pair), or none of the
+/// mesh: `apart`, a few points of their own (rigid bodies), known to every rank and owned by the first.
+enum class Support { all_nodes, vertices, apart };
 
 /// One unknown field as a physics asks for it.
 struct Field {
@@ -20,6 +21,7 @@ struct Field {
   int components;
   Support support;
   int time_order;     // 2: value, rate, second rate (inertia); 1: value and rate
+  int count = 0;      // of points, of a field apart from the mesh
 };
 
 /// Fields on a mesh: the numbering of unknowns and the tables that element loops need.
@@ -36,6 +38,10 @@ class Space {
 
   /// Local (overlap) dof of component 0 at a local node; -1 where the node does not carry the field. (node)
   const Kokkos::View<int*>& node_dof(int f) const { return node_dof_[f]; }
+  /// Local (overlap) dof of component 0 at a point of a field apart from the mesh.
+  int point_dof(int f, int point) const { return dofs_->dof(f, point); }
+  /// Names of the fields on the mesh, which conditions may prescribe.
+  std::vector<std::string> mesh_fields() const;
   /// Local dofs of the elements of a block for the named fields, field after field, node after node, component after
   /// component: (element, dof).
   ElementDofs element_dofs(int block, const std::vector<int>& fields) const;

@@ -74,9 +74,14 @@ class Term {
   virtual void constrain(const StepView&, Constraints&) {}
   /// Adds to `f`. Pure in (committed, x). Returns the number of points on this rank where it failed.
   virtual int residual(const StepView&, const ResidualView& f) = 0;
+  /// History terms: adds what acts within the step only (a point that touches or leaves in it), at the alpha level; not
+  /// part of F_n. After residual(), at the same x; jacobian() holds its derivative.
+  virtual void correction(const StepView&, const ResidualView&) {}
   /// Sum of squares of the element contributions to one field in the last residual call, on this rank: the scale against
   /// which convergence is measured, meaningful where the contributions cancel. Negative: use the assembled residual.
   virtual double magnitude_squared(int field) const { return -1; }
+  /// What a user should know when a step fails on account of this term; empty: nothing. Collective.
+  virtual std::string hint(const StepView&) const { return ""; }
   /// Adds weight * dR/dx at the linearisation point of the last residual call.
   virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
   /// After the mesh was moved under the committed state (ALE): carries the term's own arrays, those that are not point data

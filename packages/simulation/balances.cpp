@@ -7,6 +7,10 @@
 
 namespace mudline {
 
+namespace {
+bool is_inertia(const Term& term) { return term.name() == "inertia" || term.name() == "body inertia"; }
+}  // namespace
+
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
   handle_ = model.store().declare({"balance", {{"value", 1, "SI"}}}, static_cast<int>(first_term + terms_.size()));
 }
@@ -16,7 +20,21 @@ int Balances::row_of(const Term* term) const {
 }
 
 Inventory Balances::inventory(const State& state) const {
-  return model_.soil() ? take_inventory(*model_.soil(), state) : Inventory{};
+  if (!model_.soil()) return {};
+  Inventory result = take_inventory(*model_.soil(), state);
+  std::vector<double> bodies(3, 0.0);  // momentum, kinetic energy: this rank's
+  for (const auto& [name, body] : model_.bodies()) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    for (int k = 0; unknowns.owned && k < unknowns.count; ++k) {
+      const double v = state.rate(unknowns.dof[k]);
+      if (unknowns.direction[k] < 2) bodies[unknowns.direction[k]] += moving_mass(*body) * v;
+      bodies[2] += 0.5 * moving_mass(*body) * v * v;
+    }
+  }
+  bodies = sum_over_ranks(*model_.space().dofs()->comm(), bodies);
+  for (int i = 0; i < 2; ++i) result.momentum[i] += bodies[i];
+  result.kinetic += bodies[2];
+  return result;
 }
 
 void Balances::start() {
@@ -30,27 +48,47 @@ void Balances::start() {
   rows(kinetic_start, 0) = now.kinetic;
 }
 
+void Balances::jump(const std::function<void()>& change) {
+  const Inventory before = inventory(model_.store().committed());
+  change();
+  const Inventory after = inventory(model_.store().committed());
+  const PointView rows = model_.store().committed().arrays[handle_];
+  for (int i = 0; i < 2; ++i) rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
+  rows(kinetic_start, 0) += after.kinetic - before.kinetic;
+}
+
 void Balances::add_step() {
   const Stepper& stepper = model_.stepper();
   const StepView& view = stepper.view();
   const Space& space = model_.space();
   const int u = space.find("displacement"), p = space.find("pore pressure");
   const int terms = static_cast<int>(stepper.active().size());
-  // this rank's shares: work by term, reaction work, outflow, force without inertia (2)
-  std::vector<double> local(terms + 4, 0.0);
+  // this rank's shares: work by term, reaction work, outflow, force without inertia (2), excess work
+  std::vector<double> local(terms + 5, 0.0);
+  // Internal forces are interpolated for the step; above the trapezium their work is the integrator's dissipation.
+  std::vector<std::pair<NodalView, NodalView>> ends(terms);
+  for (int k = 0; k < terms; ++k) {
+    const int slot = dynamic_cast<const Contact*>(stepper.active()[k]) ? -1 : stepper.history_slot(k);
+    if (slot >= 0)
+      ends[k] = {model_.store().committed().history_forces[slot], model_.store().trial().history_forces[slot]};
+  }
+  const auto add_mechanics = [&](int i, int direction) {
+    const double du = view.value_end(i) - view.value_old(i);
+    const bool pushes = direction < 2;  // a moment adds no linear momentum
+    for (int k = 0; k < terms; ++k) {
+      const double force = stepper.term_force(k)(i);
+      local[k] += force * du;
+      if (ends[k].first.extent(0) > 0) local[terms + 4] += (force - 0.5 * (ends[k].first(i) + ends[k].second(i))) * du;
+      if (pushes && !is_inertia(*stepper.active()[k])) local[terms + 2 + direction] -= force;
+    }
+    local[terms] += stepper.reaction()(i) * du;
+    if (pushes) local[terms + 2 + direction] += stepper.reaction()(i);
+  };
   if (u >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
-      for (int i = begin; i < end; ++i) {
-        const double du = view.value_end(i) - view.value_old(i);
-        const int direction = (i - begin) % 2;
-        for (int k = 0; k < terms; ++k) {
-          const double force = stepper.term_force(k)(i);
-          local[k] += force * du;
-          if (stepper.active()[k]->name() != "inertia") local[terms + 2 + direction] -= force;
-        }
-        local[terms] += stepper.reaction()(i) * du;
-        local[terms + 2 + direction] += stepper.reaction()(i);
-      }
+      for (int i = begin; i < end; ++i) add_mechanics(i, (i - begin) % 2);
+  for (const auto& [name, body] : model_.bodies())
+    for (int k = 0; k < body->unknowns().count; ++k) add_mechanics(body->unknowns().dof[k], body->unknowns().direction[k]);
   if (p >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), p))
       for (int i = begin; i < end; ++i) {
@@ -62,6 +100,7 @@ void Balances::add_step() {
   const PointView rows = model_.store().trial().arrays[handle_];
   for (int k = 0; k < terms; ++k) rows(row_of(stepper.active()[k]), 0) += total[k];
   rows(reaction_work, 0) += total[terms];
+  rows(excess_work, 0) += view.inertia ? total[terms + 4] : 0.0;
   rows(outflow, 0) += view.flow ? total[terms + 1] * view.dt : 0.0;
   rows(impulse_x, 0) += view.inertia ? total[terms + 2] * view.dt : 0.0;
   rows(impulse_y, 0) += view.inertia ? total[terms + 3] * view.dt : 0.0;
@@ -88,14 +127,18 @@ std::vector<HistoryValue> Balances::values() const {
   std::vector<HistoryValue> result;
   if (!model_.soil()) return result;
   // Energy supplied by prescribed motion goes into the terms' works (kinetic energy among them): they add up to it.
-  double works = 0;
+  double works = 0, inertia = 0;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const double work = rows(first_term + static_cast<int>(k), 0);
     works += work;
+    if (is_inertia(*terms_[k])) inertia += work;
     if (terms_[k]->name().rfind("flux/", 0) == 0 || terms_[k]->name() == "fluid mass") continue;
     result.push_back({"balance/energy/" + terms_[k]->name(), "J", work});
   }
-  result.push_back({"balance/energy/kinetic", "J", now.kinetic - rows(kinetic_start, 0)});
+  const double kinetic = now.kinetic - rows(kinetic_start, 0);
+  result.push_back({"balance/energy/kinetic", "J", kinetic});
+  // the integrator's share: what inertia took and the velocities do not show, and what internal forces took and did not store
+  result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic + rows(excess_work, 0)});
   result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
   result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});
   const char* names[2] = {"x", "y"};

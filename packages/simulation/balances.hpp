@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "simulation/model.hpp"
@@ -19,12 +20,15 @@ class Balances {
   void add_remap(const MeshReceipt& receipt);
   /// Columns of the history file for the committed state. Collective.
   std::vector<HistoryValue> values() const;
+  /// A change of the committed velocities that no step makes (a body is set free with a velocity): the start moves along.
+  /// Collective.
+  void jump(const std::function<void()>& change);
   /// Takes the present water content and momentum as the start. Collective; when the run begins (not at a restart).
   void start();
 
  private:
   // Rows of the state array; the works of all terms of the model follow.
-  enum Row { reaction_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start,
+  enum Row { reaction_work, excess_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start,
              remap_solid, remap_water, remap_momentum_x, remap_momentum_y, remap_kinetic, first_term };
   Inventory inventory(const State& state) const;
   int row_of(const Term* term) const;

@@ -46,9 +46,9 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
   deck.allow_sections(deck_sections());
   mesh_ = make_mesh(comm, registries.mesh_sources, required_section(deck, "mesh"));
   read_materials(deck, registries);
+  read_bodies(deck, registries);
   read_physics(deck, registries);
   read_conditions(deck, registries);
-  read_bodies(deck, registries);
   read_contacts(deck, registries);
   read_mesh_motion(deck, registries);
   read_stages(deck, registries);
@@ -60,11 +60,15 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
     if (condition->term()) terms.push_back(condition->term());
   for (const auto& [name, contact] : contacts_) terms.push_back(contact.get());
   store_ = std::make_unique<StateStore>(*space_);
-  for (const auto& [name, body] : bodies_) body->declare_state(*store_);
+  for (const auto& [name, body] : bodies_) {
+    body->declare_state(*store_);
+    body->set_active(false);  // until the first stage
+  }
   stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_, [this](const StepView& view) { return block_data_(view); });
   const Section physics = deck.section("physics");
   for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->initialise(*store_, physics.section(physics.section_names()[i]));
   check_contradictions(deck);
+  check_motions(deck);
 }
 
 void Model::read_materials(const Section& deck, const Registries& registries) {
@@ -90,11 +94,20 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
         entry.fail("its field '" + field.name + "' is declared differently by another physics", "type");
     }
   }
+  Bodies free;
+  for (const auto& [name, body] : bodies_)
+    if (body->may_be_free()) free.push_back(body);
+  if (!free.empty())
+    fields.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(mesh_->geometry()), Support::apart, 2, static_cast<int>(free.size())});
   space_ = std::make_unique<Space>(*mesh_, fields);
+  for (std::size_t i = 0; i < free.size(); ++i) free[i]->bind(*space_, space_->find("body motion"), static_cast<int>(i));
   block_data_ = [](const StepView&) { return BlockData{}; };
   const Section materials = deck.section("materials");
   PhysicsContext context{*space_, materials_, materials, terms_, soil_, block_data_};
   for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->build(context, entries[i]);
+  if (free.empty()) return;
+  terms_.push_back(std::make_unique<BodyInertia>(free));
+  terms_.push_back(std::make_unique<BodyLoads>(free));
 }
 
 void Model::read_conditions(const Section& deck, const Registries& registries) {
@@ -108,6 +121,15 @@ void Model::read_conditions(const Section& deck, const Registries& registries) {
 void Model::read_bodies(const Section& deck, const Registries& registries) {
   for (const Section& entry : collection(deck.section("bodies")))
     bodies_[entry.name()] = RigidBody::read(entry, mesh_->geometry(), {registries.contours, registries.motions});
+  const Section stages = deck.section("stages");
+  std::vector<std::string> known;
+  for (const auto& [name, body] : bodies_) known.push_back(name);
+  for (const std::string& stage : stages.section_names())
+    for (const Section& entry : collection(stages.section(stage).section("motions"))) {
+      const auto body = bodies_.find(entry.name());
+      if (body == bodies_.end()) entry.fail("unknown body '" + entry.name() + "'" + suggestion(entry.name(), known));
+      stage_motions_[{stage, entry.name()}] = body->second->read_motion(entry, registries.motions);
+    }
 }
 
 double Model::constrained_modulus(int block, int element) const {
@@ -168,12 +190,11 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
 void Model::activate(const Stage& stage, bool fresh) {
   std::vector<Term*> active;
   for (const auto& term : terms_) active.push_back(term.get());
-  for (auto& [name, body] : bodies_) body->set_active(false);
   for (auto& [name, contact] : contacts_)
     if (std::find(stage.contacts.begin(), stage.contacts.end(), name) != stage.contacts.end()) active.push_back(contact.get());
-  // A body moves in the stages whose contacts are active; without any contact nobody would feel it.
-  if (!stage.contacts.empty() && stage.type != Stage::Type::geostatic)
-    for (auto& [name, body] : bodies_) body->set_active(true);
+  moved_anew_.clear();
+  for (auto& [name, body] : bodies_)
+    if (body->set_motion(motion_in(stage, name))) moved_anew_.insert(name);
   std::set<std::string> names(stage.conditions.begin(), stage.conditions.end());
   std::vector<Term*> loads;
   for (const auto& condition : conditions_)
@@ -191,6 +212,53 @@ void Model::activate(const Stage& stage, bool fresh) {
   active.insert(active.end(), loads.begin(), loads.end());
   stepper_->activate(active);
   active_conditions_ = names;
+}
+
+std::shared_ptr<const BodyMotion> Model::motion_in(const Stage& stage, const std::string& name) const {
+  const RigidBody& body = *bodies_.at(name);
+  if (stage.type == Stage::Type::geostatic) return nullptr;
+  // A body without mass moves in the stages whose contacts are active; without any contact nobody would feel it.
+  if (stage.contacts.empty() && body.unknowns().count == 0) return nullptr;
+  const auto other = stage_motions_.find({stage.name, name});
+  return other == stage_motions_.end() ? body.own_motion() : other->second;
+}
+
+void Model::start_bodies(const Stage& stage) {
+  for (const std::string& name : moved_anew_) bodies_.at(name)->restart_clock(store_->committed());
+  if (stage.type != Stage::Type::dynamic) return;
+  const auto starts = [&](const RigidBody& body) {
+    if (!body.released()) return false;
+    bool still = true;  // also what the stage before left without accelerations
+    for (int k = 0; k < body.unknowns().count; ++k) still = still && store_->committed().acceleration(body.unknowns().dof[k]) == 0;
+    return still || moved_anew_.count(body.name()) > 0;
+  };
+  if (std::none_of(bodies_.begin(), bodies_.end(), [&](const auto& entry) { return starts(*entry.second); })) return;
+  const NodalView unbalanced = stepper_->static_residual();
+  for (const auto& [name, body] : bodies_)
+    if (starts(*body)) set_free(*body, store_->committed(), unbalanced, moved_anew_.count(name) > 0);
+}
+
+void Model::check_motions(const Section& deck) const {
+  const Section stages = deck.section("stages"), contacts = deck.section("contacts");
+  for (const auto& stage : stages_) {
+    const Section section = stages.section(stage->name);
+    const bool geostatic = stage->type == Stage::Type::geostatic;
+    if (geostatic && section.has_section("motions"))
+      section.fail("bodies rest in a geostatic stage, which takes no time: it has no 'motions'", "motions");
+    for (const auto& [name, body] : bodies_) {
+      const auto motion = motion_in(*stage, name);
+      if (!motion || !motion->released()) continue;
+      if (stage->type == Stage::Type::dynamic) {
+        if (body->properties().mass <= 0) section.fail("body '" + name + "' is released in this dynamic stage: it needs a 'mass' greater than 0");
+        continue;
+      }
+      const bool touched = std::any_of(stage->contacts.begin(), stage->contacts.end(), [&, body = name](const std::string& contact) {
+        return contacts.section(contact).text("body") == body;
+      });
+      if (!touched)
+        section.fail("body '" + name + "' is released in this quasi-static stage, but no contact that acts in it could hold the body; name the motion 'held'");
+    }
+  }
 }
 
 std::vector<const Term*> Model::all_terms() const {

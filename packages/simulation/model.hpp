@@ -8,6 +8,7 @@
 
 #include "ale/ale.hpp"
 #include "integrator/stepper.hpp"
+#include "physics/rigid_body/body_terms.hpp"
 #include "simulation/registries.hpp"
 #include "simulation/stage.hpp"
 
@@ -39,6 +40,9 @@ class Model {
   /// Terms, conditions and bodies of a stage become the active ones. `fresh`: the stage starts (not a restart within it):
   /// newly active absorbing boundaries take over the present reactions.
   void activate(const Stage& stage, bool fresh);
+  /// When a stage starts, after its initial rates: clocks, velocities and accelerations of the bodies whose motion
+  /// changes. Collective.
+  void start_bodies(const Stage& stage);
   /// Prescribed unknowns of a stage.
   void prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const;
 
@@ -52,6 +56,9 @@ class Model {
   void read_stages(const Section& deck, const Registries& registries);
   void read_solver(const Section& deck, const Registries& registries);
   void check_contradictions(const Section& deck) const;
+  void check_motions(const Section& deck) const;
+  /// The motion of a body in a stage; null: it rests.
+  std::shared_ptr<const BodyMotion> motion_in(const Stage& stage, const std::string& body) const;
   double constrained_modulus(int block, int element) const;
 
   std::unique_ptr<Mesh> mesh_;
@@ -63,6 +70,8 @@ class Model {
   std::vector<std::unique_ptr<Term>> terms_;       // of the physics
   std::vector<std::unique_ptr<Condition>> conditions_;
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const BodyMotion>> stage_motions_;  // by stage and body
+  std::set<std::string> moved_anew_;               // bodies whose motion in this stage is another than before
   std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
   std::unique_ptr<Ale> ale_;
   std::vector<std::unique_ptr<Stage>> stages_;

@@ -90,6 +90,7 @@ std::vector<OutputField> Results::nodal_fields() const {
   std::vector<OutputField> result;
   for (int f = 0; f < space.num_fields(); ++f) {
     const Field& field = space.field(f);
+    if (field.support == Support::apart) continue;
     result.push_back({field.name, field.unit, field.components, on_all_nodes(f, state.value)});
     if (field.time_order == 2) {
       result.push_back({"velocity", "m/s", field.components, on_all_nodes(f, state.rate)});
@@ -173,6 +174,8 @@ void Results::write_history(const Balances& balances, const std::map<std::string
   const char* axes[2] = {"x", "y"};
   for (const auto& [name, body] : model_.bodies()) {
     const auto u = body->displacement(state), v = body->velocity(state);
+    const auto x = body->position(state);
+    for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/position " + axes[i], "m", x[i]});
     for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/displacement " + axes[i], "m", u[i]});
     for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/velocity " + axes[i], "m/s", v[i]});
   }
@@ -183,6 +186,7 @@ void Results::write_history(const Balances& balances, const std::map<std::string
   for (const Probe& probe : probes_)
     for (int f = 0; f < space.num_fields(); ++f) {
       const Field& field = space.field(f);
+      if (field.support == Support::apart) continue;
       for (int c = 0; c < field.components; ++c) {
         const double mine = probe.dof[f] >= 0 ? state.value(probe.dof[f] + c) : 0.0;
         const std::string suffix = field.components > 1 ? std::string(" ") + axes[c] : "";

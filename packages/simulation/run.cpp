@@ -95,6 +95,7 @@ bool Run::begin_stage(const Stage& stage) {
     log::warn("initial accelerations cannot be computed; stage '" + stage.name + "' starts from zero ones");
     Kokkos::deep_copy(state.acceleration, 0.0);
   }
+  balances_.jump([&] { model_.start_bodies(stage); });
   return true;
 }
 
@@ -195,6 +196,12 @@ std::map<std::string, double> Run::term_histories() {
     if (!dynamic_cast<Contact*>(term)) term->histories(view, values);
   std::map<std::string, double> shares;
   for (const auto& condition : model_.conditions()) condition->reactions(model_.stepper().reaction(), shares);
+  const char* directions[] = {"driving force x [N]", "driving force y [N]", "driving moment [N m]"};
+  for (const auto& [name, body] : model_.bodies()) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    for (int k = 0; k < unknowns.count; ++k)
+      shares["body/" + name + "/" + directions[unknowns.direction[k]]] = model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k];
+  }
   for (const auto& [name, share] : shares) values[name] = sum_over_ranks(*model_.mesh().comm(), share);
   return values;
 }

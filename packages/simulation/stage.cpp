@@ -20,6 +20,7 @@ void Stage::parameters(Parameters& p) {
         "geostatic: the run ends with an error when equilibrium needs larger displacements than this; 0: no limit");
   p.passes_on("integrator", "time integrator; see the integrator types");
   p.passes_on("time step", "size of the steps");
+  p.passes_on("motions", "motions of bodies, by name, that hold in this stage instead of their own; see the motion types");
 }
 
 std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIntegrator>& integrators,

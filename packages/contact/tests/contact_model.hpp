@@ -57,12 +57,12 @@ struct ContactModel {
                Support pressure = Support::vertices)
       : deck(bodies + "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" + text_parameter("type", type) +
              contact_parameters + "</ParameterList>\n</ParameterList>\n"),
+        bodies_{{"b", deck.body("b", geometry)}},
         mesh(Tpetra::getDefaultComm(), geometry, std::move(global)),
-        space(mesh,
-              {{"displacement", "m", "N", 2, Support::all_nodes, 2}, {"pore pressure", "Pa", "m3/s", 1, pressure, 1}}),
+        space(mesh, fields(geometry, pressure)),
         store(space),
         assembler(space.dofs()) {
-    bodies_["b"] = deck.body("b", geometry);
+    if (bodies_["b"]->may_be_free()) bodies_["b"]->bind(space, 2, 0);
     register_contact(registry);
     register_friction(frictions);
     contact = registry.create(deck.deck.root().section("contacts").section("c"),
@@ -70,6 +70,13 @@ struct ContactModel {
     contact->declare_state(store);
     contact->sparsity(assembler);
     assembler.finalise();
+  }
+
+  std::vector<Field> fields(Geometry geometry, Support pressure) {
+    std::vector<Field> result{{"displacement", "m", "N", 2, Support::all_nodes, 2}, {"pore pressure", "Pa", "m3/s", 1, pressure, 1}};
+    if (bodies_["b"]->may_be_free())
+      result.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(geometry), Support::apart, 2, 1});
+    return result;
   }
 
   /// Starts a step of length dt from the committed state; the soil stays where it is until move() is called.
@@ -84,16 +91,28 @@ struct ContactModel {
     view.value_end = trial.value;
     view.x_old = store.committed().coordinates;
     view.x_end = trial.coordinates;
-    view.flow = view.inertia = true;
+    view.flow = true;
+    view.inertia = false;
+    view.sensitivity.assign(3, Sensitivity());
     view.committed = &store.committed();
     view.trial = &trial;
     contact->begin(view);
   }
-  /// Residual of the contact by overlap dof, this rank's part.
+  /// Residual of the contact by overlap dof, this rank's part. With inertia: its alpha level less the share of F_n.
   NodalView residual() {
     NodalView f("f", space.dofs()->num_overlap_dofs());
     failures = contact->residual(view, f);
+    if (!view.inertia) return f;
+    for (std::size_t i = 0; i < f.extent(0); ++i) f(i) *= weight();
+    contact->correction(view, f);
     return f;
+  }
+  /// Of the end of the step.
+  double weight() const { return view.inertia ? view.sensitivity[0].value : 1.0; }
+  /// From now on dynamic, with this weight of the start of the step.
+  void set_inertia(double alpha_f) {
+    view.inertia = true;
+    view.sensitivity[0].value = 1 - alpha_f;
   }
   std::map<std::string, double> step(double dt) {
     begin(dt);
@@ -107,11 +126,11 @@ struct ContactModel {
   const PointView& points(const State& state) const { return state.arrays[store.find("contact/c/points")]; }
 
   BodyDeck deck;
+  std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   Mesh mesh;
   Space space;
   StateStore store;
   Assembler assembler;
-  std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   ContactRegistry registry{"contact"};
   Registry<Friction> frictions{"friction"};
   std::unique_ptr<Contact> contact;
@@ -130,14 +149,14 @@ inline void deform(ContactModel& model, double size) {
     }
 }
 
-/// What jacobian_error() varies: forces are so much larger per metre than per pascal that one hides the other.
-enum class Moved { soil, pressures };
+/// What jacobian_error() varies, by field: forces are so much larger per metre than per pascal that one hides the other.
+enum class Moved { soil = 0, pressures = 1, body = 2 };
 
 /// Largest difference of J d and the central difference of the residual, relative to the largest |J d|.
 inline double jacobian_error(ContactModel& model, Moved moved = Moved::soil) {
   model.residual();
   model.assembler.begin(Kokkos::View<char*>("free", model.space.dofs()->num_overlap_dofs()));
-  model.contact->jacobian(model.view, model.assembler, 1.0);
+  model.contact->jacobian(model.view, model.assembler, model.weight());
   model.assembler.end();
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -146,7 +165,7 @@ inline double jacobian_error(ContactModel& model, Moved moved = Moved::soil) {
   {
     auto data = d.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int i = 0; i < n; ++i)
-      data(i, 0) = (model.space.dofs()->field_of(i) == 0) == (moved == Moved::soil) ? unit(random) : 0.0;
+      data(i, 0) = model.space.dofs()->field_of(i) == static_cast<int>(moved) ? unit(random) : 0.0;
     // inside a sharp body the axis is a ridge of the gap: its nodes do not leave it
     for (int node = 0; node < model.mesh.num_nodes(); ++node)
       if (model.mesh.coordinates()(node, 0) == 0) data(model.dof(node, 0), 0) = 0;
@@ -157,9 +176,9 @@ inline double jacobian_error(ContactModel& model, Moved moved = Moved::soil) {
     for (int node = 0; node < model.mesh.num_nodes(); ++node)
       for (int i = 0; i < 2; ++i) model.store.trial().coordinates(node, i) += h * data(model.dof(node, i), 0);
     for (int i = 0; i < n; ++i)
-      if (model.space.dofs()->field_of(i) == 1) model.store.trial().value(i) += h * data(i, 0);
+      if (model.space.dofs()->field_of(i) > 0) model.store.trial().value(i) += h * data(i, 0);
   };
-  const double h = moved == Moved::soil ? 1e-7 : 1.0;
+  const double h = moved == Moved::pressures ? 1.0 : 1e-7;
   move(h);
   const NodalView plus = model.residual();
   move(-2 * h);

@@ -9,10 +9,10 @@ void Prescribed::declare_set(Parameters& p) { p.required("set", set_, "mesh set 
 
 void Prescribed::bind(const ConditionContext& context, const Section& section) {
   space_ = &context.space;
-  std::vector<std::string> fields;
-  for (int f = 0; f < space_->num_fields(); ++f) fields.push_back(space_->field(f).name);
+  const std::vector<std::string> fields = space_->mesh_fields();
   field_ = space_->find(field_name());
-  if (field_ < 0) section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
+  if (field_ < 0 || space_->field(field_).support == Support::apart)
+    section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
   const Mesh& mesh = space_->mesh();
   if (!mesh.has_set(set_)) section.fail("unknown mesh set '" + set_ + "'" + suggestion(set_, mesh.set_names()), "set");
   nodes_ = mesh.nodes_of_set(set_);

@@ -20,9 +20,9 @@ void SideLoad::bind(const ConditionContext& context, const Section& section) {
   space_ = &context.space;
   axisymmetric_ = space_->mesh().geometry() == Geometry::axisymmetric;
   field_ = space_->find(field_name());
-  std::vector<std::string> fields;
-  for (int f = 0; f < space_->num_fields(); ++f) fields.push_back(space_->field(f).name);
-  if (field_ < 0) section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
+  const std::vector<std::string> fields = space_->mesh_fields();
+  if (field_ < 0 || space_->field(field_).support == Support::apart)
+    section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
   const Mesh& mesh = space_->mesh();
   if (!mesh.has_side_set(set_)) section.fail("unknown side set '" + set_ + "'" + suggestion(set_, mesh.side_set_names()), "set");
   for (const Side& side : mesh.side_sets().at(set_)) {

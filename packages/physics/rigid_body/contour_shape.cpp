@@ -65,6 +65,13 @@ void ConeShape::check(const Section& section) {
                  "shaft length");
 }
 
+double ConeShape::tip_height() const {
+  // where the shoulder's fillet meets the shaft
+  const double half = apex_angle_ * pi / 360, at_shoulder = shoulder_radius_ * std::tan(0.5 * half);
+  const double tip = apex_angle_ < 180 ? tip_radius_ * (1 / std::sin(half) - 1) : 0.0;
+  return std::max(corners()[1][1] - tip + at_shoulder, 1e-9 * diameter_);
+}
+
 Contour ConeShape::build() const {
   auto points = corners();
   const double half = apex_angle_ * pi / 360;

@@ -12,6 +12,8 @@ class ContourShape {
  public:
   virtual ~ContourShape() = default;
   virtual Contour build() const = 0;
+  /// Height [m] above the reference point that separates tip from shaft; 0: all is shaft.
+  virtual double tip_height() const { return 0; }
 
  protected:
   /// Declares what all shapes share.
@@ -28,6 +30,7 @@ class ConeShape : public ContourShape {
   void parameters(Parameters& p);
   void check(const Section& section);
   Contour build() const override;
+  double tip_height() const override;
 
  private:
   /// Corners of the half contour, the sharp apex at the origin.
@@ -41,6 +44,7 @@ class FlatPileShape : public ContourShape {
   void parameters(Parameters& p);
   void check(const Section& section);
   Contour build() const override;
+  double tip_height() const override { return corner_radius_ > 0 ? corner_radius_ : 1e-9 * diameter_; }
 
  private:
   std::vector<PlanePoint> corners() const;
@@ -51,6 +55,7 @@ class SphereShape : public ContourShape {
  public:
   void parameters(Parameters& p);
   Contour build() const override;
+  double tip_height() const override { return diameter_; }
 
  private:
   double diameter_ = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/rigid_body/released_motion.hpp"
+
 namespace mudline {
 
 void PrescribedDisplacement::parameters(Parameters& p) {
@@ -56,9 +58,16 @@ BodyState PrescribedVelocity::advance(const BodyState& old, double t_old, double
   return now;
 }
 
+BodyState Held::advance(const BodyState& old, double t_old, double t_end) const {
+  return {old.displacement, {0, 0}, old.moving_time + t_end - t_old};
+}
+
 void register_motions(Registry<BodyMotion>& registry) {
   registry.add<PrescribedDisplacement>("prescribed displacement", "Displacement given as functions of time");
   registry.add<PrescribedVelocity>("prescribed velocity", "Velocity given as functions of time, with a smooth start");
+  registry.add<ForceMotion>("force", "Moves under given forces, with or without mass, against what touches it");
+  registry.add<FreeMotion>("free", "Falls or floats: weight, buoyancy, drag and added mass of the water, initial velocity");
+  registry.add<Held>("held", "Stays where it is");
 }
 
 }  // namespace mudline

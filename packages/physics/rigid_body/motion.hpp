@@ -8,6 +8,8 @@
 
 namespace mudline {
 
+class ReleasedMotion;
+
 /// Where a rigid body is and how it moves.
 struct BodyState {
   std::array<double, 2> displacement{};  // [m] from the body's position at the start
@@ -23,6 +25,8 @@ class BodyMotion {
   virtual BodyState advance(const BodyState& old, double t_old, double t_end) const = 0;
   /// False when the body can only move vertically.
   virtual bool lateral() const = 0;
+  /// Itself where the body has degrees of freedom in the nonlinear system; null where its motion is prescribed.
+  virtual const ReleasedMotion* released() const { return nullptr; }
 };
 
 /// Displacement follows the changes of two functions of time while the body is active: u += f(t_end) - f(t_old), so a
@@ -50,6 +54,14 @@ class PrescribedVelocity : public BodyMotion {
   std::array<double, 2> velocity(double time, double moving_time) const;
   Function x_, y_;
   double ramp_time_ = 0;
+};
+
+/// The body stays where it is: what a stage names to hold a body that moves otherwise.
+class Held : public BodyMotion {
+ public:
+  void parameters(Parameters&) {}
+  BodyState advance(const BodyState& old, double t_old, double t_end) const override;
+  bool lateral() const override { return false; }
 };
 
 void register_motions(Registry<BodyMotion>& registry);

@@ -6,4 +6,7 @@ set(rigid_body_sources
   rigid_body/rounded_polygon.cpp
   rigid_body/contour_shape.cpp
   rigid_body/motion.cpp
+  rigid_body/contour_volume.cpp
+  rigid_body/released_motion.cpp
+  rigid_body/body_terms.cpp
   rigid_body/rigid_body.cpp)

@@ -37,8 +37,8 @@ inline std::string array_parameter(const std::string& name, const std::string& v
 
 /// bodies/<name> with the given contour parameters, vertical velocity and position.
 inline std::string body_xml(const std::string& name, const std::string& contour, const std::string& motion,
-                            const std::string& position = "0, 0") {
-  return "<ParameterList name=\"bodies\">\n<ParameterList name=\"" + name + "\">\n" +
+                            const std::string& position = "0, 0", const std::string& more = "") {
+  return "<ParameterList name=\"bodies\">\n<ParameterList name=\"" + name + "\">\n" + more +
          array_parameter("position", position) + "<ParameterList name=\"contour\">\n" + contour +
          "</ParameterList>\n<ParameterList name=\"motion\">\n" + motion +
          "</ParameterList>\n</ParameterList>\n</ParameterList>\n";

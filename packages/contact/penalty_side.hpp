@@ -1,0 +1,80 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/contact_rule.hpp"
+#include "contact/impact_share.hpp"
+#include "contact/stick_slip.hpp"
+#include "physics/rigid_body/rigid_body.hpp"
+
+namespace mudline {
+
+/// What happens at one contact point.
+struct ContactPoint {
+  double gap, pressure;  // [m] negative: penetration; [Pa] >= 0
+  double force[2];       // [N] on the soil
+  double area;           // [m2]
+  bool active;           // gap < 0
+  ShearState shear;      // with friction
+  double friction[2];    // [N] part of the force that is along the surface
+  double height;         // [m] in the body's frame above its reference point
+  double moment;         // [N m] of the force about the body's centre
+};
+
+/// Where the body and the side were when the step began.
+struct SideStart {
+  BodyPlacement placement;
+  SideCoordinates x;  // [m]
+};
+
+/// What friction on one side depends on.
+struct SideFriction {
+  const Friction& law;
+  double stiffness;                // [Pa/m] along the surface
+  double time;                     // [s] end of the step
+  const ShearState* old;           // (point) committed
+  bool sticks;                     // whatever the strength: for a first guess
+  int pressure_nodes;              // first nodes of the side that carry pore pressure; 0: none counts
+  double pressure[max_side_nodes]; // [Pa] there
+};
+
+/// Force [N] on the soil and its moment about the body's centre [N m].
+using PointForce = std::array<double, 3>;
+
+/// Dynamic steps: the integrator takes (1 - alpha_f) of the force at the end and alpha_f of that at the start.
+struct SideImpact {
+  double alpha_f;
+  const PointForce* old;  // (point) at the start of the step
+};
+
+/// The body that a side may touch.
+struct SideBody {
+  const RigidBody& body;
+  BodyPlacement placement;
+  SideStart start;
+  /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
+  /// touches nothing yet would have no stiffness at all.
+  double touch = 0;
+};
+
+/// Dofs of one side in its element matrix: the nodes' displacements, node after node, component after component; then
+/// (with friction on the effective traction) the pore pressures of the first nodes; then the body's unknowns.
+constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
+
+/// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m, m2].
+struct SideForce {
+  double f[max_side_dofs];           // at the end of the step
+  double correction[max_side_dofs];  // what touches or leaves within the step: to be added at the alpha level
+  double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
+};
+
+/// Penalty law t = penalty <-gap> at the contact points of a side against a body:
+/// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s = 0.
+/// The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
+/// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. Null `impact`: no
+/// correction. `points` receives rule.points results. False for a degenerate side.
+bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
+                  const SideImpact* impact, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  std::vector<ContactPoint>& points);
+
+}  // namespace mudline

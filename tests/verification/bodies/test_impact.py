@@ -1,0 +1,95 @@
+"""Bodies with mass against the soil: energy, momentum and water of an impact."""
+import os
+import unittest
+
+import numpy as np
+from mudline_case import ROOT, MudlineCase
+from references import falling_body as reference
+
+
+def deck(name):
+    return os.path.join(ROOT, "inputs", "impact", name + ".xml")
+
+
+class RamOnBar(MudlineCase):
+    """Mass 100 kg, 1 m/s, on a bar of 0.01 m2, E = 200 MPa, 2000 kg/m3, 1 m long, held at its far end."""
+    impedance, start, there_and_back = 0.01 * np.sqrt(2e8 * 2000), 50.0, 2 / np.sqrt(2e8 / 2000)
+
+    def run_ram(self, radius):
+        return self.run_deck(deck("ram_on_bar"), (f"stages/blow/integrator/spectral radius={radius}",))
+
+    def check_wave(self, history):
+        before = history.time < 0.98 * self.there_and_back
+        speed = np.array([reference.ram_on_bar(t, 100.0, self.impedance, 1.0) for t in history.time])
+        self.assertGreater(before.sum(), 100)
+        self.assertLess(np.abs(-history["body/ram/velocity y"] - speed)[before].max(), 2e-3)
+        # rebound: all forces on the ram add up to its change of momentum
+        impulse = np.sum(history["contact/head/reaction y"] * history["step/dt"])
+        self.assertLess(abs(impulse / (100 * (history["body/ram/velocity y"][-1] + 1)) - 1), 2e-3)
+        self.assertGreater(history["body/ram/velocity y"][-1], 0.9)
+
+    def test_no_growth_at_radius_one(self):
+        history = self.run_ram(1.0)
+        self.check_wave(history)
+        total = history["balance/energy/kinetic"] + history["balance/energy/stress divergence"] + history["balance/energy/contact/head"]
+        self.assertLess(np.abs(total).max(), 1e-8 * self.start)
+        # the contact has opened: what its springs took has been given back
+        self.assertEqual(history["contact/head/active points"][-1], 0)
+        self.assertLess(abs(history["balance/energy/contact/head"][-1]), 1e-10 * self.start)
+
+    def test_stiff_penalty_adds_nothing(self):
+        """A penalty that the step does not resolve at all: the points touch and leave from step to step."""
+        history = self.run_deck(deck("ram_on_bar"), ("stages/blow/integrator/spectral radius=1", "contacts/head/penalty=1e13",
+                                                     "stages/blow/duration=0.006"))
+        total = history["balance/energy/kinetic"] + history["balance/energy/stress divergence"] + history["balance/energy/contact/head"]
+        self.assertLess(np.abs(total).max(), 1e-6 * self.start)
+        self.assertGreater(history["balance/energy/contact/head"].min(), -1e-9 * self.start)
+        # the plain mean of start and end is what it guards against
+        plain = self.run_deck(deck("ram_on_bar"), ("stages/blow/integrator/spectral radius=1", "contacts/head/penalty=1e13",
+                                                   "stages/blow/duration=0.006", "contacts/head/impact=interpolated"))
+        self.assertGreater(plain["balance/energy/kinetic"].max() + plain["balance/energy/stress divergence"].max(), 0.2 * self.start)
+
+    def test_dissipation_below(self):
+        for radius, most in ((0.8, 2e-3), (0.5, 5e-3)):
+            history = self.run_ram(radius)
+            self.check_wave(history)
+            lost = history["balance/energy/numerical dissipation"] + history["balance/energy/contact/head"]
+            self.assertGreater(lost[-1], 0.0)
+            self.assertLess(lost[-1], most * self.start)
+
+
+class BallOnClay(MudlineCase):
+    def test_balances(self):
+        history = self.run_deck(deck("ball_on_clay"), ("stages/drop/integrator/spectral radius=1",))
+        start = 0.5 * 800 * 2.0**2
+        # audit: change of kinetic energy and the work of all forces, each by itself
+        names = ("stress divergence", "body loads", "contact/seabed", "gravity")
+        audit = history["balance/energy/kinetic"] + sum(history["balance/energy/" + name] for name in names)
+        self.assertLess(np.abs(audit).max(), 1e-3 * start)
+        self.assertLess(np.abs(history["balance/energy/error"]).max(), 1e-9 * start)
+        self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-8)
+        # stopped, thrown back, off again: the contact's springs have given back what they took
+        self.assertEqual(history["contact/seabed/active points"][-1], 0)
+        self.assertGreater(history["contact/seabed/active points"].max(), 4)
+        self.assertGreater(history["body/ball/velocity y"][-1], 0.5)
+        self.assertLess(abs(history["balance/energy/contact/seabed"][-1]), 1e-3 * start)
+        momentum = history["balance/momentum/change y"] - history["balance/momentum/impulse y"]
+        self.assertLess(np.abs(momentum).max(), 1e-3 * 800 * 2.0)
+
+    def test_sealed_and_no_tension(self):
+        import h5py
+        self.run_deck(deck("ball_on_clay"), ("output/field steps=5",))
+        with h5py.File(os.path.join(self.folder, "results", "ball_on_clay.h5"), "r") as file:
+            start = file["mesh/coordinates"][:]
+            axis = np.argmin(np.hypot(start[:, 0], start[:, 1]))
+            steps = [file["steps"][name] for name in sorted(file["steps"])]
+            pressure = [step["nodal/contact_pressure_seabed"][:] for step in steps]
+            water = [step["nodal/pore_pressure"][:][axis] for step in steps]
+        self.assertGreaterEqual(min(p.min() for p in pressure), 0.0)
+        self.assertGreater(max(p.max() for p in pressure), 1e4)
+        self.assertGreater(max(np.ravel(w)[0] for w in water), 1e3)  # the surface under the ball holds water pressure
+        self.assertEqual(np.ravel(water[-1])[0], 0.0)                # and is drained again when the ball is off
+
+
+if __name__ == "__main__":
+    unittest.main()

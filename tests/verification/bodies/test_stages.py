@@ -1,0 +1,69 @@
+"""A body through its stages: held, falling, resting, pulled out; ranks and restarts."""
+import os
+import unittest
+
+import numpy as np
+from mudline_case import ROOT, MudlineCase
+
+CYCLE = os.path.join(ROOT, "inputs", "impact", "fall_and_pull_out.xml")
+WEIGHT = 400 * 9.81
+
+
+class Stages(MudlineCase):
+    def test_life_of_an_anchor(self):
+        history = self.run_deck(CYCLE)
+        t, y, v = history.time, history["body/anchor/position y"], history["body/anchor/velocity y"]
+        reaction, load = history["contact/seabed/reaction y"], history["body/anchor/load y"]
+        self.assertEqual(y[0], 0.02)  # held in the geostatic stage
+        fall, rest, pull = (t > 0) & (t <= 0.1), (t > 0.1) & (t <= 2e4 + 0.1), t > 2e4 + 0.1
+        flight = fall & (t < 0.011)
+        # let go with 1 m/s, falling by less than its weight: buoyancy and drag
+        self.assertTrue(np.all(np.abs(v[flight] + 1) < 9.81 * t[flight]))
+        self.assertTrue(np.all(history["body/anchor/acceleration y"][flight] < -5))
+        self.assertGreater(v[fall].max(), 0.5)  # it is thrown back
+        # at rest the soil carries the weight less the water displaced above the mudline
+        self.assertLess(np.abs(reaction[rest] + load[rest]).max(), 1e-5 * WEIGHT)
+        self.assertLess(abs(v[rest][-1]), 1e-6)
+        # the pull: the prescribed velocity after its ramp, and the force that it takes
+        self.assertLess(np.abs(v[pull][t[pull] > 2e4 + 5.2] - 1e-3).max(), 1e-15)
+        self.assertLess(abs(y[pull][-1] - y[rest][-1] - 1e-3 * (40 - 2.5)), 1e-12)
+        self.assertEqual(np.abs(load[pull]).max(), 0.0)
+        driving = history["body/anchor/driving force y"]
+        self.assertLess(np.abs(driving[pull] + reaction[pull]).max(), 1e-9 * WEIGHT)
+        self.assertEqual(reaction[-1], 0.0)  # out
+        tip, shaft = history["contact/seabed/tip reaction y"], history["contact/seabed/shaft reaction y"]
+        self.assertLess(np.abs(tip + shaft - reaction).max(), 1e-9 * WEIGHT)
+
+    def test_ranks(self):
+        one = self.run_deck(CYCLE)
+        for ranks in (2, 4):
+            many = self.run_deck(CYCLE, (f"output/name=on{ranks}",), ranks=ranks, name=f"on{ranks}")
+            self.assertEqual(one.data.shape, many.data.shape)
+            for i, name in enumerate(one.header):
+                if "/error" in name or "iterations" in name or "numerical" in name:
+                    continue
+                scale = np.abs(one.data[:, i]).max()
+                self.assertLessEqual(np.abs(one.data[:, i] - many.data[:, i]).max(), 1e-8 * scale, f"{name} on {ranks} ranks")
+
+    def check_restart(self, ranks):
+        # the solver's memory is tidied when a checkpoint is written: the whole run writes one there too
+        settings = ("output/checkpoint steps=31",)
+        self.run_deck(CYCLE, settings + ("output/name=whole",), ranks, name="whole")
+        self.run_deck(CYCLE, settings + ("output/name=parts",), ranks, ("--steps", "30"), name="parts")
+        parts = self.run_deck(CYCLE, settings + ("output/name=parts",), ranks, ("--restart",), name="parts")
+        self.assertGreater(parts["contact/seabed/active points"][29], 2)  # in the middle of the impact
+        self.assertEqual(self.content("whole"), self.content("parts"))
+
+    def content(self, name):
+        with open(os.path.join(self.folder, "results", name + ".csv"), "rb") as file:
+            return file.read()
+
+    def test_restart(self):
+        self.check_restart(1)
+
+    def test_restart_2(self):
+        self.check_restart(2)
+
+
+if __name__ == "__main__":
+    unittest.main()
