@@ -114,7 +114,7 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
                       friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
                       view.time_end,
                       old.data(),
-                      sticks_,
+                      predicting_,
                       surface_->pressure_nodes(at.count),
                       {}};
   for (int a = 0; a < result.pressure_nodes; ++a)

@@ -53,7 +53,7 @@ class PenaltyContact : public Contact {
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
   bool asks_for_prediction() const override { return friction_ != nullptr && body_->active(); }
-  void predicting(bool on) override { sticks_ = on; }
+  void predicting(bool on) override { predicting_ = on; }
   void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
@@ -109,7 +109,7 @@ class PenaltyContact : public Contact {
   double touch_ = 0;                // [m] see SideBody
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
-  bool sticks_ = false;  // predicting: no point slides
+  bool predicting_ = false;
   int displacement_ = -1, pressure_ = -1;
   int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1;  // state handles
   int group_[2] = {-1, -1};

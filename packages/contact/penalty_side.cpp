@@ -31,9 +31,10 @@ void add_friction(const ContactRule& rule, int c, const RigidBody& body, const S
   const ShearState& old = side.old[c];
   ShearResponse response = stick_or_slide(side.law, old, side.stiffness, travel.value,
                                           {point.pressure - pore_pressure, at_old, old.slip, side.time});
-  if (side.sticks) {
-    response = {old, -side.stiffness, 0};
-    response.now.shear -= side.stiffness * travel.value;
+  if (side.first_guess) {  // what slid slides on, under the same stress; what stuck sticks
+    const double stiffness = old.slides ? 0.0 : side.stiffness;
+    response = {old, -stiffness, 0};
+    response.now.shear -= stiffness * travel.value;
   }
   point.shear = response.now;
   point.shear.dissipated += std::abs(response.now.shear) * (response.now.slip - old.slip) * point.area;

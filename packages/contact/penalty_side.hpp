@@ -33,7 +33,7 @@ struct SideFriction {
   double stiffness;                // [Pa/m] along the surface
   double time;                     // [s] end of the step
   const ShearState* old;           // (point) committed
-  bool sticks;                     // whatever the strength: for a first guess
+  bool first_guess;                // the response is linear: no point changes between sticking and sliding
   int pressure_nodes;              // first nodes of the side that carry pore pressure; 0: none counts
   double pressure[max_side_nodes]; // [Pa] there
 };
