@@ -21,7 +21,7 @@ std::string number(double value) {
 void AleParameters::parameters(Parameters& p) {
   p.add("every", every, "-", closed(1, 1000000), "the mesh is moved after every so many steps");
   p.add("when quality below", quality_below, "-", positive(), "and only when its smallest scaled Jacobian is below this; above 1: always");
-  p.add("lowest quality", lowest_quality, "-", open(0, 1), "a mesh with a smaller scaled Jacobian is refused and the step cut");
+  p.add("lowest quality", lowest_quality, "-", open(0, 1), "a motion to a smaller scaled Jacobian than this, and than before, is refused and the step cut");
   p.add("mass tolerance", mass_tolerance, "-", positive(), "a remap that changes the mass of grains or water by more than this share is refused and the step cut");
 }
 
@@ -166,7 +166,8 @@ MeshReceipt Ale::relocate(StateStore& store) const {
   if (!receipt.veto.empty()) return receipt;
   int worst = 0;
   receipt.quality = lowest_quality(mesh_, x_new, &worst);
-  if (receipt.quality < deck_.lowest_quality) {
+  // a mesh that was no better is not made worse by moving it
+  if (receipt.quality < std::min(deck_.lowest_quality, 0.9 * receipt.quality_before)) {
     const auto& at = x_new[mesh_.elements()[worst].nodes[0]];
     receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at (" + number(at[0]) + ", " + number(at[1]) + ")";
     return receipt;

@@ -21,7 +21,7 @@ void BoundaryMotion::parameters(Parameters& p) {
   p.add("corners", corners_, "point sets whose nodes stay material points, besides the corners of the mesh");
   p.add("corner angle [deg]", corner_angle_, "-", open(0, 180), "a boundary that turns by more in the source's mesh has a corner there");
   p.add("material sides", material_sides_, "side sets whose nodes do not slide");
-  p.add("largest slide", largest_slide_, "-", half_open(0, 0.5), "a node slides at most by this share of its sides' length at once");
+  p.add("largest slide", largest_slide_, "-", half_open(0, 0.5), "a node slides at most by this share of the side that it moves along at once");
   p.add("focus", focus_, "body whose reference point the finest sides travel with; empty: the source's spacing everywhere");
   p.add("size near focus", near_size_, "m", non_negative(), "length of the sides near the focus; only its ratio to the growth counts");
   p.add("near distance", near_distance_, "m", non_negative(), "distance from the focus up to which that size holds");
@@ -94,10 +94,10 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
     const double old = curve.parameter(i);
     s[i] = old;
     if (v == 0 || v == vertices - 1) continue;
-    const double room = std::min(old - curve.parameter(i - stride), curve.parameter(i + stride) - old);
+    const double before = old - curve.parameter(i - stride), after = curve.parameter(i + stride) - old;
     const double slide = measure.place(shares_[p][v] * measure.total()) - old;
-    // what rounding alone moves stays where it is
-    if (std::abs(slide) > 1e-9 * room) s[i] = old + std::clamp(slide, -largest_slide_ * room, largest_slide_ * room);
+    // what rounding alone moves stays where it is; a squeezed side may be left at once, whatever its own length
+    if (std::abs(slide) > 1e-9 * std::min(before, after)) s[i] = old + std::clamp(slide, -largest_slide_ * before, largest_slide_ * after);
   }
   for (int i = 1; stride == 2 && i < last; i += 2) {
     s[i] = 0.5 * (s[i - 1] + s[i + 1]);

@@ -34,7 +34,7 @@ class BoundaryMotion {
   void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
 
   std::string focus_;
-  double near_size_ = 0, near_distance_ = 0, growth_ = 0.3, largest_slide_ = 0.3, corner_angle_ = 30;
+  double near_size_ = 0, near_distance_ = 0, growth_ = 0.3, largest_slide_ = 0.4, corner_angle_ = 30;
   std::vector<std::string> corners_, material_sides_;
   std::vector<MeshPath> paths_;
   std::vector<std::vector<double>> shares_;  // (path, vertex) measure in the source's mesh, as a share of the total

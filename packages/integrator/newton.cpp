@@ -10,6 +10,7 @@
 
 #include "core/errors.hpp"
 #include "core/log.hpp"
+#include "integrator/guarded_step.hpp"
 #include "integrator/nox_interface.hpp"
 
 namespace mudline {
@@ -90,6 +91,9 @@ class FieldTest : public NOX::StatusTest::Generic {
 
 void NewtonOptions::parameters(Parameters& p) {
   p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000), "Newton iterations before the step is cut");
+  p.add("halvings", halvings, "-", closed(0, 20), "largest number of times that an iteration's step is halved where the residual cannot be evaluated or grows too much; "
+        "not with a line search of NOX");
+  p.add("largest growth", largest_growth, "-", half_open(1, 1e300), "of the residual in one iteration, before its step is halved");
   p.add("reuse Jacobian", reuse_jacobian,
         "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one would not pay");
   p.passes_on("nox", "sublists of NOX as its manual names them: Line Search, Direction, Nonlinear Solver");
@@ -110,7 +114,10 @@ NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& option
   if (!list->isParameter("Nonlinear Solver")) list->set("Nonlinear Solver", "Line Search Based");
   // The tangents are consistent, so full steps converge fastest; contact and yielding raise the residual on the way, where a
   // line search would only crawl (measured on the cone deck: no rejected step against 4 % with backtracking).
-  if (!list->isSublist("Line Search")) list->sublist("Line Search").set("Method", "Full Step");
+  if (!list->isSublist("Line Search")) {
+    const RCP<NOX::LineSearch::UserDefinedFactory> guarded = rcp(new GuardedStep::Factory(options.largest_growth, options.halvings));
+    list->sublist("Line Search").set("Method", "User Defined").set("User Defined Line Search Factory", guarded);
+  }
   list->sublist("Printing").set("Output Information", 0);
   // NOX tells of a failed evaluation whatever the level; the step's own message says more
   static const RCP<std::ostream> nowhere = rcp(new Teuchos::oblackholestream);

@@ -5,13 +5,14 @@ import unittest
 
 import bad_files
 import bad_values
+import mesh_motion
 import misspelt
 import point_decks
 from mudline_case import PROGRAM, MudlineCase, program
 from wrong_deck import BASE
 
 TIMEOUT = 60  # [s] a deck that hangs fails
-DECKS = misspelt.DECKS + bad_values.DECKS + bad_files.DECKS
+DECKS = misspelt.DECKS + bad_values.DECKS + bad_files.DECKS + mesh_motion.DECKS
 
 
 def own_lines(stderr):

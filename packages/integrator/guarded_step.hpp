@@ -1,0 +1,56 @@
+#pragma once
+
+// Part of newton.cpp: names NOX classes.
+
+#include <NOX_LineSearch_Generic.H>
+#include <NOX_LineSearch_UserDefinedFactory.H>
+
+#include <cmath>
+
+#include "integrator/nox_interface.hpp"
+
+namespace mudline {
+
+/// Full Newton steps, halved only where the residual cannot be evaluated (a folded element, a soil law that fails) or grows
+/// by more than a given factor while it is large. Residuals may rise on the way through contact and yielding, where a search that insists on
+/// descent would crawl; a step into the void ends the attempt.
+class GuardedStep : public NOX::LineSearch::Generic {
+ public:
+  GuardedStep(double largest_growth, int halvings) : largest_growth_(largest_growth), halvings_(halvings) {}
+  bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
+               const NOX::Solver::Generic& solver) override {
+    const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
+    const double before = old.getNormF();
+    step = 1;
+    for (int halving = 0;; ++halving, step *= 0.5) {
+      group.computeX(old, direction, step);
+      const bool evaluated = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
+      const double now = evaluated ? group.getNormF() : 0.0;
+      const bool cycles = solver.getNumIterations() >= patience_ && now > before;
+      const bool tame = evaluated && (now <= near_ ? !cycles : now <= largest_growth_ * before);
+      if (tame || halving == halvings_) return true;
+    }
+  }
+
+  class Factory : public NOX::LineSearch::UserDefinedFactory {
+   public:
+    Factory(double largest_growth, int halvings) : largest_growth_(largest_growth), halvings_(halvings) {}
+    RCP<NOX::LineSearch::Generic> buildLineSearch(const RCP<NOX::GlobalData>&, Teuchos::ParameterList&) const override {
+      return rcp(new GuardedStep(largest_growth_, halvings_));
+    }
+
+   private:
+    double largest_growth_;
+    int halvings_;
+  };
+
+ private:
+  // Times the tolerance: nearer than this single points that open or slide may raise the residual, but not for ever: after
+  // so many iterations they go back and forth, and half a step between their two states is nearer to both.
+  static constexpr double near_ = 100;
+  static constexpr int patience_ = 6;
+  double largest_growth_;
+  int halvings_;
+};
+
+}  // namespace mudline

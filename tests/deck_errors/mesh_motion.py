@@ -1,0 +1,39 @@
+"""Mistakes in the section "mesh motion"."""
+from wrong_deck import Wrong, parameter, section
+
+BOTH = (1, 2)
+
+
+def motion(inside):
+    return (section("stages"), f'<ParameterList name="mesh motion">{inside}</ParameterList>\n  ' + section("stages"))
+
+
+def boundary(*parameters):
+    return motion('<ParameterList name="boundary">' + "".join(parameters) + "</ParameterList>")
+
+
+def part(name, kind):
+    return motion(f'<ParameterList name="{name}">' + parameter("type", "string", kind) + "</ParameterList>")
+
+
+DECKS = [
+    Wrong("mesh motion type", part("interior", "optimization"),
+          "mesh motion/interior/type: unknown mesh motion type 'optimization' (did you mean 'optimisation'?); "
+          "known types: optimisation, elastic, artificial, Laplace", ranks=BOTH),
+    Wrong("remap type", part("remap", "convektion"),
+          "mesh motion/remap/type: unknown remap type 'convektion' (did you mean 'convection'?); known types: convection"),
+    Wrong("mesh motion part", motion('<ParameterList name="boundry"/>'), "mesh motion/boundry: unknown section (did you mean 'boundary'?)"),
+    Wrong("mesh motion parameter", motion(parameter("evry", "int", "2")), "mesh motion/evry: unknown parameter (did you mean 'every'?)"),
+    Wrong("lowest quality", motion(parameter("lowest quality", "double", "1.5")),
+          "mesh motion/lowest quality: 1.5 is out of range; allowed: (0, 1)"),
+    Wrong("focus", boundary(parameter("focus", "string", "bal"), parameter("size near focus", "double", "0.1")),
+          "mesh motion/boundary/focus: unknown body 'bal' (did you mean 'ball'?)", ranks=BOTH),
+    Wrong("focus without size", boundary(parameter("focus", "string", "ball")),
+          "mesh motion/boundary/size near focus: must be positive where a focus is given"),
+    Wrong("corner set", boundary(parameter("corners", "Array(string)", "{edge}")),
+          "mesh motion/boundary/corners: unknown point set 'edge'", ranks=BOTH),
+    Wrong("material side", boundary(parameter("material sides", "Array(string)", "{tip}")),
+          "mesh motion/boundary/material sides: unknown side set 'tip' (did you mean 'top'?)"),
+    Wrong("artificial motion without period", part("interior", "artificial"),
+          "mesh motion/interior: required parameter 'period' is missing"),
+]

@@ -1,0 +1,75 @@
+"""The pile deck, its push shortened to three eighths of a diameter: from the surface, the mesh moving against the clay."""
+import os
+import re
+import unittest
+
+import h5py
+import numpy as np
+
+from mudline_case import ROOT, History, MudlineCase, program
+
+DECK = os.path.join(ROOT, "inputs", "pile", "clay.xml")
+PUSH, DIAMETER = 0.16, 0.4
+
+
+class Pile(MudlineCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = MudlineCase()
+        cls.shared.setUp()
+        overlay = ('<ParameterList name="short"><ParameterList name="stages"><ParameterList name="set-up">'
+                   '<Parameter name="duration" type="double" value="1e6"/><ParameterList name="time step">'
+                   '<Parameter name="maximum" type="double" value="1e6"/></ParameterList></ParameterList>'
+                   '<ParameterList name="pull-out"><Parameter name="duration" type="double" value="0.2"/></ParameterList>'
+                   '</ParameterList></ParameterList>')
+        short = cls.shared.write("short.xml", overlay)
+        done = program(["run", DECK, short, "--set", f"stages/push/duration={PUSH}"], folder=cls.shared.folder, timeout=380)
+        assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
+        cls.steps, cls.rejected = map(int, re.search(r"done: (\d+) steps, (\d+) rejected", done.stdout).groups())
+        cls.history = History(os.path.join(cls.shared.folder, "results", "clay.csv"))
+        cls.file = h5py.File(os.path.join(cls.shared.folder, "results", "clay.h5"), "r")
+        cls.pushing = (cls.history.time > 0) & (cls.history.time <= PUSH * (1 + 1e-9))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.file.close()
+        cls.shared.tearDown()
+
+    def test_steps_are_easy(self):
+        self.assertLessEqual(self.rejected, 0.05 * self.steps)
+        self.assertLess(self.history["step/newton iterations"][self.pushing].mean(), 8.5)
+
+    def test_the_mesh_stays_good_and_nothing_is_lost(self):
+        self.assertGreater(self.history["mesh motion/quality"].min(), 0.2)
+        self.assertLess(np.abs(self.history["mesh motion/change of solid"]).max(), 1e-5)
+        self.assertLess(np.abs(self.history["mesh motion/change of water"]).max(), 1e-5)
+        self.assertLess(np.abs(self.history["balance/water/error"]).max(), 1e-6)
+
+    def test_resistance_is_smooth(self):
+        depth = -self.history["body/pile/displacement y"][self.pushing]
+        force = self.history["contact/pile/reaction y"][self.pushing]
+        deep = depth > 0.06
+        smooth = np.polyval(np.polyfit(depth[deep], force[deep], 3), depth[deep])
+        self.assertLess(np.std(force[deep] - smooth) / force[deep].mean(), 0.01)
+        # undrained bearing: six to twelve times the strength, and the surcharge that the reaction leaves out
+        self.assertTrue(20e3 < force[-1] / (np.pi * DIAMETER ** 2 / 4) < 60e3, force[-1])
+
+    def test_excess_pressure_is_highest_under_the_face_and_dissipates(self):
+        names = sorted(self.file["steps"])
+        times = [self.file["steps"][name].attrs["time"] for name in names]
+        pushed = self.file["steps"][names[int(np.argmin(np.abs(np.array(times) - PUSH)))]]
+        x, pressure = pushed["coordinates"][:], pushed["nodal/excess_pore_pressure"][:].ravel()
+        face = (x[:, 0] < 0.12) & (x[:, 1] > -PUSH - 0.03)
+        shaft = (x[:, 0] < 0.23) & (x[:, 1] > -0.07)
+        self.assertGreater(np.median(pressure[face]), 2 * np.median(pressure[shaft]))
+        self.assertGreater(np.median(pressure[face]), 15e3)
+        last = self.file["steps"][names[-1]]["nodal/excess_pore_pressure"][:]
+        self.assertLess(np.abs(last).max(), 0.8 * pressure.max())
+
+    def test_pull_out_turns_friction_round(self):
+        self.assertGreater(self.history["contact/pile/friction y"][self.pushing][-1], 0)  # upwards on the pile that goes down
+        self.assertLess(self.history["contact/pile/friction y"][-1], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
