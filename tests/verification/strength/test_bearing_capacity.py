@@ -21,7 +21,8 @@ def mesh(cells, triangles=True):
 class BearingCapacity(StrengthCase):
     def factor(self, deck, settings, area=1.0):
         """Bearing capacity factor, and how much it still grows over the last tenth of the way."""
-        history = self.run_deck(self.deck("bearing_capacity", deck), settings)
+        decks = [deck] if isinstance(deck, str) else deck
+        history = self.run_deck([self.deck("bearing_capacity", d) for d in decks], settings)
         factor = -history["reaction/footing y"] / area / COHESION
         return factor[-1], factor[-1] / np.interp(0.9, history.time, factor) - 1
 
@@ -46,11 +47,22 @@ class BearingCapacity(StrengthCase):
     def test_smooth_circle_on_clay(self):
         self.assert_collapse("smooth circle", "strip_tresca", mesh(5) + CIRCLE, 5.6893, 0.02, np.pi)
 
-    def test_smooth_strip_on_frictional_soil(self):
-        quads = tuple(f"mesh/parameters/{s}" for s in ("ratio=10",))
-        coarse = self.assert_collapse("4 cells", "strip_mohr_coulomb", mesh(4, False) + quads, 14.834712, 0.06)
-        fine = self.assert_collapse("8 cells", "strip_mohr_coulomb", mesh(8, False) + quads, 14.834712, 0.025)
-        self.assertLess(fine, coarse)
+    def assert_sequence(self, deck, settings, exact, tolerances):
+        """{cells: tolerance}: each mesh above the exact load, and closer to it than the coarser one."""
+        before = np.inf
+        for cells, tolerance in tolerances.items():
+            factor = self.assert_collapse(f"{cells} cells", deck, settings + (f"mesh/parameters/cells={cells}",), exact, tolerance)
+            self.assertLess(factor, before)
+            before = factor
+
+    def test_strip_phi_20(self):
+        self.assert_sequence("strip_mohr_coulomb", (), 14.834712, {4: 0.03, 6: 0.015, 8: 0.01})
+
+    def test_strip_phi_30(self):
+        self.assert_sequence(["strip_mohr_coulomb", "phi_30"], (), 30.139628, {4: 0.045, 6: 0.03})
+
+    def test_strip_phi_30_with_surcharge(self):
+        self.assert_sequence(["strip_mohr_coulomb", "phi_30", "surcharge"], (), 66.94187, {4: 0.045, 6: 0.03})
 
 
 if __name__ == "__main__":
