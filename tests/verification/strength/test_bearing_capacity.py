@@ -6,6 +6,7 @@ import unittest
 
 import numpy as np
 
+from mudline_case import program
 from strength_case import StrengthCase
 
 COHESION = 10e3
@@ -55,6 +56,15 @@ class BearingCapacity(StrengthCase):
 
     def test_strip_phi_30_with_surcharge(self):
         self.assert_sequence(["strip_mohr_coulomb", "phi_30", "surcharge"], (), 66.94187, {4: 0.045, 6: 0.03})
+
+    def test_cells_that_lock_are_named(self):
+        quads = ("mesh/parameters/triangles=0", "physics/ground/quadrature degree=4")
+        for settings, warned in (((), False), (quads, True), (quads + ("materials/soil/skeleton/Poisson's ratio=0.3",), False)):
+            arguments = ["run", "-q", "--steps", "1", self.deck("bearing_capacity", "strip_tresca")]
+            for setting in settings:
+                arguments += ["--set", setting]
+            done = program(arguments, 1, self.folder)
+            self.assertEqual("3 x 3 points are some per cent too stiff" in done.stderr, warned, done.stderr)
 
 
 if __name__ == "__main__":
