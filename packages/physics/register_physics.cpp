@@ -1,3 +1,4 @@
+#include "core/log.hpp"
 #include "physics/biot/block_data.hpp"
 #include "physics/biot/fluid_mass.hpp"
 #include "physics/initial_state.hpp"
@@ -27,6 +28,21 @@ class SoilPhysics : public Physics {
   }
   void initialise(StateStore& store, const Section& section) override {
     initial_.apply(*soil_, store, gravity_, section.section("initial state"));
+    if (!porous()) warn_of_locking(store.committed());
+  }
+
+ private:
+  /// Nine-node cells that must keep their volume at 3 x 3 points have too few ways left to yield: collapse loads come out
+  /// some per cent high (docs/materials.md, section 9). In saturated soil the pore pressure keeps the volume instead.
+  void warn_of_locking(const State& state) const {
+    for (const SoilBlock& b : soil_->blocks) {
+      const Skeleton& law = *b.material->skeleton;
+      if (b.shape != CellShape::quad9 || b.points < 9 || law.state_size() == 0 || b.elements == 0) continue;
+      const ElasticModuli m = law.moduli(&state.arrays[b.stress](0, 0), state.arrays[b.void_ratio](0, 0), &state.arrays[b.law](0, 0));
+      if ((3 * m.bulk - 2 * m.shear) / (6 * m.bulk + 2 * m.shear) >= 0.48)
+        log::warn("material '" + b.material->name + "' is nearly incompressible: nine-node cells with 3 x 3 points are some per cent too stiff "
+                  "where it yields; six-node triangles with 'quadrature degree' 2 are not");
+    }
   }
 
  protected:
