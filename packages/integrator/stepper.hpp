@@ -105,6 +105,9 @@ class Stepper : public NonlinearProblem {
   /// False where it leaves x alone.
   bool predict(Vector& x);
   bool predict_linear(Vector& x, bool always);
+  /// Whether the forces of the committed state, evaluated without any motion (the last evaluation), are those it was left with.
+  /// A soil whose strength depends on the strain rate relaxes at rest: its answer there says nothing of a moving one.
+  bool rests() const;
   /// Forgets the Jacobian at hand if the coming step has another step size, scheme or set of free unknowns.
   void check_chord();
   /// Whether the trial state was last evaluated at exactly x. Collective.

@@ -19,6 +19,19 @@ bool Stepper::predict(Vector& x) {
   return predicted;
 }
 
+bool Stepper::rests() const {
+  double sums[2] = {0, 0};  // squares of F at rest less F_n, and of F_n: this rank's
+  for (std::size_t slot = 0; slot < store_.committed().history_forces.size(); ++slot) {
+    const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
+    for (std::size_t i = 0; i < old.extent(0); ++i) {
+      sums[0] += (now(i) - old(i)) * (now(i) - old(i));
+      sums[1] += old(i) * old(i);
+    }
+  }
+  const auto total = sum_over_ranks(*space_.dofs()->comm(), std::vector<double>(sums, sums + 2));
+  return total[0] <= 1e-6 * total[1];
+}
+
 bool Stepper::predict_linear(Vector& x, bool always) {
   const Vector old = owned_part(*space_.dofs(), store_.committed().value);
   Vector moved(map());
@@ -31,7 +44,7 @@ bool Stepper::predict_linear(Vector& x, bool always) {
   Vector f(map()), shifted(map()), part(old, Teuchos::Copy), correction(map());
   part.update(fraction, moved, 1);
   if (moves && !residual(part, shifted)) return false;
-  if (!residual(old, f)) return false;
+  if (!residual(old, f) || !rests()) return false;
   chord_.forget();  // its rate of convergence is not known here
   if (!jacobian(old)) return false;
   if (moves) f.update(1 / fraction, shifted, 1 - 1 / fraction);
