@@ -36,7 +36,10 @@ Contour ContourShape::contour(const Section& section) const {
   Contour exact = build();
   const std::string fault = contour_fault(exact);
   if (!fault.empty()) section.fail(fault);
-  if (approximation_ == Approximation::exact) return exact;
+  if (approximation_ == Approximation::exact) {
+    if (chord_length_ > 0) section.fail("the exact contour has no chords: it takes no 'chord length'", "chord length");
+    return exact;
+  }
   if (chord_length_ == 0) section.fail("an approximation needs a 'chord length' greater than 0", "approximation");
   return approximated(exact, approximation_, chord_length_);
 }

@@ -172,6 +172,7 @@ TEST(Curve, WrongContoursAreNamed) {
   has(error(line + array_parameter("x", "0, 0, 1, 1, 0") + array_parameter("y", "0, 1, 1, 0, 0")), "the contour is inverted");
   has(error(text_parameter("type", "sphere") + number_parameter("diameter", 1) + text_parameter("approximation", "facets")),
       "needs a 'chord length'");
+  has(error(text_parameter("type", "sphere") + number_parameter("diameter", 1) + number_parameter("chord length", 0.1)), "takes no 'chord length'");
   const auto path = [](const std::string& piece) {
     return text_parameter("type", "path") + array_parameter("start", "0, 0") + sublist("pieces", sublist("p", piece));
   };
