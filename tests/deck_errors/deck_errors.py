@@ -3,6 +3,7 @@ import os
 import subprocess
 import unittest
 
+import bad_bodies
 import bad_files
 import bad_values
 import misspelt
@@ -11,7 +12,7 @@ from mudline_case import PROGRAM, MudlineCase, program
 from wrong_deck import BASE
 
 TIMEOUT = 60  # [s] a deck that hangs fails
-DECKS = misspelt.DECKS + bad_values.DECKS + bad_files.DECKS
+DECKS = misspelt.DECKS + bad_values.DECKS + bad_bodies.DECKS + bad_files.DECKS
 
 
 def own_lines(stderr):
