@@ -129,8 +129,12 @@ class FieldResult:
         group = self.file["steps"][self.steps[step]].get("bodies", {})
         result = {}
         for link, body in self.file.get("bodies", {}).items():
+            name = text(body.attrs.get("name", link))
+            if link in group and "coordinates" in group[link]:  # shifted and turned
+                result[name] = group[link]["coordinates"][:, :2]
+                continue
             shift = group[link].attrs["displacement"] if link in group else np.zeros(2)
-            result[text(body.attrs.get("name", link))] = body["contour"][:] + shift
+            result[name] = body["contour"][:] + shift
         return result
 
     def fields(self, step):

@@ -53,6 +53,7 @@ void PenaltyContact::set_penalties(const StepView& view) const {
 }
 
 void PenaltyContact::begin(const StepView& view) {
+  touch_share_ = 1;
   body_->advance(view);
   set_penalties(view);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
@@ -125,7 +126,7 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
 bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
                               std::vector<ContactPoint>& points) const {
   const SurfaceSide& at = surface_->sides()[side];
-  const SideBody against{*body_, body_->placement(*view.trial), {body_->placement(*view.committed), coordinates(at, view.x_old)}, touch_};
+  const SideBody against{*body_, body_->placement(*view.trial), {body_->placement(*view.committed), coordinates(at, view.x_old)}, touch_, touch_share_};
   const double penalty = view.trial->arrays[penalties_](side, 0);
   const SideCoordinates x = coordinates(at, view.x_end);
   std::vector<PointForce> forces;
@@ -244,6 +245,8 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
       for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * force.k[a][b]);
     }
   }
+  // how far away the touch is in terms of forces is not known: the next guess moves the body ten times as far
+  if (touch_ > 0) touch_share_ *= 0.1;
 }
 
 bool PenaltyContact::closed(const PointView& rows, std::size_t side, double length) const {

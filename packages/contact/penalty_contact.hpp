@@ -89,6 +89,7 @@ class PenaltyContact : public Contact {
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
   void check_overlap(const Section& section) const;
+  void check_above(const Section& section) const;
   void set_penalties(const StepView& view) const;
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
   /// More than half of the side's points press or are nearer than the sealing gap; `length` of the side [m].
@@ -106,7 +107,7 @@ class PenaltyContact : public Contact {
   std::vector<char> candidate_;     // (side) near enough to be evaluated in this step
   double capture_ = 0;              // [m] of this step
   double magnitude_ = 0, body_magnitude_ = 0;  // of the last residual call
-  double touch_ = 0;                // [m] see SideBody
+  double touch_ = 0, touch_share_ = 1;  // see SideBody
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool predicting_ = false;

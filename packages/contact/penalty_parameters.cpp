@@ -1,6 +1,7 @@
 // What the deck says, and binding it to the model.
 #include <Teuchos_CommHelpers.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
@@ -81,6 +82,27 @@ void PenaltyContact::check(const Section& section) {
   for (const SurfaceSide& side : surface_->sides()) first_row_.push_back(first_row_.back() + rule(side).points);
   candidate_.assign(surface_->sides().size(), 1);
   check_overlap(section);
+  check_above(section);
+}
+
+void PenaltyContact::check_above(const Section& section) const {
+  const auto& x = context_.space.mesh().coordinates();
+  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
+  double lowest = 1e300, everywhere = 0, upwards = 0, faces_up = 0;
+  for (const SurfaceSide& side : surface_->sides()) {
+    for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, x(side.node[a], 1));
+    upwards += x(side.node[0], 0) - x(side.node[1], 0);  // counter-clockwise elements: a top goes to the left
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, upwards, Teuchos::outArg(faces_up));
+  double top = -1e300;
+  for (const PlanePoint& point : body_->contour().sample(1e-2 * body_->contour().length()))
+    top = std::max(top, point[1] + body_->initial_position()[1]);
+  if (top >= everywhere - 0.5 * surface_->shortest(x) || faces_up <= 0) return;
+  char text[160];
+  std::snprintf(text, sizeof text, "' lies below the surface: its top is at %.6g m, the surface reaches down to %.6g m; move its 'position'", top,
+                everywhere);
+  section.fail("body '" + deck_.body + text, "body");
 }
 
 void PenaltyContact::check_overlap(const Section& section) const {

@@ -202,7 +202,7 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     if (impact) add.add_force(point.force, (1 - impact->alpha_f) * (share.value - 1), out.correction);
     if (!want_tangent) continue;
     double change[2][max_side_dofs] = {};
-    point_tangent(rule, c, areas, penalty, foot, point, shear, ways, pressures, change);
+    point_tangent(rule, c, areas, point.active ? penalty : against.touch_share * penalty, foot, point, shear, ways, pressures, change);
     for (int i = 0; i < 2; ++i)
       for (int b = 0; b < first_body + ways.count; ++b)
         change[i][b] = share.value * change[i][b] + share.slope * point.force[i] * add.gap_slope(b, foot.normal);

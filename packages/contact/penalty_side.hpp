@@ -55,6 +55,7 @@ struct SideBody {
   /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
   /// touches nothing yet would have no stiffness at all.
   double touch = 0;
+  double touch_share = 1;  // of the penalty that such points have in the tangent
 };
 
 /// Dofs of one side in its element matrix: the nodes' displacements, node after node, component after component; then

@@ -3,6 +3,7 @@
 #include "ale/ale.hpp"
 #include "core/function_types.hpp"
 #include "integrator/step_control.hpp"
+#include "physics/rigid_body/path_shape.hpp"
 #include "simulation/output_settings.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/stage.hpp"
@@ -55,6 +56,9 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.physics);
   docs.push_back(fixed("bodies", "rigid bodies; one named section each", [](Parameters& p) { RigidBody::document(p); }));
   append(docs, r.contours);
+  Registry<PathPiece> pieces("contour piece");
+  register_path_pieces(pieces);
+  append(docs, pieces);
   append(docs, r.motions);
   append(docs, r.conditions);
   append(docs, r.contacts);

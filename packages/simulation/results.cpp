@@ -162,8 +162,11 @@ void Results::write_fields(int step, const std::string& stage) {
   std::vector<double> coordinates;
   for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node)
     for (int i = 0; i < 2; ++i) coordinates.push_back(state.coordinates(node, i));
-  std::map<std::string, std::array<double, 2>> bodies;
-  for (const auto& [name, body] : model_.bodies()) bodies[name] = body->displacement(state);
+  std::map<std::string, BodyPose> bodies;
+  for (const auto& [name, body] : model_.bodies()) {
+    const BodyPlacement now = body->placement(state), start = body->initial_placement();
+    bodies[name] = {{now.centre[0] - start.centre[0], now.centre[1] - start.centre[1]}, now.angle, start.centre};
+  }
   fields_.write(state.time, step, stage, coordinates, nodal_fields(), cell_fields(), bodies);
 }
 

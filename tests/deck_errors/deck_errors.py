@@ -3,6 +3,7 @@ import os
 import subprocess
 import unittest
 
+import bad_bodies
 import bad_files
 import bad_values
 import mesh_motion
@@ -12,7 +13,7 @@ from mudline_case import PROGRAM, MudlineCase, program
 from wrong_deck import BASE
 
 TIMEOUT = 60  # [s] a deck that hangs fails
-DECKS = misspelt.DECKS + bad_values.DECKS + bad_files.DECKS + mesh_motion.DECKS
+DECKS = misspelt.DECKS + bad_values.DECKS + bad_bodies.DECKS + bad_files.DECKS + mesh_motion.DECKS
 
 
 def own_lines(stderr):

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/rigid_body/library_shapes.hpp"
+#include "physics/rigid_body/path_shape.hpp"
+
 namespace mudline {
 
 namespace {
@@ -18,18 +21,46 @@ std::string number(double value) {
 
 }  // namespace
 
-void ContourShape::extent_parameter(Parameters& p) {
+void ContourShape::common_parameters(Parameters& p) {
   p.choice(
       "extent", extent_, {{"half", ContourExtent::half}, {"full", ContourExtent::full}},
       "half: the body is symmetric about its axis and only x >= 0 exists (axisymmetry, or plane strain with a plane of "
       "symmetry); full: both sides, plane strain only");
+  p.choice("approximation", approximation_,
+           {{"exact", Approximation::exact}, {"facets", Approximation::facets}, {"bezier", Approximation::bezier}},
+           "facets: chords instead of the curved parts; bezier: smooth cubic curves through the chords' ends");
+  p.add("chord length", chord_length_, "m", non_negative(), "Longest chord of an approximation");
+}
+
+Contour ContourShape::contour(const Section& section) const {
+  Contour exact = build();
+  const std::string fault = contour_fault(exact);
+  if (!fault.empty()) section.fail(fault);
+  if (approximation_ == Approximation::exact) {
+    if (chord_length_ > 0) section.fail("the exact contour has no chords: it takes no 'chord length'", "chord length");
+    return exact;
+  }
+  if (chord_length_ == 0) section.fail("an approximation needs a 'chord length' greater than 0", "approximation");
+  return approximated(exact, approximation_, chord_length_);
 }
 
 Contour ContourShape::complete(Contour half) const { return extent_ == ContourExtent::half ? half : half.mirrored(); }
 
 void ConeShape::parameters(Parameters& p) {
-  extent_parameter(p);
+  common_parameters(p);
   p.required("diameter", diameter_, "m", positive(), "Diameter of the shaft");
+  fillet_parameters(p);
+}
+
+ConePenetrometerShape::ConePenetrometerShape() { diameter_ = 0.0357; }
+
+void ConePenetrometerShape::parameters(Parameters& p) {
+  common_parameters(p);
+  p.add("diameter", diameter_, "m", positive(), "Diameter of the rod");
+  fillet_parameters(p);
+}
+
+void ConeShape::fillet_parameters(Parameters& p) {
   p.add("apex angle [deg]", apex_angle_, "deg", Range{0, 180, true, false},
         "Full opening angle of the cone; 180 is flat");
   p.add("tip radius", tip_radius_, "m", non_negative(), "Fillet of the apex, tangent to both flanks; 0 is sharp");
@@ -81,7 +112,7 @@ Contour ConeShape::build() const {
 }
 
 void FlatPileShape::parameters(Parameters& p) {
-  extent_parameter(p);
+  common_parameters(p);
   p.required("diameter", diameter_, "m", positive(), "Diameter of the pile, width of the wall");
   p.add("corner radius", corner_radius_, "m", non_negative(), "Fillet between base and shaft; 0 is sharp");
   p.add("shaft length", shaft_length_, "m", non_negative(),
@@ -110,7 +141,7 @@ Contour FlatPileShape::build() const {
 }
 
 void SphereShape::parameters(Parameters& p) {
-  extent_parameter(p);
+  common_parameters(p);
   p.required("diameter", diameter_, "m", positive(),
              "Diameter of the sphere, or of the cylinder that lies in plane strain");
 }
@@ -123,7 +154,7 @@ Contour SphereShape::build() const {
 }
 
 void PolylineShape::parameters(Parameters& p) {
-  extent_parameter(p);
+  common_parameters(p);
   p.required("x", x_, "m", any(), "Horizontal coordinates of the corners, relative to the body's position");
   p.required("y", y_, "m", any(), "Vertical coordinates of the corners, the body on the left of the path");
   p.add("fillet radii", fillet_radii_, "m", non_negative(), "Radius at every corner, 0 is sharp; left out: all sharp");
@@ -161,20 +192,6 @@ void PolylineShape::check(const Section& section) {
     section.fail(
         std::string("the ") + (half ? "last point" : "first and the last point") + " of the contour cannot be rounded",
         "fillet radii");
-  // twice the area on the left of the path; a half contour is closed along its axis
-  double area = 0;
-  for (std::size_t i = 0; i + 1 < n; ++i) area += x_[i] * y_[i + 1] - x_[i + 1] * y_[i];
-  const bool open_half = half && x_[n - 1] > 0;
-  const double top = *std::max_element(y_.begin(), y_.end()) + x_[n - 1];
-  if (open_half)
-    area += x_[n - 1] * (top - y_[n - 1]) + x_[n - 1] * top;
-  else if (!half)
-    area += x_[n - 1] * y_[0] - x_[0] * y_[n - 1];
-  if (area < 0)
-    section.fail(
-        "the contour is inverted: the body must lie on the left of the path from the first point to the last "
-        "(from the tip up the right-hand side)",
-        "x");
   const int line = overfull_line(points(), radii(), extent_);
   if (line >= 0)
     section.fail("the 'fillet radii' at points " + std::to_string(line + 1) + " and " + std::to_string(line + 2) +
@@ -189,6 +206,11 @@ void register_contours(Registry<ContourShape>& registry) {
   registry.add<ConeShape>("cone", "Cone on a cylindrical shaft, apex and shoulder rounded on demand");
   registry.add<FlatPileShape>("flat pile", "Flat-ended cylinder or wall with a rounded edge");
   registry.add<SphereShape>("sphere", "Sphere; in plane strain a cylinder lying across the plane");
+  registry.add<ConePenetrometerShape>("cone penetrometer", "60-degree cone of 10 cm2 on its rod");
+  registry.add<TorpedoShape>("torpedo", "Torpedo anchor: conical or ogival tip, shaft, tapered tail");
+  registry.add<SphereShape>("cylinder", "Cylinder lying across the plane: T-bar, pipeline; in axisymmetry a sphere");
+  registry.add<StripShape>("strip", "Rigid strip or plate with rounded edges");
+  registry.add<PathShape>("path", "Lines, arcs, Bezier, Hermite and NURBS curves, piece after piece");
   registry.add<PolylineShape>("polyline", "Straight lines through given points with rounded corners");
 }
 

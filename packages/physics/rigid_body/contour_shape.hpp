@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registry.hpp"
-#include "physics/rigid_body/contour.hpp"
+#include "physics/rigid_body/contour_approximation.hpp"
 
 namespace mudline {
 
@@ -12,15 +12,21 @@ class ContourShape {
  public:
   virtual ~ContourShape() = default;
   virtual Contour build() const = 0;
+  /// The contour as contact shall see it, by the deck's "approximation". InputError when it cannot bound a body.
+  Contour contour(const Section& section) const;
   /// Height [m] above the reference point that separates tip from shaft; 0: all is shaft.
   virtual double tip_height() const { return 0; }
 
  protected:
   /// Declares what all shapes share.
-  void extent_parameter(Parameters& p);
+  void common_parameters(Parameters& p);
   /// The half contour as such, or with its mirror image.
   Contour complete(Contour half) const;
   ContourExtent extent_ = ContourExtent::half;
+
+ private:
+  Approximation approximation_ = Approximation::exact;
+  double chord_length_ = 0;
 };
 
 /// Cone with a cylindrical shaft. A tip radius r moves the tip: the sharp apex would lie r (1 / sin(apex / 2) - 1)
@@ -32,10 +38,21 @@ class ConeShape : public ContourShape {
   Contour build() const override;
   double tip_height() const override;
 
+ protected:
+  void fillet_parameters(Parameters& p);
+  double diameter_ = 0;
+
  private:
   /// Corners of the half contour, the sharp apex at the origin.
   std::vector<PlanePoint> corners() const;
-  double diameter_ = 0, apex_angle_ = 60, tip_radius_ = 0, shoulder_radius_ = 0, shaft_length_ = 0;
+  double apex_angle_ = 60, tip_radius_ = 0, shoulder_radius_ = 0, shaft_length_ = 0;
+};
+
+/// The cone of the standard cone penetration test, unless the deck gives other sizes.
+class ConePenetrometerShape : public ConeShape {
+ public:
+  ConePenetrometerShape();
+  void parameters(Parameters& p);
 };
 
 /// Flat-ended cylinder (axisymmetric) or wall (plane strain) with a rounded edge.

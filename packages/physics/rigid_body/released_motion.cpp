@@ -54,6 +54,10 @@ BodyLoad ReleasedMotion::load(const BodyProperties& body, const BodyInstant& at)
 void ReleasedMotion::check_body(const BodyProperties& body, const Section& section) const {
   if (body.geometry == Geometry::axisymmetric && lateral())
     section.fail("an axisymmetric body moves along its axis only: its freedom is y", "freedom");
+  const char* const forces[body_directions] = {"force x", "force y", "moment"};
+  for (int i = 0; i < body_directions; ++i)
+    if (!releases(i) && !force_[i].is_zero())
+      section.fail(std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")", forces[i]);
   if (releases(2) && body.mass > 0 && body.moment_of_inertia <= 0)
     section.fail("a body that may rotate needs a 'moment of inertia'", "freedom");
 }
@@ -105,10 +109,17 @@ BodyLoad FreeMotion::load(const BodyProperties& body, const BodyInstant& at) con
 void FreeMotion::check_body(const BodyProperties& body, const Section& section) const {
   ReleasedMotion::check_body(body, section);
   if (body.mass <= 0) section.fail("a free body needs a 'mass' greater than 0", "type");
+  for (int i = 0; i < 2; ++i)
+    if (!releases(i) && initial_velocity_[i] != 0)
+      section.fail(std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")", "initial velocity");
+  const Section water = section.section("water");
+  if (water_.density == 0 && (water_.drag > 0 || water_.added_mass > 0 || water_.has_mudline))
+    water.fail("there is no water: its 'density' is 0 or missing", water_.drag > 0 ? "drag coefficient" : water_.has_mudline ? "mudline" : "added mass coefficient");
+  if (water_.area > 0 && water_.drag == 0) water.fail("without a 'drag coefficient' it does nothing", "drag area");
   if (water_.density > 0 && body.volume <= 0)
-    section.section("water").fail("the body's contour is open: its buoyancy needs a 'volume' of the body", "density");
+    water.fail("the body's contour is open: its buoyancy needs a 'volume' of the body", "density");
   if (water_.has_mudline && releases(2))
-    section.section("water").fail("a body that may rotate is wholly in the water: it takes no 'mudline'", "mudline");
+    water.fail("a body that may rotate is wholly in the water: it takes no 'mudline'", "mudline");
 }
 
 }  // namespace mudline

@@ -38,7 +38,7 @@ std::shared_ptr<RigidBody> RigidBody::read(const Section& section, Geometry geom
   p.finish();
   const Section contour = section.section("contour");
   const auto shape = registries.contours.create(contour);
-  body->contour_ = std::make_unique<Contour>(shape->build());
+  body->contour_ = std::make_unique<Contour>(shape->contour(contour));
   body->enclosed_ = std::make_unique<ContourVolume>(body->contour(), geometry);
   if (body->tip_height_ == 0) body->tip_height_ = shape->tip_height();
   const bool half = body->contour().extent() == ContourExtent::half;

@@ -7,6 +7,10 @@ set(rigid_body_sources
   rigid_body/contour_shape.cpp
   rigid_body/motion.cpp
   rigid_body/contour_volume.cpp
+  rigid_body/curve_piece.cpp
+  rigid_body/contour_approximation.cpp
+  rigid_body/path_shape.cpp
+  rigid_body/library_shapes.cpp
   rigid_body/released_motion.cpp
   rigid_body/body_terms.cpp
   rigid_body/rigid_body.cpp)

@@ -47,7 +47,7 @@ struct FieldFile::File {
   std::string bad_value(const std::vector<OutputField>& fields) const;
   std::map<std::string, xdmf::Field> write_fields(hid_t step, const std::string& group,
                                                   const std::vector<OutputField>& fields, const IdOrder& order) const;
-  void write_bodies(hid_t step, const std::map<std::string, std::array<double, 2>>& displacements) const;
+  void write_bodies(hid_t step, const std::map<std::string, BodyPose>& poses) const;
   void record(const xdmf::Step& step);
   void publish();
   void fail_alike(const std::string& message) const;
@@ -203,18 +203,25 @@ std::map<std::string, xdmf::Field> FieldFile::File::write_fields(hid_t step, con
   return written;
 }
 
-void FieldFile::File::write_bodies(hid_t step,
-                                   const std::map<std::string, std::array<double, 2>>& displacements) const {
+void FieldFile::File::write_bodies(hid_t step, const std::map<std::string, BodyPose>& poses) const {
   const auto group = h5::create_group(step, "bodies");
   for (const auto& [link, body] : model.bodies) {
-    const auto found = displacements.find(body.name);
-    const std::array<double, 2> shift = found == displacements.end() ? std::array<double, 2>{} : found->second;
+    const auto found = poses.find(body.name);
+    const BodyPose pose = found == poses.end() ? BodyPose() : found->second;
+    const double c = std::cos(pose.angle), s = std::sin(pose.angle);
     const auto place = h5::create_group(group, link);
-    h5::set_attribute(place, "displacement", std::vector<double>{shift[0], shift[1]});
+    h5::set_attribute(place, "displacement", std::vector<double>{pose.shift[0], pose.shift[1]});
+    h5::set_attribute(place, "rotation", std::vector<double>{pose.angle});
     std::vector<double> points;
     if (rank == 0)
-      for (const auto& point : contours.at(link))
-        points.insert(points.end(), {point[0] + shift[0], point[1] + shift[1], 0.0});
+      for (const auto& point : contours.at(link)) {
+        const double x = point[0] - pose.centre[0], y = point[1] - pose.centre[1];
+        // a body that does not turn keeps every bit
+        if (pose.angle == 0)
+          points.insert(points.end(), {point[0] + pose.shift[0], point[1] + pose.shift[1], 0.0});
+        else
+          points.insert(points.end(), {pose.centre[0] + pose.shift[0] + c * x - s * y, pose.centre[1] + pose.shift[1] + s * x + c * y, 0.0});
+      }
     h5::write(place, "coordinates", points, {hsize_t(body.points), 3, 0, rank == 0 ? hsize_t(body.points) : 0});
   }
 }
@@ -281,13 +288,13 @@ void FieldFile::add_body(const std::string& name, const std::vector<std::array<d
 
 void FieldFile::write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
                       const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
-                      const std::map<std::string, std::array<double, 2>>& body_displacements) {
+                      const std::map<std::string, BodyPose>& poses) {
   File& f = *file_;
   const std::vector<OutputField> place{{"coordinates", "m", 2, coordinates}};
   std::string wrong = f.wrong_fields(place, f.nodes.local_count());
   if (wrong.empty()) wrong = f.wrong_fields(nodal, f.nodes.local_count());
   if (wrong.empty()) wrong = f.wrong_fields(cell, f.elements.local_count());
-  for (const auto& entry : body_displacements)
+  for (const auto& entry : poses)
     if (f.model.bodies.count(h5::link_name(entry.first)) == 0) wrong = "there is no body '" + entry.first + "'";
   wrong = agreed_message(f.comm, wrong);
   if (wrong.empty() && !same_everywhere(f.comm, stage + '\n' + signature(nodal) + signature(cell)))
@@ -306,7 +313,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
     field_layout::write_rows(group, "coordinates", coordinates, 2, f.nodes);
     written.nodal = f.write_fields(group, "nodal", nodal, f.nodes);
     written.cell = f.write_fields(group, "cell", cell, f.elements);
-    f.write_bodies(group, body_displacements);
+    f.write_bodies(group, poses);
     h5::set_attribute(group, "step", static_cast<long long>(step));
     h5::set_attribute(group, "stage", stage);
     h5::set_attribute(group, "time", std::vector<double>{time});

@@ -19,6 +19,14 @@ struct OutputField {
   std::vector<double> values;
 };
 
+/// How a body has moved from its reference position: turned about `centre` (of the reference position) by `angle` [rad],
+/// then shifted [m].
+struct BodyPose {
+  std::array<double, 2> shift{};
+  double angle = 0;
+  std::array<double, 2> centre{};
+};
+
 /// The fields of a run: one HDF5 file written by all ranks together, and beside it an XDMF file for ParaView. After
 /// every write both are complete on disk, so they can be looked at while the run goes on. Rows are ordered by global
 /// ids: the file does not depend on the number of ranks. docs/output_format.md has the layout.
@@ -42,10 +50,10 @@ class FieldFile {
   /// it is given again.
   void add_body(const std::string& name, const std::vector<std::array<double, 2>>& contour);
 
-  /// Appends a step. `coordinates`: (owned node, 2) current [m]; `body_displacements` [m] by body, absent ones rest.
+  /// Appends a step. `coordinates`: (owned node, 2) current [m]; `poses` by body, absent ones rest.
   void write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
              const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
-             const std::map<std::string, std::array<double, 2>>& body_displacements = {});
+             const std::map<std::string, BodyPose>& poses = {});
 
   /// Number of steps in the file.
   int num_steps() const;

@@ -10,7 +10,7 @@ from references import falling_body as reference
 DECK = os.path.join(ROOT, "inputs", "impact", "free_fall.xml")
 START = 60.0  # the ball's lowest point in the deck
 RADIUS, MASS, WATER = 0.4, 1000.0, 1025.0
-DRY = ("bodies/anchor/motion/water/density=0", "bodies/anchor/motion/gravity={0,0}")
+DRY = ("bodies/anchor/motion/water/density=0", "bodies/anchor/motion/water/drag coefficient=0", "bodies/anchor/motion/gravity={0,0}")
 
 
 def steps(dt):
@@ -42,7 +42,7 @@ class FreeFall(MudlineCase):
 
     def test_linear_resistance(self):
         """An oscillator: stopped by a spring below the mudline; verification of the free-fall references."""
-        settings = DRY[:1] + ("bodies/anchor/motion/initial velocity={0,-10}", f"bodies/anchor/motion/force y=-50000*(y-{START})")
+        settings = DRY[:2] + ("bodies/anchor/motion/initial velocity={0,-10}", f"bodies/anchor/motion/force y=-50000*(y-{START})")
         exact = lambda t: reference.linear_resistance(t, MASS, 5e4, 10.0, 9810.0)
         errors = self.errors(exact, settings, (4e-3, 2e-3, 1e-3), 0.24)
         self.assertGreater(np.log2(errors[:-1] / errors[1:]).min(), 1.9)

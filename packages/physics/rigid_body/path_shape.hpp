@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "physics/rigid_body/contour_shape.hpp"
+#include "physics/rigid_body/curve_piece.hpp"
+
+namespace mudline {
+
+/// One entry of a path's "pieces": goes on from where the one before ended.
+class PathPiece {
+ public:
+  virtual ~PathPiece() = default;
+  virtual ContourPieces build(const PlanePoint& from) const = 0;
+};
+
+/// "line", "arc", "bezier", "hermite", "nurbs"; a plain list.
+void register_path_pieces(Registry<PathPiece>& registry);
+
+/// A contour of lines, arcs and curves, piece after piece.
+class PathShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  Contour build() const override { return Contour(pieces_, extent_); }
+
+ private:
+  std::array<double, 2> start_{};
+  ContourPieces pieces_;
+};
+
+}  // namespace mudline
