@@ -110,7 +110,9 @@ TEST(InteriorMotion, UnfoldedAndBetterAfterThePush) {
       motion->move({box.corners, box.source, box.source, box.movable}, x);
       EXPECT_GT(box.worst(x), 2 * box.worst(box.pushed)) << type;
       for (int node = 0; node < box.whole.num_nodes(); ++node)
-        if (!box.movable[node]) EXPECT_EQ(x[node], box.pushed[node]);
+        if (!box.movable[node]) {
+          EXPECT_EQ(x[node], box.pushed[node]);
+        }
     }
   }
 }

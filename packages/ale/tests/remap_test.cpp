@@ -81,7 +81,9 @@ TEST(ConvectionRemap, PointsAtRestKeepTheirValuesToTheLastBit) {
     for (int q = 0; q < points.block.points; ++q) {
       const int row = points.whole.first_row(e, points.block.points) + q;
       changed += now[row] != old[row];
-      if (!touches) EXPECT_EQ(now[row], old[row]);
+      if (!touches) {
+        EXPECT_EQ(now[row], old[row]);
+      }
     }
   }
   EXPECT_GT(changed, 0);
