@@ -11,9 +11,9 @@
 
 namespace mudline {
 
-/// Full Newton steps, halved only where the residual cannot be evaluated (a folded element, a soil law that fails) or grows
-/// by more than a given factor while it is large. Residuals may rise on the way through contact and yielding, where a search that insists on
-/// descent would crawl; a step into the void ends the attempt.
+/// Full Newton steps, halved where the residual cannot be evaluated (a folded element, a soil law that fails) and, if a largest
+/// growth is given, where it grows by more than that while it is large, or goes back and forth near the end. Residuals may rise
+/// on the way through contact and friction, where a search that insists on descent would crawl, so that the latter is a choice.
 class GuardedStep : public NOX::LineSearch::Generic {
  public:
   GuardedStep(double largest_growth, int halvings) : largest_growth_(largest_growth), halvings_(halvings) {}
@@ -27,7 +27,7 @@ class GuardedStep : public NOX::LineSearch::Generic {
       const bool evaluated = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
       const double now = evaluated ? group.getNormF() : 0.0;
       const bool cycles = solver.getNumIterations() >= patience_ && now > before;
-      const bool tame = evaluated && (now <= near_ ? !cycles : now <= largest_growth_ * before);
+      const bool tame = evaluated && (largest_growth_ == 0 || (now <= near_ ? !cycles : now <= largest_growth_ * before));
       if (tame || halving == halvings_) return true;
     }
   }

@@ -91,9 +91,10 @@ class FieldTest : public NOX::StatusTest::Generic {
 
 void NewtonOptions::parameters(Parameters& p) {
   p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000), "Newton iterations before the step is cut");
-  p.add("halvings", halvings, "-", closed(0, 20), "largest number of times that an iteration's step is halved where the residual cannot be evaluated or grows too much; "
-        "not with a line search of NOX");
-  p.add("largest growth", largest_growth, "-", half_open(1, 1e300), "of the residual in one iteration, before its step is halved");
+  p.add("halvings", halvings, "-", closed(0, 20),
+        "largest number of times that an iteration's step is halved where the residual cannot be evaluated or grows too much; not with a line search of NOX");
+  p.add("largest growth", largest_growth, "-", non_negative(),
+        "of the residual in one iteration, before its step is halved; 1.2 suits deep penetration; 0: any");
   p.add("reuse Jacobian", reuse_jacobian,
         "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one would not pay");
   p.passes_on("nox", "sublists of NOX as its manual names them: Line Search, Direction, Nonlinear Solver");

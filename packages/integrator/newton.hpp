@@ -33,7 +33,7 @@ class NonlinearProblem {
 struct NewtonOptions {
   int maximum_iterations = 15;
   int halvings = 4;
-  double largest_growth = 1.2;
+  double largest_growth = 0;  // 0: any
   bool reuse_jacobian = true;
   Teuchos::ParameterList nox;   // passes through to NOX (Line Search, Direction, ...)
   void parameters(Parameters& p);

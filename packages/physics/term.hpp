@@ -68,6 +68,8 @@ class Term {
   /// True where the first guess of a step needs a linear answer to what moves in it (a body that drags the soil along):
   /// the integrator then solves once, between predicting(true) and predicting(false), before it iterates.
   virtual bool asks_for_prediction() const { return false; }
+  /// Whether its force may change at a standstill: strength that follows the strain rate.
+  virtual bool may_relax() const { return false; }
   /// While predicting, a term may be more linear than it is: friction sticks.
   virtual void predicting(bool) {}
   /// Adds or releases prescribed unknowns that depend on state (drainage under contact).

@@ -31,7 +31,7 @@ DECKS = [
     Wrong("focus without size", boundary(parameter("focus", "string", "ball")),
           "mesh motion/boundary/size near focus: must be positive where a focus is given"),
     Wrong("corner set", boundary(parameter("corners", "Array(string)", "{edge}")),
-          "mesh motion/boundary/corners: unknown point set 'edge'", ranks=BOTH),
+          "mesh motion/boundary/corners: unknown point set 'edge'; none is allowed here", ranks=BOTH),
     Wrong("material side", boundary(parameter("material sides", "Array(string)", "{tip}")),
           "mesh motion/boundary/material sides: unknown side set 'tip' (did you mean 'top'?)"),
     Wrong("artificial motion without period", part("interior", "artificial"),

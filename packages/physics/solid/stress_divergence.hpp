@@ -15,6 +15,7 @@ class StressDivergence : public Term {
   explicit StressDivergence(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
   std::string name() const override { return "stress divergence"; }
   bool history() const override { return true; }
+  bool may_relax() const override { return true; }
   void declare_state(StateStore& store) override { soil_->declare_state(store); }
   void sparsity(Assembler& assembler) override { soil_->sparsity(assembler); }
   int residual(const StepView& view, const ResidualView& f) override;
