@@ -18,6 +18,11 @@ class SoilPhysics : public Physics {
     if (context.soil) section.fail("only one physics may own the displacements");
     soil_ = make_soil(context.space, context.materials, porous(), quadrature_, context.materials_section);
     context.soil = soil_;
+    const double density = porous() && !soil_->blocks.empty() ? soil_->blocks[0].material->fluid->density() : 0.0;
+    soil_->hydrostatic_gradient = [density, gravity = gravity_](double time) {
+      const auto g = gravity.at(time);
+      return std::array<double, 2>{density * g[0], density * g[1]};
+    };
     context.terms.push_back(std::make_unique<StressDivergence>(soil_));
     context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::inertia));
     context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::gravity, gravity_));

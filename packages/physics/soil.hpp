@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -67,6 +69,8 @@ struct Soil {
   bool axisymmetric;
   int displacement, pressure;      // field indices; pressure -1 without pore fluid
   std::vector<SoilBlock> blocks;
+  /// Gradient of the pressure of water at rest at a time, rho_f g [Pa/m]; zero without pore fluid.
+  std::function<std::array<double, 2>(double time)> hydrostatic_gradient = [](double) { return std::array<double, 2>{}; };
 
   void declare_state(StateStore& store);
   void sparsity(Assembler& assembler);

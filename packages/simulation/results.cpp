@@ -29,6 +29,21 @@ Results::Results(Model& model, const OutputSettings& settings, const std::string
 
 void Results::take_initial_pressure() { Kokkos::deep_copy(initial_pressure_, model_.store().committed().value); }
 
+NodalView Results::excess_pressure(int field) const {
+  const State& state = model_.store().committed();
+  NodalView excess("excess", state.value.extent(0));
+  const auto weight = model_.soil()->hydrostatic_gradient(state.time);
+  const auto& start = model_.mesh().coordinates();
+  for (int node = 0; node < model_.mesh().num_nodes(); ++node) {
+    const int dof = model_.space().node_dof(field)(node);
+    if (dof < 0) continue;
+    // a node that has moved, with the soil or with the mesh, is compared with the water at rest where it is now
+    const double deeper = weight[0] * (state.coordinates(node, 0) - start(node, 0)) + weight[1] * (state.coordinates(node, 1) - start(node, 1));
+    excess(dof) = state.value(dof) - initial_pressure_(dof) - deeper;
+  }
+  return excess;
+}
+
 void Results::find_probes(const OutputSettings& settings) {
   const Space& space = model_.space();
   const auto& comm = *model_.mesh().comm();
@@ -97,9 +112,7 @@ std::vector<OutputField> Results::nodal_fields() const {
       result.push_back({"acceleration", "m/s2", field.components, on_all_nodes(f, state.acceleration)});
     }
     if (field.name == "pore pressure") {
-      NodalView excess("excess", state.value.extent(0));
-      for (std::size_t i = 0; i < excess.extent(0); ++i) excess(i) = state.value(i) - initial_pressure_(i);
-      result.push_back({"excess pore pressure", "Pa", 1, on_all_nodes(f, excess)});
+      result.push_back({"excess pore pressure", "Pa", 1, on_all_nodes(f, excess_pressure(f))});
     }
   }
   for (const auto& [name, contact] : model_.contacts()) {

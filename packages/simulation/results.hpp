@@ -41,6 +41,8 @@ class Results {
   Model& model_;
   FieldFile fields_;
   HistoryFile history_;
+  /// Pore pressure less that of the start at the same place, by overlap dof.
+  NodalView excess_pressure(int field) const;
   NodalView initial_pressure_;
   std::vector<Probe> probes_;
 };

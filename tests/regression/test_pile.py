@@ -63,8 +63,12 @@ class Pile(MudlineCase):
         shaft = (x[:, 0] < 0.23) & (x[:, 1] > -0.07)
         self.assertGreater(np.median(pressure[face]), 2 * np.median(pressure[shaft]))
         self.assertGreater(np.median(pressure[face]), 15e3)
-        last = self.file["steps"][names[-1]]["nodal/excess_pore_pressure"][:]
-        self.assertLess(np.abs(last).max(), 0.8 * pressure.max())
+        rest = [self.file["steps"][name] for name, t in zip(names, times) if PUSH + 9e5 < t < PUSH + 1e6 + 1e-3]
+        self.assertTrue(rest)
+        self.assertLess(rest[-1]["nodal/excess_pore_pressure"][:].max(), 0.5 * pressure.max())
+        # far away nothing has happened, although the nodes have moved
+        far = (x[:, 0] > 2.5) | (x[:, 1] < -4)
+        self.assertLess(np.abs(pressure[far]).max(), 0.02 * pressure.max())
 
     def test_pull_out_turns_friction_round(self):
         self.assertGreater(self.history["contact/pile/friction y"][self.pushing][-1], 0)  # upwards on the pile that goes down
