@@ -65,7 +65,8 @@ class ConeIndentation(MudlineCase):
         start = self.file["mesh/coordinates"][:]
         pressure = step["nodal/excess_pore_pressure"][:].ravel()
         surface = np.abs(start[:, 1]) < 1e-9
-        self.assertLess(np.abs(pressure[surface & (start[:, 0] > 0.1)]).max(), 1e-6)
+        water = step["nodal/pore_pressure"][:].ravel()  # the surface may heave: water at rest would have a pressure there
+        self.assertLess(np.abs(water[surface & (start[:, 0] > 0.1)]).max(), 1e-6)
         below = (start[:, 0] < 0.03) & (start[:, 1] > -0.05) & (start[:, 1] < -0.01)
         far = (start[:, 0] > 0.3) | (start[:, 1] < -0.4)
         self.assertGreater(np.median(pressure[below]), 3e3)
