@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ale/conservation.hpp"
 #include "ale/quality.hpp"
 
 namespace mudline {
@@ -23,15 +24,14 @@ void AleParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", positive(), "and only when its smallest scaled Jacobian is below this; above 1: always");
   p.add("lowest quality", lowest_quality, "-", open(0, 1), "a motion to a smaller scaled Jacobian than this, and than before, is refused and the step cut");
   p.add("mass tolerance", mass_tolerance, "-", positive(), "a remap that changes the mass of grains or water by more than this share is refused and the step cut");
-}
-
-void Ale::document(Parameters& p) {
-  AleParameters().parameters(p);
-  BoundaryMotion boundary;
+  p.add("largest motion", largest_motion, "-", positive(), "a motion by more than this share of an element's size is made and remapped in parts");
+  p.add("conserve mass", conserve, "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
   p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
 }
+
+void Ale::document(Parameters& p) { AleParameters().parameters(p); }
 
 Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
          const Section& section, const MeshMotionRegistries& registries)
@@ -39,23 +39,15 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   section.allow_sections({"interior", "boundary", "remap"});
   Parameters p(section);
   deck_.parameters(p);
-  p.passes_on("interior", "motion of the inside; see the mesh motion types");
-  p.section("boundary", boundary_, "how boundary nodes slide");
-  p.passes_on("remap", "how the state is carried over; see the remap types");
   p.finish();
-  const auto with_default = [&](const std::string& name, const std::string& type) {
-    const Section part = section.section(name);
-    if (!part.has_parameter("type")) part.list().set("type", type);
-    return part;
-  };
-  interior_ = registries.motions.create(with_default("interior", "optimisation"));
-  remap_ = registries.remaps.create(with_default("remap", "convection"));
-  boundary_.bind(mesh_, source_, bodies, section.section("boundary"));
-  corners_ = CornerTriangles(mesh_, boundary_.paths());
+  interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
+  remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
+  deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"));
+  corners_ = CornerTriangles(mesh_, deck_.boundary.paths());
   corners_.add_tangents(source_, source_);
   on_path_.assign(mesh_.num_nodes(), 0);
   movable_.assign(mesh_.num_nodes(), 0);
-  for (const MeshPath& path : boundary_.paths())
+  for (const MeshPath& path : deck_.boundary.paths())
     for (int node : path.nodes) on_path_[node] = 1;
   for (int node = 0; node < mesh_.num_nodes(); ++node) movable_[node] = mesh_.is_vertex(node) && !on_path_[node];
 }
@@ -94,8 +86,8 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
   }
 }
 
-std::string Ale::new_positions(const Positions& x_old, const State& state, Positions& x) const {
-  const Positions boundary = boundary_.move(x_old, state);
+std::string Ale::new_positions(const Positions& x_old, const State& state, const Constraints& constraints, Positions& x) const {
+  Positions boundary = deck_.boundary.move(x_old, state);
   Positions before = x_old;
   corners_.add_tangents(x_old, before);
   x = before;
@@ -122,6 +114,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, Posit
   }
   x.resize(mesh_.num_nodes());
   place_middles(boundary, x);
+  if (deck_.conserve) keep_volume(x_old, state, constraints, boundary, x);
   double largest = 0;
   for (const auto& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1])});
   for (int node = 0; node < mesh_.num_nodes(); ++node)  // what only rounding moved stays
@@ -129,26 +122,82 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, Posit
   return "";
 }
 
-void Ale::carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const {
-  for (const SoilBlock& b : soil_.blocks)
+void Ale::keep_volume(const Positions& x_old, const State& state, const Constraints& constraints, Positions& boundary,
+                      Positions& x) const {
+  const double volume = soil_volume(mesh_, soil_, x_old);
+  const auto missing = [&] { return volume - soil_volume(mesh_, soil_, x); };
+  const auto matters = [&](double part) { return std::abs(part) > 1e-14 * volume; };
+  if (!matters(missing())) return;
+  const NodalView mask("", constraints.mask.extent(0));
+  for (std::size_t i = 0; i < mask.extent(0); ++i) mask(i) = constraints.mask(i);
+  const FreeBoundary free(mesh_, soil_, deck_.boundary.free_nodes(x, state), mesh_.gather(space_, soil_.displacement, mask), x);
+  if (!(free.area > 0)) return;
+  double part = missing();
+  for (int k = 0; k < 4 && matters(part); ++k, part = missing()) {
+    for (const auto& mover : free.movers)
+      for (int d = 0; d < 2; ++d) {
+        boundary[mover.node][d] += part / free.area * mover.normal[d];
+        x[mover.node][d] = boundary[mover.node][d];
+      }
+    place_middles(boundary, x);
+  }
+}
+
+double Ale::largest_motion(const Positions& x_old, const Positions& x_new) const {
+  double largest = 0;
+  for (int i = 0; i < corners_.of_elements; ++i) {
+    const auto& t = corners_.triangles[i];
+    for (int node : t)
+      largest = std::max(largest, std::hypot(x_new[node][0] - x_old[node][0], x_new[node][1] - x_old[node][1]) /
+                                      std::sqrt(twice_area(t, x_old)));
+  }
+  return largest;
+}
+
+double Ale::carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const {
+  double restored = 0;
+  for (const SoilBlock& b : soil_.blocks) {
+    // all of the block's state in one table: points are located and patches fitted once
+    std::vector<StateVariable> variables;
+    std::vector<PointView> arrays;
+    int columns = 0, dry = 0;
     for (int handle : {b.stress, b.void_ratio, b.law}) {
-      const PointView rows = to.arrays[handle];
-      const int columns = static_cast<int>(rows.extent(1));
-      if (columns == 0) continue;
-      const std::vector<double> old = mesh_.gather_points(b.block, b.points, rows);
-      std::vector<double> now = old;
-      remap_->transfer({mesh_, b, x_old, x_new, store.info(handle).variables, columns, old, now});
-      const ElementBlock& elements = space_.mesh().blocks()[b.block];
+      if (handle == b.void_ratio) dry = columns;
+      arrays.push_back(to.arrays[handle]);
+      columns += static_cast<int>(arrays.back().extent(1));
+      const auto& own = store.info(handle).variables;
+      variables.insert(variables.end(), own.begin(), own.end());
+    }
+    const auto each = [&](const auto& visit) {
+      int column = 0;
+      for (const PointView& rows : arrays)
+        for (std::size_t c = 0; c < rows.extent(1); ++c, ++column) visit(rows, static_cast<int>(c), column);
+    };
+    PointView table("", b.elements * b.points, columns);
+    each([&](const PointView& rows, int c, int column) {
+      for (int i = 0; i < b.elements * b.points; ++i) table(i, column) = rows(i, c);
+    });
+    const std::vector<double> old = mesh_.gather_points(b.block, b.points, table);
+    std::vector<double> now = old;
+    const PointTransfer transfer{mesh_, b, x_old, x_new, variables, columns, old, now};
+    remap_->transfer(transfer);
+    if (deck_.conserve) {
+      const double share = restore_grains(transfer, soil_.axisymmetric, dry);
+      restored = std::abs(share) > std::abs(restored) ? share : restored;
+    }
+    const ElementBlock& elements = space_.mesh().blocks()[b.block];
+    each([&](const PointView& rows, int c, int column) {
       for (int e = 0; e < b.elements; ++e)
         for (int q = 0; q < b.points; ++q)
-          for (int c = 0; c < columns; ++c)
-            rows(e * b.points + q, c) =
-                now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) * columns + c];
-    }
+          rows(e * b.points + q, c) =
+              now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) * columns + column];
+    });
+  }
+  return restored;
 }
 
 void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
-  const NodalRemap nodal(mesh_, boundary_.paths(), x_old, x_new);
+  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new);
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     for (const NodalView& values : {to.value, to.rate, to.acceleration})
@@ -156,13 +205,13 @@ void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to)
   }
 }
 
-MeshReceipt Ale::relocate(StateStore& store) const {
+MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) const {
   MeshReceipt receipt;
   State& state = store.committed();
   const Positions x_old = mesh_.gather(state.coordinates);
   receipt.quality_before = receipt.quality = lowest_quality(mesh_, x_old);
   Positions x_new;
-  receipt.veto = new_positions(x_old, state, x_new);
+  receipt.veto = new_positions(x_old, state, constraints, x_new);
   if (!receipt.veto.empty()) return receipt;
   int worst = 0;
   receipt.quality = lowest_quality(mesh_, x_new, &worst);
@@ -172,25 +221,31 @@ MeshReceipt Ale::relocate(StateStore& store) const {
     receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at (" + number(at[0]) + ", " + number(at[1]) + ")";
     return receipt;
   }
-  for (int i = 0; i < corners_.of_elements; ++i) {
-    const auto& t = corners_.triangles[i];
-    for (int node : t)
-      receipt.largest_motion = std::max(receipt.largest_motion, std::hypot(x_new[node][0] - x_old[node][0], x_new[node][1] - x_old[node][1]) /
-                                                                    std::sqrt(twice_area(t, x_old)));
-  }
+  receipt.largest_motion = largest_motion(x_old, x_new);
+  receipt.remaps = std::max(1, static_cast<int>(std::ceil(receipt.largest_motion / deck_.largest_motion)));
   receipt.before = take_inventory(soil_, state);
   // The trial state is free between steps: it takes the new state, so that the committed one survives a veto.
   store.begin();
   State& moved = store.trial();
-  carry_points(store, x_old, x_new, moved);
-  carry_nodes(x_old, x_new, moved);
+  Positions from = x_old, to = x_new;
+  for (int part = 1; part <= receipt.remaps; ++part) {
+    const double share = static_cast<double>(part) / receipt.remaps;
+    for (std::size_t node = 0; node < to.size(); ++node)
+      for (int d = 0; d < 2; ++d)
+        to[node][d] = part == receipt.remaps ? x_new[node][d] : x_old[node][d] + share * (x_new[node][d] - x_old[node][d]);
+    receipt.restored_solid += carry_points(store, from, to, moved);
+    carry_nodes(from, to, moved);
+    from = to;
+  }
   mesh_.scatter(x_new, moved.coordinates);
   receipt.after = take_inventory(soil_, moved);
-  const auto changed = [&](double before, double after) { return before != 0 && std::abs(after / before - 1) > deck_.mass_tolerance; };
-  if (changed(receipt.before.solid, receipt.after.solid))
-    receipt.veto = "the remap changes the mass of grains by a share of " + number(receipt.after.solid / receipt.before.solid - 1);
-  else if (changed(receipt.before.water, receipt.after.water))
-    receipt.veto = "the remap changes the pore water by a share of " + number(receipt.after.water / receipt.before.water - 1);
+  const auto changed = [&](double share) { return std::abs(share) > deck_.mass_tolerance; };
+  const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
+  const double solid = share(receipt.before.solid, receipt.after.solid), water = share(receipt.before.water, receipt.after.water);
+  if (changed(solid) || changed(receipt.restored_solid))
+    receipt.veto = "the remap changes the mass of grains by a share of " + number(changed(solid) ? solid : -receipt.restored_solid);
+  else if (changed(water))
+    receipt.veto = "the remap changes the pore water by a share of " + number(water);
   if (!receipt.veto.empty()) return receipt;
   store.accept();
   receipt.moved = true;

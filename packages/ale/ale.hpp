@@ -23,7 +23,9 @@ struct MeshMotionRegistries {
 struct AleParameters {
   void parameters(Parameters& p);
   int every = 1;
-  double quality_below = 2, lowest_quality = 0.05, mass_tolerance = 1e-3;
+  double quality_below = 2, lowest_quality = 0.05, mass_tolerance = 1e-3, largest_motion = 1;
+  bool conserve = true;
+  BoundaryMotion boundary;
 };
 
 /// What a relocation of the mesh did, or would have done.
@@ -32,6 +34,8 @@ struct MeshReceipt {
   std::string veto;             // why it was not made; empty: it was
   double quality_before = 1, quality = 1;  // smallest scaled Jacobian [-]
   double largest_motion = 0;    // [-] of the element's size: Courant number
+  int remaps = 0;               // parts that the motion was made in
+  double restored_solid = 0;    // share of the grains that the transfer lost and conservation put back [-]
   Inventory before, after;
 };
 
@@ -48,17 +52,21 @@ class Ale {
   /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
   bool due(int step, const State& committed) const;
   /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and lets it be
-  /// taken over (Term::adopt). Collective.
-  MeshReceipt relocate(StateStore& store) const;
+  /// taken over (Term::adopt). `constraints`: those of the step that ended. Collective.
+  MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;
 
  private:
   /// New positions of all nodes; a reason when there are none.
-  std::string new_positions(const Positions& x_old, const State& state, Positions& x) const;
+  std::string new_positions(const Positions& x_old, const State& state, const Constraints& constraints, Positions& x) const;
+  /// Lets the free boundary give way until the soil has the volume that it had at x_old.
+  void keep_volume(const Positions& x_old, const State& state, const Constraints& constraints, Positions& boundary, Positions& x) const;
+  double largest_motion(const Positions& x_old, const Positions& x_new) const;
   bool folded(const Positions& x) const;
   void place_middles(const Positions& boundary, Positions& x) const;
-  void carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const;
+  /// Returns the share of the grains that was put back.
+  double carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const;
   void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
 
   AleParameters deck_;
@@ -67,7 +75,6 @@ class Ale {
   WholeMesh mesh_;
   Positions source_;  // and the ends of its tangents
   CornerTriangles corners_;
-  BoundaryMotion boundary_;
   std::unique_ptr<InteriorMotion> interior_;
   std::unique_ptr<Remap> remap_;
   std::vector<char> on_path_, movable_;  // (node)

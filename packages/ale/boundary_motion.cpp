@@ -83,6 +83,20 @@ Positions BoundaryMotion::move(const Positions& x, const State& state) const {
   return result;
 }
 
+std::vector<char> BoundaryMotion::free_nodes(const Positions& x, const State& state) const {
+  std::vector<char> result(x.size(), 0);
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    const MeshPath& path = paths_[p];
+    if (!slides_[p] || !path.outer) continue;
+    for (std::size_t i = 1; i + 1 < path.nodes.size(); ++i) {
+      const auto &before = x[path.nodes[i - 1]], &after = x[path.nodes[i + 1]];
+      const double sides = path.stride * std::hypot(after[0] - before[0], after[1] - before[1]);
+      result[path.nodes[i]] = bodies_.empty() || foot(state, x[path.nodes[i]])->gap > sides;
+    }
+  }
+  return result;
+}
+
 void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeField& size, Positions& x) const {
   const MeshPath& path = paths_[p];
   const PathCurve curve(places(path, x));

@@ -26,6 +26,8 @@ class BoundaryMotion {
   /// New positions of the nodes on paths, middle nodes among them; the others as in `x`.
   Positions move(const Positions& x, const State& state) const;
   const std::vector<MeshPath>& paths() const { return paths_; }
+  /// (node) nodes that slide along the mesh's outer boundary and are farther from every body than the sides beside them.
+  std::vector<char> free_nodes(const Positions& x, const State& state) const;
 
  private:
   SizeField size_field(const std::array<double, 2>& focus) const;

@@ -74,7 +74,7 @@ void ElasticMotion::parameters(Parameters& p) {
 }
 
 void ElasticMotion::move(const InteriorMesh& mesh, Positions& x) const {
-  const Positions from = from_ == From::source ? mesh.source : mesh.before;
+  const Positions& from = from_ == From::source ? mesh.source : mesh.before;
   const ElasticMesh elastic(mesh, from, poisson_);
   const std::size_t n = 2 * mesh.movable.size();
   std::vector<double> u(n), r, z(n, 0.0), p;

@@ -48,9 +48,9 @@ double twice_area(const std::array<int, 3>& t, const Positions& x) {
   return (x[t[1]][0] - x[t[0]][0]) * (x[t[2]][1] - x[t[0]][1]) - (x[t[1]][1] - x[t[0]][1]) * (x[t[2]][0] - x[t[0]][0]);
 }
 
-void LaplaceMotion::parameters(Parameters& p) {
-  p.add("sweeps", sweeps_, "-", closed(1, 100000), "largest number of passes over the vertices");
-  p.add("sweep tolerance", tolerance_, "-", positive(), "passes end when no vertex moves by more than this share of its elements' size");
+void SweepLimits::parameters(Parameters& p) {
+  p.add("sweeps", sweeps, "-", closed(1, 100000), "largest number of passes over the vertices");
+  p.add("sweep tolerance", tolerance, "-", positive(), "passes end when no vertex moves by more than this share of its elements' size");
 }
 
 void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
@@ -64,7 +64,7 @@ void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
     around.erase(static_cast<int>(node));
     neighbours[node].assign(around.begin(), around.end());
   }
-  for (int sweep = 0; sweep < sweeps_; ++sweep) {
+  for (int sweep = 0; sweep < limits_.sweeps; ++sweep) {
     double largest = 0;
     for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
       if (neighbours[node].empty()) continue;
@@ -76,12 +76,13 @@ void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
       largest = std::max(largest, std::hypot(mean[0] - x[node][0], mean[1] - x[node][1]) / size);
       x[node] = mean;
     }
-    if (largest < tolerance_) break;
+    if (largest < limits_.tolerance) break;
   }
 }
 
 void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
+  registry.add<WinslowMotion>("Winslow", "harmonic map back to the source's mesh, never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
   registry.add<ArtificialMotion>("artificial", "elastic, and a swing of every vertex: shows what the remap does to a solution");
   registry.add<LaplaceMotion>("Laplace", "every vertex at the mean of its neighbours");

@@ -50,6 +50,13 @@ class InteriorMotion {
   virtual void move(const InteriorMesh& mesh, Positions& x) const = 0;
 };
 
+/// When passes over the vertices end.
+struct SweepLimits {
+  int sweeps = 40;
+  double tolerance = 1e-3;
+  void parameters(Parameters& p);
+};
+
 /// Vertex by vertex, lowers the sum of squared inverse mean ratios of the triangles around it (Knupp 2001; Freitag &
 /// Knupp 2002), mu = |T|^2 / (2 det T), T the map from the ideal triangle: 1 at best, infinite for a flat triangle, so that
 /// no element ever folds. The ideal is the equilateral triangle or the triangle of the source's mesh; size is free.
@@ -61,19 +68,28 @@ class OptimisationMotion : public InteriorMotion {
  private:
   enum class Ideal { equilateral, source };
   Ideal ideal_ = Ideal::source;
-  int sweeps_ = 40;
-  double tolerance_ = 1e-3;
+  SweepLimits limits_;
+};
+
+/// The map from the source's mesh is harmonic in the inverse direction (Winslow 1967): vertex by vertex, lowers its Dirichlet
+/// energy, the sum of mu weighted by the areas of the source's triangles. As smooth as Laplace's, and no element folds.
+class WinslowMotion : public InteriorMotion {
+ public:
+  void parameters(Parameters& p) { limits_.parameters(p); }
+  void move(const InteriorMesh& mesh, Positions& x) const override;
+
+ private:
+  SweepLimits limits_;
 };
 
 /// Every vertex goes to the mean of its neighbours. Simple, and may fold elements at re-entrant corners.
 class LaplaceMotion : public InteriorMotion {
  public:
-  void parameters(Parameters& p);
+  void parameters(Parameters& p) { limits_.parameters(p); }
   void move(const InteriorMesh& mesh, Positions& x) const override;
 
  private:
-  int sweeps_ = 200;
-  double tolerance_ = 1e-4;
+  SweepLimits limits_{200, 1e-4};
 };
 
 /// Elastic re-analysis (Nazem, Sheng & Carter 2006): the mesh as a plane elastic body whose boundary is displaced, from

@@ -10,6 +10,7 @@ namespace {
 struct Edge {
   int from, to, middle;  // middle -1: straight
   std::set<std::string> sets;
+  bool outer;
   bool used = false;
 };
 
@@ -26,7 +27,7 @@ std::vector<Edge> feature_edges(const WholeMesh& mesh) {
       if (other >= 0 && (other < e || elements[other].block == elements[e].block)) continue;
       const std::vector<int> local = side_nodes(elements[e].shape, s);
       const auto& nodes = elements[e].nodes;
-      Edge edge{nodes[local[0]], nodes[local[1]], local.size() > 2 ? nodes[local[2]] : -1, sets[{e, s}]};
+      Edge edge{nodes[local[0]], nodes[local[1]], local.size() > 2 ? nodes[local[2]] : -1, sets[{e, s}], other < 0};
       edges.push_back(edge);
     }
   return edges;
@@ -72,7 +73,7 @@ class Splitter {
   int other_end(int edge, int node) const { return edges_[edge].from == node ? edges_[edge].to : edges_[edge].from; }
 
   MeshPath follow(int start, int edge) {
-    MeshPath path{{start}, edges_[edge].middle >= 0 ? 2 : 1, edges_[edge].sets};
+    MeshPath path{{start}, edges_[edge].middle >= 0 ? 2 : 1, edges_[edge].sets, edges_[edge].outer};
     for (int node = start;;) {
       Edge& here = edges_[edge];
       here.used = true;

@@ -13,6 +13,7 @@ struct MeshPath {
   std::vector<int> nodes;  // in order; with quadratic elements every second one is the middle of a side
   int stride;              // 2 with middle nodes, 1 without
   std::set<std::string> sets;  // side sets that all its sides belong to
+  bool outer = true;           // on the boundary of the mesh, not between two regions
 
   int num_vertices() const { return static_cast<int>(nodes.size() - 1) / stride + 1; }
 };

@@ -21,12 +21,21 @@ struct IdealTriangle {
   }
 };
 
+/// What every triangle strives for, and how much it counts.
+struct Goal {
+  IdealTriangle ideal;
+  double weight;
+};
+enum class Measure { mean_ratio, mean_ratio_squared };
+
 /// Objective of the triangles around one vertex, a convex function of its position, and its derivatives.
 struct PatchObjective {
+  Measure measure;
   double value = 0, gradient[2] = {0, 0}, hessian[3] = {0, 0, 0};  // xx, xy, yy
   bool valid = true;
 
-  void add(const IdealTriangle& ideal, const std::array<int, 3>& nodes, int moving, const Positions& x) {
+  void add(const Goal& goal, const std::array<int, 3>& nodes, int moving, const Positions& x) {
+    const IdealTriangle& ideal = goal.ideal;
     double t[2][2] = {{0, 0}, {0, 0}};
     for (int v = 0; v < 3; ++v)
       for (int i = 0; i < 2; ++i)
@@ -49,44 +58,32 @@ struct PatchObjective {
     hmu[0] = second(0, 0);
     hmu[1] = second(0, 1);
     hmu[2] = second(1, 1);
-    value += mu * mu;
-    for (int i = 0; i < 2; ++i) gradient[i] += 2 * mu * dmu[i];
-    hessian[0] += 2 * (mu * hmu[0] + dmu[0] * dmu[0]);
-    hessian[1] += 2 * (mu * hmu[1] + dmu[0] * dmu[1]);
-    hessian[2] += 2 * (mu * hmu[2] + dmu[1] * dmu[1]);
+    // f(mu) with its first and second derivative
+    const bool squared = measure == Measure::mean_ratio_squared;
+    const double f = goal.weight * (squared ? mu * mu : mu), f1 = goal.weight * (squared ? 2 * mu : 1), f2 = squared ? 2 * goal.weight : 0;
+    value += f;
+    for (int i = 0; i < 2; ++i) gradient[i] += f1 * dmu[i];
+    hessian[0] += f1 * hmu[0] + f2 * dmu[0] * dmu[0];
+    hessian[1] += f1 * hmu[1] + f2 * dmu[0] * dmu[1];
+    hessian[2] += f1 * hmu[2] + f2 * dmu[1] * dmu[1];
   }
 };
 
-}  // namespace
-
-void OptimisationMotion::parameters(Parameters& p) {
-  p.choice("ideal", ideal_, {{"source", Ideal::source}, {"equilateral", Ideal::equilateral}},
-           "shape that every element strives for: its own in the mesh as it was made, or the regular one");
-  p.add("sweeps", sweeps_, "-", closed(1, 10000), "largest number of passes over the vertices");
-  p.add("sweep tolerance", tolerance_, "-", positive(), "passes end when no vertex moves by more than this share of its elements' size");
-}
-
-void OptimisationMotion::move(const InteriorMesh& mesh, Positions& x) const {
+/// Newton's method for one vertex after the other, in alternating direction, until none moves much.
+void descend(const InteriorMesh& mesh, const std::vector<Goal>& goals, Measure measure, const SweepLimits& limits, Positions& x) {
   const auto& triangles = mesh.corners.triangles;
-  std::vector<IdealTriangle> ideals;
-  for (const auto& t : triangles) {
-    if (ideal_ == Ideal::source)
-      ideals.emplace_back(mesh.source[t[0]], mesh.source[t[1]], mesh.source[t[2]]);
-    else
-      ideals.emplace_back(std::array<double, 2>{0, 0}, std::array<double, 2>{1, 0}, std::array<double, 2>{0.5, std::sqrt(0.75)});
-  }
   const auto objective = [&](int node) {
-    PatchObjective result;
+    PatchObjective result{measure};
     for (int t : mesh.corners.at_node[node]) {
       int moving = 0;
       while (triangles[t][moving] != node) ++moving;
-      result.add(ideals[t], triangles[t], moving, x);
+      result.add(goals[t], triangles[t], moving, x);
       if (!result.valid) break;
     }
     return result;
   };
   const int nodes = static_cast<int>(mesh.movable.size());
-  for (int sweep = 0; sweep < sweeps_; ++sweep) {
+  for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
     double largest = 0;
     for (int k = 0; k < nodes; ++k) {
       const int node = sweep % 2 == 0 ? k : nodes - 1 - k;
@@ -116,8 +113,34 @@ void OptimisationMotion::move(const InteriorMesh& mesh, Positions& x) const {
         }
       }
     }
-    if (largest < tolerance_) break;
+    if (largest < limits.tolerance) break;
   }
+}
+
+}  // namespace
+
+void OptimisationMotion::parameters(Parameters& p) {
+  p.choice("ideal", ideal_, {{"source", Ideal::source}, {"equilateral", Ideal::equilateral}},
+           "shape that every element strives for: its own in the mesh as it was made, or the regular one");
+  limits_.parameters(p);
+}
+
+void OptimisationMotion::move(const InteriorMesh& mesh, Positions& x) const {
+  std::vector<Goal> goals;
+  for (const auto& t : mesh.corners.triangles) {
+    if (ideal_ == Ideal::source)
+      goals.push_back({{mesh.source[t[0]], mesh.source[t[1]], mesh.source[t[2]]}, 1.0});
+    else
+      goals.push_back({{{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}}, 1.0});
+  }
+  descend(mesh, goals, Measure::mean_ratio_squared, limits_, x);
+}
+
+void WinslowMotion::move(const InteriorMesh& mesh, Positions& x) const {
+  std::vector<Goal> goals;
+  for (const auto& t : mesh.corners.triangles)
+    goals.push_back({{mesh.source[t[0]], mesh.source[t[1]], mesh.source[t[2]]}, std::abs(twice_area(t, mesh.source))});
+  descend(mesh, goals, Measure::mean_ratio, limits_, x);
 }
 
 }  // namespace mudline

@@ -70,6 +70,12 @@ Section Section::section(const std::string& name) const {
   return result;
 }
 
+Section Section::section_of_type(const std::string& name, const std::string& type) const {
+  const Section result = section(name);
+  if (!result.has_parameter("type")) result.list().set("type", type);
+  return result;
+}
+
 std::vector<std::string> Section::section_names() const {
   std::vector<std::string> names;
   for_each_entry(*list_, [&](const std::string& name, const Teuchos::ParameterEntry& entry) {

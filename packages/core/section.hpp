@@ -36,6 +36,8 @@ class Section {
   bool has_parameter(const std::string& name) const;
   /// The sublist; an absent one is an empty section with the right path.
   Section section(const std::string& name) const;
+  /// The same; where its "type" is not given, it is `type`.
+  Section section_of_type(const std::string& name, const std::string& type) const;
   /// Names of all sublists in deck order.
   std::vector<std::string> section_names() const;
   /// Names of all parameters (not sublists) in deck order.

@@ -21,9 +21,9 @@ bool Stepper::predict(Vector& x) {
 
 bool Stepper::rests() const {
   double sums[2] = {0, 0};  // squares of F at rest less F_n, and of F_n: this rank's
-  for (Term* term : active_) {
-    if (!term->may_relax()) continue;
-    const int slot = history_slot_[std::find(terms_.begin(), terms_.end(), term) - terms_.begin()];
+  for (int k = 0; k < static_cast<int>(active_.size()); ++k) {
+    if (!active_[k]->may_relax()) continue;
+    const int slot = history_slot(k);
     const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
     for (std::size_t i = 0; i < old.extent(0); ++i) {
       sums[0] += (now(i) - old(i)) * (now(i) - old(i));

@@ -26,9 +26,10 @@ bool Stepper::refresh_history() {
   levels(owned_part(*space_.dofs(), store_.committed().value));
   view_.time_end = store_.trial().time = store_.committed().time;
   int failures = 0;
-  for (Term* term : active_) {
-    const int slot = history_slot_[std::find(terms_.begin(), terms_.end(), term) - terms_.begin()];
+  for (int k = 0; k < static_cast<int>(active_.size()); ++k) {
+    const int slot = history_slot(k);
     if (slot < 0) continue;
+    Term* term = active_[k];
     term->begin(view_);
     const NodalView force = store_.committed().history_forces[slot];
     Kokkos::deep_copy(force, 0.0);

@@ -75,7 +75,7 @@ void Soil::declare_state(StateStore& store) {
     const int rows = b.elements * b.points;
     b.stress = store.declare({prefix + "effective stress" + suffix, {{"effective stress", 6, "Pa", RemapRule::tensor}}, b.block, b.points}, rows);
     b.void_ratio = store.declare({prefix + "void ratio" + suffix,
-                                  {{"void ratio", 1, "-", RemapRule::mass, 0.0}, {"initial void ratio", 1, "-"}}, b.block, b.points}, rows);
+                                  {{"void ratio", 1, "-", RemapRule::mass, b.porous() ? 0.0 : -1.0}, {"initial void ratio", 1, "-"}}, b.block, b.points}, rows);
     b.law = store.declare({prefix + "law" + suffix, b.material->skeleton->state_variables(), b.block, b.points}, rows);
   }
 }

@@ -180,8 +180,7 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
   p.section("newton", newton_, "nonlinear iterations");
   p.finish();
   mark_used(section.section("newton").section("nox").list());
-  const Section linear = section.section("linear solver");
-  if (!linear.has_parameter("type")) linear.list().set("type", std::string("direct"));  // the default needs no name
+  const Section linear = section.section_of_type("linear solver", "direct");
   solver_ = registries.linear_solvers.create(linear);
   const std::string reason = solver_->prepare(space_->dofs());
   if (!reason.empty()) linear.fail(reason, "type");

@@ -254,7 +254,7 @@ bool Run::moves_mesh(const Stage& stage) const { return model_.ale() && stage.me
 
 std::string Run::relocate_mesh() {
   StateStore& store = model_.store();
-  const MeshReceipt receipt = model_.ale()->relocate(store);
+  const MeshReceipt receipt = model_.ale()->relocate(store, model_.stepper().constraints());
   if (!receipt.moved) return receipt.veto;
   // the trial state still has the mesh as it was
   for (Term* term : model_.stepper().active()) term->relocate(store.trial().coordinates, store.committed());
@@ -262,9 +262,9 @@ std::string Run::relocate_mesh() {
   for (Term* term : model_.stepper().active()) term->adopt(store.trial(), store.committed());
   balances_.add_remap(receipt);
   char line[200];
-  std::snprintf(line, sizeof line, "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e", receipt.quality_before, receipt.quality,
+  std::snprintf(line, sizeof line, "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e, restored %+.1e", receipt.quality_before, receipt.quality,
                 receipt.largest_motion, receipt.after.solid / receipt.before.solid - 1,
-                receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0);
+                receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid);
   log::detail(line);
   return "";
 }

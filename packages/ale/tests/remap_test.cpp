@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "ale/conservation.hpp"
 #include "ale/nodal_remap.hpp"
 #include "ale/remap.hpp"
 #include "ale_mesh.hpp"
@@ -133,6 +134,80 @@ TEST(ConvectionRemap, IsOfSecondOrderForSmoothFields) {
     EXPECT_LT(medium, 2e-4);
     EXPECT_GT(std::log2(coarse / medium), 1.8);
     EXPECT_GT(std::log2(medium / fine), 1.9);
+  }
+}
+
+TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
+  for (bool axisymmetric : {false, true}) {
+    const auto mesh = box(CellShape::tri6, 6);
+    Points points(*mesh);
+    Positions to = points.start;
+    for (auto& p : to)  // the right part rests
+      if (p[0] < 0.6) p[1] += 0.03 * std::sin(4 * std::acos(-1.0) * p[1]) * std::sin(std::acos(-1.0) * p[0] / 0.6);
+    const auto ratio = [](double x, double y) { return 1 + 0.3 * std::sin(2 * x) * std::cos(3 * y); };
+    const std::vector<double> old = points.values(ratio, points.start);
+    std::vector<double> now = points.carried(old, points.start, to);
+    const auto transported = now;
+    const auto grains = [&](const std::vector<double>& values, const Positions& x) {
+      double sum = 0;  // by the points' own volumes, written out independently
+      for (int e : points.whole.block_elements(0)) {
+        const auto& nodes = points.whole.elements()[e].nodes;
+        for (int q = 0; q < points.block.points; ++q) {
+          double j[4] = {0, 0, 0, 0}, r = 0;
+          for (int a = 0; a < 6; ++a) {
+            r += points.block.u.N(q, a) * x[nodes[a]][0];
+            for (int k = 0; k < 4; ++k) j[k] += x[nodes[a]][k / 2] * points.block.u.dN(q, a, k % 2);
+          }
+          const double dv = points.block.u.weights(q) * (j[0] * j[3] - j[1] * j[2]) * (axisymmetric ? 2 * std::acos(-1.0) * r : 1);
+          sum += dv / (1 + values[points.whole.first_row(e, points.block.points) + q]);
+        }
+      }
+      return sum;
+    };
+    const double mass = grains(old, points.start);
+    const double share = restore_grains({points.whole, points.block, points.start, to, points.variables, 1, old, now}, axisymmetric, 0);
+    EXPECT_GT(std::abs(share), 1e-7);  // the transfer alone does not conserve
+    EXPECT_NEAR(grains(transported, to) / mass, 1 - share, 1e-13);
+    EXPECT_NEAR(grains(now, to) / mass, 1, 1e-14);
+    int rest = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      EXPECT_NEAR(now[i], transported[i], 1e-3);
+      rest += now[i] == transported[i];
+    }
+    EXPECT_GT(rest, static_cast<int>(now.size()) / 5);
+  }
+}
+
+TEST(Conservation, TheFreeBoundaryKnowsWhatVolumeItMoves) {
+  for (bool axisymmetric : {false, true}) {
+    const auto mesh = box(CellShape::tri6, 6);
+    const Points points(*mesh);
+    const Soil soil{nullptr, axisymmetric, 0, -1, {points.block}};
+    Positions x = points.start;
+    for (auto& p : x) p[1] *= 1 + 0.1 * std::sin(3 * p[0]);  // a curved top
+    EXPECT_NEAR(soil_volume(points.whole, soil, points.start), axisymmetric ? std::acos(-1.0) : 1.0, 1e-13);
+    std::vector<char> free(points.whole.num_nodes(), 0);
+    std::vector<double> held(2 * points.whole.num_nodes(), 0.0);
+    int tops = 0;
+    for (std::size_t node = 0; node < x.size(); ++node) {
+      if (points.start[node][1] < 1 - 1e-12 || std::abs(points.start[node][0] - 0.5) > 0.49) continue;  // ends rest
+      free[node] = 1;
+      ++tops;
+      if (points.start[node][0] > 0.5) held[2 * node] = 1;
+    }
+    const FreeBoundary boundary(points.whole, soil, free, held, x);
+    EXPECT_EQ(static_cast<int>(boundary.movers.size()), tops);
+    Positions there = x, back = x;
+    const double step = 1e-5;
+    for (const auto& mover : boundary.movers) {
+      EXPECT_GT(mover.normal[1], 0.5);
+      for (int d = 0; d < 2; ++d) {
+        there[mover.node][d] += step * mover.normal[d];
+        back[mover.node][d] -= step * mover.normal[d];
+      }
+    }
+    const double slope = (soil_volume(points.whole, soil, there) - soil_volume(points.whole, soil, back)) / (2 * step);
+    EXPECT_NEAR(slope / boundary.area, 1, 1e-9);
   }
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ale/mesh_paths.hpp"
+#include "ale/remap.hpp"
+
+namespace mudline {
+
+/// Volume of the soil [m3; plane strain: per metre] by its own quadrature, as the balances take it.
+double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x);
+
+/// Directions in which nodes of the free boundary move to change the soil's volume: unit normals, outwards, without the
+/// prescribed components.
+struct FreeBoundary {
+  struct Mover {
+    int node;
+    std::array<double, 2> normal;
+  };
+  std::vector<Mover> movers;
+  double area = 0;  // change of volume per common distance [m2]
+
+  /// `free`: (node) whether it may move at all; `held`: (node, component) nonzero where the displacement is prescribed.
+  FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<char>& free, const std::vector<double>& held,
+               const Positions& x);
+};
+
+/// Makes up for the mass of grains that a transfer lost: the dry density 1/(1+e) of every point changes in proportion to how
+/// far the point moved, by one factor for the block. Points at rest keep theirs. Returns the share of the grains that was
+/// missing [-]; 0 where nothing moved. `column`: that of the void ratio.
+double restore_grains(const PointTransfer& transfer, bool axisymmetric, int column);
+
+}  // namespace mudline
