@@ -96,7 +96,7 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
   known.push_back("tests");
   d->root->allow_sections(known);
   load_plugins(d->root->section("plugins"), d->registries);
-  d->output = OutputSettings::read(d->root->section("output"), name);
+  d->output = OutputSettings::read(d->root->section("output"), name, {});
   read_soils(*d);
   if (want_tests && !d->root->has_section("tests"))
     d->root->fail("required section 'tests' is missing; see `mudline list test`");

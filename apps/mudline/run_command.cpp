@@ -23,16 +23,19 @@ struct Loaded {
   OutputSettings output;
 };
 
-/// The nearest node of a probe far away would tell nothing of where the author looks.
+/// The nearest node of a probe far away would tell nothing of where the author looks. A point of a body may come into the
+/// soil later.
 void check_probes(const Loaded& loaded) {
   const auto box = loaded.model->mesh().bounds();
   const double slack = 1e-6 * std::max(box[1] - box[0], box[3] - box[2]);
-  for (const auto& [name, at] : loaded.output.probes)
-    for (int i = 0; i < 2; ++i)
+  for (const ProbeSettings& probe : loaded.output.probes) {
+    const auto& at = probe.point;
+    for (int i = 0; probe.moves_with.empty() && i < 2; ++i)
       if (at[i] < box[2 * i] - slack || at[i] > box[2 * i + 1] + slack)
         loaded.root->section("output").section("probes").fail(
             std::string(i == 0 ? "x" : "y") + " = " + number_text(at[i]) + " lies outside the mesh, which reaches from " +
-                number_text(box[2 * i]) + " to " + number_text(box[2 * i + 1]), name);
+                number_text(box[2 * i]) + " to " + number_text(box[2 * i + 1]), probe.name);
+  }
 }
 
 std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name) {
@@ -46,7 +49,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name) {
   loaded->root->allow_parameters({});
   loaded->root->allow_sections(deck_sections());
   load_plugins(loaded->root->section("plugins"), loaded->registries);
-  loaded->output = OutputSettings::read(loaded->root->section("output"), name);
+  loaded->output = OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());

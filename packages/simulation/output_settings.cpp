@@ -1,8 +1,20 @@
 #include "simulation/output_settings.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "core/errors.hpp"
+
 namespace mudline {
+
+namespace {
+
+void moving_probe(Parameters& p, ProbeSettings& probe) {
+  p.required("point", probe.point, "m", "place at the start");
+  p.required("moves with", probe.moves_with, "a body, whose point it is; or nothing: it stays where it is");
+}
+
+}  // namespace
 
 void OutputSettings::parameters(Parameters& p) {
   p.add("folder", folder, "folder of the results, made if absent; relative to where the program is started");
@@ -11,10 +23,10 @@ void OutputSettings::parameters(Parameters& p) {
   p.add("field steps", field_steps, "-", closed(0, 1e9), "fields are written every so many steps; 0: off");
   p.add("history steps", history_steps, "-", closed(1, 1e9), "a row of the history file every so many steps");
   p.add("checkpoint steps", checkpoint_steps, "-", closed(0, 1e9), "a checkpoint every so many steps; 0: at the end of stages only");
-  p.passes_on("probes", "named points, Array(double) of two coordinates each; of every field the history has the value at the nearest node that carries it (pore pressure: the nearest cell corner)");
+  p.passes_on("probes", "named points: Array(double) of two coordinates for the nearest node that carries a field (pore pressure: the nearest cell corner), wherever it goes, with the soil or with the mesh; or a section with a point and what it moves with");
 }
 
-OutputSettings OutputSettings::read(const Section& section, const std::string& deck_name) {
+OutputSettings OutputSettings::read(const Section& section, const std::string& deck_name, const std::vector<std::string>& bodies) {
   OutputSettings settings;
   settings.name = deck_name;
   Parameters p(section);
@@ -25,9 +37,22 @@ OutputSettings OutputSettings::read(const Section& section, const std::string& d
   for (const std::string& name : probes.parameter_names()) {
     std::array<double, 2> point{};
     reader.required(name, point, "m", "position of the probe");
-    settings.probes.emplace_back(name, point);
+    settings.probes.push_back({name, point, true, ""});
   }
+  for (const std::string& name : probes.section_names()) reader.passes_on(name, "a probe that is no node");
   reader.finish();
+  for (const std::string& name : probes.section_names()) {
+    ProbeSettings probe{name, {}, false, ""};
+    const Section own = probes.section(name);
+    Parameters moving(own);
+    moving_probe(moving, probe);
+    moving.finish();
+    if (probe.moves_with == "nothing")
+      probe.moves_with.clear();
+    else if (std::find(bodies.begin(), bodies.end(), probe.moves_with) == bodies.end())
+      own.fail("unknown body '" + probe.moves_with + "'" + suggestion(probe.moves_with, bodies), "moves with");
+    settings.probes.push_back(probe);
+  }
   return settings;
 }
 

@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "simulation/probe_settings.hpp"
 
 namespace mudline {
 
 /// The deck's section "output".
 class OutputSettings {
  public:
-  /// `deck_name`: stem of the deck's file, the default name of the results. InputError.
-  static OutputSettings read(const Section& section, const std::string& deck_name);
+  /// `deck_name`: stem of the deck's file, the default name of the results; `bodies`: what a probe may move with. InputError.
+  static OutputSettings read(const Section& section, const std::string& deck_name, const std::vector<std::string>& bodies);
   void parameters(Parameters& p);
 
   std::string folder = "results";
@@ -22,7 +23,7 @@ class OutputSettings {
   int field_steps = 0;         // every so many steps; 0: off
   int history_steps = 1;
   int checkpoint_steps = 100;  // 0: only at the end of stages
-  std::vector<std::pair<std::string, std::array<double, 2>>> probes;
+  std::vector<ProbeSettings> probes;
 
   /// Makes the folder for the results. `section`: the deck's "output". InputError.
   void make_folder(const Section& section) const;

@@ -1,7 +1,5 @@
 #include "simulation/results.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +9,7 @@ namespace mudline {
 
 Results::Results(Model& model, const OutputSettings& settings, const std::string& deck_text, std::optional<double> restart_time)
     : model_(model), fields_(model.mesh(), settings.stem(), restart_time), history_(model.mesh().comm(), settings.stem() + ".csv", restart_time),
-      initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()) {
+      initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()), probes_(model, settings.probes) {
   fields_.set_metadata("deck", deck_text);
   fields_.set_metadata("geometry", model.mesh().geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain");
   const auto box = model.mesh().bounds();
@@ -24,7 +22,6 @@ Results::Results(Model& model, const OutputSettings& settings, const std::string
       for (int i = 0; i < 2; ++i) point[i] += body->initial_position()[i];
     fields_.add_body(name, contour);
   }
-  find_probes(settings);
 }
 
 void Results::take_initial_pressure() { Kokkos::deep_copy(initial_pressure_, model_.store().committed().value); }
@@ -42,33 +39,6 @@ NodalView Results::excess_pressure(int field) const {
     excess(dof) = state.value(dof) - initial_pressure_(dof) - deeper;
   }
   return excess;
-}
-
-void Results::find_probes(const OutputSettings& settings) {
-  const Space& space = model_.space();
-  const auto& comm = *model_.mesh().comm();
-  for (const auto& [name, at] : settings.probes) {
-    Probe probe{name, 0, {}};
-    for (int f = 0; f < space.num_fields(); ++f) {
-      double best = 1e300;
-      int dof = -1;
-      for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node) {
-        if (space.node_dof(f)(node) < 0) continue;
-        const double distance = std::hypot(model_.mesh().coordinates()(node, 0) - at[0], model_.mesh().coordinates()(node, 1) - at[1]);
-        if (distance < best) {
-          best = distance;
-          dof = space.node_dof(f)(node);
-        }
-      }
-      // the owner of the nearest node keeps the dof; the others add nothing to the sum over ranks
-      const double nearest = min_over_ranks(comm, best);
-      const int mine = best == nearest ? comm.getRank() : comm.getSize();
-      int owner = 0;
-      Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &owner);
-      probe.dof.push_back(owner == comm.getRank() ? dof : -1);
-    }
-    probes_.push_back(probe);
-  }
 }
 
 std::vector<double> Results::on_all_nodes(int field, const ConstNodalView& values) const {
@@ -199,16 +169,8 @@ void Results::write_history(const Balances& balances, const std::map<std::string
     const auto bracket = name.rfind(" [");
     row.push_back({name.substr(0, bracket), bracket == std::string::npos ? "-" : name.substr(bracket + 2, name.size() - bracket - 3), value});
   }
-  for (const Probe& probe : probes_)
-    for (int f = 0; f < space.num_fields(); ++f) {
-      const Field& field = space.field(f);
-      if (field.support == Support::apart) continue;
-      for (int c = 0; c < field.components; ++c) {
-        const double mine = probe.dof[f] >= 0 ? state.value(probe.dof[f] + c) : 0.0;
-        const std::string suffix = field.components > 1 ? std::string(" ") + axes[c] : "";
-        row.push_back({"probe/" + probe.name + "/" + field.name + suffix, field.unit, sum_over_ranks(*space.dofs()->comm(), mine)});
-      }
-    }
+  const int p = space.find("pore pressure");
+  for (const HistoryValue& value : probes_.values(state, p >= 0 ? excess_pressure(p) : NodalView())) row.push_back(value);
   for (const HistoryValue& value : balances.values()) row.push_back(value);
   history_.write(state.time, row);
 }

@@ -10,6 +10,7 @@
 #include "simulation/output/field_file.hpp"
 #include "simulation/output/history_file.hpp"
 #include "simulation/output_settings.hpp"
+#include "simulation/probes.hpp"
 
 namespace mudline {
 
@@ -27,12 +28,6 @@ class Results {
   void take_initial_pressure();
 
  private:
-  struct Probe {
-    std::string name;
-    int rank;                 // that owns the nodes
-    std::vector<int> dof;     // by field: component 0 of the nearest node, on that rank
-  };
-  void find_probes(const OutputSettings& settings);
   std::vector<OutputField> nodal_fields() const;
   std::vector<OutputField> cell_fields() const;
   /// A field on all owned nodes; a linear field's missing middle nodes are interpolated.
@@ -44,7 +39,7 @@ class Results {
   /// Pore pressure less that of the start at the same place, by overlap dof.
   NodalView excess_pressure(int field) const;
   NodalView initial_pressure_;
-  std::vector<Probe> probes_;
+  Probes probes_;
 };
 
 }  // namespace mudline

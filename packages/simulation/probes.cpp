@@ -1,0 +1,136 @@
+#include "simulation/probes.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ale/point_locator.hpp"
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Reference coordinates moved into the cell.
+void into_cell(CellShape shape, double (&xi)[2]) {
+  if (num_corners(shape) == 4) {
+    for (double& c : xi) c = std::clamp(c, -1.0, 1.0);
+    return;
+  }
+  for (double& c : xi) c = std::max(c, 0.0);
+  const double sum = xi[0] + xi[1];
+  for (double& c : xi) c /= std::max(1.0, sum);
+}
+
+std::string column(const std::string& probe, const Field& field, int component) {
+  const char* axes[2] = {" x", " y"};
+  return "probe/" + probe + "/" + field.name + (field.components > 1 ? axes[component] : "");
+}
+
+}  // namespace
+
+Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings) : model_(model) {
+  for (const ProbeSettings& probe : settings) {
+    if (probe.at_node)
+      nodes_.push_back(nearest_node(probe));
+    else
+      moving_.push_back(probe);
+  }
+  if (!moving_.empty()) mesh_ = std::make_unique<WholeMesh>(model.mesh());
+}
+
+Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
+  const Space& space = model_.space();
+  const auto& comm = *model_.mesh().comm();
+  NodeProbe probe{settings.name, {}};
+  for (int f = 0; f < space.num_fields(); ++f) {
+    double best = 1e300;
+    int dof = -1;
+    for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node) {
+      if (space.node_dof(f)(node) < 0) continue;
+      const double distance = std::hypot(model_.mesh().coordinates()(node, 0) - settings.point[0],
+                                         model_.mesh().coordinates()(node, 1) - settings.point[1]);
+      if (distance < best) {
+        best = distance;
+        dof = space.node_dof(f)(node);
+      }
+    }
+    // the owner of the nearest node keeps the dof; the others add nothing to the sum over ranks
+    const double nearest = min_over_ranks(comm, best);
+    const int mine = best == nearest ? comm.getRank() : comm.getSize();
+    int owner = 0;
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &owner);
+    probe.dof.push_back(owner == comm.getRank() ? dof : -1);
+  }
+  return probe;
+}
+
+std::array<double, 2> Probes::place(const ProbeSettings& probe, const State& state) const {
+  if (probe.moves_with.empty()) return probe.point;
+  const RigidBody& body = *model_.bodies().at(probe.moves_with);
+  const BodyPlacement start = body.initial_placement(), now = body.placement(state);
+  const double turn = now.angle - start.angle, c = std::cos(turn), s = std::sin(turn);
+  const double arm[2] = {probe.point[0] - start.centre[0], probe.point[1] - start.centre[1]};
+  return {now.centre[0] + c * arm[0] - s * arm[1], now.centre[1] + s * arm[0] + c * arm[1]};
+}
+
+void Probes::interpolated(const ProbeSettings& probe, const State& state, const NodalView& excess, const Positions& x, std::vector<HistoryValue>& row) const {
+  const std::array<double, 2> at = place(probe, state);
+  const PointLocator locator(*mesh_, x);
+  MeshPlace best;
+  double least = 1e300, N[9], dN[18];
+  for (std::size_t block = 0; block < model_.mesh().blocks().size(); ++block) {
+    if (mesh_->block_elements(static_cast<int>(block)).empty()) continue;
+    MeshPlace here = locator.find(at, mesh_->block_elements(static_cast<int>(block)).front());
+    const auto& element = mesh_->elements()[here.element];
+    into_cell(element.shape, here.xi);
+    evaluate_shape(element.shape, here.xi, N, dN);
+    double off[2] = {at[0], at[1]};
+    for (int a = 0; a < num_nodes(element.shape); ++a)
+      for (int i = 0; i < 2; ++i) off[i] -= N[a] * x[element.nodes[a]][i];
+    const double distance = std::hypot(off[0], off[1]);
+    if (distance >= least) continue;
+    least = distance;
+    best = here;
+  }
+  const auto& element = mesh_->elements()[best.element];
+  const auto value = [&](int f, const NodalView& values, int component) {
+    const Field& field = model_.space().field(f);
+    const CellShape shape = field.support == Support::vertices ? linear_partner(element.shape) : element.shape;
+    evaluate_shape(shape, best.xi, N, dN);
+    const std::vector<double> all = mesh_->gather(model_.space(), f, values);
+    double sum = 0;
+    for (int a = 0; a < num_nodes(shape); ++a) sum += N[a] * all[static_cast<std::size_t>(field.components) * element.nodes[a] + component];
+    return sum;
+  };
+  row.push_back({"probe/" + probe.name + "/position x", "m", at[0]});
+  row.push_back({"probe/" + probe.name + "/position y", "m", at[1]});
+  for (int f = 0; f < model_.space().num_fields(); ++f) {
+    const Field& field = model_.space().field(f);
+    if (field.support == Support::apart) continue;
+    for (int c = 0; c < field.components; ++c)
+      row.push_back({column(probe.name, field, c), field.unit, value(f, state.value, c)});
+    if (field.name == "pore pressure") row.push_back({"probe/" + probe.name + "/excess pore pressure", field.unit, value(f, excess, 0)});
+  }
+}
+
+std::vector<HistoryValue> Probes::values(const State& state, const NodalView& excess) const {
+  const Space& space = model_.space();
+  std::vector<HistoryValue> row;
+  for (const NodeProbe& probe : nodes_)
+    for (int f = 0; f < space.num_fields(); ++f) {
+      const Field& field = space.field(f);
+      if (field.support == Support::apart) continue;
+      for (int c = 0; c < field.components; ++c) {
+        const double mine = probe.dof[f] >= 0 ? state.value(probe.dof[f] + c) : 0.0;
+        row.push_back({column(probe.name, field, c), field.unit, sum_over_ranks(*space.dofs()->comm(), mine)});
+      }
+    }
+  if (moving_.empty()) return row;
+  const Positions x = mesh_->gather(state.coordinates);
+  for (const ProbeSettings& probe : moving_) interpolated(probe, state, excess, x, row);
+  return row;
+}
+
+}  // namespace mudline
