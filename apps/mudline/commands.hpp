@@ -33,8 +33,8 @@ Deck read_deck(const DeckOptions& options);
 std::string result_name(const DeckOptions& options);
 /// A deck for `mudline point` alone: tests, but nothing to mesh.
 bool is_point_deck(const Deck& deck);
-/// The command line of the report's Python script.
-std::vector<std::string> report_command(const std::vector<std::string>& arguments);
+/// The command line of a Python script of ours, "report" or "sweep".
+std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments);
 /// The words as exec takes them, with a null at the end; they point into `command`.
 std::vector<char*> argv_of(std::vector<std::string>& command);
 
@@ -46,7 +46,8 @@ int check_point(const Deck& deck, const std::string& name);
 int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);
 int explain(const std::string& name, const std::string& plugin);
 int print_template(const std::string& name);
-int report(const std::vector<std::string>& arguments);
+/// Goes on as the script, which has its own options; does not return.
+int become_script(const std::string& name, const std::vector<std::string>& arguments);
 int version();
 
 }  // namespace mudline::cli

@@ -78,20 +78,23 @@ int explain(const std::string& name, const std::string& plugin) {
   return 0;
 }
 
-std::vector<std::string> report_command(const std::vector<std::string>& arguments) {
+std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments) {
   // Beside the program: in the source tree, or in share/ of an installation.
+  const std::string file = name + "/mudline_" + name + ".py";
   std::vector<std::string> places;
-  if (const char* given = std::getenv("MUDLINE_REPORT")) places.push_back(given);
-  places.push_back(MUDLINE_REPORT_SOURCE);
+  if (const char* given = std::getenv("MUDLINE_SCRIPTS")) places.push_back(given);
+  places.push_back(MUDLINE_SCRIPTS);
   const auto self = std::filesystem::read_symlink("/proc/self/exe");
-  places.push_back((self.parent_path().parent_path() / "share/mudline/report/mudline_report.py").string());
-  for (const std::string& script : places) {
+  setenv("MUDLINE_PROGRAM", self.c_str(), 0);
+  places.push_back((self.parent_path().parent_path() / "share/mudline").string());
+  for (const std::string& place : places) {
+    const std::string script = place + "/" + file;
     if (!std::filesystem::exists(script)) continue;
     std::vector<std::string> command{std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3", script};
     command.insert(command.end(), arguments.begin(), arguments.end());
     return command;
   }
-  throw std::runtime_error("the report script is not installed");
+  throw std::runtime_error("the script of '" + name + "' is not installed");
 }
 
 std::vector<char*> argv_of(std::vector<std::string>& command) {
@@ -101,9 +104,9 @@ std::vector<char*> argv_of(std::vector<std::string>& command) {
   return argv;
 }
 
-int report(const std::vector<std::string>& arguments) {
+int become_script(const std::string& name, const std::vector<std::string>& arguments) {
   if (!root()) return 0;
-  std::vector<std::string> command = report_command(arguments);
+  std::vector<std::string> command = script_command(name, arguments);
   const std::vector<char*> argv = argv_of(command);
   execvp(argv[0], argv.data());
   throw std::runtime_error("python3 cannot be started; install python3, python3-h5py and python3-matplotlib");

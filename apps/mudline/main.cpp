@@ -111,10 +111,15 @@ int dispatch(int argc, char** argv, bool root) {
   report_command->allow_extras();
   report_command->footer("example: mudline report results/cone_indentation -o cone.html");
 
+  auto* sweep_command = app.add_subcommand("sweep", "run a deck for several values of something, gather and plot the results");
+  sweep_command->allow_extras();
+  sweep_command->footer("example: mudline sweep inputs/cpt/backbone.xml --jobs 2");
+
   auto* version_command = app.add_subcommand("version", "version, compiler and libraries");
 
-  // The report's options belong to its script, which has a help of its own.
-  if (argc > 1 && std::string(argv[1]) == "report") return cli::report(std::vector<std::string>(argv + 2, argv + argc));
+  // These commands' options belong to their scripts, which have a help of their own.
+  for (const char* script : {"report", "sweep"})
+    if (argc > 1 && std::string(argv[1]) == script) return cli::become_script(script, std::vector<std::string>(argv + 2, argv + argc));
   try {
     require_command(app, argc, argv);
     app.parse(argc, argv);

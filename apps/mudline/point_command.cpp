@@ -161,7 +161,7 @@ bool conforms(const PointDeck& d, const PointSoil& soil) {
 void draw(const std::string& png, const std::vector<std::string>& files) {
   std::vector<std::string> arguments{"--point", png};
   arguments.insert(arguments.end(), files.begin(), files.end());
-  std::vector<std::string> command = report_command(arguments);
+  std::vector<std::string> command = script_command("report", arguments);
   const std::vector<char*> argv = argv_of(command);
   pid_t child = 0;
   int status = 0;
