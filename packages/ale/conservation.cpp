@@ -59,11 +59,14 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
     const double size = std::hypot(g[0], g[1]);
     if (!(size > 0)) continue;
     Mover mover{node, {0, 0}};
+    double share = 0;  // of the normal that is left
     for (int i = 0; i < 2; ++i) {
       if (held[2 * node + i] != 0) continue;
       mover.normal[i] = g[i] / size;
-      area += g[i] * g[i] / size;
+      share += mover.normal[i] * mover.normal[i];
     }
+    if (share < 0.1) continue;  // a roller: what is left is rounding
+    area += share * size;
     movers.push_back(mover);
   }
 }

@@ -192,9 +192,12 @@ TEST(Conservation, TheFreeBoundaryKnowsWhatVolumeItMoves) {
     for (std::size_t node = 0; node < x.size(); ++node) {
       if (points.start[node][1] < 1 - 1e-12 || std::abs(points.start[node][0] - 0.5) > 0.49) continue;  // ends rest
       free[node] = 1;
-      ++tops;
       if (points.start[node][0] > 0.5) held[2 * node] = 1;
+      if (points.start[node][0] > 0.7) held[2 * node + 1] = 1;
+      tops += points.start[node][0] <= 0.7;
     }
+    for (std::size_t node = 0; node < x.size(); ++node)  // a roller: its normal is held
+      if (points.start[node][0] > 1 - 1e-12 && std::abs(points.start[node][1] - 0.5) < 0.49) free[node] = held[2 * node] = 1;
     const FreeBoundary boundary(points.whole, soil, free, held, x);
     EXPECT_EQ(static_cast<int>(boundary.movers.size()), tops);
     Positions there = x, back = x;

@@ -1,0 +1,29 @@
+// Soil around a long cylinder that lies across the plane, deep below the surface: half-plane x >= 0, the cylinder's axis at the origin.
+DefineConstant[ diameter = {1.0, Name "diameter"} ];
+DefineConstant[ fine = {0.05, Name "fine"} ];      // sides on the cylinder [m]
+DefineConstant[ coarse = {0.8, Name "coarse"} ];   // at the far boundary
+DefineConstant[ reach = {5.0, Name "reach"} ];     // of the soil around the axis
+radius = 0.5 * diameter;
+
+Point(1) = {0, 0, 0, fine};
+Point(2) = {0, -radius, 0, fine};
+Point(3) = {0, radius, 0, fine};
+Point(4) = {radius, 0, 0, fine};
+Point(5) = {0, -reach, 0, coarse};
+Point(6) = {reach, -reach, 0, coarse};
+Point(7) = {reach, reach, 0, coarse};
+Point(8) = {0, reach, 0, coarse};
+Circle(1) = {2, 1, 4};
+Circle(2) = {4, 1, 3};
+Line(3) = {3, 8};
+Line(4) = {8, 7};
+Line(5) = {7, 6};
+Line(6) = {6, 5};
+Line(7) = {5, 2};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7};
+Plane Surface(1) = {1};
+
+Physical Surface("clay") = {1};
+Physical Curve("axis") = {3, 7};
+Physical Curve("far") = {4, 5, 6};
+Physical Curve("surface") = {1, 2};
