@@ -34,7 +34,8 @@ std::vector<InitialState::Layer> InitialState::layers(const Soil& soil, const Se
   for (const auto& [region, box] : mesh.region_bounds()) {
     double density = -1;
     for (const SoilBlock& b : soil.blocks)
-      if (mesh.blocks()[b.block].region == region) density = b.material->density(b.material->initial_porosity());
+      if (mesh.blocks()[b.block].region == region) density = b.material->density(b.material->initial_porosity()) -
+                                                                    (soil.excess ? b.material->biot_coefficient * b.material->fluid->density() : 0.0);
     result.push_back({box[2], box[3], density});
   }
   std::sort(result.begin(), result.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
@@ -104,12 +105,13 @@ void InitialState::set_pressure(const Soil& soil, StateStore& store, double unit
 
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
   check(section);
+  if (soil.excess && has_water_) section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
   const double g = -gravity.vector[1];
   if (kind_ == Kind::geostatic && g <= 0) section.fail("a geostatic start needs gravity pointing down: give the physics a 'gravity'", "type");
   State& state = store.committed();
   double unit_weight = 0;
   for (const SoilBlock& b : soil.blocks)
-    if (b.porous()) unit_weight = b.material->fluid->density() * g;
+    if (b.porous() && !soil.excess) unit_weight = b.material->fluid->density() * g;
   if (kind_ != Kind::stress_free) set_pressure(soil, store, unit_weight);
   std::vector<Layer> column;
   double top_pressure = 0;

@@ -18,7 +18,8 @@ class SoilPhysics : public Physics {
     if (context.soil) section.fail("only one physics may own the displacements");
     soil_ = make_soil(context.space, context.materials, porous(), quadrature_, context.materials_section);
     context.soil = soil_;
-    const double density = porous() && !soil_->blocks.empty() ? soil_->blocks[0].material->fluid->density() : 0.0;
+    soil_->excess = excess_;
+    const double density = porous() && !excess_ && !soil_->blocks.empty() ? soil_->blocks[0].material->fluid->density() : 0.0;
     soil_->hydrostatic_gradient = [density, gravity = gravity_](double time) {
       const auto g = gravity.at(time);
       return std::array<double, 2>{density * g[0], density * g[1]};
@@ -64,6 +65,7 @@ class SoilPhysics : public Physics {
   std::shared_ptr<Soil> soil_;
   Gravity gravity_;
   InitialState initial_;
+  bool excess_ = false;
   int quadrature_ = 4;
   double mass_damping_ = 0, stiffness_damping_ = 0;
 };
@@ -72,6 +74,11 @@ class Biot : public SoilPhysics {
  public:
   void parameters(Parameters& p) {
     common_parameters(p);
+    enum class Counted { total, excess };
+    Counted counted = Counted::total;
+    p.choice("pore pressure", counted, {{"total", Counted::total}, {"excess", Counted::excess}},
+             "excess: counted from water at rest, whose weight then acts nowhere; total stresses, loads and contact pressures are in excess of the water's too");
+    excess_ = counted == Counted::excess;
     p.add("fluid acceleration", fluid_acceleration_, "keep the term rho_f a in Darcy's law");
   }
   std::vector<Field> fields() const override {
@@ -87,7 +94,7 @@ class Biot : public SoilPhysics {
  protected:
   bool porous() const override { return true; }
   void add_terms(PhysicsContext& context) override {
-    context.terms.push_back(std::make_unique<FluidMass>(soil_, gravity_, fluid_acceleration_));
+    context.terms.push_back(std::make_unique<FluidMass>(soil_, excess_ ? Gravity{} : gravity_, fluid_acceleration_));
   }
 
  private:

@@ -69,6 +69,7 @@ struct Soil {
   bool axisymmetric;
   int displacement, pressure;      // field indices; pressure -1 without pore fluid
   std::vector<SoilBlock> blocks;
+  bool excess = false;             // pore pressures are those in excess of water at rest, weights those under water
   /// Gradient of the pressure of water at rest at a time, rho_f g [Pa/m]; zero without pore fluid.
   std::function<std::array<double, 2>(double time)> hydrostatic_gradient = [](double) { return std::array<double, 2>{}; };
 

@@ -20,7 +20,8 @@ class Pile(MudlineCase):
         overlay = ('<ParameterList name="short"><ParameterList name="stages"><ParameterList name="set-up">'
                    '<Parameter name="duration" type="double" value="1e6"/><ParameterList name="time step">'
                    '<Parameter name="maximum" type="double" value="1e6"/></ParameterList></ParameterList>'
-                   '<ParameterList name="pull-out"><Parameter name="duration" type="double" value="0.2"/></ParameterList>'
+                   '<ParameterList name="load test"><Parameter name="duration" type="double" value="0.2"/></ParameterList>'
+                   '<ParameterList name="pull-out"><Parameter name="duration" type="double" value="0.4"/></ParameterList>'
                    '</ParameterList></ParameterList>')
         short = cls.shared.write("short.xml", overlay)
         done = program(["run", DECK, short, "--set", f"stages/push/duration={PUSH}"], folder=cls.shared.folder, timeout=380)
@@ -69,6 +70,12 @@ class Pile(MudlineCase):
         # far away nothing has happened, although the nodes have moved
         far = (x[:, 0] > 2.5) | (x[:, 1] < -4)
         self.assertLess(np.abs(pressure[far]).max(), 0.02 * pressure.max())
+
+    def test_a_load_test_finds_more_than_the_push_left(self):
+        time, force = self.history.time, self.history["contact/pile/reaction y"]
+        held, loaded = (np.interp(PUSH + 1e6 + after, time, force) for after in (0.0, 0.2))
+        self.assertGreater(loaded, 1.05 * held)
+        self.assertGreater(np.interp(PUSH + 1e6 + 0.2, time, self.history["contact/pile/friction y"]), 0)
 
     def test_pull_out_turns_friction_round(self):
         self.assertGreater(self.history["contact/pile/friction y"][self.pushing][-1], 0)  # upwards on the pile that goes down

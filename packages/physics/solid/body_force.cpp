@@ -11,7 +11,7 @@ struct BodyForceKernel {
   bool axisymmetric, inertia;
   int points;
   Mixture mixture;
-  double gravity[2], acceleration_slope, geometry_slope, pressure_slope;
+  double lift, gravity[2], acceleration_slope, geometry_slope, pressure_slope;
   Kokkos::View<double*> weights;
   Kokkos::View<double**, Kokkos::LayoutRight> N, Np;
   Kokkos::View<double***, Kokkos::LayoutRight> dN;
@@ -22,7 +22,8 @@ struct BodyForceKernel {
   ConstNodalView acceleration, value, value_old;
 
   BodyForceKernel(const Soil& soil, const SoilBlock& b, const StepView& view, bool is_inertia, std::array<double, 2> g)
-      : axisymmetric(soil.axisymmetric), inertia(is_inertia), points(b.points), mixture(*b.material), gravity{g[0], g[1]},
+      : axisymmetric(soil.axisymmetric), inertia(is_inertia), points(b.points), mixture(*b.material),
+        lift(soil.excess && !is_inertia ? mixture.alpha * mixture.fluid_density : 0.0), gravity{g[0], g[1]},
         acceleration_slope(view.sensitivity[soil.displacement].acceleration), geometry_slope(view.momentum.geometry_weight),
         pressure_slope(soil.pressure >= 0 ? view.sensitivity[soil.pressure].value : 0.0), weights(b.u.weights), N(b.u.N),
         Np(b.p.N), dN(b.u.dN), nodes(b.nodes), dofs(b.dofs), void_ratio(view.committed->arrays[b.void_ratio]),
@@ -59,7 +60,7 @@ struct BodyForceKernel {
       old.compute(xo, &dN(q, 0, 0), &N(q, 0), axisymmetric);
       double n, b[2];
       if (!point(e, q, at, old, n, b)) return 1;
-      const double mass = mixture.density(n) * at.volume(weights(q));
+      const double mass = (mixture.density(n) - lift) * at.volume(weights(q));
       for (int a = 0; a < NU; ++a) {
         r[2 * a] += mass * b[0] * N(q, a);
         r[2 * a + 1] += mass * b[1] * N(q, a);
@@ -79,7 +80,7 @@ struct BodyForceKernel {
       old.compute(xo, &dN(q, 0, 0), &N(q, 0), axisymmetric);
       double n, b[2];
       if (!point(e, q, at, old, n, b)) return;
-      const double dv = at.volume(weights(q)), rho = mixture.density(n);
+      const double dv = at.volume(weights(q)), rho = mixture.density(n) - lift;
       const double over_r = axisymmetric ? 1 / at.r : 0.0;
       const double drho = (mixture.fluid_density - mixture.grain_density) * mixture.porosity_slope(n);
       const double mass_slope = inertia ? rho * dv * acceleration_slope : 0.0;

@@ -18,7 +18,7 @@ struct Gravity {
 };
 
 /// R_u = int N^T rho b dv at the alpha level with b = a (inertia) or b = -g (gravity); rho = n rho_f + (1-n) rho_s follows
-/// the deformation. Two instances, so that the balances tell them apart.
+/// the deformation. With pore pressures in excess of water at rest, gravity acts on rho - alpha rho_f. Two instances, so that the balances tell them apart.
 class BodyForce : public Term {
  public:
   enum class Kind { inertia, gravity };
