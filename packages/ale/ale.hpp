@@ -60,6 +60,8 @@ class Ale {
  private:
   /// New positions of all nodes; a reason when there are none.
   std::string new_positions(const Positions& x_old, const State& state, const Constraints& constraints, Positions& x) const;
+  /// (node, component) 1 where a field's value is prescribed.
+  std::vector<double> prescribed(int field, const Constraints& constraints) const;
   /// Lets the free boundary give way until the soil has the volume that it had at x_old.
   void keep_volume(const Positions& x_old, const State& state, const Constraints& constraints, Positions& boundary, Positions& x) const;
   double largest_motion(const Positions& x_old, const Positions& x_new) const;
@@ -67,6 +69,8 @@ class Ale {
   void place_middles(const Positions& boundary, Positions& x) const;
   /// Returns the share of the grains that was put back.
   double carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const;
+  /// Scales the pore pressures, where they are free, until the pore water compressed by them is what it was.
+  void keep_water(double before, const Constraints& constraints, State& to) const;
   void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
 
   AleParameters deck_;
