@@ -45,7 +45,7 @@ class Invariance(MudlineCase):
                 still, moved = self.pair(deck, settings, 40)
                 self.assert_same(still, moved, ("probe/top/displacement y", "probe/base/pore pressure"), 1e-3)
                 self.assertLess(np.abs(moved["mesh motion/change of solid"]).max(), 1e-11)
-                self.assertLess(np.abs(moved["mesh motion/change of water"]).max(), 1e-10 * len(moved.time))
+                self.assertLess(np.abs(moved["mesh motion/change of water"]).max(), 1e-10)
                 self.assertLess(np.abs(moved["balance/water/error"]).max(), 1e-8)
 
     def test_dynamic_column(self):
