@@ -3,7 +3,7 @@
 // The sides along the tip become the path along the whole hole, so they are many and short.
 DefineConstant[ diameter = {1.07, Name "diameter"} ];     // of the anchor [m]
 DefineConstant[ tip = {2.14, Name "tip"} ];               // length of the ogive, an arc tangent to the shaft
-DefineConstant[ fine = {0.05, Name "fine"} ];             // sides along the tip
+DefineConstant[ fine = {0.05, Name "fine"} ];             // sides at the tip; twice as long at the shoulder
 DefineConstant[ coarse = {2.0, Name "coarse"} ];          // at the far boundary
 DefineConstant[ width = {12.0, Name "width"} ];
 DefineConstant[ depth = {48.0, Name "depth"} ];
@@ -11,7 +11,7 @@ radius = 0.5 * diameter;
 arc = (radius * radius + tip * tip) / (2 * radius);
 
 Point(1) = {0, -tip, 0, fine};
-Point(2) = {radius, 0, 0, fine};
+Point(2) = {radius, 0, 0, 2 * fine};
 Point(3) = {width, 0, 0, coarse};
 Point(4) = {width, -depth, 0, coarse};
 Point(5) = {0, -depth, 0, coarse};
