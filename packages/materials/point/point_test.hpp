@@ -15,6 +15,7 @@ struct PointSoil {
   std::string name;
   std::shared_ptr<const Skeleton> skeleton;
   double void_ratio = 0.0;        // [-] 0: not given
+  bool void_ratio_from_law = false;
   double biot_coefficient = 1.0;  // [-]
 };
 

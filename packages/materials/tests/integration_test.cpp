@@ -95,6 +95,29 @@ TEST(ModifiedCamClayStart, PreconsolidationFollowsFromTheNormalCompressionLine) 
   EXPECT_NE(law.initialise(point, state), "");
 }
 
+/// The other way round: pc by the overconsolidation ratio, the void ratio from the line; a start with both agrees.
+TEST(ModifiedCamClayStart, VoidRatioFollowsFromTheOverconsolidation) {
+  ModifiedCamClay law = clay(Method::modified_euler, 1e-4);
+  InitialPoint point;
+  point.stress = {-60e3, -120e3, -60e3, 0.0, 0.0, 0.0};
+  point.overconsolidation_ratio = 2.0;
+  EXPECT_EQ(law.void_ratio(point), Skeleton::no_void_ratio);
+  const double p = 80.0, q = 60.0, pc = 2.0 * (p + q * q / (law.ratio * law.ratio * p));  // [kPa]
+  const double e = 2.5 - 0.15 * std::log(pc) + 0.03 * std::log(pc / p) - 1.0;
+  law.normal_volume = 2.5;
+  EXPECT_NEAR(law.void_ratio(point), e, 1e-14);
+  double state[ModifiedCamClay::state_size];
+  point.void_ratio = law.void_ratio(point);
+  ASSERT_EQ(law.initialise(point, state), "");
+  EXPECT_NEAR(state[ModifiedCamClay::preconsolidation], pc * 1e3, 1e-9 * pc * 1e3);
+  point.void_ratio += 1e-3;
+  EXPECT_NE(law.initialise(point, state), "");
+  law.normal_volume = 0.0;
+  law.critical_volume = 2.5 - 0.12 * std::log(2.0) - 0.15 * std::log(50.0);  // the critical state at 50 kPa
+  law.reference_pressure = 50e3;
+  EXPECT_NEAR(law.void_ratio(point), e, 1e-13);
+}
+
 /// Stiffness that follows the mean stress of the end, so that the tangent is not the elastic matrix.
 struct Stiffening {
   enum { state_size = 0 };
