@@ -99,11 +99,12 @@ PointOutcome PointTest::run(const Row& row) const {
   for (const PointLeg& leg : legs()) {
     const double begin = end;
     end += leg.duration;
-    const Six from = point.stress();
+    const Six from = leg.tie.stress(point.stress());
     for (int step = 1; step <= leg.steps && outcome.complete; ++step) {
       const double reached = static_cast<double>(step) / leg.steps;
       PointIncrement increment;
       increment.stress_controlled = leg.stress_controlled;
+      increment.tie = leg.tie;
       increment.sliding = leg.sliding;
       increment.dt = begin + reached * leg.duration - point.time();
       for (int c = 0; c < 6; ++c) {
