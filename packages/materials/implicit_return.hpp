@@ -8,7 +8,9 @@ namespace mudline {
 /// Backward Euler ("closest point projection"; Simo & Hughes 1998, Computational Inelasticity, ch. 3) for the models of
 /// plastic_path.hpp. Unknown are the stress, the hardening variables and the multiplier of the end:
 ///     sigma = E(sigma_old, deps - dlambda b(sigma, h)),  h = h_old + dlambda B(sigma, h),  f(sigma, h) = 0
-/// with the model's elastic law E. Newton with the derivative of these equations by dual numbers, so a model gives
+/// with the model's elastic law E. A model that is `trapezoidal` takes instead of b and B the mean of those of start and
+/// end where the start lies on the surface, which makes the error one of second order (Ortiz & Popov 1985, IJNME 21:1561),
+/// and may harden by a law of its own (exponentially, for instance). Newton with the derivative of these equations by dual numbers, so a model gives
 /// first derivatives only; each iterate must lower the residual. Where it does not converge the increment is
 /// subdivided, as fine as `maximum_substeps` allows.
 ///
@@ -55,6 +57,8 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   template <class X>
   struct Start {
     X stress[6], h[H], strain[6], middle_volume, end_volume;
+    X flow[6], hardening[H];  // half of b and of the rates of the start; zero in backward Euler
+    double weight;            // of those of the end
   };
   struct Scales {
     double stress, h[H];
@@ -75,18 +79,22 @@ class ImplicitReturn : public PlasticPath<T, Model> {
       copy(trial, stress, 6);
       return true;
     }
+    begin_flow(start, time * volume_);
     double x[N];
     Start<double> plain;
+    plain.weight = start.weight;
     Scales scales;
     scales.stress = 0.0;
     for (int i = 0; i < 6; ++i) {
       x[i] = value(trial[i]);
       plain.stress[i] = value(stress[i]);
       plain.strain[i] = value(start.strain[i]);
+      plain.flow[i] = value(start.flow[i]);
       scales.stress = ::fmax(scales.stress, ::fmax(::fabs(plain.stress[i]), ::fabs(x[i])));
     }
     for (int i = 0; i < H; ++i) {
       x[6 + i] = plain.h[i] = value(h[i]);
+      plain.hardening[i] = value(start.hardening[i]);
       scales.h[i] = model_.hardening_scale(i, plain.h[i]);
     }
     plain.middle_volume = value(start.middle_volume);
@@ -98,6 +106,25 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     return true;
   }
 
+  /// The part that the start has in the flow. From inside the surface it has none: that is one increment, so its error of
+  /// first order does not add up.
+  KOKKOS_INLINE_FUNCTION void begin_flow(Start<T>& start, const T& volume) const {
+    constexpr double on_surface = 1e-7;
+    start.weight = 1.0;
+    for (int i = 0; i < 6; ++i) start.flow[i] = T(0.0);
+    for (int i = 0; i < H; ++i) start.hardening[i] = T(0.0);
+    if constexpr (Model::trapezoidal) {
+      if (value(model_.yield(start.stress, start.h)) < -on_surface) return;
+      PlasticFlow<T, H> flow;
+      model_.flow(start.stress, start.h, volume, flow);
+      const T* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
+      start.weight = 0.5;
+      for (int i = 0; i < 6; ++i) start.flow[i] = 0.5 * b[i];
+      for (int i = 0; i < H; ++i)
+        start.hardening[i] = 0.5 * flow.hardening_rate[i] / model_.hardening_measure(i, start.h[i]);
+    }
+  }
+
   /// The equations, scaled to order one.
   template <class X, class S>
   KOKKOS_INLINE_FUNCTION void residual(const X* x, const Start<S>& start, const Scales& scales, X* r) const {
@@ -107,10 +134,13 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     const X* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
     const X& multiplier = x[N - 1];
     X elastic[6], to[6];
-    for (int i = 0; i < 6; ++i) elastic[i] = start.strain[i] - multiplier * b[i];
+    for (int i = 0; i < 6; ++i) elastic[i] = start.strain[i] - multiplier * (start.weight * b[i] + start.flow[i]);
     model_.elastic_step(start.stress, elastic, middle_volume, to);
     for (int i = 0; i < 6; ++i) r[i] = (x[i] - to[i]) / scales.stress;
-    for (int i = 0; i < H; ++i) r[6 + i] = (x[6 + i] - start.h[i] - multiplier * flow.hardening_rate[i]) / scales.h[i];
+    for (int i = 0; i < H; ++i) {
+      const X rate = start.weight * flow.hardening_rate[i] / model_.hardening_measure(i, x[6 + i]) + start.hardening[i];
+      r[6 + i] = (x[6 + i] - model_.hardened(i, start.h[i], multiplier * rate)) / scales.h[i];
+    }
     r[N - 1] = model_.yield(x, x + 6);
   }
 

@@ -10,6 +10,9 @@ namespace mudline {
 
 namespace {
 
+// Newton that leaves this much strain behind it in one increment (or more than twice the prescribed one) has gone astray:
+// there a law with v = v0 exp(-strain) has no stiffness left and agrees to anything.
+constexpr double farthest = 0.5;
 constexpr int maximum_iterations = 40, maximum_cuts = 12;  // halvings of one increment: to 1/4096
 // Stresses agree to this part of the largest of them. A law with substepping may jump a little where their number
 // changes; what is reached then still counts when it is below the second number.
@@ -66,7 +69,7 @@ bool PointControl::correct(const PointIncrement& increment, const PointTrial& tr
   if (!matrix.factorise()) return false;
   matrix.solve(step.data());
   for (int c = 0; c < 6; ++c) change[c] += step[c];
-  return std::isfinite(largest(change));
+  return largest(change) <= std::max(farthest, 2.0 * largest(increment.strain));
 }
 
 bool PointControl::solve(const PointIncrement& increment, const Six& guess) {

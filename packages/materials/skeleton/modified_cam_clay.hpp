@@ -76,7 +76,7 @@ struct ModifiedCamClay {
 /// The law as the integration sees it during one increment. h = (pc, plastic shear strain).
 struct ModifiedCamClayModel {
   static constexpr int hardening = 2;
-  static constexpr bool associated = true;
+  static constexpr bool associated = true, trapezoidal = true;
 
   const ModifiedCamClay& law;
   double volume0;     // [-] specific volume at the start of the increment
@@ -184,6 +184,14 @@ struct ModifiedCamClayModel {
     return sym6::mean_pressure(stress) < law.minimum_mean_stress;
   }
   KOKKOS_INLINE_FUNCTION double hardening_scale(int i, double h) const { return i == 0 ? h : 1.0; }
+  /// pc grows exponentially with the plastic volume strain: exact where v stays.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T hardening_measure(int i, const T& h) const { return i == 0 ? h : T(1.0); }
+  template <class S, class T>
+  KOKKOS_INLINE_FUNCTION T hardened(int i, const S& h, const T& x) const {
+    if (i == 0) return h * exponential(x);
+    return h + x;
+  }
 };
 
 /// Where p' is below the minimum: sets it there and returns true. pc is at least twice the minimum, so that the surface

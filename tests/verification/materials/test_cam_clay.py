@@ -36,8 +36,8 @@ def triaxial(kind, ocr):
 
 
 class CamClayTests(MudlineCase):
-    def point(self, tests):
-        return self.run_point(self.write("clay.xml", point_deck(CLAY, tests)))
+    def point(self, tests, clay=CLAY):
+        return self.run_point(self.write("clay.xml", point_deck(clay, tests)))
 
     def close(self, what, value, exact, tolerance=TOLERANCE):
         error = np.max(np.abs(np.asarray(value) / np.asarray(exact) - 1))
@@ -71,6 +71,37 @@ class CamClayTests(MudlineCase):
                 # total radial stress kept: u = 100 kPa - (p' - q/3)
                 self.assertAlmostEqual(cu["excess pore pressure"][row], (100 - p + q / 3) * KPA, delta=5)
                 self.assertAlmostEqual(cu["void ratio"][row], 1.0, delta=1e-12)
+
+    def test_implicit(self):
+        """Two hundred increments to 20 % axial strain: 0.1 % on the whole way; the error is of second order."""
+        implicit = dict({name: value for name, value in CLAY.items() if name != "stress tolerance"}, integration="implicit")
+        worst = {}
+        for steps in (200, 400):
+            histories = self.point({f"{kind} {ocr}": dict(triaxial(kind, ocr), **{"axial strain": [0.2], "steps": steps})
+                                    for kind in ("drained", "undrained") for ocr in (1, 2, 5)}, implicit)
+            worst[steps] = 0
+            for name, h in histories.items():
+                kind, ocr = name.split("_")
+                solution = getattr(CamClay(ocr=float(ocr)), kind)
+                for row in np.arange(10, 201, 10) * steps // 200:
+                    p, q = solution(h["axial strain"][row])[:2]
+                    errors = h["mean effective stress"][row] / (p * KPA) - 1, h["deviatoric stress"][row] / (q * KPA) - 1
+                    worst[steps] = max(worst[steps], np.abs(errors).max())
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print("implicit:", worst)
+        self.assertLess(worst[200], 1e-3)
+        self.assertAlmostEqual(np.log2(worst[200] / worst[400]), 2, delta=0.15)
+
+    def test_there_and_back(self):
+        """Drained from one critical state to the other, however long the increments: q = -+M p', p' = p0 + q/3."""
+        end = 100 / (1 + 1.2 / 3)
+        for integration in ("implicit", "modified euler", "runge-kutta-dormand-prince"):
+            clay = dict({name: value for name, value in CLAY.items() if name != "stress tolerance"}, integration=integration)
+            histories = self.point({f"{ocr} {steps}": {"type": "triaxial drained", "axial strain": [0.3, -0.3], "steps": steps,
+                                                        "initial state": {"mean effective stress": 100 * KPA, "overconsolidation ratio": float(ocr)}}
+                                    for ocr in (1, 3, 20) for steps in (5, 20, 100)}, clay)
+            for name, h in histories.items():
+                self.close(f"{integration} {name}", h["mean effective stress"][-1], end * KPA, 5e-4)
 
     def test_undrained_cycles_by_stress(self):
         """Stress difference up and down at constant volume. Inside the yield surface p' stays, strain = q/(3 G), u = q/3. Beyond first
