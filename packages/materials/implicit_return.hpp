@@ -80,6 +80,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
       return true;
     }
     begin_flow(start, time * volume_);
+    ++this->substeps;
     double x[N];
     Start<double> plain;
     plain.weight = start.weight;

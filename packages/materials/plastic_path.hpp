@@ -48,6 +48,7 @@ class PlasticPath {
 
   T stress[6];  // [Pa] before integration: old; after: new
   T h[H];       // hardening variables, likewise
+  int substeps = 0;  // attempts, those that were rejected included; 0: elastic
 
  protected:
   static KOKKOS_INLINE_FUNCTION void copy(const T* from, T* to, int n) {
