@@ -11,16 +11,22 @@ namespace {
 
 using namespace mudline;
 
-constexpr int points = 512;
-
 struct Batch {
-  PointView old_stress{"old_stress", points, 6}, strain{"strain", points, 6}, e{"e", points, 1},
-      stress{"stress", points, 6}, tangent{"tangent", points, 36}, old_state, state;
-  Kokkos::View<int*> failed{"failed", points};
+  int points;
+  PointView old_stress, strain, e, stress, tangent, old_state, state;
+  Kokkos::View<int*> failed;
 
   /// Points at p' = 50 to 150 kPa, sheared by `size` in directions that differ from point to point.
-  Batch(const Skeleton& law, double ocr, double size)
-      : old_state("old_state", points, law.state_size()), state("state", points, law.state_size()) {
+  Batch(const Skeleton& law, double ocr, double size, int n)
+      : points(n),
+        old_stress("old_stress", n, 6),
+        strain("strain", n, 6),
+        e("e", n, 1),
+        stress("stress", n, 6),
+        tangent("tangent", n, 36),
+        old_state("old_state", n, law.state_size()),
+        state("state", n, law.state_size()),
+        failed("failed", n) {
     for (int i = 0; i < points; ++i) {
       const double p = 50e3 + 100e3 * i / points, turn = 0.1 * i;
       InitialPoint start{{}, {-0.8 * p, -1.4 * p, -0.8 * p, 0.0, 0.0, 0.1 * p}, 1.0, ocr};
@@ -37,8 +43,8 @@ struct Batch {
   }
 };
 
-void run(benchmark::State& bench, const Skeleton& law, double ocr, double strain, bool want_tangent) {
-  const Batch batch(law, ocr, strain);
+void run(benchmark::State& bench, const Skeleton& law, double ocr, double strain, bool want_tangent, int points = 512) {
+  const Batch batch(law, ocr, strain, points);
   const SkeletonWorkset workset = batch.workset(want_tangent);
   for (auto _ : bench)
     if (law.evaluate(workset) != 0) bench.SkipWithError("points failed");
@@ -72,6 +78,37 @@ void cam_clay_plastic(benchmark::State& bench) {
   run(bench, PointwiseSkeleton<ModifiedCamClay>(clay(false)), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
 }
 BENCHMARK(cam_clay_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {1, 10, 100, 1000}});
+
+/// Mean number of substeps, rejected ones included, of the points of a batch.
+double substeps(const ModifiedCamClay& law, const Batch& batch) {
+  long sum = 0;
+  for (int i = 0; i < batch.points; ++i) {
+    const double* h = &batch.old_state(i, 0);
+    const ModifiedCamClayModel model(law, law.specific_volume(batch.e(i, 0), h), h[0]);
+    const auto count = [&](auto path) {
+      for (int c = 0; c < 6; ++c) path.stress[c] = batch.old_stress(i, c);
+      for (int c = 0; c < 2; ++c) path.h[c] = h[c];
+      path.integrate();
+      sum += path.substeps;
+    };
+    if (law.integration.method == IntegrationOptions::Method::implicit)
+      count(ImplicitReturn<double, ModifiedCamClayModel>(model, law.integration, &batch.strain(i, 0)));
+    else
+      count(Substepping<double, ModifiedCamClayModel>(model, law.integration, &batch.strain(i, 0)));
+  }
+  return static_cast<double>(sum) / batch.points;
+}
+
+/// A mesh of 10^5 points, normally consolidated, which no cache holds; range(0): integration; range(1): strain in 1e-5.
+void cam_clay_mesh(benchmark::State& bench) {
+  ModifiedCamClay law = clay(false);
+  law.integration.method = static_cast<IntegrationOptions::Method>(bench.range(0));
+  const PointwiseSkeleton<ModifiedCamClay> skeleton(law);
+  const double strain = 1e-5 * bench.range(1);
+  run(bench, skeleton, 1.0, strain, true, 100000);
+  bench.counters["substeps"] = substeps(law, Batch(skeleton, 1.0, strain, 100000));
+}
+BENCHMARK(cam_clay_mesh)->ArgNames({"method", "strain"})->ArgsProduct({{0, 1, 2}, {1, 10, 100, 1000}});
 
 void cam_clay_lode_plastic(benchmark::State& bench) {
   run(bench, PointwiseSkeleton<ModifiedCamClay>(clay(true)), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);

@@ -49,7 +49,8 @@ void read_soils(PointDeck& d) {
   for (const std::string& name : materials.section_names()) {
     const auto soil = SoilMaterial::read(materials.section(name),
                                          {d.registries.skeletons, d.registries.fluids, d.registries.permeabilities});
-    d.soils.push_back({name, soil->skeleton, soil->initial_void_ratio, soil->biot_coefficient});
+    d.soils.push_back(
+        {name, soil->skeleton, soil->initial_void_ratio, soil->void_ratio_from_law, soil->biot_coefficient});
   }
   if (d.soils.empty()) d.root->fail("required section 'materials' is missing or empty");
 }

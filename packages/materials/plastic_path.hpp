@@ -32,6 +32,9 @@ struct PlasticFlow {
 ///     bool admissible(const double* stress, const double* h) const;    where all of the above are defined
 ///     bool exhausted(const double* stress) const;           stop here: the model deals with such states itself
 ///     double hardening_scale(int i, double h) const;        what the error of variable i is measured by
+///     static constexpr bool trapezoidal;                    implicit: mean flow of start and end; for smooth surfaces
+///     T hardening_measure(int i, const T& h) const;         implicit: h changes by `hardened` of B over this,
+///     T hardened(int i, const S& h, const T& x) const;      h + x with a measure of 1, h exp(x) with h
 /// T is double or a Dual. volume_strain: trace of the strain since the start of the increment.
 template <class T, class Model>
 class PlasticPath {
@@ -45,6 +48,7 @@ class PlasticPath {
 
   T stress[6];  // [Pa] before integration: old; after: new
   T h[H];       // hardening variables, likewise
+  int substeps = 0;  // attempts, those that were rejected included; 0: elastic
 
  protected:
   static KOKKOS_INLINE_FUNCTION void copy(const T* from, T* to, int n) {
@@ -112,6 +116,12 @@ class PlasticPath {
 /// Elasticity with constant moduli: the elastic part of a model.
 struct ConstantElasticity {
   double bulk, shear;  // [Pa]
+
+  static constexpr bool trapezoidal = false;
+  template <class T>
+  KOKKOS_INLINE_FUNCTION double hardening_measure(int, const T&) const { return 1.0; }
+  template <class S, class T>
+  KOKKOS_INLINE_FUNCTION T hardened(int, const S& h, const T& x) const { return h + x; }
 
   template <class S, class T>
   KOKKOS_INLINE_FUNCTION void elastic(const S* stress, const T* strain, T* out) const {

@@ -30,6 +30,7 @@ struct SkeletonResponse {
 ///     void check(const Section&);              [optional] rules across parameters
 ///     void prepare();                          [optional] computes constants from the parameters, once
 ///     double k0(double ocr) const;             [optional]
+///     double void_ratio(const InitialPoint&) const;   [optional]
 /// into a Skeleton: the only loop over points. Returning false marks the point as failed; the step is then cut.
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -53,6 +54,12 @@ class PointwiseSkeleton : public Skeleton {
       return law_.k0(ocr);
     else
       return Skeleton::k0(ocr);
+  }
+  double void_ratio(const InitialPoint& point) const override {
+    if constexpr (detail_has_void_ratio<Law>::value)
+      return law_.void_ratio(point);
+    else
+      return Skeleton::void_ratio(point);
   }
   int evaluate(const SkeletonWorkset& w) const override {
     const Law law = law_;
@@ -103,6 +110,11 @@ class PointwiseSkeleton : public Skeleton {
   struct detail_has_k0 : std::false_type {};
   template <class T>
   struct detail_has_k0<T, std::void_t<decltype(std::declval<const T&>().k0(1.0))>> : std::true_type {};
+  template <class T, class = void>
+  struct detail_has_void_ratio : std::false_type {};
+  template <class T>
+  struct detail_has_void_ratio<T, std::void_t<decltype(std::declval<const T&>().void_ratio(std::declval<const InitialPoint&>()))>>
+      : std::true_type {};
 
   Law law_{};
   std::vector<StateVariable> variables_;

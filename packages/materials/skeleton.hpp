@@ -74,6 +74,10 @@ class Skeleton {
   virtual ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const = 0;
   /// Earth pressure coefficient at rest that the law itself implies for this overconsolidation ratio; negative: none.
   virtual double k0(double overconsolidation_ratio) const { return -1.0; }
+  /// Void ratio [-] that the law itself implies for a start with this stress and overconsolidation ratio (the point's void
+  /// ratio is not read), or `no_void_ratio`.
+  virtual double void_ratio(const InitialPoint&) const { return no_void_ratio; }
+  static constexpr double no_void_ratio = -1e300;
 };
 
 }  // namespace mudline

@@ -142,6 +142,7 @@ class Substepping : public PlasticPath<T, Model> {
     T step = 1.0 - time, new_stress[6], new_h[H], error_squared;
     bool rejected = false;
     for (int attempt = 0; attempt < options_.maximum_substeps; ++attempt) {
+      ++this->substeps;
       if (!substep(time, step, new_stress, new_h, error_squared)) {
         step *= 0.25;
         rejected = true;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "materials/earth_pressure.hpp"
 
@@ -26,26 +27,6 @@ void InitialState::parameters(Parameters& p) {
   has_ocr_ = p.given("overconsolidation ratio");
   p.add("preoverburden pressure", preoverburden_, "Pa", "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + POP/sigma'_v; function of position");
   has_preoverburden_ = p.given("preoverburden pressure");
-}
-
-std::vector<InitialState::Layer> InitialState::layers(const Soil& soil, const Section& section) const {
-  const Mesh& mesh = soil.space->mesh();
-  std::vector<Layer> result;
-  for (const auto& [region, box] : mesh.region_bounds()) {
-    double density = -1;
-    for (const SoilBlock& b : soil.blocks)
-      if (mesh.blocks()[b.block].region == region) density = b.material->density(b.material->initial_porosity()) -
-                                                                    (soil.excess ? b.material->biot_coefficient * b.material->fluid->density() : 0.0);
-    result.push_back({box[2], box[3], density});
-  }
-  std::sort(result.begin(), result.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
-  const double tolerance = 1e-6 * (mesh.bounds()[3] - mesh.bounds()[2]);
-  for (std::size_t i = 1; i < result.size(); ++i) {
-    if (result[i].top <= result[i - 1].bottom + tolerance) continue;
-    if (std::abs(result[i].density - result[i - 1].density) < 1e-9) continue;  // side by side, one weight
-    section.fail("the mesh regions are not horizontal layers; use a stage of type 'geostatic' from a uniform state, or one density", "type");
-  }
-  return result;
 }
 
 void InitialState::check(const Section& section) const {
@@ -82,16 +63,24 @@ double InitialState::pore_pressure(double y, double unit_weight) const {
   return has_water_ ? std::max(0.0, unit_weight * (water_level_ - y)) : 0.0;
 }
 
-double InitialState::total_vertical(const std::vector<Layer>& layers, double y, double g, double top_pressure) const {
-  double stress = top_pressure, reached = layers.front().top;
-  for (const Layer& layer : layers) {
-    const double from = std::min(layer.top, reached), to = std::max(layer.bottom, y);
-    if (from > to) {
-      stress += layer.density * g * (from - to);
-      reached = to;
-    }
-  }
-  return stress;
+GeostaticColumn InitialState::column(const Soil& soil, double g, double unit_weight, const Section& section) const {
+  const Mesh& mesh = soil.space->mesh();
+  const auto bounds = mesh.bounds();
+  const double alpha = soil.blocks.empty() ? 1.0 : soil.blocks.front().material->biot_coefficient;
+  GeostaticColumn column(soil, section);
+  // The density where the law decides, in the middle of the mesh's width: layers have one weight at one depth.
+  const auto density = [&](const SoilMaterial& material, double y, double total) {
+    InitialPoint point{};
+    point.position = {0.5 * (bounds[0] + bounds[1]), y, 0};
+    point.overconsolidation_ratio = ocr_(0, point.position);
+    const double vertical = total - (material.porous() ? material.biot_coefficient * pore_pressure(y, unit_weight) : 0.0);
+    std::string problem = at_rest(point, vertical, *material.skeleton);
+    if (problem.empty()) problem = material.find_void_ratio(point);
+    if (!problem.empty()) section.fail("material '" + material.name + "' cannot start at the height " + std::to_string(y) + ": " + problem);
+    return material.density(point.void_ratio / (1 + point.void_ratio));
+  };
+  column.weigh(surcharge_ + alpha * pore_pressure(column.top(), unit_weight), g, density);
+  return column;
 }
 
 void InitialState::set_pressure(const Soil& soil, StateStore& store, double unit_weight) const {
@@ -113,13 +102,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   for (const SoilBlock& b : soil.blocks)
     if (b.porous() && !soil.excess) unit_weight = b.material->fluid->density() * g;
   if (kind_ != Kind::stress_free) set_pressure(soil, store, unit_weight);
-  std::vector<Layer> column;
-  double top_pressure = 0;
-  if (kind_ == Kind::geostatic) {
-    column = layers(soil, section);
-    const double alpha = soil.blocks.empty() ? 1.0 : soil.blocks.front().material->biot_coefficient;
-    top_pressure = surcharge_ + alpha * pore_pressure(column.front().top, unit_weight);
-  }
+  std::optional<GeostaticColumn> ground;
+  if (kind_ == Kind::geostatic) ground = column(soil, g, unit_weight, section);
   std::string problem;
   for (const SoilBlock& b : soil.blocks) {
     const Skeleton& skeleton = *b.material->skeleton;
@@ -131,15 +115,15 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
           for (int i = 0; i < 2; ++i) point.position[i] += b.u.N(q, a) * state.coordinates(b.nodes(e, a), i);
         point.stress = {-stress_[0], -stress_[1], -stress_[2], 0, 0, -stress_[3]};
         point.overconsolidation_ratio = ocr_(0, point.position);
-        point.void_ratio = b.material->initial_void_ratio;
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
         std::string rest;
         if (kind_ == Kind::geostatic) {
           const double y = point.position[1];
-          const double vertical = total_vertical(column, y, g, top_pressure) -
+          const double vertical = ground->total_stress(y) -
                                   (b.porous() ? b.material->biot_coefficient * pore_pressure(y, unit_weight) : 0.0);
           rest = at_rest(point, vertical, skeleton);
         }
+        if (rest.empty()) rest = b.material->find_void_ratio(point);
         const int row = e * b.points + q;
         for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
         state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/geostatic_column.hpp"
 #include "physics/soil.hpp"
 #include "physics/solid/body_force.hpp"
 
@@ -10,7 +11,7 @@ namespace mudline {
 ///  "stress free": everything zero.
 ///  "uniform": given stresses.
 ///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p hydrostatic below the water level;
-///  horizontal layers by mesh region.
+///  horizontal layers by mesh region. The weight follows the void ratio, also where that comes from the law.
 class InitialState {
  public:
   void parameters(Parameters& p);
@@ -18,15 +19,11 @@ class InitialState {
 
  private:
   enum class Kind { stress_free, uniform, geostatic };
-  struct Layer {
-    double bottom, top, density;
-  };
   void check(const Section& section) const;
   /// Overconsolidation ratio and stress of a geostatic point under this vertical effective stress; "" or the problem.
   std::string at_rest(InitialPoint& point, double vertical, const Skeleton& skeleton) const;
-  std::vector<Layer> layers(const Soil& soil, const Section& section) const;
   double pore_pressure(double y, double unit_weight) const;
-  double total_vertical(const std::vector<Layer>& layers, double y, double g, double top_pressure) const;
+  GeostaticColumn column(const Soil& soil, double g, double unit_weight, const Section& section) const;
   void set_pressure(const Soil& soil, StateStore& store, double unit_weight) const;
 
   Kind kind_ = Kind::stress_free;

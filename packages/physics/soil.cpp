@@ -13,6 +13,8 @@ void SoilMaterial::parameters(Parameters& p) {
   p.add("void ratio", initial_void_ratio, "-", non_negative(), "initial void ratio e (give this or the porosity)");
   double porosity = initial_porosity();
   p.add("porosity", porosity, "-", half_open(0, 1), "initial porosity n = e/(1+e) (give this or the void ratio)");
+  p.add("void ratio from law", void_ratio_from_law,
+        "the initial void ratio follows from stress and overconsolidation by the skeleton law, point by point (instead of 'void ratio')");
   p.add("Biot coefficient", biot_coefficient, "-", closed(0, 1), "alpha in sigma = sigma' - alpha p");
   p.add("grain bulk modulus", grain_bulk_modulus, "Pa", non_negative(), "K_s of the grains; 0: incompressible grains");
   double density = 0;
@@ -23,13 +25,17 @@ void SoilMaterial::parameters(Parameters& p) {
   if (p.documenting()) return;
   const bool both = p.given("porosity") && p.given("void ratio"), none = !p.given("porosity") && !p.given("void ratio");
   if (both) p.deck().fail("contradictory: give 'void ratio' or 'porosity', not both", "porosity");
+  if (void_ratio_from_law && !none)
+    p.deck().fail("contradictory: with 'void ratio from law' there is no 'void ratio' or 'porosity'", "void ratio from law");
+  if (void_ratio_from_law && p.given("density"))
+    p.deck().fail("with 'void ratio from law' the weight follows from 'grain density'; give that instead", "density");
   if (p.given("porosity")) initial_void_ratio = porosity / (1 - porosity);
   if (p.given("density")) {
     if (p.deck().has_section("fluid")) p.deck().fail("a saturated soil takes 'grain density', not 'density'", "density");
     if (p.given("grain density")) p.deck().fail("contradictory: give 'density' or 'grain density', not both", "density");
     grain_density = density * (1 + initial_void_ratio);
   }
-  if (none && p.deck().has_section("fluid")) p.deck().fail("required parameter 'void ratio' (or 'porosity') is missing");
+  if (none && !void_ratio_from_law && p.deck().has_section("fluid")) p.deck().fail("required parameter 'void ratio' (or 'porosity', or 'void ratio from law') is missing");
 }
 
 std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const MaterialRegistries& registries) {
@@ -51,6 +57,19 @@ std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const M
     section.fail("the Biot coefficient must not be below the porosity " + std::to_string(material->initial_porosity()),
                  "Biot coefficient");
   return material;
+}
+
+std::string SoilMaterial::find_void_ratio(InitialPoint& point) const {
+  point.void_ratio = void_ratio_from_law ? skeleton->void_ratio(point) : initial_void_ratio;
+  if (!void_ratio_from_law) return "";
+  if (point.void_ratio == Skeleton::no_void_ratio)
+    return "the skeleton law has no void ratio of its own here (Modified Cam Clay has one with a 'normal compression volume' or "
+           "'critical state volume', and under a compressive stress); give 'void ratio' instead of 'void ratio from law'";
+  if (!(point.void_ratio > 0)) return "the void ratio of the skeleton law, " + std::to_string(point.void_ratio) + ", is not positive";
+  if (porous() && point.void_ratio > biot_coefficient * (1 + point.void_ratio))
+    return "the porosity of the skeleton law, " + std::to_string(point.void_ratio / (1 + point.void_ratio)) +
+           ", exceeds the Biot coefficient";
+  return "";
 }
 
 double SoilMaterial::density(double porosity) const {

@@ -31,7 +31,8 @@ class SoilMaterial {
   std::string name;
   std::vector<std::string> regions;      // empty: every region
   double grain_density = 2650;           // [kg/m3]
-  double initial_void_ratio = 0;         // [-]
+  double initial_void_ratio = 0;         // [-] 0 where it comes from the law
+  bool void_ratio_from_law = false;
   double biot_coefficient = 1;           // alpha [-]
   double grain_bulk_modulus = 0;         // K_s [Pa]; 0: incompressible
   std::shared_ptr<Skeleton> skeleton;
@@ -39,6 +40,8 @@ class SoilMaterial {
   std::shared_ptr<Permeability> permeability;  // null: single phase
   bool porous() const { return fluid != nullptr; }
 
+  /// The void ratio of a start with this stress and overconsolidation ratio goes into `point`; "" or the problem.
+  std::string find_void_ratio(InitialPoint& point) const;
   double initial_porosity() const { return initial_void_ratio / (1 + initial_void_ratio); }
   /// rho = n rho_f + (1-n) rho_s [kg/m3]; the void space is empty in a single-phase soil.
   double density(double porosity) const;

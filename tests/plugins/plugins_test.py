@@ -201,7 +201,7 @@ class Plugins(MudlineCase):
     def test_other_abi(self):
         said, begin = self.with_plugin(self.library("old", OTHER_ABI))
         self.assertTrue(said.startswith(begin + "plugin 'old.so' was built for \"interface 0; gcc 4; Trilinos 12.0; debug\", "
-                                        "this program is \"interface 1; "), said)
+                                        "this program is \"interface 2; "), said)
         self.assertTrue(said.endswith("; rebuild the plugin\n"), said)
 
     def test_no_plugin(self):

@@ -4,6 +4,25 @@
 
 namespace mudline {
 
+/// Ties strains to one of them: while the component `driver` changes by x, the others change by x `follow` more. What is
+/// stress-controlled there is the stress that does work on this, sigma_driver + follow . sigma: at constant volume
+/// along y, with follow = (-1/2, 0, -1/2), the stress difference.
+struct StrainTie {
+  int driver = -1;  // none
+  Six follow{};     // 0 for the driver itself
+
+  Six strain(const Six& change) const {
+    Six all = change;
+    for (int c = 0; c < 6 && driver >= 0; ++c) all[c] += follow[c] * change[driver];
+    return all;
+  }
+  Six stress(const Six& sigma) const {
+    Six controlled = sigma;
+    for (int c = 0; c < 6 && driver >= 0; ++c) controlled[driver] += follow[c] * sigma[c];
+    return controlled;
+  }
+};
+
 /// One increment under mixed control: each component follows a strain or a stress. Signs and order as in
 /// SkeletonWorkset. Strains are logarithmic along fixed axes. Sliding: strain xy is instead the horizontal displacement
 /// of the upper face over the *initial* height, the faces y = constant stay parallel to x, and the rotation is part of
@@ -12,7 +31,8 @@ struct PointIncrement {
   std::array<bool, 6> stress_controlled{};
   Six strain{};  // increments of the strain-controlled components
   Six stress{};  // values at the end of the stress-controlled ones [Pa]
-  bool sliding = false;
+  StrainTie tie;
+  bool sliding = false;  // not with a tie
   double dt = 0.0;  // [s]
 };
 
@@ -37,7 +57,7 @@ class PointControl {
   bool correct(const PointIncrement& increment, const PointTrial& trial, Six& change) const;
 
   MaterialPoint& point_;
-  Six strain_{}, rate_{};  // rate of the last increment, from which the next is guessed [1/s]
+  Six strain_{}, rate_{};  // rate of the last increment without what is tied, from which the next is guessed [1/s]
   int iterations_ = 0, cuts_ = 0;
 };
 

@@ -39,7 +39,7 @@ void PointStart::parameters(Parameters& p) {
     has_components = has_components || stress[c] != 0.0;
   }
   p.add("overconsolidation ratio", ocr, "-", positive(), "scales the yield surface through the initial stress");
-  p.add("void ratio", void_ratio, "-", non_negative(), "initial void ratio; 0: that of the material");
+  p.add("void ratio", void_ratio, "-", non_negative(), "initial void ratio; 0: that of the material, or of its law");
   // Components that are all zero mean a start free of stress, unless there is another start.
   has_components = has_components || (any_given && mean == 0.0 && vertical == 0.0);
 }
@@ -74,7 +74,11 @@ void PointTest::begin(const PointSoil& soil, const Section& section) {
   initial_.position = {0.0, 0.0, 0.0};
   initial_.overconsolidation_ratio = start_.ocr;
   initial_.void_ratio = start_.void_ratio > 0.0 ? start_.void_ratio : soil.void_ratio;
-  if (!(initial_.void_ratio > 0.0))
+  if (start_.void_ratio == 0.0 && soil.void_ratio_from_law) {
+    initial_.void_ratio = soil.skeleton->void_ratio(initial_);
+    if (initial_.void_ratio == Skeleton::no_void_ratio)
+      start.fail("the skeleton law of material '" + soil.name + "' has no void ratio of its own here; give 'void ratio'");
+  } else if (!(initial_.void_ratio > 0.0))
     start.fail("neither the material '" + soil.name + "' nor the test has a 'void ratio'");
   const std::string refusal = MaterialPoint(*soil.skeleton, initial_).refusal();
   if (!refusal.empty()) start.fail("material '" + soil.name + "' cannot start here: " + refusal);
@@ -95,11 +99,12 @@ PointOutcome PointTest::run(const Row& row) const {
   for (const PointLeg& leg : legs()) {
     const double begin = end;
     end += leg.duration;
-    const Six from = point.stress();
+    const Six from = leg.tie.stress(point.stress());
     for (int step = 1; step <= leg.steps && outcome.complete; ++step) {
       const double reached = static_cast<double>(step) / leg.steps;
       PointIncrement increment;
       increment.stress_controlled = leg.stress_controlled;
+      increment.tie = leg.tie;
       increment.sliding = leg.sliding;
       increment.dt = begin + reached * leg.duration - point.time();
       for (int c = 0; c < 6; ++c) {

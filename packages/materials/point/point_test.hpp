@@ -15,6 +15,7 @@ struct PointSoil {
   std::string name;
   std::shared_ptr<const Skeleton> skeleton;
   double void_ratio = 0.0;        // [-] 0: not given
+  bool void_ratio_from_law = false;
   double biot_coefficient = 1.0;  // [-]
 };
 
@@ -29,6 +30,7 @@ struct PointLeg {
   std::array<bool, 6> stress_controlled{};
   Six strain{};  // change over the leg, of the strain-controlled components
   Six stress{};  // at the end of the leg, of the stress-controlled ones
+  StrainTie tie;
   bool sliding = false;
   double duration = 0.0;  // [s]
   int steps = 1;

@@ -12,13 +12,9 @@ enum class Measure { logarithmic, engineering };
 /// Targets of one quantity, reached one after the other: loading, unloading, reloading. Compression positive.
 class Targets {
  public:
-  void strain(Parameters& p, const std::string& name, bool required, const std::string& doc) {
-    const std::string text = doc + "; several are reached one after the other (loading, unloading, reloading)";
+  void strain(Parameters& p, const std::string& name, const std::string& doc) {
     name_ = name;
-    if (required)
-      p.required(name, strains_, "-", any(), text);
-    else
-      p.add(name, strains_, "-", any(), text);
+    p.add(name, strains_, "-", any(), doc + "; several are reached one after the other (loading, unloading, reloading)");
   }
   void stress(Parameters& p, const std::string& name, const std::string& doc) {
     stress_name_ = name;
@@ -34,22 +30,26 @@ class Targets {
     p.add("strain rate", rate_, "1/s", positive(),
           "speed of the (logarithmic) strain, which gives the time of an increment");
     p.add("steps", steps_, "-", closed(1, 1000000), "increments between two targets");
+    p.add("cycles", cycles_, "-", closed(1, 100000), "the targets are gone through so many times");
   }
   void check(const Section& section) const {
-    if (!stress_name_.empty() && strains_.empty() == stresses_.empty())
+    if (section.has_parameter(name_) == section.has_parameter(stress_name_))
       section.fail("exactly one of '" + name_ + "' and '" + stress_name_ + "' must be given");
-    if (strains_.empty() && stresses_.empty()) section.fail("at least one target is needed", name_);
+    if (strains_.empty() && stresses_.empty())
+      section.fail("at least one target is needed", section.has_parameter(name_) ? name_ : stress_name_);
     for (const char* idle : {"strain rate", "strain measure"})
       if (by_stress() && section.has_parameter(idle))
         section.fail("plays no role where '" + stress_name_ + "' drives the test; remove it", idle);
     if (!by_stress() && section.has_parameter("stress rate"))
       section.fail("plays no role where '" + name_ + "' drives the test; remove it", "stress rate");
+    if (cycles_ > 1 && strains_.size() + stresses_.size() == 1)
+      section.fail("one target has no way back; cycles need two targets or more", "cycles");
     for (std::size_t i = 0; i < strains_.size(); ++i) {
       if (measure_ == Measure::engineering && strains_[i] >= 1.0)
         section.fail(
             "an engineering strain of " + number_text(strains_[i]) + " leaves nothing of the soil; allowed: below 1",
             name_);
-      if (strains_[i] == (i == 0 ? 0.0 : strains_[i - 1]))
+      if (strains_[i] == (i == 0 ? 0.0 : strains_[i - 1]) || (i == 0 && cycles_ > 1 && strains_[0] == strains_.back()))
         section.fail(
             "target " + std::to_string(i + 1) + ", " + number_text(strains_[i]) + ", is where the soil is already",
             name_);
@@ -64,19 +64,21 @@ class Targets {
   std::vector<Part> strain_parts() const {
     std::vector<Part> parts;
     double before = 0.0;
-    for (const double given : strains_) {
-      const double target = measure_ == Measure::engineering ? -std::log1p(-given) : given;
-      parts.push_back({target - before, target, std::abs(target - before) / rate_});
-      before = target;
-    }
+    for (int cycle = 0; cycle < cycles_; ++cycle)
+      for (const double given : strains_) {
+        const double target = measure_ == Measure::engineering ? -std::log1p(-given) : given;
+        parts.push_back({target - before, target, std::abs(target - before) / rate_});
+        before = target;
+      }
     return parts;
   }
   std::vector<Part> stress_parts(double before) const {
     std::vector<Part> parts;
-    for (const double target : stresses_) {
-      parts.push_back({target - before, target, std::abs(target - before) / stress_rate_});
-      before = target;
-    }
+    for (int cycle = 0; cycle < cycles_; ++cycle)
+      for (const double target : stresses_) {
+        parts.push_back({target - before, target, std::abs(target - before) / stress_rate_});
+        before = target;
+      }
     return parts;
   }
 
@@ -84,7 +86,7 @@ class Targets {
   std::string name_, stress_name_;
   std::vector<double> strains_, stresses_;
   double rate_ = 1e-5, stress_rate_ = 100.0;  // [1/s], [Pa/s]
-  int steps_ = 200;
+  int steps_ = 200, cycles_ = 1;
   Measure measure_ = Measure::logarithmic;
 };
 
@@ -121,7 +123,7 @@ class TargetTest : public PointTest {
 class Oedometer : public TargetTest {
  protected:
   void own_parameters(Parameters& p) override {
-    targets_.strain(p, "axial strain", false, "vertical strain");
+    targets_.strain(p, "axial strain", "vertical strain");
     targets_.stress(p, "axial stress", "vertical effective stress");
     targets_.measure(p);
     targets_.pace(p);
@@ -135,7 +137,7 @@ class Oedometer : public TargetTest {
 class IsotropicCompression : public TargetTest {
  protected:
   void own_parameters(Parameters& p) override {
-    targets_.strain(p, "volumetric strain", false, "volumetric strain, a third in each direction");
+    targets_.strain(p, "volumetric strain", "volumetric strain, a third in each direction");
     targets_.stress(p, "mean stress", "mean effective stress, the same in each direction");
     targets_.measure(p);
     targets_.pace(p);
@@ -152,19 +154,41 @@ class IsotropicCompression : public TargetTest {
   }
 };
 
-/// Axis y, compression and extension by the sign of the axial strain.
+constexpr const char* difference_doc = "axial minus lateral stress, negative in extension";
+
+/// Difference of the stresses along y and in the other `lateral` directions, tension positive.
+double stress_difference(const Six& stress, const std::vector<int>& lateral) {
+  double mean = 0.0;
+  for (const int c : lateral) mean += stress[c] / static_cast<double>(lateral.size());
+  return stress[1] - mean;
+}
+
+/// Axial loading along y, by strain or stress difference: the `lateral` effective stresses are kept, or the volume is.
+void load_axially(PointLeg& leg, const std::vector<int>& lateral, bool drained, double drive, bool by_stress) {
+  leg.stress_controlled[1] = by_stress;
+  leg.strain[1] = drive;
+  leg.stress[1] = drained ? leg.stress[1] - stress_difference(leg.stress, lateral) + drive : drive;
+  if (!drained) leg.tie.driver = 1;
+  for (const int c : lateral) {
+    leg.stress_controlled[c] = drained;
+    if (!drained) leg.tie.follow[c] = -1.0 / static_cast<double>(lateral.size());
+  }
+}
+
+/// Axis y, compression and extension by the sign of strain or stress difference.
 template <bool Drained>
 class Triaxial : public TargetTest {
  protected:
   void own_parameters(Parameters& p) override {
-    targets_.strain(p, "axial strain", true, "strain along y, negative in extension");
+    targets_.strain(p, "axial strain", "strain along y, negative in extension");
+    targets_.stress(p, "stress difference", difference_doc);
     targets_.measure(p);
     targets_.pace(p);
   }
-  void fill(PointLeg& leg, double drive, bool) const override {
-    leg.strain = {-0.5 * drive, drive, -0.5 * drive, 0.0, 0.0, 0.0};
-    leg.stress_controlled = {Drained, false, Drained, false, false, false};
+  void fill(PointLeg& leg, double drive, bool by_stress) const override {
+    load_axially(leg, {0, 2}, Drained, drive, by_stress);
   }
+  double start_of_stress() const override { return -stress_difference(initial_stress(), {0, 2}); }
   int constant_total_stress() const override { return Drained ? -1 : 0; }
 };
 
@@ -178,14 +202,15 @@ class PlaneStrain : public TargetTest {
  protected:
   void own_parameters(Parameters& p) override {
     declare(p, drainage_, "lateral effective stress xx kept, or volume kept; no strain along z in both");
-    targets_.strain(p, "axial strain", true, "strain along y, negative in extension");
+    targets_.strain(p, "axial strain", "strain along y, negative in extension");
+    targets_.stress(p, "stress difference", difference_doc);
     targets_.measure(p);
     targets_.pace(p);
   }
-  void fill(PointLeg& leg, double drive, bool) const override {
-    leg.strain = {-drive, drive, 0.0, 0.0, 0.0, 0.0};
-    leg.stress_controlled[0] = drainage_ == Drainage::drained;
+  void fill(PointLeg& leg, double drive, bool by_stress) const override {
+    load_axially(leg, {0}, drainage_ == Drainage::drained, drive, by_stress);
   }
+  double start_of_stress() const override { return -stress_difference(initial_stress(), {0}); }
   int constant_total_stress() const override { return drainage_ == Drainage::drained ? -1 : 0; }
 
  private:
@@ -196,14 +221,17 @@ class SimpleShear : public TargetTest {
  protected:
   void own_parameters(Parameters& p) override {
     declare(p, drainage_, "vertical effective stress kept, or volume (height) kept");
-    targets_.strain(p, "shear strain", true, "horizontal displacement of the upper face over the initial height");
+    targets_.strain(p, "shear strain", "horizontal displacement of the upper face over the initial height");
+    targets_.stress(p, "shear stress", "shear stress xy on the horizontal faces");
     targets_.pace(p);
   }
-  void fill(PointLeg& leg, double drive, bool) const override {
+  void fill(PointLeg& leg, double drive, bool by_stress) const override {
     leg.sliding = true;
-    leg.strain[5] = drive;
+    leg.strain[5] = leg.stress[5] = drive;
+    leg.stress_controlled[5] = by_stress;
     leg.stress_controlled[1] = drainage_ == Drainage::drained;
   }
+  double start_of_stress() const override { return -initial_stress()[5]; }
   int constant_total_stress() const override { return drainage_ == Drainage::drained ? -1 : 1; }
 
  private:
@@ -267,11 +295,11 @@ void register_point_tests(Registry<PointTest>& tests) {
   tests.add<Oedometer>("oedometer", "Vertical compression without lateral strain, by strain or by stress");
   tests.add<IsotropicCompression>("isotropic compression",
                                   "Compression alike in all directions, by strain or by stress");
-  tests.add<Triaxial<true>>("triaxial drained", "Axial strain at constant lateral effective stress");
-  tests.add<Triaxial<false>>("triaxial undrained", "Axial strain at constant volume and constant lateral total stress");
-  tests.add<PlaneStrain>("plane strain", "Biaxial test: axial strain without strain in the third direction");
+  tests.add<Triaxial<true>>("triaxial drained", "Axial loading, by strain or by stress, at constant lateral effective stress");
+  tests.add<Triaxial<false>>("triaxial undrained", "Axial loading, by strain or by stress, at constant volume and constant lateral total stress");
+  tests.add<PlaneStrain>("plane strain", "Biaxial test: axial loading without strain in the third direction");
   tests.add<SimpleShear>("simple shear",
-                         "Shear between rigid plates to any angle, at constant vertical stress or volume");
+                         "Shear between rigid plates, by angle or by stress, at constant vertical stress or volume");
   tests.add<PathTest>("path", "Any mixture of strains and stresses as functions of time");
 }
 

@@ -18,10 +18,13 @@ void ModifiedCamClay::parameters(Parameters& p) {
            "Which specific volume enters bulk modulus and hardening");
   p.choice("lode dependence", lode, {{"none", Lode::none}, {"sheng", Lode::sheng}},
            "Strength in triaxial extension: that of compression, or that of the same friction angle");
-  p.add(
-      "normal compression volume", normal_volume, "-", non_negative(),
-      "N, specific volume of isotropic virgin compression at 1 kPa; when given, the preconsolidation pressure follows "
-      "from the initial void ratio, and the overconsolidation ratio must be 1");
+  p.add("normal compression volume", normal_volume, "-", non_negative(),
+        "N, specific volume of isotropic virgin compression at the reference pressure; the preconsolidation pressure then "
+        "follows from the initial void ratio, or the void ratio from the overconsolidation ratio ('void ratio from law')");
+  p.add("critical state volume", critical_volume, "-", non_negative(),
+        "Gamma, specific volume at the critical state at the reference pressure; instead of the normal compression volume");
+  p.add("reference pressure", reference_pressure, "Pa", positive(),
+        "Mean effective stress at which the normal compression or critical state volume is read");
   p.add("minimum mean stress", minimum_mean_stress, "Pa", non_negative(),
         "The mean effective stress is held at this value where the soil would loosen further");
   integration.parameters(p, "the preconsolidation pressure squared");
@@ -33,8 +36,15 @@ void ModifiedCamClay::check(const Section& section) const {
     section.fail("the swelling slope must be smaller than the compression slope", "swelling slope");
   if (section.has_parameter("Poisson's ratio") == section.has_parameter("shear modulus"))
     section.fail("exactly one of 'Poisson's ratio' and 'shear modulus' must be given");
-  if (section.has_parameter("normal compression volume") && !(normal_volume > 1.0))
-    section.fail("a specific volume is greater than 1", "normal compression volume");
+  for (const char* volume : {"normal compression volume", "critical state volume"})
+    if (section.has_parameter(volume) && !((volume[0] == 'n' ? normal_volume : critical_volume) > 1.0))
+      section.fail("a specific volume is greater than 1", volume);
+  if (normal_volume > 0.0 && critical_volume > 0.0)
+    section.fail("contradictory: give 'normal compression volume' or 'critical state volume', not both",
+                 "critical state volume");
+  if (section.has_parameter("reference pressure") && !(normal_line() > 0.0))
+    section.fail("plays no role without 'normal compression volume' or 'critical state volume'; remove it",
+                 "reference pressure");
   if (section.has_parameter("shear modulus") && !(shear_modulus > 0.0))
     section.fail("the shear modulus must be positive", "shear modulus");
   if (lode == Lode::sheng && ratio > 2.0)
@@ -62,27 +72,44 @@ std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state
     reason << "the initial void ratio must be positive; it is " << point.void_ratio;
   }
   if (!reason.str().empty()) return reason.str();
-  // f with pc = 0 is q^2/M(S)^2 + p'^2 in units of 1/scale, that is p' times the pc of the surface through the stress.
-  const ModifiedCamClayModel model(*this, 1.0, p);
-  const double h[2] = {0.0, 0.0};
-  const double through = p * model.yield(point.stress.data(), h);
-  state[preconsolidation] = point.overconsolidation_ratio * through;
-  if (normal_volume > 0.0) {
-    if (point.overconsolidation_ratio != 1.0)
-      return "with a normal compression volume the overconsolidation follows from the void ratio; leave the ratio at 1";
-    const double kpa = 1000.0, v = 1.0 + point.void_ratio;
-    const double exponent = (normal_volume - v - swelling * std::log(p / kpa)) / (compression - swelling);
-    const double line = kpa * std::exp(exponent);
-    if (!(line >= through * (1.0 - 1e-9))) {
+  const double on_surface = through(point), normal = normal_line();
+  state[preconsolidation] = point.overconsolidation_ratio * on_surface;
+  if (normal > 0.0) {
+    const double v = 1.0 + point.void_ratio;
+    const double exponent = (normal - v - swelling * std::log(p / reference_pressure)) / (compression - swelling);
+    const double line = reference_pressure * std::exp(exponent);
+    if (!(line >= on_surface * (1.0 - 1e-9))) {
       reason << "a void ratio of " << point.void_ratio << " at this stress is looser than the normal compression line, "
-             << "which gives " << point.void_ratio + (compression - swelling) * std::log(line / through);
+             << "which gives " << point.void_ratio + (compression - swelling) * std::log(line / on_surface);
       return reason.str();
     }
-    state[preconsolidation] = std::fmax(line, through);
+    if (point.overconsolidation_ratio != 1.0 && std::abs(line / state[preconsolidation] - 1.0) > 1e-6)
+      return "with a normal compression line the overconsolidation follows from the void ratio; leave the ratio at 1, or let "
+             "the void ratio follow ('void ratio from law')";
+    state[preconsolidation] = std::fmax(line, on_surface);
   }
   state[plastic_shear_strain] = 0.0;
   state[initial_specific_volume] = 1.0 + point.void_ratio;
   return "";
+}
+
+double ModifiedCamClay::normal_line() const {
+  return critical_volume > 0.0 ? critical_volume + (compression - swelling) * std::log(2.0) : normal_volume;
+}
+
+double ModifiedCamClay::through(const InitialPoint& point) const {
+  // f with pc = 0 is q^2/M(S)^2 + p'^2 in units of 1/scale, that is p' times the pc of the surface through the stress.
+  const double p = sym6::mean_pressure(point.stress.data());
+  const ModifiedCamClayModel model(*this, 1.0, p);
+  const double h[2] = {0.0, 0.0};
+  return p * model.yield(point.stress.data(), h);
+}
+
+double ModifiedCamClay::void_ratio(const InitialPoint& point) const {
+  const double p = sym6::mean_pressure(point.stress.data());
+  if (!(normal_line() > 0.0) || !(p > 0.0)) return Skeleton::no_void_ratio;
+  const double pc = point.overconsolidation_ratio * through(point);
+  return normal_line() - compression * std::log(pc / reference_pressure) + swelling * std::log(pc / p) - 1.0;
 }
 
 double ModifiedCamClay::k0(double overconsolidation_ratio) const {

@@ -28,6 +28,8 @@ struct ModifiedCamClay {
   double shear_modulus = 0.0;          // [Pa]
   double minimum_mean_stress = 100.0;  // [Pa]
   double normal_volume = 0.0;          // [-] N; used where positive
+  double critical_volume = 0.0;        // [-] Gamma, instead of N
+  double reference_pressure = 1000.0;  // [Pa] at which N and Gamma are read
   Lode lode = Lode::none;
   Volume volume = Volume::current;
   IntegrationOptions integration;
@@ -36,10 +38,12 @@ struct ModifiedCamClay {
   void check(const Section& section) const;
   static std::vector<StateVariable> state();
   /// pc = R (p' + q^2/(M^2 p')): the yield surface through the initial stress, scaled by the overconsolidation ratio R.
-  /// With N, the specific volume at p' = 1 kPa on the isotropic normal compression line v = N - lambda ln(p'/1 kPa), pc
-  /// follows from the initial stress and void ratio instead: ln(pc/1 kPa) = (N - v - kappa ln(p'/1 kPa))/(lambda -
-  /// kappa).
+  /// With N, the specific volume at p' = p_ref on the isotropic normal compression line v = N - lambda ln(p'/p_ref), pc
+  /// follows from the initial stress and void ratio instead: ln(pc/p_ref) = (N - v - kappa ln(p'/p_ref))/(lambda - kappa).
   std::string initialise(const InitialPoint& point, double* state) const;
+  /// The void ratio that belongs to the pc of stress and overconsolidation ratio: v = N - lambda ln(pc/p_ref) + kappa ln(pc/p').
+  /// Negative without N. With Gamma, v on the critical state line at p_ref, where pc = 2 p': N = Gamma + (lambda - kappa) ln 2.
+  double void_ratio(const InitialPoint& point) const;
   /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the ratio that one-dimensional
   /// virgin compression tends to: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g = G/K,
   /// K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. R is the ratio of
@@ -63,12 +67,16 @@ struct ModifiedCamClay {
   KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, double* state,
                                      SkeletonResponse& out) const;
   KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
+  /// N, given or from Gamma; 0: neither.
+  double normal_line() const;
+  /// [Pa] pc of the yield surface through a stress
+  double through(const InitialPoint& point) const;
 };
 
 /// The law as the integration sees it during one increment. h = (pc, plastic shear strain).
 struct ModifiedCamClayModel {
   static constexpr int hardening = 2;
-  static constexpr bool associated = true;
+  static constexpr bool associated = true, trapezoidal = true;
 
   const ModifiedCamClay& law;
   double volume0;     // [-] specific volume at the start of the increment
@@ -176,6 +184,14 @@ struct ModifiedCamClayModel {
     return sym6::mean_pressure(stress) < law.minimum_mean_stress;
   }
   KOKKOS_INLINE_FUNCTION double hardening_scale(int i, double h) const { return i == 0 ? h : 1.0; }
+  /// pc grows exponentially with the plastic volume strain: exact where v stays.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T hardening_measure(int i, const T& h) const { return i == 0 ? h : T(1.0); }
+  template <class S, class T>
+  KOKKOS_INLINE_FUNCTION T hardened(int i, const S& h, const T& x) const {
+    if (i == 0) return h * exponential(x);
+    return h + x;
+  }
 };
 
 /// Where p' is below the minimum: sets it there and returns true. pc is at least twice the minimum, so that the surface

@@ -3,6 +3,7 @@ import os
 import unittest
 
 import numpy as np
+from scipy.optimize import brentq
 
 from mudline_case import MudlineCase, point_deck
 from references.cam_clay import CamClay
@@ -35,8 +36,8 @@ def triaxial(kind, ocr):
 
 
 class CamClayTests(MudlineCase):
-    def point(self, tests):
-        return self.run_point(self.write("clay.xml", point_deck(CLAY, tests)))
+    def point(self, tests, clay=CLAY):
+        return self.run_point(self.write("clay.xml", point_deck(clay, tests)))
 
     def close(self, what, value, exact, tolerance=TOLERANCE):
         error = np.max(np.abs(np.asarray(value) / np.asarray(exact) - 1))
@@ -70,6 +71,93 @@ class CamClayTests(MudlineCase):
                 # total radial stress kept: u = 100 kPa - (p' - q/3)
                 self.assertAlmostEqual(cu["excess pore pressure"][row], (100 - p + q / 3) * KPA, delta=5)
                 self.assertAlmostEqual(cu["void ratio"][row], 1.0, delta=1e-12)
+
+    def test_implicit(self):
+        """Two hundred increments to 20 % axial strain: 0.1 % on the whole way; the error is of second order."""
+        implicit = dict({name: value for name, value in CLAY.items() if name != "stress tolerance"}, integration="implicit")
+        worst = {}
+        for steps in (200, 400):
+            histories = self.point({f"{kind} {ocr}": dict(triaxial(kind, ocr), **{"axial strain": [0.2], "steps": steps})
+                                    for kind in ("drained", "undrained") for ocr in (1, 2, 5)}, implicit)
+            worst[steps] = 0
+            for name, h in histories.items():
+                kind, ocr = name.split("_")
+                solution = getattr(CamClay(ocr=float(ocr)), kind)
+                for row in np.arange(10, 201, 10) * steps // 200:
+                    p, q = solution(h["axial strain"][row])[:2]
+                    errors = h["mean effective stress"][row] / (p * KPA) - 1, h["deviatoric stress"][row] / (q * KPA) - 1
+                    worst[steps] = max(worst[steps], np.abs(errors).max())
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print("implicit:", worst)
+        self.assertLess(worst[200], 1e-3)
+        self.assertAlmostEqual(np.log2(worst[200] / worst[400]), 2, delta=0.15)
+
+    def test_there_and_back(self):
+        """Drained from one critical state to the other, however long the increments: q = -+M p', p' = p0 + q/3."""
+        end = 100 / (1 + 1.2 / 3)
+        for integration in ("implicit", "modified euler", "runge-kutta-dormand-prince"):
+            clay = dict({name: value for name, value in CLAY.items() if name != "stress tolerance"}, integration=integration)
+            histories = self.point({f"{ocr} {steps}": {"type": "triaxial drained", "axial strain": [0.3, -0.3], "steps": steps,
+                                                        "initial state": {"mean effective stress": 100 * KPA, "overconsolidation ratio": float(ocr)}}
+                                    for ocr in (1, 3, 20) for steps in (5, 20, 100)}, clay)
+            for name, h in histories.items():
+                self.close(f"{integration} {name}", h["mean effective stress"][-1], end * KPA, 5e-4)
+
+    def test_undrained_cycles_by_stress(self):
+        """Stress difference up and down at constant volume. Inside the yield surface p' stays, strain = q/(3 G), u = q/3. Beyond first
+        yield the first quarter follows the virgin path; what comes after is elastic, about the p' that was reached."""
+        p0, ocr, cycles, steps = 100.0, 1.5, 5, 50
+        soil = CamClay(ocr=ocr)
+        first = float(1.2 * p0 * np.sqrt(ocr - 1))
+        shear = lambda p: soil.g * soil.v0 * p / soil.swelling
+        start = {"mean effective stress": p0 * KPA, "overconsolidation ratio": ocr}
+        test = {"type": "triaxial undrained", "steps": steps, "cycles": cycles, "initial state": start}
+        within, beyond = 0.999 * first, 88.0
+        axial = brentq(lambda e: soil.undrained(e)[1] - beyond, first / (3 * shear(p0)), 0.03, xtol=1e-15)
+        p_end = soil.undrained(axial)[0]
+        histories = self.point({"within": dict(test, **{"stress difference": [within * KPA, -within * KPA]}),
+                                "strain": dict(test, **{"axial strain": [within / (3 * shear(p0)), -within / (3 * shear(p0))]}),
+                                "beyond": dict(test, **{"stress difference": [beyond * KPA, -beyond * KPA], "steps": 400}),
+                                "drained": dict(test, **{"type": "triaxial drained", "stress difference": [20 * KPA, -20 * KPA]}),
+                                "biaxial": dict(test, **{"type": "plane strain", "drainage": "undrained",
+                                                         "stress difference": [60 * KPA, -60 * KPA]})})
+        for name in ("within", "strain"):
+            h = histories[name]
+            q = h["stress difference"] / KPA
+            self.assertEqual(len(q), 2 * cycles * steps + 1)
+            self.close(name + ": extremes", q[steps::2 * steps], within, 1e-9)
+            self.close(name + ": extremes", q[2 * steps::2 * steps], -within, 1e-9)
+            self.close(name + ": p'", h["mean effective stress"], p0 * KPA, 1e-12)
+            np.testing.assert_allclose(h["axial strain"], q / (3 * shear(p0)), atol=1e-12)
+            np.testing.assert_allclose(h["excess pore pressure"], q / 3 * KPA, atol=1e-4)
+            np.testing.assert_array_equal(h["plastic shear strain"], 0)
+            np.testing.assert_allclose(h["void ratio"], 1.0, rtol=1e-13)
+        h = histories["beyond"]
+        for row in (399, 400):
+            self.close("beyond: virgin path", h["mean effective stress"][row], soil.undrained(h["axial strain"][row])[0] * KPA)
+        self.close("beyond: strain", h["axial strain"][400], axial)
+        self.close("beyond: p' from there on", h["mean effective stress"][400:], p_end * KPA)
+        q = h["stress difference"][400:] / KPA
+        np.testing.assert_allclose(h["axial strain"][400:] - h["axial strain"][400], (q - q[0]) / (3 * shear(p_end)), atol=1e-6 * axial)
+        h = histories["drained"]
+        np.testing.assert_allclose(h["effective stress xx"], p0 * KPA, rtol=1e-9)
+        self.close("drained: extremes", h["stress difference"][[steps, 2 * steps]], [20 * KPA, -20 * KPA], 1e-9)
+        swell = soil.swelling * np.log(h["mean effective stress"] / (p0 * KPA))
+        np.testing.assert_allclose(1 + h["void ratio"], 2 - swell, rtol=1e-9)
+        h = histories["biaxial"]
+        np.testing.assert_allclose(h["axial strain"], h["stress difference"] / KPA / (4 * shear(p0)), atol=1e-12)
+
+    def test_undrained_cyclic_shear_by_stress(self):
+        """Simple shear at constant volume between shear stresses; small strain: gamma = tau/G inside the yield surface."""
+        test = {"type": "simple shear", "shear stress": [10 * KPA, -10 * KPA], "cycles": 3, "steps": 40,
+                "initial state": {"mean effective stress": 100 * KPA, "overconsolidation ratio": 2.0}}
+        h = self.point({"cyclic": test})["cyclic"]
+        soil = CamClay(ocr=2)
+        gamma = 10 / (soil.g * soil.v0 * 100 / soil.swelling)
+        self.close("extremes", h["shear stress xy"][40::80], 10 * KPA, 1e-8)
+        self.close("extremes", h["shear stress xy"][80::80], -10 * KPA, 1e-8)
+        self.close("strain", h["shear strain xy"][40::80], gamma, 2 * gamma ** 2)  # rotation: second order
+        np.testing.assert_allclose(h["mean effective stress"], 100 * KPA, rtol=1e-9)
 
     def test_first_yield(self):
         """The row where plastic strain begins."""

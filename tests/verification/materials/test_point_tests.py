@@ -138,6 +138,20 @@ class PointTests(MudlineCase):
         np.testing.assert_allclose(h["log"].time, np.concatenate((np.linspace(0, 200, 11), np.linspace(210, 300, 10))), rtol=1e-12)
         np.testing.assert_allclose(1 + h["log"]["void ratio"], 1.8 * np.exp(-h["log"]["volumetric strain"]), rtol=1e-13)
 
+    def test_void_ratio_from_law(self):
+        """v = N - lambda ln(pc/1 kPa) + kappa ln(pc/p'); a void ratio of the test itself goes before."""
+        skeleton = dict(CLAY, **{"normal compression volume": 2.9})
+        start = {"mean effective stress": 1e5, "overconsolidation ratio": 2.0}
+        test = {"type": "triaxial undrained", "axial strain": [0.01], "initial state": start}
+        text = point_deck(skeleton, {"law": test}).replace('<Parameter name="void ratio" type="double" value="1.0"/>',
+                                                           '<Parameter name="void ratio from law" type="bool" value="true"/>')
+        history = self.run_point(self.write("law.xml", text))["law"]
+        self.assertAlmostEqual(history["void ratio"][0], 2.9 - 0.2 * np.log(200) + 0.04 * np.log(2) - 1, delta=1e-12)
+        self.assertAlmostEqual(history["preconsolidation pressure"][0], 2e5, delta=1e-4)
+        history = self.run_point(self.write("given.xml", text), ["tests/law/initial state/overconsolidation ratio=1", "tests/law/initial state/void ratio=0.8"])["law"]
+        self.assertEqual(history["void ratio"][0], 0.8)
+        self.assertAlmostEqual(history["preconsolidation pressure"][0], 1e3 * np.exp((2.9 - 1.8 - 0.04 * np.log(100)) / 0.16), delta=1e-4)
+
     def test_path_repeats_the_others(self):
         """Strains and stresses as functions of time give what the named tests give."""
         functions = """<ParameterList name="functions"><ParameterList name="down"><Parameter name="type" type="string" value="table"/>

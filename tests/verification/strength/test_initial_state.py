@@ -4,6 +4,7 @@ import unittest
 
 import h5py
 import numpy as np
+from scipy.optimize import brentq
 
 from mudline_case import program
 from strength_case import StrengthCase
@@ -78,6 +79,62 @@ class Layers(StrengthCase):
             for setting in settings:
                 arguments += ["--set", "physics/ground/initial state/" + setting]
             done = program(arguments, 1, self.folder)
+            self.assertEqual(done.returncode, 2, what)
+            self.assertIn(what, done.stderr)
+
+
+class VoidRatioFromLaw(StrengthCase):
+    """v = N - lambda ln(pc/1 kPa) + kappa ln(pc/p') under water: d sigma'_v/d depth = (rho_s - rho_f) g/v. With v = A - lambda ln(sigma'_v),
+    depth = [(A + lambda) sigma'_v - lambda sigma'_v ln(sigma'_v)] / ((rho_s - rho_f) g) from the surface on."""
+    N, SLOPE, SWELLING, K0, R, M = 2.9, 0.2, 0.04, 0.6, 1.5, 1.0
+
+    def volume(self, vertical, n=2.9):  # [kPa]
+        p, q = vertical * (1 + 2 * self.K0) / 3, vertical * (1 - self.K0)
+        pc = self.R * (p + q * q / (self.M ** 2 * p))
+        return n - self.SLOPE * np.log(pc) + self.SWELLING * np.log(pc / p)
+
+    def vertical(self, depth):
+        A = self.volume(1.0)
+        primitive = lambda s: ((A + self.SLOPE) * s - self.SLOPE * s * np.log(s)) * 1e3 / (1700 * G)
+        return brentq(lambda s: primitive(s) - primitive(5.0) - depth, 1.0, 1e4, xtol=1e-12)
+
+    def fields(self, settings=(), ranks=1):
+        self.run_deck(self.deck("initial_state", "void_ratio_from_law"), settings, ranks)
+        with h5py.File(os.path.join(self.folder, "results", "void_ratio_from_law.h5"), "r") as file:
+            cells = file["mesh/topology"][:].reshape(-1, 10)[:, 1:]
+            y = file["mesh/coordinates"][:, 1][cells[:, :4]]
+            step = file["steps"][sorted(file["steps"])[-1]]["cell"]
+            return y, components(step), step["void_ratio"][:].ravel()
+
+    def check(self, settings=(), ranks=1):
+        y, stress, void_ratio = self.fields(settings, ranks)
+        for i in range(len(y)):
+            middle, height = y[i].mean(), np.ptp(y[i])
+            exact = mean_over_cell(lambda h: 1e3 * self.vertical(-h), middle, height, POINTS)
+            self.assertAlmostEqual(stress[i, 1] / exact, 1, delta=1e-6)
+            exact = mean_over_cell(lambda h: self.volume(self.vertical(-h)), middle, height, POINTS)
+            self.assertAlmostEqual(1 + void_ratio[i], exact, delta=1e-6)
+
+    def test_profile(self):
+        self.check()
+        self.check(ranks=2)
+
+    def test_other_ways_to_give_the_line(self):
+        """The critical state line, and a reference pressure of 100 kPa."""
+        drop = (self.SLOPE - self.SWELLING) * np.log(2)
+        base = "materials/clay/skeleton/"
+        with open(self.deck("initial_state", "void_ratio_from_law")) as file:
+            deck = file.read().replace("normal compression volume", "critical state volume")
+        self.write("void_ratio_from_law.xml", deck)
+        self.deck = lambda *_: "void_ratio_from_law.xml"
+        self.check([base + f"critical state volume={self.N - drop - self.SLOPE * np.log(100)!r}", base + "reference pressure=100e3"])
+
+    def test_contradictions(self):
+        for setting, what in (("void ratio=1.0", "with 'void ratio from law' there is no 'void ratio' or 'porosity'"),
+                              ("skeleton/critical state volume=2.0", "give 'normal compression volume' or 'critical state volume', not both"),
+                              ("skeleton/normal compression volume=1.2", "is not positive"),
+                              ("skeleton/normal compression volume=0.5", "a specific volume is greater than 1")):
+            done = program(["run", "-q", self.deck("initial_state", "void_ratio_from_law"), "--set", "materials/clay/" + setting], 1, self.folder)
             self.assertEqual(done.returncode, 2, what)
             self.assertIn(what, done.stderr)
 

@@ -1,0 +1,72 @@
+#include "physics/geostatic_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+namespace {
+
+constexpr int parts = 400;  // of a layer whose density depends on the stress
+
+}  // namespace
+
+GeostaticColumn::GeostaticColumn(const Soil& soil, const Section& section) {
+  const Mesh& mesh = soil.space->mesh();
+  for (const auto& [region, box] : mesh.region_bounds()) {
+    const SoilMaterial* material = nullptr;
+    double uplift = 0;
+    for (const SoilBlock& b : soil.blocks) {  // every rank has every block
+      if (mesh.blocks()[b.block].region != region) continue;
+      material = b.material.get();
+      if (soil.excess) uplift = material->biot_coefficient * material->fluid->density();
+    }
+    layers_.push_back({box[2], box[3], uplift, material});
+  }
+  std::sort(layers_.begin(), layers_.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
+  const double tolerance = 1e-6 * (mesh.bounds()[3] - mesh.bounds()[2]);
+  for (std::size_t i = 1; i < layers_.size(); ++i) {
+    const Layer &above = layers_[i - 1], &here = layers_[i];
+    if (here.top <= above.bottom + tolerance || here.material == above.material) continue;
+    const bool by_law = here.material->void_ratio_from_law || above.material->void_ratio_from_law;
+    if (!by_law && std::abs(here.constant_density() - above.constant_density()) < 1e-9) continue;  // side by side, one weight
+    section.fail("the mesh regions are not horizontal layers; use a stage of type 'geostatic' from a uniform state, or one density", "type");
+  }
+}
+
+void GeostaticColumn::weigh(double top_stress, double g, const Density& density) {
+  stations_.clear();
+  double stress = top_stress, y = top();
+  for (const Layer& layer : layers_) {
+    const double from = std::min(layer.top, y);
+    if (from <= layer.bottom) continue;
+    const bool by_law = layer.material->void_ratio_from_law;
+    const int n = by_law ? parts : 1;
+    const double h = (from - layer.bottom) / n;
+    const auto slope = [&](double height, double total) {
+      return g * (by_law ? density(*layer.material, height, total) - layer.uplift : layer.constant_density());
+    };
+    for (int i = 0; i < n; ++i) {  // Runge-Kutta of fourth order
+      const double at = from - i * h;
+      const double a = slope(at, stress), b = slope(at - 0.5 * h, stress + 0.5 * h * a);
+      const double c = slope(at - 0.5 * h, stress + 0.5 * h * b), d = slope(at - h, stress + h * c);
+      stations_.push_back({at, stress, a});
+      stress += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    stations_.push_back({layer.bottom, stress, slope(layer.bottom, stress)});
+    y = layer.bottom;
+  }
+}
+
+double GeostaticColumn::total_stress(double y) const {
+  // the last station at or above y
+  auto below = std::find_if(stations_.begin(), stations_.end(), [&](const Station& s) { return s.y < y; });
+  if (below == stations_.begin()) return stations_.front().stress;
+  if (below == stations_.end()) return stations_.back().stress + stations_.back().slope * (stations_.back().y - y);
+  const Station &a = *(below - 1), &b = *below;
+  const double h = a.y - b.y, t = (a.y - y) / h;
+  return (1 + 2 * t) * (1 - t) * (1 - t) * a.stress + t * (1 - t) * (1 - t) * h * a.slope + t * t * (3 - 2 * t) * b.stress +
+         t * t * (t - 1) * h * b.slope;
+}
+
+}  // namespace mudline
