@@ -22,6 +22,8 @@ using SideCoordinates = std::array<PlanePoint, max_side_nodes>;
 /// tributary area.
 struct ContactRule {
   ContactRule(ContactPoints kind, int nodes, int degree);
+  /// Where point c lies on a side with these nodes [m].
+  PlanePoint place(int c, const SideCoordinates& x) const;
   int nodes, points, samples;
   std::vector<std::array<double, max_side_nodes>> shape;  // (point, node)
   std::vector<double> xi;                                 // (point) reference coordinate in [-1, 1]

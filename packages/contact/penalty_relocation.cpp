@@ -7,16 +7,6 @@ namespace mudline {
 
 namespace {
 
-/// Where a point at xi of a side lies.
-PlanePoint place(const SideCoordinates& x, int count, double xi) {
-  double N[3], dN[3];
-  evaluate_line(count, xi, N, dN);
-  PlanePoint result{};
-  for (int a = 0; a < count; ++a)
-    for (int d = 0; d < 2; ++d) result[d] += N[a] * x[a][d];
-  return result;
-}
-
 /// Least squares slope of values over places.
 double slope(const std::vector<double>& at, const std::vector<double>& values) {
   double mean_at = 0, mean = 0, top = 0, bottom = 0;
@@ -40,14 +30,13 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
   const PointView& rows = committed.arrays[frictions_];
   const auto& sides = surface_->sides();
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const int count = sides[s].count, points = first_row_[s + 1] - first_row_[s];
+    const int points = first_row_[s + 1] - first_row_[s];
     const SideCoordinates before = coordinates(sides[s], x_old), after = coordinates(sides[s], committed.coordinates);
     const double length = std::hypot(before[1][0] - before[0][0], before[1][1] - before[0][1]);
     const PlanePoint along{(before[1][0] - before[0][0]) / length, (before[1][1] - before[0][1]) / length};
     std::vector<double> at(points), shift(points), values(points);
     for (int c = 0; c < points; ++c) {
-      const double xi = rule(sides[s]).xi[c];
-      const PlanePoint from = place(before, count, xi), to = place(after, count, xi);
+      const PlanePoint from = rule(sides[s]).place(c, before), to = rule(sides[s]).place(c, after);
       at[c] = from[0] * along[0] + from[1] * along[1];
       shift[c] = (to[0] - from[0]) * along[0] + (to[1] - from[1]) * along[1];
     }
