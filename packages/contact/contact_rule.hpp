@@ -12,6 +12,7 @@ namespace mudline {
 enum class ContactPoints { quadrature, nodes };
 
 constexpr int max_side_nodes = 3;
+constexpr int max_contact_points = 6;  // Gauss points of degree 11
 
 /// Coordinates of the nodes of one side [m]: two corners, then the middle of a quadratic side.
 using SideCoordinates = std::array<PlanePoint, max_side_nodes>;

@@ -23,6 +23,12 @@ void PenaltyContact::declare_state(StateStore& store) {
   work_info.name = name() + "/work";
   work_info.variables = {{"work", 1, "J"}};
   work_ = store.declare(std::move(work_info), 1);
+  if (augmented()) {
+    ArrayInfo multipliers;
+    multipliers.name = name() + "/multipliers";
+    multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
+    multipliers_ = store.declare(std::move(multipliers), first_row_.back());
+  }
   if (!friction_) return;
   ArrayInfo frictions;
   frictions.name = name() + "/friction";
@@ -56,6 +62,7 @@ void PenaltyContact::begin(const StepView& view) {
   touch_share_ = 1;
   body_->advance(view);
   set_penalties(view);
+  start_multipliers(view);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet
   const double advance = body_->released() ? body_->speed(*view.committed, view.dt) * view.dt
@@ -137,15 +144,17 @@ bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_
     impact = {1 - view.sensitivity[displacement_].value, forces.data()};
   }
   const SideImpact* within = conserving ? &impact : nullptr;
+  const SideShift shift = shifts(view, side);
   if (!friction_)
-    return penalty_side(rule(at), against, penalty, nullptr, within, x, axisymmetric_, want_tangent, force, points);
-  const std::vector<ShearState> old = shear_states(*view.committed, side);
+    return penalty_side(rule(at), against, penalty, nullptr, within, shift, x, axisymmetric_, want_tangent, force, points);
+  std::vector<ShearState> old = shear_states(*view.committed, side);
+  add_multipliers(view, side, old);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, penalty, &friction, within, x, axisymmetric_, want_tangent, force, points);
+  return penalty_side(rule(at), against, penalty, &friction, within, shift, x, axisymmetric_, want_tangent, force, points);
 }
 
 bool PenaltyContact::conserves() const {
-  if (deck_.impact == PenaltyParameters::Impact::automatic) return body_->unknowns().count > 0;
+  if (deck_.impact == PenaltyParameters::Impact::automatic) return !augmented() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -224,7 +233,7 @@ void PenaltyContact::look_for_touch(const StepView& view) {
   const PointView& rows = view.trial->arrays[points_];
   double nearest = 1e300, everywhere = 0;
   for (int row = 0; row < first_row_.back(); ++row)
-    if (rows(row, column::area) > 0) nearest = std::min(nearest, rows(row, column::gap));
+    if (rows(row, column::area) > 0) nearest = std::min(nearest, rows(row, column::active) > 0 ? -1.0 : rows(row, column::gap));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
   if (everywhere >= 0 && everywhere < 1e300) touch_ = everywhere + 1e-3 * surface_->shortest(view.x_old);
 }

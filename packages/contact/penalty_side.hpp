@@ -14,7 +14,7 @@ struct ContactPoint {
   double gap, pressure;  // [m] negative: penetration; [Pa] >= 0
   double force[2];       // [N] on the soil
   double area;           // [m2]
-  bool active;           // gap < 0
+  bool active;           // presses: gap < shift
   ShearState shear;      // with friction
   double friction[2];    // [N] part of the force that is along the surface
   double height;         // [m] in the body's frame above its reference point
@@ -47,6 +47,12 @@ struct SideImpact {
   const PointForce* old;  // (point) at the start of the step
 };
 
+/// Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
+/// multipliers are part of SideFriction::old.
+struct SideShift {
+  double now[max_contact_points] = {}, old[max_contact_points] = {};  // (point) in this step; in the committed state
+};
+
 /// The body that a side may touch.
 struct SideBody {
   const RigidBody& body;
@@ -69,13 +75,13 @@ struct SideForce {
   double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
 };
 
-/// Penalty law t = penalty <-gap> at the contact points of a side against a body:
+/// Penalty law t = penalty <shift - gap> at the contact points of a side against a body:
 /// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s = 0.
 /// The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
 /// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. Null `impact`: no
 /// correction. `points` receives rule.points results. False for a degenerate side.
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideImpact* impact, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  const SideImpact* impact, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
                   std::vector<ContactPoint>& points);
 
 }  // namespace mudline
