@@ -39,6 +39,7 @@ void PenaltyContact::declare_state(StateStore& store) {
 
 void PenaltyContact::sparsity(Assembler& assembler) {
   for (int count = 2; count <= 3; ++count) group_[count - 2] = assembler.add_group(surface_->dofs(count));
+  if (leak_) leak_->sparsity(assembler);
 }
 
 SideCoordinates PenaltyContact::coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const {
@@ -168,6 +169,7 @@ std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::si
 
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
   for (const auto& [dof, share] : correction_) f(dof) -= share;
+  if (leak_) leak_->add(view, f);
 }
 
 double PenaltyContact::magnitude_squared(int field) const {
@@ -254,6 +256,7 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
       for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * force.k[a][b]);
     }
   }
+  if (leak_) leak_->jacobian(view, assembler);
   // how far away the touch is in terms of forces is not known: the next guess moves the body ten times as far
   if (touch_ > 0) touch_share_ *= 0.1;
 }
@@ -268,6 +271,7 @@ bool PenaltyContact::closed(const PointView& rows, std::size_t side, double leng
 }
 
 void PenaltyContact::constrain(const StepView& view, Constraints& constraints) {
+  if (leak_) leak_->open({});
   // without flow the pore pressure is given everywhere: releasing it would leave its equation empty
   if (deck_.drainage == PenaltyParameters::Drainage::drained || pressure_ < 0 || !view.flow) return;
   const PointView& rows = view.committed->arrays[points_];
@@ -277,6 +281,7 @@ void PenaltyContact::constrain(const StepView& view, Constraints& constraints) {
     flags[s] = closed(rows, s, std::hypot(x[1][0] - x[0][0], x[1][1] - x[0][1]));
   }
   const std::vector<char> sealed = surface_->enclosed(flags);
+  if (leak_) leak_->open(std::move(flags));
   const auto& dof = context_.space.node_dof(pressure_);
   for (std::size_t node = 0; node < sealed.size(); ++node)
     if (sealed[node] && dof(node) >= 0) constraints.mask(dof(node)) = 0;

@@ -6,13 +6,14 @@
 
 #include "contact/contact.hpp"
 #include "contact/contact_surface.hpp"
+#include "contact/leaky_surface.hpp"
 #include "contact/penalty_side.hpp"
 
 namespace mudline {
 
 /// What the deck says of a penalty contact, besides friction.
 struct PenaltyParameters {
-  enum class Drainage { sealed, drained };
+  enum class Drainage { sealed, drained, leaky };
   enum class Impact { automatic, conserving, interpolated };
   enum class Enforcement { penalty, augmented_lagrangian };
   void parameters(Parameters& p);
@@ -29,6 +30,8 @@ struct PenaltyParameters {
   Drainage drainage = Drainage::sealed;
   Impact impact = Impact::automatic;
   double sealing_gap = 0.1;  // [-] of the side's length
+  double conductance = 0;    // [m/(Pa s)]
+  Function outside;          // [Pa] pore pressure on the body's side
 };
 
 /// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s m) ds at n+1, t = penalty <-gap> [Pa], n from
@@ -48,7 +51,8 @@ struct PenaltyParameters {
 /// "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
 ///
 /// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
-/// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set.
+/// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: the
+/// sides that press let water through instead, see LeakySurface.
 class PenaltyContact : public Contact {
  public:
   explicit PenaltyContact(const ContactContext& context) : context_(context) {}
@@ -119,6 +123,7 @@ class PenaltyContact : public Contact {
   double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
+  void check_drainage(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
   void set_penalties(const StepView& view) const;
@@ -133,6 +138,7 @@ class PenaltyContact : public Contact {
   std::string name_;
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;
+  std::unique_ptr<LeakySurface> leak_;  // null unless leaky
   std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
   std::vector<int> first_row_;      // (side) in the points array; one more: number of rows
   std::vector<char> candidate_;     // (side) near enough to be evaluated in this step

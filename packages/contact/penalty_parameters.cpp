@@ -31,9 +31,11 @@ void PenaltyParameters::parameters(Parameters& p) {
         "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
-  p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}},
+  p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
            "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
-           "prescribed");
+           "prescribed; leaky: it is released, and water leaves through the body by 'conductance'");
+  p.add("conductance", conductance, "m/(Pa s)", non_negative(), "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
+  p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
   p.choice("impact", impact,
            {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
            "Points that touch or leave within a dynamic step. conserving: they exert the share of their force that adds no "
@@ -83,7 +85,10 @@ void PenaltyContact::check(const Section& section) {
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);
   if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
+  check_drainage(section);
   surface_ = std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());
+  if (deck_.drainage == PenaltyParameters::Drainage::leaky)
+    leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * surface_->shortest(mesh.coordinates());
   axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
@@ -94,6 +99,16 @@ void PenaltyContact::check(const Section& section) {
   candidate_.assign(surface_->sides().size(), 1);
   check_overlap(section);
   check_above(section);
+}
+
+void PenaltyContact::check_drainage(const Section& section) const {
+  if (deck_.drainage == PenaltyParameters::Drainage::leaky) {
+    if (!(deck_.conductance > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
+    if (pressure_ < 0) section.fail("leaky needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
+    return;
+  }
+  for (const char* entry : {"conductance", "outside pressure"})
+    if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = leaky", entry);
 }
 
 void PenaltyContact::check_above(const Section& section) const {
