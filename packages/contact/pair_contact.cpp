@@ -125,6 +125,7 @@ PairLaw PairContact::law(const StepView& view, int slave) const {
   result.capture = capture_;
   result.friction = friction_.get();
   result.time = view.time_end;
+  result.dt = view.dt;
   result.first_guess = predicting_;
   const PointView& multipliers = view.trial->arrays[multipliers_];
   for (int a = 0; a < side_multipliers; ++a) {

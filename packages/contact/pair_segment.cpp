@@ -183,13 +183,15 @@ Shear<T> shear_stress(const PairLaw& law, const T& multiplier, const T& pressure
   const double stiffness = law.friction->tangential_factor() * law.penalty;
   result.stress = multiplier - stiffness * travel;
   if (law.first_guess) return result;
-  const ShearStrength strength = law.friction->strength({value(pressure), place, 0.0, law.time});
+  const ShearStrength strength = law.friction->strength({value(pressure), place, 0.0, law.time, std::abs(value(travel)) / law.dt});
   const double trial = value(result.stress);
   if (std::abs(trial) <= strength.value) return result;
   const double direction = trial > 0 ? 1 : -1;
   result.slides = true;
   result.slip = (std::abs(trial) - strength.value) / stiffness;
   result.stress = chain(pressure, direction * strength.value, direction * strength.slope);
+  const double by_travel = direction * strength.rate_slope * (value(travel) > 0 ? 1 : -1) / law.dt;
+  result.stress = result.stress + by_travel * (travel - value(travel));
   return result;
 }
 

@@ -23,7 +23,7 @@ struct PairLaw {
   double penalty = 0;                  // [Pa/m]
   double capture = 0;                  // [m] points farther away than this, on either side, do not see each other
   const Friction* friction = nullptr;  // null: smooth
-  double time = 0;                     // [s] end of the step
+  double time = 0, dt = 1;             // [s] end of the step; its length
   bool first_guess = false;            // friction sticks
   double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners
 };

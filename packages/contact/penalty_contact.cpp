@@ -122,6 +122,7 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
   SideFriction result{*friction_,
                       friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
                       view.time_end,
+                      view.dt,
                       old.data(),
                       predicting_,
                       surface_->pressure_nodes(at.count),

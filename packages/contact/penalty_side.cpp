@@ -22,8 +22,8 @@ void add_friction(const ContactRule& rule, int c, const RigidBody& body, const S
   if (side.pressure_nodes > 0) evaluate_line(side.pressure_nodes, rule.xi[c], shape, slope);
   for (int a = 0; a < side.pressure_nodes; ++a) pore_pressure += shape[a] * side.pressure[a];
   const ShearState& old = side.old[c];
-  ShearResponse response = stick_or_slide(side.law, old, side.stiffness, travel.value,
-                                          {point.pressure - pore_pressure, at_old, old.slip, side.time});
+  ShearResponse response = stick_or_slide(side.law, old, side.stiffness, travel.value, side.dt,
+                                          {point.pressure - pore_pressure, at_old, old.slip, side.time, std::abs(travel.value) / side.dt});
   if (side.first_guess) {  // what slid slides on, under the same stress; what stuck sticks
     const double stiffness = old.slides ? 0.0 : side.stiffness;
     response = {old, -stiffness, 0};

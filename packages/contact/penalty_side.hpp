@@ -31,7 +31,7 @@ struct SideStart {
 struct SideFriction {
   const Friction& law;
   double stiffness;                // [Pa/m] along the surface
-  double time;                     // [s] end of the step
+  double time, dt;                 // [s] end of the step; its length
   const ShearState* old;           // (point) committed
   bool first_guess;                // the response is linear: no point changes between sticking and sliding
   int pressure_nodes;              // first nodes of the side that carry pore pressure; 0: none counts

@@ -7,11 +7,14 @@
 namespace mudline {
 namespace {
 
-/// Shear strength that grows with the pressure.
+/// Shear strength that grows with the pressure and falls with the speed.
 class Slope : public Friction {
  public:
   explicit Slope(double coefficient) : coefficient_(coefficient) {}
-  ShearStrength strength(const FrictionPoint& at) const override { return {coefficient_ * at.normal, coefficient_}; }
+  ShearStrength strength(const FrictionPoint& at) const override {
+    const double factor = coefficient_ * (1 - 10 * at.rate);
+    return {factor * at.normal, factor, -10 * coefficient_ * at.normal};
+  }
 
  private:
   double coefficient_;
@@ -103,7 +106,9 @@ TEST_P(EverySegment, WhatTheSlaveGetsTheMasterGives) {
   EXPECT_NEAR(sum[0], 0, 1e-14 * size);
   EXPECT_NEAR(sum[1], 0, 1e-14 * size);
   // normal forces act along the way from foot to point; shear stresses are off by the gap
-  if (!law_.friction) EXPECT_NEAR(moment, 0, 1e-13 * size);
+  if (!law_.friction) {
+    EXPECT_NEAR(moment, 0, 1e-13 * size);
+  }
 }
 
 TEST(PairSegment, UniformOverlapOfStraightSidesPressesOnWhatTheyShare) {
