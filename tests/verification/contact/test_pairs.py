@@ -125,7 +125,7 @@ class Pairs(ContactCase):
         sunk = self.write("sunk.geo", geometry.replace("{0, 0, 0, 1.1", "{0, -0.2, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, -0.2, 0, 0.9"))
         self.assertIn("overlaps the master by 0.2 m at the start", message(f"mesh/file={sunk}"))
         done = program(["run", self.deck("blocks"), self.write("slide.xml", SLIDE), "--set", "contacts/face/reach=1e-6", "--set",
-                        "boundary conditions/pull/x=0.4*(t-1)", "--set", "stages/slide/time step/minimum=0.2"], 1, self.folder)
+                        "boundary conditions/pull/x=0.4*(t-1)", "--set", "stages/slide/time step/minimum=0.1"], 1, self.folder)
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("farther apart at the start than its 'reach'", done.stdout + done.stderr)
 
