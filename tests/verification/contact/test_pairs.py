@@ -124,8 +124,15 @@ class Pairs(ContactCase):
             geometry = file.read()
         sunk = self.write("sunk.geo", geometry.replace("{0, 0, 0, 1.1", "{0, -0.2, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, -0.2, 0, 0.9"))
         self.assertIn("overlaps the master by 0.2 m at the start", message(f"mesh/file={sunk}"))
-        done = program(["run", self.deck("blocks"), self.write("slide.xml", SLIDE), "--set", "contacts/face/reach=1e-6", "--set",
-                        "boundary conditions/pull/x=0.4*(t-1)", "--set", "stages/slide/time step/minimum=0.1"], 1, self.folder)
+        apart = self.write("apart.geo", geometry.replace("{0, 0, 0, 1.1", "{0, 0.001, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, 0.001, 0, 0.9"))
+        press = self.write("press.xml", """<ParameterList name="press"><ParameterList name="boundary conditions"><ParameterList name="press">
+  <Parameter name="type" type="string" value="displacement"/>
+  <Parameter name="set" type="string" value="top"/>
+  <Parameter name="y" type="string" value="-0.002*t"/>
+</ParameterList></ParameterList></ParameterList>
+""")
+        done = program(["run", self.deck("blocks"), press, "--set", f"mesh/file={apart}", "--set", "contacts/face/reach=1e-6", "--set",
+                        "stages/press/time step/minimum=0.9"], 1, self.folder)
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("farther apart at the start than its 'reach'", done.stdout + done.stderr)
 
