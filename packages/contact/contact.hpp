@@ -23,7 +23,7 @@ struct ContactContext {
   std::function<double(int block, int element)> stiffness;
 };
 
-/// One entry of the deck's "contacts": a term that couples the soil's surface with a body. A contact type is
+/// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact type is
 /// constructible from a ContactContext, reads its parameters, and binds to sets and bodies in check(); all collective,
 /// every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
 class Contact : public Term {
@@ -37,7 +37,7 @@ class Contact : public Term {
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;
 
-/// "penalty", "frictionless penalty"; a plain list.
+/// "penalty", "frictionless penalty", "mortar"; a plain list.
 void register_contact(ContactRegistry& registry);
 
 }  // namespace mudline

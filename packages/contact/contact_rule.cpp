@@ -32,6 +32,13 @@ ContactRule::ContactRule(ContactPoints kind, int nodes_, int degree) : nodes(nod
   }
 }
 
+PlanePoint ContactRule::place(int c, const SideCoordinates& x) const {
+  PlanePoint at{};
+  for (int a = 0; a < nodes; ++a)
+    for (int i = 0; i < 2; ++i) at[i] += shape[c][a] * x[a][i];
+  return at;
+}
+
 bool SideAreas::compute(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric) {
   area.assign(rule.points, 0.0);
   variation.assign(rule.points, {});

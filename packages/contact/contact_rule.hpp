@@ -12,6 +12,7 @@ namespace mudline {
 enum class ContactPoints { quadrature, nodes };
 
 constexpr int max_side_nodes = 3;
+constexpr int max_contact_points = 6;  // Gauss points of degree 11
 
 /// Coordinates of the nodes of one side [m]: two corners, then the middle of a quadratic side.
 using SideCoordinates = std::array<PlanePoint, max_side_nodes>;
@@ -22,6 +23,8 @@ using SideCoordinates = std::array<PlanePoint, max_side_nodes>;
 /// tributary area.
 struct ContactRule {
   ContactRule(ContactPoints kind, int nodes, int degree);
+  /// Where point c lies on a side with these nodes [m].
+  PlanePoint place(int c, const SideCoordinates& x) const;
   int nodes, points, samples;
   std::vector<std::array<double, max_side_nodes>> shape;  // (point, node)
   std::vector<double> xi;                                 // (point) reference coordinate in [-1, 1]

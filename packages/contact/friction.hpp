@@ -11,12 +11,14 @@ struct FrictionPoint {
   PlanePoint position;  // [m] of the contact point at the start of the step
   double slip;          // [m] path that it has slid so far, at the start of the step
   double time;          // [s] end of the step
+  double rate = 0;      // [m/s] mean speed along the surface in the step, >= 0
 };
 
 /// Largest shear stress that an interface carries.
 struct ShearStrength {
   double value;  // [Pa] >= 0
   double slope;  // [-] d value / d normal
+  double rate_slope = 0;  // [Pa s/m] d value / d rate
 };
 
 /// Friction law of an interface: type of a contact's "friction". Pure. The contact does the rest: below the strength
@@ -40,14 +42,17 @@ class Friction {
   Traction traction_ = Traction::effective;
 };
 
-/// strength = adhesion + coefficient <normal>, at most the cap.
+/// strength = adhesion + coefficient <normal>, at most the cap. With a kinetic coefficient the coefficient follows the speed,
+/// kinetic + (coefficient - kinetic) exp(-rate / decay speed).
 class CoulombFriction : public Friction {
  public:
   void parameters(Parameters& p);
+  void check(const Section& section) const;
   ShearStrength strength(const FrictionPoint& at) const override;
 
  private:
-  double coefficient_ = 0, adhesion_ = 0;
+  double coefficient_ = 0, adhesion_ = 0, kinetic_ = 0;
+  double decay_speed_ = 0;  // [m/s] 0: one coefficient at all speeds
   Function cap_;
   bool capped_ = false;
 };

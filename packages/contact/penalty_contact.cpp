@@ -23,6 +23,12 @@ void PenaltyContact::declare_state(StateStore& store) {
   work_info.name = name() + "/work";
   work_info.variables = {{"work", 1, "J"}};
   work_ = store.declare(std::move(work_info), 1);
+  if (augmented()) {
+    ArrayInfo multipliers;
+    multipliers.name = name() + "/multipliers";
+    multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
+    multipliers_ = store.declare(std::move(multipliers), first_row_.back());
+  }
   if (!friction_) return;
   ArrayInfo frictions;
   frictions.name = name() + "/friction";
@@ -33,6 +39,7 @@ void PenaltyContact::declare_state(StateStore& store) {
 
 void PenaltyContact::sparsity(Assembler& assembler) {
   for (int count = 2; count <= 3; ++count) group_[count - 2] = assembler.add_group(surface_->dofs(count));
+  if (leak_) leak_->sparsity(assembler);
 }
 
 SideCoordinates PenaltyContact::coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const {
@@ -56,6 +63,7 @@ void PenaltyContact::begin(const StepView& view) {
   touch_share_ = 1;
   body_->advance(view);
   set_penalties(view);
+  start_multipliers(view);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet
   const double advance = body_->released() ? body_->speed(*view.committed, view.dt) * view.dt
@@ -114,6 +122,7 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
   SideFriction result{*friction_,
                       friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
                       view.time_end,
+                      view.dt,
                       old.data(),
                       predicting_,
                       surface_->pressure_nodes(at.count),
@@ -137,15 +146,17 @@ bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_
     impact = {1 - view.sensitivity[displacement_].value, forces.data()};
   }
   const SideImpact* within = conserving ? &impact : nullptr;
+  const SideShift shift = shifts(view, side);
   if (!friction_)
-    return penalty_side(rule(at), against, penalty, nullptr, within, x, axisymmetric_, want_tangent, force, points);
-  const std::vector<ShearState> old = shear_states(*view.committed, side);
+    return penalty_side(rule(at), against, penalty, nullptr, within, shift, x, axisymmetric_, want_tangent, force, points);
+  std::vector<ShearState> old = shear_states(*view.committed, side);
+  add_multipliers(view, side, old);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, penalty, &friction, within, x, axisymmetric_, want_tangent, force, points);
+  return penalty_side(rule(at), against, penalty, &friction, within, shift, x, axisymmetric_, want_tangent, force, points);
 }
 
 bool PenaltyContact::conserves() const {
-  if (deck_.impact == PenaltyParameters::Impact::automatic) return body_->unknowns().count > 0;
+  if (deck_.impact == PenaltyParameters::Impact::automatic) return !augmented() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -159,6 +170,7 @@ std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::si
 
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
   for (const auto& [dof, share] : correction_) f(dof) -= share;
+  if (leak_) leak_->add(view, f);
 }
 
 double PenaltyContact::magnitude_squared(int field) const {
@@ -224,7 +236,7 @@ void PenaltyContact::look_for_touch(const StepView& view) {
   const PointView& rows = view.trial->arrays[points_];
   double nearest = 1e300, everywhere = 0;
   for (int row = 0; row < first_row_.back(); ++row)
-    if (rows(row, column::area) > 0) nearest = std::min(nearest, rows(row, column::gap));
+    if (rows(row, column::area) > 0) nearest = std::min(nearest, rows(row, column::active) > 0 ? -1.0 : rows(row, column::gap));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
   if (everywhere >= 0 && everywhere < 1e300) touch_ = everywhere + 1e-3 * surface_->shortest(view.x_old);
 }
@@ -245,6 +257,7 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
       for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * force.k[a][b]);
     }
   }
+  if (leak_) leak_->jacobian(view, assembler);
   // how far away the touch is in terms of forces is not known: the next guess moves the body ten times as far
   if (touch_ > 0) touch_share_ *= 0.1;
 }
@@ -259,6 +272,7 @@ bool PenaltyContact::closed(const PointView& rows, std::size_t side, double leng
 }
 
 void PenaltyContact::constrain(const StepView& view, Constraints& constraints) {
+  if (leak_) leak_->open({});
   // without flow the pore pressure is given everywhere: releasing it would leave its equation empty
   if (deck_.drainage == PenaltyParameters::Drainage::drained || pressure_ < 0 || !view.flow) return;
   const PointView& rows = view.committed->arrays[points_];
@@ -268,6 +282,7 @@ void PenaltyContact::constrain(const StepView& view, Constraints& constraints) {
     flags[s] = closed(rows, s, std::hypot(x[1][0] - x[0][0], x[1][1] - x[0][1]));
   }
   const std::vector<char> sealed = surface_->enclosed(flags);
+  if (leak_) leak_->open(std::move(flags));
   const auto& dof = context_.space.node_dof(pressure_);
   for (std::size_t node = 0; node < sealed.size(); ++node)
     if (sealed[node] && dof(node) >= 0) constraints.mask(dof(node)) = 0;

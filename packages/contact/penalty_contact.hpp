@@ -6,39 +6,53 @@
 
 #include "contact/contact.hpp"
 #include "contact/contact_surface.hpp"
+#include "contact/leaky_surface.hpp"
 #include "contact/penalty_side.hpp"
 
 namespace mudline {
 
 /// What the deck says of a penalty contact, besides friction.
 struct PenaltyParameters {
-  enum class Drainage { sealed, drained };
+  enum class Drainage { sealed, drained, leaky };
   enum class Impact { automatic, conserving, interpolated };
+  enum class Enforcement { penalty, augmented_lagrangian };
   void parameters(Parameters& p);
 
   std::string body, surface;
   ContactPoints method = ContactPoints::quadrature;
   int quadrature_degree = 5;
   double penalty = 0, penalty_factor = 10;  // [Pa/m], [-]
+  Enforcement enforcement = Enforcement::penalty;
+  double gap_tolerance = 0;     // [m] 0: automatic
+  int most_augmentations = 50;
   double capture_distance = 0;              // [m]
   double advance_limit = 0.25;              // [-] of the shortest side
   Drainage drainage = Drainage::sealed;
   Impact impact = Impact::automatic;
   double sealing_gap = 0.1;  // [-] of the side's length
+  double conductance = 0;    // [m/(Pa s)]
+  Function outside;          // [Pa] pore pressure on the body's side
 };
 
 /// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s m) ds at n+1, t = penalty <-gap> [Pa], n from
 /// the body into the soil, m along the body's contour, s [Pa] from the friction law, 0 without one; axisymmetric forces
 /// are those of the whole circumference, plane strain ones per metre.
 ///
+/// Augmented Lagrangian: t = <lambda - penalty gap>, and the stick spring of friction starts from a multiplier likewise.
+/// After each solve of a step lambda grows by t - lambda (Uzawa) as far as that is in the space of the sides' shapes: a
+/// side has more contact points than nodes, and cannot follow a body at all of them. Until the gap weighted by the shapes,
+/// and the stretch of what sticks, are within the gap tolerance at all nodes.
+///
 /// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area,
 /// height above the body's reference point, moment about its centre),
 /// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
-/// friction), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
+/// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with which
+/// the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
 /// "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
 ///
 /// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
-/// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set.
+/// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: the
+/// sides that press let water through instead, see LeakySurface.
 class PenaltyContact : public Contact {
  public:
   explicit PenaltyContact(const ContactContext& context) : context_(context) {}
@@ -59,6 +73,7 @@ class PenaltyContact : public Contact {
   void correction(const StepView& view, const ResidualView& f) override;
   double magnitude_squared(int field) const override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  Augmentation augment(const StepView& view, int count) override;
   std::string hint(const StepView& view) const override;
   void histories(const StepView& view, std::map<std::string, double>& values) override;
   double step_limit(const State& committed, double dt) const override;
@@ -76,6 +91,26 @@ class PenaltyContact : public Contact {
   std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
+  bool augmented() const { return deck_.enforcement == PenaltyParameters::Enforcement::augmented_lagrangian; }
+  void check_enforcement(const Section& section) const;
+  /// Multipliers of one side; none: all 0.
+  SideShift shifts(const StepView& view, std::size_t side) const;
+  /// The multiplier of a point's shear stress with which a step starts [Pa].
+  double initial_shear_multiplier(const State& committed, int row) const;
+  void start_multipliers(const StepView& view) const;
+  /// Adds what the tangential multipliers of one side have changed by in this step.
+  void add_multipliers(const StepView& view, std::size_t side, std::vector<ShearState>& old) const;
+  bool sticks(const State& state, int row) const;
+  /// By local node, weighted by the sides' shapes: what the stresses differ by from their multipliers [Pa], and over the
+  /// penalties, weighted likewise, the gap and the stretch of what sticks [m].
+  struct Misfit {
+    std::vector<double> normal, gap, shear, stretch;
+  };
+  Misfit misfit(const State& state) const;
+  /// Nodal values whose field, in the sides' shapes, has these weighted means.
+  std::vector<double> in_shapes(const std::vector<double>& weighted, const State& state) const;
+  /// Gap and stretch [m]. Collective.
+  std::array<double, 2> largest(const Misfit& misfit) const;
   /// What friction on one side needs; refers to `old`, its committed shear states.
   SideFriction side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const;
   /// Force of one side at the linearisation point. False for a degenerate side.
@@ -88,6 +123,7 @@ class PenaltyContact : public Contact {
   double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
+  void check_drainage(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
   void set_penalties(const StepView& view) const;
@@ -102,17 +138,19 @@ class PenaltyContact : public Contact {
   std::string name_;
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;
+  std::unique_ptr<LeakySurface> leak_;  // null unless leaky
   std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
   std::vector<int> first_row_;      // (side) in the points array; one more: number of rows
   std::vector<char> candidate_;     // (side) near enough to be evaluated in this step
   double capture_ = 0;              // [m] of this step
+  double gap_tolerance_ = 0;        // [m]
   double magnitude_ = 0, body_magnitude_ = 0;  // of the last residual call
   double touch_ = 0, touch_share_ = 1;  // see SideBody
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool predicting_ = false;
   int displacement_ = -1, pressure_ = -1;
-  int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1;  // state handles
+  int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1, multipliers_ = -1;  // state handles
   int group_[2] = {-1, -1};
 };
 
@@ -127,6 +165,9 @@ class FrictionlessPenaltyContact : public PenaltyContact {
 /// Columns of the arrays of contact points.
 namespace contact_column {
 enum : int { gap, pressure, active, force_x, force_y, area, height, moment };
+}
+namespace multiplier_column {
+enum : int { normal, shear };
 }
 namespace friction_column {
 enum : int { shear, slip, dissipated, slides, force_x, force_y };

@@ -20,16 +20,27 @@ void PenaltyParameters::parameters(Parameters& p) {
         "Pressure per penetration; 0: penalty factor times soil stiffness over element size");
   p.add("penalty factor", penalty_factor, "-", positive(),
         "Automatic penalty: multiple of constrained modulus over element height");
+  p.choice("enforcement", enforcement,
+           {{"penalty", Enforcement::penalty}, {"augmented Lagrangian", Enforcement::augmented_lagrangian}},
+           "penalty: pressure = penalty times penetration; augmented Lagrangian: multipliers carry the pressure, found by repeated "
+           "solves of a step (Uzawa) until the gap tolerance is met");
+  p.add("gap tolerance", gap_tolerance, "m", non_negative(),
+        "Augmented Lagrangian: largest gap of the touching surface, weighted by the shapes of its sides, and stretch where it "
+        "sticks; 0: a millionth of the surface's shortest side");
+  p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
+        "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
-  p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}},
+  p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
            "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
-           "prescribed");
+           "prescribed; leaky: it is released, and water leaves through the body by 'conductance'");
+  p.add("conductance", conductance, "m/(Pa s)", non_negative(), "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
+  p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
   p.choice("impact", impact,
            {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
            "Points that touch or leave within a dynamic step. conserving: they exert the share of their force that adds no "
            "energy, whatever the step; interpolated: the integrator's mean of start and end, smoother where a body is pushed "
-           "steadily; automatic: conserving for a body that may be free, interpolated otherwise");
+           "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
   p.add("sealing gap", sealing_gap, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the body still seals the side");
   p.add("advance limit", advance_limit, "-", positive(),
@@ -72,9 +83,14 @@ void PenaltyContact::check(const Section& section) {
                  "surface");
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
+  check_enforcement(section);
   if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
+  check_drainage(section);
   surface_ = std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());
+  if (deck_.drainage == PenaltyParameters::Drainage::leaky)
+    leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
+  gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * surface_->shortest(mesh.coordinates());
   axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
   rules_.clear();
   for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(deck_.method, nodes, deck_.quadrature_degree);
@@ -83,6 +99,16 @@ void PenaltyContact::check(const Section& section) {
   candidate_.assign(surface_->sides().size(), 1);
   check_overlap(section);
   check_above(section);
+}
+
+void PenaltyContact::check_drainage(const Section& section) const {
+  if (deck_.drainage == PenaltyParameters::Drainage::leaky) {
+    if (!(deck_.conductance > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
+    if (pressure_ < 0) section.fail("leaky needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
+    return;
+  }
+  for (const char* entry : {"conductance", "outside pressure"})
+    if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = leaky", entry);
 }
 
 void PenaltyContact::check_above(const Section& section) const {

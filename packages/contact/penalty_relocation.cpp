@@ -1,4 +1,5 @@
 // What becomes of a penalty contact's history when the mesh is moved under it.
+#include <algorithm>
 #include <cmath>
 
 #include "contact/penalty_contact.hpp"
@@ -6,16 +7,6 @@
 namespace mudline {
 
 namespace {
-
-/// Where a point at xi of a side lies.
-PlanePoint place(const SideCoordinates& x, int count, double xi) {
-  double N[3], dN[3];
-  evaluate_line(count, xi, N, dN);
-  PlanePoint result{};
-  for (int a = 0; a < count; ++a)
-    for (int d = 0; d < 2; ++d) result[d] += N[a] * x[a][d];
-  return result;
-}
 
 /// Least squares slope of values over places.
 double slope(const std::vector<double>& at, const std::vector<double>& values) {
@@ -34,28 +25,38 @@ double slope(const std::vector<double>& at, const std::vector<double>& values) {
 }  // namespace
 
 void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // gaps and pressures are those of the new places, evaluated anew; the shear stress and the path slid are history and are
-  // convected along the side, f + (s_new - s_old) df/ds
-  if (!friction_) return;
-  const PointView& rows = committed.arrays[frictions_];
+  // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid and multipliers are
+  // history and are convected along the side, f + (s_new - s_old) df/ds
+  std::vector<std::pair<int, int>> convected;  // (array, column)
+  if (friction_) convected = {{frictions_, friction_column::shear}, {frictions_, friction_column::slip}};
+  if (augmented()) {
+    convected.emplace_back(multipliers_, multiplier_column::normal);
+    convected.emplace_back(multipliers_, multiplier_column::shear);
+  }
+  if (convected.empty()) return;
   const auto& sides = surface_->sides();
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const int count = sides[s].count, points = first_row_[s + 1] - first_row_[s];
+    const int points = first_row_[s + 1] - first_row_[s];
     const SideCoordinates before = coordinates(sides[s], x_old), after = coordinates(sides[s], committed.coordinates);
     const double length = std::hypot(before[1][0] - before[0][0], before[1][1] - before[0][1]);
     const PlanePoint along{(before[1][0] - before[0][0]) / length, (before[1][1] - before[0][1]) / length};
     std::vector<double> at(points), shift(points), values(points);
     for (int c = 0; c < points; ++c) {
-      const double xi = rule(sides[s]).xi[c];
-      const PlanePoint from = place(before, count, xi), to = place(after, count, xi);
+      const PlanePoint from = rule(sides[s]).place(c, before), to = rule(sides[s]).place(c, after);
       at[c] = from[0] * along[0] + from[1] * along[1];
       shift[c] = (to[0] - from[0]) * along[0] + (to[1] - from[1]) * along[1];
     }
-    for (int column : {friction_column::shear, friction_column::slip}) {
+    for (const auto& [array, column] : convected) {
+      const PointView& rows = committed.arrays[array];
       for (int c = 0; c < points; ++c) values[c] = rows(first_row_[s] + c, column);
       const double gradient = slope(at, values);
       for (int c = 0; c < points; ++c) rows(first_row_[s] + c, column) = values[c] + gradient * shift[c];
     }
+  }
+  if (!augmented()) return;
+  for (int row = 0; row < first_row_.back(); ++row) {
+    double& normal = committed.arrays[multipliers_](row, multiplier_column::normal);
+    normal = std::max(normal, 0.0);
   }
 }
 

@@ -49,6 +49,11 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   values[name() + "/active points"] = sum[3];
   values[name() + "/maximum penetration [m]"] = deepest_everywhere;
   values[name() + "/work [J]"] = sum[4];
+  if (augmented()) {
+    const auto [gap, stretch] = largest(misfit(state));
+    values[name() + "/weighted gap [m]"] = gap;
+    if (friction_) values[name() + "/stretch [m]"] = stretch;
+  }
   if (!friction_) return;
   values[name() + "/friction x [N]"] = sum[5];
   values[name() + "/friction y [N]"] = sum[6];

@@ -6,13 +6,6 @@ namespace mudline {
 
 namespace {
 
-PlanePoint at_point(const ContactRule& rule, int c, const SideCoordinates& x) {
-  PlanePoint at{};
-  for (int a = 0; a < rule.nodes; ++a)
-    for (int i = 0; i < 2; ++i) at[i] += rule.shape[c][a] * x[a][i];
-  return at;
-}
-
 /// Derivatives of the shear stress of one point.
 struct ShearTangent {
   double x[2] = {0, 0};                  // [Pa/m] with respect to its position
@@ -21,16 +14,16 @@ struct ShearTangent {
 
 /// Friction at a point that presses: adds to its force, fills its shear state.
 void add_friction(const ContactRule& rule, int c, const RigidBody& body, const SideStart& start, const SideFriction& side,
-                  double penalty, const ContourFoot& foot, ContactPoint& point, ShearTangent& tangent) {
-  const PlanePoint at_old = at_point(rule, c, start.x);
+                  double penalty, const SideShift& shift, const ContourFoot& foot, ContactPoint& point, ShearTangent& tangent) {
+  const PlanePoint at_old = rule.place(c, start.x);
   const ContourFoot foot_old = body.closest(start.placement, at_old);
-  const TouchingTravel travel(foot_old.gap, foot.gap, body.contour().distance(foot_old, foot));
+  const TouchingTravel travel(foot_old.gap - shift.old[c], foot.gap - shift.now[c], body.contour().distance(foot_old, foot));
   double shape[max_side_nodes] = {}, slope[max_side_nodes], pore_pressure = 0;
   if (side.pressure_nodes > 0) evaluate_line(side.pressure_nodes, rule.xi[c], shape, slope);
   for (int a = 0; a < side.pressure_nodes; ++a) pore_pressure += shape[a] * side.pressure[a];
   const ShearState& old = side.old[c];
-  ShearResponse response = stick_or_slide(side.law, old, side.stiffness, travel.value,
-                                          {point.pressure - pore_pressure, at_old, old.slip, side.time});
+  ShearResponse response = stick_or_slide(side.law, old, side.stiffness, travel.value, side.dt,
+                                          {point.pressure - pore_pressure, at_old, old.slip, side.time, std::abs(travel.value) / side.dt});
   if (side.first_guess) {  // what slid slides on, under the same stress; what stuck sticks
     const double stiffness = old.slides ? 0.0 : side.stiffness;
     response = {old, -stiffness, 0};
@@ -75,13 +68,9 @@ class PointAssembly {
   PointAssembly(const ContactRule& rule, int c, const BodyWays& ways, int first_body, SideForce& out)
       : rule_(rule), c_(c), ways_(ways), first_body_(first_body), out_(out) {}
 
-  void add_force(const double (&force)[2], double factor, double (&to)[max_side_dofs]) const {
-    for (int i = 0; i < 2; ++i)
-      for (int a = 0; a < rule_.nodes; ++a) to[2 * a + i] += factor * rule_.shape[c_][a] * force[i];
-    for (int k = 0; k < ways_.count; ++k) to[first_body_ + k] -= factor * ways_.along(k, force);
-  }
-  /// A force that was recorded with its moment.
-  void add_old_force(const PointForce& force, double factor, double (&to)[max_side_dofs]) const {
+  /// A force at the point, or one that was recorded with its moment.
+  template <class Force>
+  void add_force(const Force& force, double factor, double (&to)[max_side_dofs]) const {
     for (int i = 0; i < 2; ++i)
       for (int a = 0; a < rule_.nodes; ++a) to[2 * a + i] += factor * rule_.shape[c_][a] * force[i];
     for (int k = 0; k < ways_.count; ++k) to[first_body_ + k] -= factor * ways_.along(k, force);
@@ -157,7 +146,7 @@ void point_tangent(const ContactRule& rule, int c, const SideAreas& areas, doubl
 }  // namespace
 
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideImpact* impact, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  const SideImpact* impact, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
                   std::vector<ContactPoint>& points) {
   const RigidBody& body = against.body;
   const int pressures = friction ? friction->pressure_nodes : 0, first_body = 2 * rule.nodes + pressures;
@@ -166,12 +155,13 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
   SideAreas areas;
   if (!areas.compute(rule, x, axisymmetric)) return false;
   for (int c = 0; c < rule.points; ++c) {
-    const PlanePoint at = at_point(rule, c, x);
+    const PlanePoint at = rule.place(c, x);
     const ContourFoot foot = body.closest(against.placement, at);
     ContactPoint& point = points[c];
     point.gap = foot.gap;
     point.area = areas.area[c];
-    point.active = foot.gap < 0;
+    const double pressed = foot.gap - shift.now[c];  // the gap at which the pressure is penalty <-pressed>
+    point.active = pressed < 0;
     point.height = body.height(against.placement, at);
     if (friction) {  // slip and heat stay when the shear stress goes
       point.shear.slip = friction->old[c].slip;
@@ -180,11 +170,11 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     const PlanePoint arm{at[0] - against.placement.centre[0], at[1] - against.placement.centre[1]};
     const BodyWays ways(body.unknowns(), arm);
     const PointAssembly add(rule, c, ways, first_body, out);
-    const double gap_old = impact ? body.closest(against.start.placement, at_point(rule, c, against.start.x)).gap : 0.0;
+    const double gap_old = impact ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap - shift.old[c] : 0.0;
     if (!point.active) {
       if (impact && gap_old < 0) {
-        const ImpactShare share = leaving_share(gap_old, foot.gap);
-        add.add_old_force(impact->old[c], impact->alpha_f * (share.value - 1), out.correction);
+        const ImpactShare share = leaving_share(gap_old, pressed);
+        add.add_force(impact->old[c], impact->alpha_f * (share.value - 1), out.correction);
         if (want_tangent)
           add.add_old_tangent(impact->old[c], impact->alpha_f / (1 - impact->alpha_f) * share.slope, foot.normal);
       }
@@ -192,12 +182,12 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     }
     ShearTangent shear;
     if (point.active) {
-      point.pressure = -penalty * foot.gap;
+      point.pressure = -penalty * pressed;
       for (int i = 0; i < 2; ++i) point.force[i] = point.pressure * foot.normal[i] * point.area;
-      if (friction) add_friction(rule, c, body, against.start, *friction, penalty, foot, point, shear);
+      if (friction) add_friction(rule, c, body, against.start, *friction, penalty, shift, foot, point, shear);
     }
     point.moment = arm[0] * point.force[1] - arm[1] * point.force[0];
-    const ImpactShare share = impact && point.active && gap_old > 0 ? closing_share(gap_old, foot.gap) : ImpactShare();
+    const ImpactShare share = impact && point.active && gap_old > 0 ? closing_share(gap_old, pressed) : ImpactShare();
     add.add_force(point.force, 1, out.f);
     if (impact) add.add_force(point.force, (1 - impact->alpha_f) * (share.value - 1), out.correction);
     if (!want_tangent) continue;

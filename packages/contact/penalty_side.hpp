@@ -14,7 +14,7 @@ struct ContactPoint {
   double gap, pressure;  // [m] negative: penetration; [Pa] >= 0
   double force[2];       // [N] on the soil
   double area;           // [m2]
-  bool active;           // gap < 0
+  bool active;           // presses: gap < shift
   ShearState shear;      // with friction
   double friction[2];    // [N] part of the force that is along the surface
   double height;         // [m] in the body's frame above its reference point
@@ -31,7 +31,7 @@ struct SideStart {
 struct SideFriction {
   const Friction& law;
   double stiffness;                // [Pa/m] along the surface
-  double time;                     // [s] end of the step
+  double time, dt;                 // [s] end of the step; its length
   const ShearState* old;           // (point) committed
   bool first_guess;                // the response is linear: no point changes between sticking and sliding
   int pressure_nodes;              // first nodes of the side that carry pore pressure; 0: none counts
@@ -45,6 +45,12 @@ using PointForce = std::array<double, 3>;
 struct SideImpact {
   double alpha_f;
   const PointForce* old;  // (point) at the start of the step
+};
+
+/// Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
+/// multipliers are part of SideFriction::old.
+struct SideShift {
+  double now[max_contact_points] = {}, old[max_contact_points] = {};  // (point) in this step; in the committed state
 };
 
 /// The body that a side may touch.
@@ -69,13 +75,13 @@ struct SideForce {
   double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
 };
 
-/// Penalty law t = penalty <-gap> at the contact points of a side against a body:
+/// Penalty law t = penalty <shift - gap> at the contact points of a side against a body:
 /// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s = 0.
 /// The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
 /// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. Null `impact`: no
 /// correction. `points` receives rule.points results. False for a degenerate side.
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideImpact* impact, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  const SideImpact* impact, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
                   std::vector<ContactPoint>& points);
 
 }  // namespace mudline

@@ -1,4 +1,5 @@
 #include "contact/contact.hpp"
+#include "contact/pair_contact.hpp"
 #include "contact/penalty_contact.hpp"
 
 namespace mudline {
@@ -7,6 +8,7 @@ void register_contact(ContactRegistry& registry) {
   registry.add<PenaltyContact>("penalty", "Soil surface against a rigid body, penalty, with or without friction");
   registry.add<FrictionlessPenaltyContact>("frictionless penalty",
                                            "Soil surface against a smooth rigid body, normal penalty, no friction");
+  registry.add<PairContact>("mortar", "Two deformable surfaces, segment to segment with linear multipliers, with or without friction");
 }
 
 }  // namespace mudline

@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-ShearResponse stick_or_slide(const Friction& law, const ShearState& old, double stiffness, double travel,
+ShearResponse stick_or_slide(const Friction& law, const ShearState& old, double stiffness, double travel, double dt,
                              const FrictionPoint& at) {
   const double trial = old.shear - stiffness * travel;
   const ShearStrength strength = law.strength(at);
@@ -15,7 +15,7 @@ ShearResponse stick_or_slide(const Friction& law, const ShearState& old, double 
   const double direction = trial > 0 ? 1 : -1;
   result.now.shear = direction * strength.value;
   result.now.slip += (std::abs(trial) - strength.value) / stiffness;
-  result.elastic = 0;
+  result.elastic = direction * strength.rate_slope * (travel > 0 ? 1 : -1) / dt;
   result.normal = direction * strength.slope;
   return result;
 }

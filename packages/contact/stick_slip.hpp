@@ -22,8 +22,8 @@ struct ShearResponse {
 
 /// Return map: the spring `stiffness` [Pa/m] along the surface is stretched by `travel` [m], the advance of the point's
 /// foot on the contour in this step; where that exceeds the law's strength at the normal traction `normal` [Pa], the
-/// point slides. dissipated is not advanced: it needs the area.
-ShearResponse stick_or_slide(const Friction& law, const ShearState& old, double stiffness, double travel,
+/// point slides. at.rate is that of the travel over the step of length dt [s]. dissipated is not advanced: it needs the area.
+ShearResponse stick_or_slide(const Friction& law, const ShearState& old, double stiffness, double travel, double dt,
                              const FrictionPoint& at);
 
 /// Part of the step's travel that a point made while it touched: all, or for a point that was at gap_old > 0 at its

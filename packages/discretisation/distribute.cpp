@@ -3,6 +3,7 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -89,6 +90,7 @@ class Cutter {
   void number_nodes(int rank, MeshPart& part);
   void add_elements(int rank, MeshPart& part) const;
   void add_sets(int rank, MeshPart& part) const;
+  void add_partners();
   std::vector<int> local(const std::vector<long long>& sorted_nodes, const MeshPart& part) const;
 
   const GlobalMesh& mesh_;
@@ -96,6 +98,7 @@ class Cutter {
   std::vector<int> rank_of_, place_;                   // (element): its rank, and its number in its block there
   std::vector<std::vector<long long>> nodes_of_rank_;  // sorted
   std::vector<int> owners_, local_;                    // (node): owner; number on the rank being cut
+  std::vector<char> is_vertex_;                        // (node)
   std::map<std::string, std::vector<long long>> set_nodes_;
   MeshPart whole_;
 };
@@ -118,6 +121,12 @@ Cutter::Cutter(const GlobalMesh& mesh, int ranks)
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
+  is_vertex_.assign(mesh.coordinates.size(), 0);
+  for (const auto& block : mesh.blocks) {
+    const int n = num_nodes(block.shape), corners = num_corners(block.shape);
+    for (std::size_t first = 0; first < block.nodes.size(); first += n)
+      for (int c = 0; c < corners; ++c) is_vertex_[block.nodes[first + c]] = 1;
+  }
   owners_ = node_owners(nodes_of_rank_, mesh.coordinates.size());
   local_.resize(mesh.coordinates.size());
   for (const auto& [name, sides] : mesh.side_sets)
@@ -131,7 +140,24 @@ Cutter::Cutter(const GlobalMesh& mesh, int ranks)
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
+  add_partners();
   describe_whole();
+}
+
+/// Nodes of the other side of a pair become ghosts where they are missing; their owners stay.
+void Cutter::add_partners() {
+  for (const auto& [first, second] : mesh_.pairs) {
+    if (mesh_.side_sets.count(first) == 0 || mesh_.side_sets.count(second) == 0) continue;
+    std::vector<char> concerned(nodes_of_rank_.size(), 0);
+    for (const auto& side : mesh_.side_sets.at(first)) concerned[rank_of_[offsets_[side.block] + side.element]] = 1;
+    const auto& partners = set_nodes_.at(second);
+    for (std::size_t rank = 0; rank < concerned.size(); ++rank) {
+      if (!concerned[rank]) continue;
+      std::vector<long long> all;
+      std::set_union(nodes_of_rank_[rank].begin(), nodes_of_rank_[rank].end(), partners.begin(), partners.end(), std::back_inserter(all));
+      nodes_of_rank_[rank] = std::move(all);
+    }
+  }
 }
 
 void Cutter::describe_whole() {
@@ -162,6 +188,7 @@ void Cutter::number_nodes(int rank, MeshPart& part) {
   for (std::size_t i = 0; i < part.node_ids.size(); ++i) {
     const auto& point = mesh_.coordinates[part.node_ids[i]];
     part.coordinates.insert(part.coordinates.end(), point.begin(), point.end());
+    part.is_vertex.push_back(is_vertex_[part.node_ids[i]]);
     local_[part.node_ids[i]] = static_cast<int>(i);
   }
 }

@@ -28,6 +28,7 @@ struct MeshPart {
   int num_owned_nodes = 0;
   std::vector<long long> node_ids;  // owned ascending, then ghosts ascending
   std::vector<double> coordinates;  // (node, 2)
+  std::vector<char> is_vertex;      // (node)
   std::vector<Block> blocks;
   std::map<std::string, std::vector<Side>> side_sets;
   std::map<std::string, std::vector<int>> node_sets;
@@ -35,7 +36,7 @@ struct MeshPart {
 
   void transfer(ByteStream& s) {
     s(num_global_nodes)(num_global_elements)(regions)(bounds)(region_bounds);
-    s(num_owned_nodes)(node_ids)(coordinates)(blocks)(side_sets)(node_sets)(set_nodes);
+    s(num_owned_nodes)(node_ids)(coordinates)(is_vertex)(blocks)(side_sets)(node_sets)(set_nodes);
   }
 };
 

@@ -48,11 +48,9 @@ Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, Globa
   num_global_elements_ = part.num_global_elements;
   node_ids_ = std::move(part.node_ids);
   coordinates_ = filled("coordinates", part.coordinates, 2);
-  is_vertex_.assign(node_ids_.size(), 0);
+  is_vertex_ = std::move(part.is_vertex);
   for (MeshPart::Block& block : part.blocks) {
     const int n = mudline::num_nodes(block.shape), elements = static_cast<int>(block.ids.size());
-    for (int e = 0; e < elements; ++e)
-      for (int c = 0; c < num_corners(block.shape); ++c) is_vertex_[block.nodes[e * n + c]] = 1;
     blocks_.push_back({block.region, block.shape, elements, filled("nodes", block.nodes, n), std::move(block.ids)});
   }
   side_sets_ = std::move(part.side_sets);
@@ -101,7 +99,7 @@ Geometry declare_geometry(Parameters& p) {
 }
 
 std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
-                                const Section& section) {
+                                const Section& section, const SetPairs& pairs) {
   Geometry geometry{};
   GlobalMesh global;
   agree(*comm, [&] {
@@ -109,6 +107,7 @@ std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, con
     Parameters p(section);
     geometry = declare_geometry(p);
     if (comm->getRank() == 0) global = source->generate();
+    global.pairs = pairs;
   });
   try {
     return std::make_unique<Mesh>(comm, geometry, std::move(global));

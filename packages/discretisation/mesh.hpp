@@ -17,6 +17,9 @@ namespace mudline {
 
 enum class Geometry { plane_strain, axisymmetric };
 
+/// Pairs of side sets that act on each other (contact): a rank with sides of the first has all nodes of the second.
+using SetPairs = std::vector<std::pair<std::string, std::string>>;
+
 /// A whole mesh as a source delivers it, on rank 0 only and only until it is distributed.
 struct GlobalMesh {
   struct Block {
@@ -33,6 +36,7 @@ struct GlobalMesh {
   std::vector<Block> blocks;
   std::map<std::string, std::vector<Side>> side_sets;
   std::map<std::string, std::vector<long long>> node_sets;  // nodes of zero-dimensional groups
+  SetPairs pairs;
 };
 
 /// Makes a mesh on rank 0. Throws InputError; the caller makes the other ranks throw alike. Every source declares the
@@ -128,8 +132,9 @@ void require_region(const Mesh& mesh, const Section& section, const std::string&
 /// "box" and, when built with Gmsh, "gmsh"; a plain list.
 void register_mesh_sources(Registry<MeshSource>& registry);
 
-/// Reads the deck's "mesh" section: geometry and source; returns the distributed mesh. Collective.
+/// Reads the deck's "mesh" section: geometry and source; returns the distributed mesh. `pairs` of unknown sets count for
+/// nothing. Collective.
 std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
-                                const Section& section);
+                                const Section& section, const SetPairs& pairs = {});
 
 }  // namespace mudline

@@ -18,6 +18,8 @@ class ChordControl {
     key_ = key;
     count_ = 0;
   }
+  /// Another solve within the step.
+  void start_solve() { count_ = 0; }
   /// All that the next step needs, for a checkpoint; and back.
   void save(std::vector<double>& to) const {
     to.insert(to.end(), key_.begin(), key_.end());

@@ -328,42 +328,4 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
   return x;
 }
 
-bool Stepper::stands_at(const Vector& x) const {
-  bool same = stands_;
-  if (same) {
-    const auto here = evaluated_.getLocalViewHost(Tpetra::Access::ReadOnly), there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (std::size_t i = 0; same && i < here.extent(0); ++i) same = here(i, 0) == there(i, 0);
-  }
-  return sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) == 0;
-}
-
-StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
-  chord_.enabled = newton.reuse_jacobian;
-  Vector x = begin(request, tolerances);
-  const int predicted = predict(x) ? 1 : 0;
-  const NewtonReport solved = newton_solve(*this, newton, x);
-  StepReport report{solved.converged, solved.iterations + predicted, linear_iterations_, factorisations_, solved.reason};
-  if (!solved.converged) {
-    if (!failure_.empty()) report.reason = failure_;
-    for (const Term* term : active_)
-      if (const std::string hint = term->hint(view_); !hint.empty()) report.reason += "; " + hint;
-    solver_.reset();
-    chord_.forget();
-    return report;
-  }
-  // NOX may have evaluated elsewhere last (a line search); make the trial state that of the solution, bit for bit.
-  Vector f(map());
-  if (!stands_at(x) && !residual(x, f)) {
-    report.converged = false;
-    report.reason = failure_;
-    return report;
-  }
-  const std::vector<double> sizes = owned_field_norms(*space_.dofs(), x);
-  for (int i = 0; i < space_.num_fields(); ++i) {
-    reference_floor_[i] = std::max(reference_floor_[i], reference_[i]);
-    size_floor_[i] = std::max(size_floor_[i], sizes[i]);
-  }
-  return report;
-}
-
 }  // namespace mudline

@@ -29,7 +29,9 @@ struct StepRequest {
 
 struct StepReport {
   bool converged = false;
-  int newton_iterations = 0;
+  int newton_iterations = 0;  // over all solves of the step
+  int hardest_solve = 0;      // iterations of the solve that took most
+  int augmentations = 0;      // solves after the first, for terms that augment
   int linear_iterations = 0;
   int factorisations = 0;
   std::string reason;
@@ -112,6 +114,10 @@ class Stepper : public NonlinearProblem {
   void check_chord();
   /// Whether the trial state was last evaluated at exactly x. Collective.
   bool stands_at(const Vector& x) const;
+  /// Solves from x, again where terms augment; on convergence the trial state stands at x, bit for bit.
+  void solve_step(const NewtonOptions& newton, Vector& x, StepReport& report);
+  /// Asks all active terms. Collective.
+  Augmentation augment(int count);
   void prepare_view(const StepRequest& request);
   void set_sensitivities();
   void constrain(const StepRequest& request);

@@ -52,6 +52,13 @@ struct Constraints {
   NodalView value;            // prescribed value at t_{n+1}
 };
 
+/// What a term wants once Newton's method has converged: nothing, another solve with what it holds changed (multipliers),
+/// or to refuse the step for the reason given.
+struct Augmentation {
+  bool again = false;
+  std::string refusal;
+};
+
 /// Where a term adds its element matrices: one group per element block, registered before the graph is built.
 class Term {
  public:
@@ -86,6 +93,10 @@ class Term {
   virtual std::string hint(const StepView&) const { return ""; }
   /// Adds weight * dR/dx at the linearisation point of the last residual call.
   virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
+  /// After Newton's method has converged, with the trial state at the solution: an outer iteration on what the term keeps
+  /// in its part of the trial state and residual() only reads. `count`: solves of this kind that the step has had. The
+  /// same answer on every rank. Collective.
+  virtual Augmentation augment(const StepView&, int count) { return {}; }
   /// After the mesh was moved under the committed state (ALE): carries the term's own arrays, those that are not point data
   /// of the soil, over to their new places.
   virtual void relocate(const ConstCoordinateView& x_old, State& committed) {}

@@ -94,7 +94,7 @@ void Balances::add_step() {
       for (int i = begin; i < end; ++i) {
         local[terms + 1] -= stepper.reaction()(i);  // water that leaves through prescribed nodes
         for (int k = 0; k < terms; ++k)
-          if (stepper.active()[k]->name().rfind("flux/", 0) == 0) local[terms + 1] += stepper.term_force(k)(i);
+          if (stepper.active()[k]->name().rfind("flux/", 0) == 0 || dynamic_cast<const Contact*>(stepper.active()[k])) local[terms + 1] += stepper.term_force(k)(i);
       }
   const std::vector<double> total = sum_over_ranks(*space.dofs()->comm(), local);
   const PointView rows = model_.store().trial().arrays[handle_];

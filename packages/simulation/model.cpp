@@ -30,6 +30,17 @@ std::vector<Section> collection(const Section& section) {
   return result;
 }
 
+/// Surfaces of the deck that may touch each other.
+SetPairs contact_pairs(const Section& deck) {
+  SetPairs pairs;
+  const Section contacts = deck.section("contacts");
+  for (const std::string& name : contacts.section_names()) {
+    const Section contact = contacts.section(name);
+    if (contact.has_parameter("slave") && contact.has_parameter("master")) pairs.emplace_back(contact.text("slave"), contact.text("master"));
+  }
+  return pairs;
+}
+
 /// NOX reads its list itself, in every step.
 void mark_used(const Teuchos::ParameterList& list) {
   for (auto it = list.begin(); it != list.end(); ++it) {
@@ -44,7 +55,7 @@ void mark_used(const Teuchos::ParameterList& list) {
 Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& registries) {
   deck.allow_parameters({});
   deck.allow_sections(deck_sections());
-  mesh_ = make_mesh(comm, registries.mesh_sources, required_section(deck, "mesh"));
+  mesh_ = make_mesh(comm, registries.mesh_sources, required_section(deck, "mesh"), contact_pairs(deck));
   read_materials(deck, registries);
   read_bodies(deck, registries);
   read_physics(deck, registries);
@@ -159,6 +170,8 @@ void Model::read_mesh_motion(const Section& deck, const Registries& registries) 
   if (!deck.has_section("mesh motion")) return;
   const Section section = deck.section("mesh motion");
   if (!soil_) section.fail("mesh motion needs a physics with soil");
+  if (!contact_pairs(deck).empty())
+    section.fail("nodes that slide along a surface would leave the multipliers of a contact of type 'mortar' behind; use one of the two");
   ale_ = std::make_unique<Ale>(*space_, *soil_, bodies_, section, MeshMotionRegistries{registries.interior_motions, registries.remaps});
 }
 
@@ -252,7 +265,7 @@ void Model::check_motions(const Section& deck) const {
         continue;
       }
       const bool touched = std::any_of(stage->contacts.begin(), stage->contacts.end(), [&, body = name](const std::string& contact) {
-        return contacts.section(contact).text("body") == body;
+        return contacts.section(contact).has_parameter("body") && contacts.section(contact).text("body") == body;
       });
       if (!touched)
         section.fail("body '" + name + "' is released in this quasi-static stage, but no contact that acts in it could hold the body; name the motion 'held'");

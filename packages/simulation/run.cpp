@@ -231,9 +231,10 @@ void Run::log_step(const Stage& stage, double dt, const StepReport& report) cons
   const double time = model_.store().committed().time, done = time - progress_.stage_start;
   const double wall = Teuchos::Time::wallTime() - wall_start_;
   const double left = steps_here_ > 0 && done > 0 ? (stage.duration - done) / dt * wall / steps_here_ : 0;
+  const std::string augmented = report.augmentations > 0 ? "  augmentations " + std::to_string(report.augmentations) : "";
   char line[200];
-  std::snprintf(line, sizeof line, "  step %5d  t %.6g s  dt %.3g s  newton %d  linear %d%s  about %.0f s left", progress_.step, time, dt,
-                report.newton_iterations, report.linear_iterations, report.factorisations > 0 ? "" : " (reused)", left);
+  std::snprintf(line, sizeof line, "  step %5d  t %.6g s  dt %.3g s  newton %d%s  linear %d%s  about %.0f s left", progress_.step, time, dt,
+                report.newton_iterations, augmented.c_str(), report.linear_iterations, report.factorisations > 0 ? "" : " (reused)", left);
   log::info(line);
 }
 
@@ -276,7 +277,7 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   ++progress_.step_in_stage;
   ++steps_here_;
   // the step that was shortened to meet the end of a stage or a contact's limit says nothing of the size Newton can take
-  const double next = stage.control.after_success(dt, report.newton_iterations, error);
+  const double next = stage.control.after_success(dt, report.hardest_solve, error);
   progress_.next_dt = dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
   log_step(stage, dt, report);
   if (progress_.step % settings_.history_steps == 0) results_->write_history(balances_, histories, dt, report.newton_iterations);

@@ -38,7 +38,7 @@ def setUpModule():
     SCRATCH = tempfile.mkdtemp()
     PREFIX = os.path.join(SCRATCH, "prefix")
     call("cmake", "--install", os.environ["MUDLINE_BUILD"], "--prefix", PREFIX)
-    for name in ("my_clay", "heat_conduction"):
+    for name in ("my_clay", "heat_conduction", "my_interface"):
         source = os.path.join(SCRATCH, name)
         shutil.copytree(os.path.join(EXAMPLES, name), source)  # as an author has it, away from mudline's tree
         call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
@@ -103,6 +103,17 @@ class Plugins(MudlineCase):
         error = self.refused(["check", deck, "--set", "physics/ground/initial state/type=geostatic",
                               "--set", "physics/ground/gravity={0, -10}"])
         self.assertIn("the skeleton law has no K0 of its own; give 'K0'", error)
+
+    # a friction law
+    def test_interface_weakens_with_the_path(self):
+        history = self.run_deck(self.example("my_interface/pull.xml"))
+        force, drag = history["contact/face/reaction y"], -history["contact/face/reaction x"]
+        pulled = history.time > 1 + 1e-9
+        ratio = drag[pulled] / force[pulled]
+        self.assertGreater(ratio.max(), 0.45)  # of the peak coefficient 0.5
+        np.testing.assert_allclose(ratio[-1], 0.2 + 0.3 * np.exp(-10), rtol=1e-3)
+        self.assertIn("Path over which the strength falls", program(["explain", "weakening interface", "--plugin", self.example(
+            "my_interface/build/my_interface.so")], folder=self.folder).stdout)
 
     # at a material point
     def test_clay_in_the_laboratory(self):

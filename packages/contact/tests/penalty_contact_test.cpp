@@ -308,5 +308,62 @@ TEST(PenaltyContact, WrongEntriesAreNamed) {
   has(error(plate_xml(0), contact_parameters("nodes", eps, "bb")), "contacts/c/body: unknown body 'bb'");
 }
 
+std::string augmented(double tolerance) {
+  return text_parameter("enforcement", "augmented Lagrangian") + number_parameter("gap tolerance", tolerance);
+}
+
+TEST_P(EveryContact, MultipliersOfAFixedGapGrowByThePenaltyTimesIt) {
+  const Case c = GetParam();
+  ContactModel model(c.geometry, strip(c.cells, 3, 1, 0, 2, 1, 0.02), plate_xml(-0.01),
+                     contact_parameters(c.method, eps) + augmented(1e-4));
+  model.begin(1);
+  deform(model, 0);
+  for (int count = 0; count < 4; ++count) {
+    model.residual();
+    const PointView& rows = model.points(model.store.trial());
+    for (std::size_t row = 0; row < rows.extent(0); ++row) {
+      const double gap = rows(row, 0);  // differs from point to point, is in the sides' shapes
+      EXPECT_NEAR(rows(row, 1), -(count + 1) * eps * gap, 1e-3 * (count + 1) * eps * 0.01);
+    }
+    EXPECT_TRUE(model.contact->augment(model.view, count).again);
+  }
+}
+
+TEST_P(EveryContact, AugmentedJacobianIsTheDifferencedResidual) {
+  const Case c = GetParam();
+  ContactModel model(c.geometry, strip(c.cells, 3, 1, 0, 2, 1, 0.05), cylinder_xml(3, -0.05),
+                     contact_parameters(c.method, eps) + augmented(1e-9));
+  model.begin(1);
+  deform(model, 0.005);
+  model.residual();
+  ASSERT_TRUE(model.contact->augment(model.view, 0).again);
+  EXPECT_LT(jacobian_error(model), 1e-6);
+}
+
+TEST(Contact, MultipliersOfAnAbandonedStepAreForgotten) {
+  ContactModel model(Geometry::plane_strain, strip(Cells::quad9, 3, 1, 0, 2, 1, 0.05), cylinder_xml(3, -0.05),
+                     contact_parameters("surface quadrature", eps) + augmented(1e-9));
+  model.begin(1);
+  const NodalView first = model.residual();
+  for (int count = 0; count < 3; ++count) {
+    ASSERT_TRUE(model.contact->augment(model.view, count).again);
+    model.residual();
+  }
+  model.begin(1);
+  const NodalView again = model.residual();
+  for (std::size_t i = 0; i < first.extent(0); ++i) EXPECT_EQ(again(i), first(i));
+}
+
+TEST(Contact, EnforcementRejectsWhatItDoesNotUse) {
+  const auto make = [](const std::string& more) {
+    return [more] {
+      ContactModel(Geometry::plane_strain, strip(Cells::quad9, 3, 1, 0, 2, 1, 0), plate_xml(0), contact_parameters("nodes", eps) + more);
+    };
+  };
+  EXPECT_NE(input_error(make(number_parameter("gap tolerance", 1e-6))).find("only with 'enforcement' = augmented Lagrangian"), std::string::npos);
+  EXPECT_NE(input_error(make(augmented(1e-6) + text_parameter("impact", "conserving"))).find("conserving is for 'enforcement' = penalty"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace mudline

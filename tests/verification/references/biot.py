@@ -9,7 +9,7 @@ Engng 60, 2004).
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import minimize_scalar
+from scipy.optimize import brentq, minimize_scalar
 from scipy.special import ive
 
 
@@ -129,3 +129,10 @@ class Symmetric:
         found = minimize_scalar(lambda log: -self.pressure(np.exp(log)), bounds=(-5, -1), method="bounded",
                                 options={"xatol": 1e-8})
         return np.exp(found.x), -found.fun
+
+
+def leaky_column(height, time_factor, number, terms=60):
+    """p / p0 at height z / L of a column with an impermeable base whose top lets water through, after a sudden load:
+    kappa dp/dz + C p = 0 at z = L, number = C L / kappa, time_factor = c t / L^2. Carslaw and Jaeger (1959), section 3.11."""
+    roots = [brentq(lambda m: m * np.sin(m) - number * np.cos(m), i * np.pi, i * np.pi + np.pi / 2) for i in range(terms)]
+    return sum(4 * np.sin(m) / (2 * m + np.sin(2 * m)) * np.cos(m * height) * np.exp(-m * m * time_factor) for m in roots)

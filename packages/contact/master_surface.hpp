@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "contact/contact_rule.hpp"
+#include "physics/state.hpp"
+
+namespace mudline {
+
+/// All sides of a side set, of the whole mesh, on every rank that has all their nodes (see SetPairs).
+class MasterSurface {
+ public:
+  /// Collective.
+  MasterSurface(const Mesh& mesh, const std::string& side_set);
+
+  struct MasterSide {
+    int count;    // nodes: 2, or 3 with the middle last
+    int node[3];  // local
+  };
+  /// In an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
+  const std::vector<MasterSide>& sides() const { return sides_; }
+  long long num_global_sides() const { return num_global_sides_; }
+
+  /// Prepares near(): the sides' boxes at these coordinates, sorted along the direction in which the surface is longer.
+  void sort(const ConstCoordinateView& x);
+  /// Sides whose boxes come within `distance` [m] of the box low..high, in ascending order.
+  std::vector<int> near(const PlanePoint& low, const PlanePoint& high, double distance) const;
+
+ private:
+  std::vector<MasterSide> sides_;
+  long long num_global_sides_ = 0;
+  struct Box {
+    PlanePoint low, high;
+    int side;
+  };
+  std::vector<Box> boxes_;  // by low[along_]
+  int along_ = 0;
+  double longest_ = 0;      // [m] extent of a box in that direction
+};
+
+/// The box around the nodes of a side: low, high.
+std::array<PlanePoint, 2> side_box(const int* node, int count, const ConstCoordinateView& x);
+
+}  // namespace mudline

@@ -1,0 +1,205 @@
+#include "contact/pair_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+namespace column = pair_column;
+
+namespace {
+
+void add(const PairSums& from, PairSums& to) {
+  for (int a = 0; a < side_multipliers; ++a) {
+    to.length[a] += from.length[a];
+    to.pressure[a] += from.pressure[a];
+    to.gap[a] += from.gap[a];
+    to.shear[a] += from.shear[a];
+    to.stretch[a] += from.stretch[a];
+    for (int b = 0; b < side_multipliers; ++b) to.touching[a][b] += from.touching[a][b];
+  }
+  to.sliding += from.sliding;
+  to.area += from.area;
+  to.heat += from.heat;
+  to.deepest = std::min(to.deepest, from.deepest);
+}
+
+/// Values at the corners of the linear field whose weighted integrals over the touching part are given; the mean where that
+/// part is too short to tell a slope.
+std::array<double, 2> corner_values(const double (&mass)[2][2], const double (&integrals)[2]) {
+  const double whole = mass[0][0] + 2 * mass[0][1] + mass[1][1];
+  if (!(whole > 0)) return {0, 0};
+  const double determinant = mass[0][0] * mass[1][1] - mass[0][1] * mass[0][1];
+  if (determinant < 1e-3 * whole * whole) {
+    const double mean = (integrals[0] + integrals[1]) / whole;
+    return {mean, mean};
+  }
+  return {(mass[1][1] * integrals[0] - mass[0][1] * integrals[1]) / determinant,
+          (mass[0][0] * integrals[1] - mass[0][1] * integrals[0]) / determinant};
+}
+
+}  // namespace
+
+void PairContact::declare_state(StateStore& store) {
+  const int rows = static_cast<int>(slave_->sides().size());
+  ArrayInfo sides, multipliers, penalties, heat;
+  sides.name = name() + "/sides";
+  sides.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"deepest", 1, "m"}, {"force x", 1, "N"},
+                     {"force y", 1, "N"}, {"slides", 1, "m"},    {"area", 1, "m2"},  {"misfit", 1, "N/m"}, {"stretch", 1, "N/m"}};
+  sides_ = store.declare(std::move(sides), side_multipliers * rows);
+  multipliers.name = name() + "/multipliers";
+  multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
+  multipliers_ = store.declare(std::move(multipliers), side_multipliers * rows);
+  penalties.name = name() + "/penalty";
+  penalties.variables = {{"penalty", 1, "Pa/m"}};
+  penalties_ = store.declare(std::move(penalties), rows);
+  heat.name = name() + "/heat";
+  heat.variables = {{"heat", 1, "J"}};
+  heat_ = store.declare(std::move(heat), 1);
+}
+
+void PairContact::sparsity(Assembler& assembler) {
+  // Every pair of sides within reach has its place from the start: the graph, and with it the order of all sums, never changes.
+  const auto& x = context_.space.mesh().coordinates();
+  const auto& first = context_.space.node_dof(displacement_);
+  const auto& sides = slave_->sides();
+  const double distance = deck_.reach > 0 ? deck_.reach : 1e300;
+  master_->sort(x);
+  std::vector<std::pair<int, int>> places;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto box = side_box(sides[s].node, sides[s].count, x);
+    for (int m : master_->near(box[0], box[1], distance)) {
+      row_of_[static_cast<long long>(s) << 32 | m] = static_cast<int>(places.size());
+      places.emplace_back(static_cast<int>(s), m);
+    }
+  }
+  Kokkos::View<int**, Kokkos::LayoutRight> table("pair dofs", places.size(), 4 * nodes_);
+  for (std::size_t row = 0; row < places.size(); ++row)
+    for (int a = 0; a < nodes_; ++a)
+      for (int i = 0; i < 2; ++i) {
+        table(row, 2 * a + i) = first(sides[places[row].first].node[a]) + i;
+        table(row, 2 * (nodes_ + a) + i) = first(master_->sides()[places[row].second].node[a]) + i;
+      }
+  dofs_ = table;
+  group_ = assembler.add_group(dofs_);
+}
+
+void PairContact::begin(const StepView& view) {
+  const auto& sides = slave_->sides();
+  const PointView &penalties = view.trial->arrays[penalties_], &multipliers = view.trial->arrays[multipliers_];
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    if (!(penalties(s, 0) > 0))
+      penalties(s, 0) = deck_.penalty > 0 ? deck_.penalty
+                                          : deck_.penalty_factor * context_.stiffness(sides[s].block, sides[s].element) / sides[s].height;
+  // the spring of friction starts unstretched from the stress that the step before left
+  for (std::size_t row = 0; row < multipliers.extent(0); ++row)
+    multipliers(row, 1) = view.committed->arrays[sides_](row, column::shear);
+  capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : slave_->longest(view.x_old);
+  master_->sort(view.x_old);
+  pairs_.clear();
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto box = side_box(sides[s].node, sides[s].count, view.x_old);
+    for (int m : master_->near(box[0], box[1], 2 * capture_)) {
+      const auto place = row_of_.find(static_cast<long long>(s) << 32 | m);
+      pairs_.push_back({static_cast<int>(s), m, place == row_of_.end() ? -1 : place->second});
+    }
+  }
+}
+
+PairCoordinates PairContact::coordinates(const Pair& pair, const ConstCoordinateView& x) const {
+  PairCoordinates result;
+  for (int a = 0; a < nodes_; ++a)
+    for (int i = 0; i < 2; ++i) {
+      result.slave[a][i] = x(slave_->sides()[pair.slave].node[a], i);
+      result.master[a][i] = x(master_->sides()[pair.master].node[a], i);
+    }
+  return result;
+}
+
+PairLaw PairContact::law(const StepView& view, int slave) const {
+  PairLaw result;
+  result.nodes = nodes_;
+  result.axisymmetric = axisymmetric_;
+  result.rule = rule_;
+  result.penalty = view.trial->arrays[penalties_](slave, 0);
+  result.capture = capture_;
+  result.friction = friction_.get();
+  result.time = view.time_end;
+  result.dt = view.dt;
+  result.first_guess = predicting_;
+  const PointView& multipliers = view.trial->arrays[multipliers_];
+  for (int a = 0; a < side_multipliers; ++a) {
+    result.normal[a] = multipliers(side_multipliers * slave + a, 0);
+    result.shear[a] = multipliers(side_multipliers * slave + a, 1);
+  }
+  return result;
+}
+
+void PairContact::write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const {
+  const PointView &rows = trial.arrays[sides_], &multipliers = trial.arrays[multipliers_];
+  const auto pressure = corner_values(sums.touching, sums.pressure), shear = corner_values(sums.touching, sums.shear);
+  const auto whole = mass(slave, trial.coordinates);
+  for (int a = 0; a < side_multipliers; ++a) {
+    const int row = side_multipliers * slave + a, first = side_multipliers * slave;
+    rows(row, column::gap) = sums.length[a] > 0 ? sums.gap[a] / sums.length[a] : capture_;
+    rows(row, column::pressure) = pressure[a];
+    rows(row, column::shear) = shear[a];
+    rows(row, column::deepest) = sums.deepest;
+    rows(row, column::force_x) = 0.5 * force[0];
+    rows(row, column::force_y) = 0.5 * force[1];
+    rows(row, column::slides) = 0.5 * sums.sliding;
+    rows(row, column::area) = 0.5 * sums.area;
+    rows(row, column::misfit) = sums.pressure[a] - whole[a][0] * multipliers(first, 0) - whole[a][1] * multipliers(first + 1, 0);
+    rows(row, column::stretch) = sums.stretch[a];
+  }
+}
+
+int PairContact::residual(const StepView& view, const ResidualView& f) {
+  magnitude_ = 0;
+  beyond_reach_ = false;
+  int failures = 0;
+  double heat = view.committed->arrays[heat_](0, 0);
+  PairForce side_force;
+  auto pair = pairs_.begin();
+  for (int s = 0; s < static_cast<int>(slave_->sides().size()); ++s) {
+    PairSums sums;
+    double force[2] = {0, 0};
+    const PairLaw side_law = law(view, s);
+    for (; pair != pairs_.end() && pair->slave == s; ++pair) {
+      if (!pair_segment(side_law, coordinates(*pair, view.x_old), coordinates(*pair, view.x_end), false, side_force)) continue;
+      if (pair->row < 0 && side_force.sums.area > 0) {
+        beyond_reach_ = true;
+        ++failures;
+      }
+      if (pair->row < 0) continue;
+      add(side_force.sums, sums);
+      for (int a = 0; a < 4 * nodes_; ++a) {
+        f(dofs_(pair->row, a)) -= side_force.f[a];
+        magnitude_ += side_force.f[a] * side_force.f[a];
+        if (a < 2 * nodes_) force[a % 2] += side_force.f[a];
+      }
+    }
+    heat += sums.heat;
+    write_side(*view.trial, s, sums, force);
+  }
+  view.trial->arrays[heat_](0, 0) = heat;
+  return failures;
+}
+
+void PairContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  const MatrixScatter to = assembler.scatter(group_);
+  PairForce force;
+  for (const Pair& pair : pairs_) {
+    if (pair.row < 0) continue;
+    if (!pair_segment(law(view, pair.slave), coordinates(pair, view.x_old), coordinates(pair, view.x_end), true, force)) continue;
+    if (!(force.sums.area > 0)) continue;
+    for (int a = 0; a < 4 * nodes_; ++a)
+      for (int b = 0; b < 4 * nodes_; ++b) to.add(pair.row, a, b, -weight * force.k[a][b]);
+  }
+}
+
+void PairContact::adopt(const State& evaluated, State& committed) {
+  Kokkos::deep_copy(committed.arrays[sides_], evaluated.arrays[sides_]);
+}
+
+}  // namespace mudline

@@ -1,0 +1,141 @@
+"""Two deformable surfaces: contact patch test, two cylinders, friction, ranks, restart, errors."""
+import os
+import unittest
+
+import h5py
+import numpy as np
+
+from contact_case import PRESSURE, ContactCase
+from mudline_case import History, program
+from references import contact as reference
+
+SLIDE = """<ParameterList name="slide">
+  <ParameterList name="contacts"><ParameterList name="face">
+    <Parameter name="gap tolerance" type="double" value="1e-9"/>
+    <ParameterList name="friction">
+      <Parameter name="type" type="string" value="coulomb"/>
+      <Parameter name="coefficient" type="double" value="0.3"/>
+    </ParameterList>
+  </ParameterList></ParameterList>
+  <ParameterList name="boundary conditions"><ParameterList name="pull">
+    <Parameter name="type" type="string" value="displacement"/>
+    <Parameter name="set" type="string" value="top"/>
+    <Parameter name="x" type="string" value="2e-4*(t&gt;1)*(t-1)"/>
+  </ParameterList>
+  <ParameterList name="base right">
+    <Parameter name="type" type="string" value="fixed"/>
+    <Parameter name="set" type="string" value="base"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="solver"><Parameter name="residual tolerance" type="double" value="1e-8"/></ParameterList>
+  <ParameterList name="stages">
+    <ParameterList name="press"><Parameter name="conditions" type="Array(string)" value="{base right, load, pull}"/></ParameterList>
+    <ParameterList name="slide">
+      <Parameter name="type" type="string" value="quasi-static"/>
+      <Parameter name="duration" type="double" value="1.0"/>
+      <Parameter name="conditions" type="Array(string)" value="{base right, load, pull}"/>
+      <ParameterList name="time step"><Parameter name="initial" type="double" value="0.125"/></ParameterList>
+    </ParameterList>
+  </ParameterList>
+</ParameterList>
+"""
+
+
+class Pairs(ContactCase):
+    def top(self, level=1.0):
+        """Displacements of the nodes that started at y = level, and the contact pressures that are not 0."""
+        with h5py.File(os.path.join(self.folder, "results", "blocks.h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]
+            start = file["mesh/coordinates"][:]
+            at = np.abs(start[:, 1] - level) < 1e-9
+            pressure = np.asarray(step["nodal"][PRESSURE])
+            return (step["coordinates"][:] - start)[at, 1], pressure[pressure != 0]
+
+    def test_patch(self):
+        """Uniform stress through meshes that do not match, at strains of a per cent."""
+        for slave, master in (("upper bottom", "lower top"), ("lower top", "upper bottom")):
+            self.run_deck(self.deck("blocks"), (f"contacts/face/slave={slave}", f"contacts/face/master={master}",
+                                                "contacts/face/gap tolerance=1e-12", "boundary conditions/load/value=1e5"))
+            way, pressure = self.top()
+            self.assertGreater(len(pressure), 6)
+            self.assert_within("pressure", pressure, 1e5, 1e-8)
+            self.assert_within("level of the top", way, way.mean(), 1e-8)
+
+    def test_patch_against_linear_elasticity(self):
+        self.run_deck(self.deck("blocks"))
+        self.assert_within("confined", self.top()[0], -1.192857142857e-5, 1e-4)
+        # a free side ends where the blocks part by 3e-6 of their width
+        self.run_deck(self.deck("blocks"), ("stages/press/conditions={base, left side, load}",))
+        self.assert_within("free sides", self.top()[0], -1.39e-5, 1e-4)
+
+    def test_two_cylinders(self):
+        history = self.run_deck(self.deck("cylinders"))
+        load = 2 * history["contact/face/force on slave y"][-1]
+        a, p0 = reference.hertz_line(load, 0.5, 0.5 * reference.plane_modulus(2e8, 0.3))
+        with h5py.File(os.path.join(self.folder, "results", "cylinders.h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]
+            pressure, x = np.asarray(step["nodal"][PRESSURE]), step["coordinates"][:, 0]
+        touching = np.flatnonzero(pressure)
+        touching = touching[np.argsort(x[touching])]
+        x, pressure = x[touching], pressure[touching]
+        self.assert_within("largest pressure", pressure[0], p0, 0.02)
+        self.assert_within("half width", history["contact/face/contact area"][-1], a, 0.1)  # 0.0016 m sides: a tenth of it
+        for fraction in (0.25, 0.5, 0.8):
+            self.assert_within(f"pressure at {fraction} a", np.interp(fraction * a, x, pressure),
+                               reference.hertz_pressure(fraction * a, a, p0), 0.02, p0)
+        self.assertLess(history["contact/face/weighted gap"][-1], 1.3e-9)
+
+    def table(self, overlay, *extra, ranks=1):
+        done = program(["run", "-q", self.deck("blocks"), overlay] + list(extra), ranks, self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
+        with open(os.path.join(self.folder, "results", "blocks.csv")) as file:
+            return file.read(), History(os.path.join(self.folder, "results", "blocks.csv"))
+
+    def test_friction_restart_and_ranks(self):
+        overlay = self.write("slide.xml", SLIDE)
+        text, history = self.table(overlay)
+        drag, force = history["contact/face/force on slave x"], history["contact/face/force on slave y"]
+        # the ground tilts under the drag, by a strain of 1e-5
+        self.assert_within("sliding force", -drag[-1], 0.3 * force[-1], 1e-3)
+        self.assert_within("load", force[-1], 100.0, 1e-3)
+        self.assert_within("what slides", history["contact/face/sliding length"][-1], history["contact/face/contact area"][-1], 1e-4)
+        heat = history["contact/face/friction heat"]
+        late = np.searchsorted(history.time, 1.7)  # from here on all slides
+        self.assert_within("heat", heat[-1] - heat[late], 2e-4 * (2 - history.time[late]) * 30, 2e-3)
+        self.table(overlay, "--steps", "3")
+        restarted, _ = self.table(overlay, "--restart")
+        self.assertEqual(restarted, text)
+        for ranks in (2, 3):
+            _, other = self.table(overlay, ranks=ranks)
+            for name in ("force on slave x", "force on slave y", "friction heat"):
+                values = history["contact/face/" + name]
+                self.assert_within(f"{ranks} ranks: {name}", other["contact/face/" + name], values, 1e-8, np.abs(values).max())
+
+    def test_errors(self):
+        def message(*settings):
+            done = program(["check", self.deck("blocks")] + [x for s in settings for x in ("--set", s)], 1, self.folder)
+            self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+            return done.stderr
+
+        self.assertIn("contacts/face/slave: unknown side set 'uper bottom' (did you mean 'upper bottom'?)", message("contacts/face/slave=uper bottom"))
+        self.assertIn("a surface does not touch itself", message("contacts/face/master=upper bottom"))
+        self.assertIn("shares nodes with the slave", message("contacts/face/master=right"))
+        self.assertIn("only with 'enforcement' = augmented Lagrangian", message("contacts/face/enforcement=penalty"))
+        with open(os.path.join(os.path.dirname(self.deck("blocks")), "blocks.geo")) as file:
+            geometry = file.read()
+        sunk = self.write("sunk.geo", geometry.replace("{0, 0, 0, 1.1", "{0, -0.2, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, -0.2, 0, 0.9"))
+        self.assertIn("overlaps the master by 0.2 m at the start", message(f"mesh/file={sunk}"))
+        apart = self.write("apart.geo", geometry.replace("{0, 0, 0, 1.1", "{0, 0.001, 0, 1.1").replace("{1, 0, 0, 0.9", "{1, 0.001, 0, 0.9"))
+        press = self.write("press.xml", """<ParameterList name="press"><ParameterList name="boundary conditions"><ParameterList name="press">
+  <Parameter name="type" type="string" value="displacement"/>
+  <Parameter name="set" type="string" value="top"/>
+  <Parameter name="y" type="string" value="-0.002*t"/>
+</ParameterList></ParameterList></ParameterList>
+""")
+        done = program(["run", self.deck("blocks"), press, "--set", f"mesh/file={apart}", "--set", "contacts/face/reach=1e-6", "--set",
+                        "stages/press/time step/minimum=0.9"], 1, self.folder)
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertIn("farther apart at the start than its 'reach'", done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
