@@ -67,7 +67,7 @@ DECKS = [
     Wrong("no type", without("    " + parameter("type", "string", "box") + "\n"),
           "mesh: required parameter 'type' is missing; known mesh types: box, gmsh", at=section("mesh")),
     Wrong("no void ratio", without(parameter("void ratio", "double", "1.2")),
-          "materials/clay: required parameter 'void ratio' (or 'porosity') is missing", at=section("clay")),
+          "materials/clay: required parameter 'void ratio' (or 'porosity', or 'void ratio from law') is missing", at=section("clay")),
     Wrong("no swelling slope", without(parameter("swelling slope", "double", "0.04")),
           "materials/clay/skeleton: required parameter 'swelling slope' is missing", at=section("skeleton")),
     Wrong("no skeleton", without(SKELETON), "materials/clay: required section 'skeleton' is missing", at=section("clay")),

@@ -19,7 +19,7 @@ def part(name, kind):
 DECKS = [
     Wrong("mesh motion type", part("interior", "optimization"),
           "mesh motion/interior/type: unknown mesh motion type 'optimization' (did you mean 'optimisation'?); "
-          "known types: optimisation, elastic, artificial, Laplace", ranks=BOTH),
+          "known types: optimisation, Winslow, elastic, artificial, Laplace", ranks=BOTH),
     Wrong("remap type", part("remap", "convektion"),
           "mesh motion/remap/type: unknown remap type 'convektion' (did you mean 'convection'?); known types: convection"),
     Wrong("mesh motion part", motion('<ParameterList name="boundry"/>'), "mesh motion/boundry: unknown section (did you mean 'boundary'?)"),
