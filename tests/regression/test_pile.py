@@ -21,7 +21,7 @@ class Pile(MudlineCase):
                    '<Parameter name="duration" type="double" value="1e6"/><ParameterList name="time step">'
                    '<Parameter name="maximum" type="double" value="1e6"/></ParameterList></ParameterList>'
                    '<ParameterList name="load test"><Parameter name="duration" type="double" value="0.2"/></ParameterList>'
-                   '<ParameterList name="pull-out"><Parameter name="duration" type="double" value="0.4"/></ParameterList>'
+                   '<ParameterList name="pull-out"><Parameter name="duration" type="double" value="0.8"/></ParameterList>'
                    '</ParameterList></ParameterList>')
         short = cls.shared.write("short.xml", overlay)
         done = program(["run", DECK, short, "--set", f"stages/push/duration={PUSH}"], folder=cls.shared.folder, timeout=380)
