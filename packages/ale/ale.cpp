@@ -134,7 +134,7 @@ void Ale::keep_volume(const Positions& x_old, const State& state, const Constrai
   const auto missing = [&] { return volume - soil_volume(mesh_, soil_, x); };
   const auto matters = [&](double part) { return std::abs(part) > 1e-14 * volume; };
   if (!matters(missing())) return;
-  const FreeBoundary free(mesh_, soil_, deck_.boundary.free_nodes(x, state), prescribed(soil_.displacement, constraints), x);
+  const FreeBoundary free(mesh_, soil_, deck_.boundary.freedom(x, state), prescribed(soil_.displacement, constraints), x);
   if (!(free.area > 0)) return;
   double part = missing();
   for (int k = 0; k < 4 && matters(part); ++k, part = missing()) {
@@ -209,7 +209,7 @@ void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to)
   }
 }
 
-void Ale::keep_water(double before, const Constraints& constraints, State& to) const {
+void Ale::keep_compression(double before, const Constraints& constraints, State& to) const {
   if (soil_.pressure < 0) return;
   const std::vector<double> carried = mesh_.gather(space_, soil_.pressure, to.value);
   const std::vector<double> held = prescribed(soil_.pressure, constraints);
@@ -219,9 +219,9 @@ void Ale::keep_water(double before, const Constraints& constraints, State& to) c
       if (held[node] == 0) scaled[node] += share * std::abs(carried[node]);
     mesh_.scatter(space_, soil_.pressure, scaled, to.value);
   };
-  const double now = take_inventory(soil_, to).water;
-  scale(1);  // the water is linear in the pressures
-  const double most = take_inventory(soil_, to).water - now, share = most > 0 ? (before - now) / most : 0.0;
+  const double now = take_inventory(soil_, to).compression;
+  scale(1);  // the compression is linear in the pressures
+  const double most = take_inventory(soil_, to).compression - now, share = most > 0 ? (before - now) / most : 0.0;
   scale(std::abs(share) < deck_.mass_tolerance ? share : 0.0);
 }
 
@@ -258,7 +258,7 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
     from = to;
   }
   mesh_.scatter(x_new, moved.coordinates);
-  if (deck_.conserve) keep_water(receipt.before.water, constraints, moved);
+  if (deck_.conserve) keep_compression(receipt.before.compression, constraints, moved);
   receipt.after = take_inventory(soil_, moved);
   const auto changed = [&](double share) { return std::abs(share) > deck_.mass_tolerance; };
   const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };

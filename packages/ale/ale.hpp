@@ -69,8 +69,8 @@ class Ale {
   void place_middles(const Positions& boundary, Positions& x) const;
   /// Returns the share of the grains that was put back.
   double carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const;
-  /// Scales the pore pressures, where they are free, until the pore water compressed by them is what it was.
-  void keep_water(double before, const Constraints& constraints, State& to) const;
+  /// Scales the pore pressures, where they are free, until the compression of the pore water is what it was.
+  void keep_compression(double before, const Constraints& constraints, State& to) const;
   void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
 
   AleParameters deck_;

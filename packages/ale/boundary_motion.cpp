@@ -83,15 +83,15 @@ Positions BoundaryMotion::move(const Positions& x, const State& state) const {
   return result;
 }
 
-std::vector<char> BoundaryMotion::free_nodes(const Positions& x, const State& state) const {
-  std::vector<char> result(x.size(), 0);
+std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& state) const {
+  std::vector<double> result(x.size(), 0.0);
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const MeshPath& path = paths_[p];
     if (!slides_[p] || !path.outer) continue;
     for (std::size_t i = 1; i + 1 < path.nodes.size(); ++i) {
       const auto &before = x[path.nodes[i - 1]], &after = x[path.nodes[i + 1]];
       const double sides = path.stride * std::hypot(after[0] - before[0], after[1] - before[1]);
-      result[path.nodes[i]] = bodies_.empty() || foot(state, x[path.nodes[i]])->gap > sides;
+      result[path.nodes[i]] = bodies_.empty() ? 1.0 : std::clamp(foot(state, x[path.nodes[i]])->gap / sides - 1, 0.0, 1.0);
     }
   }
   return result;

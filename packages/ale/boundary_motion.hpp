@@ -26,8 +26,9 @@ class BoundaryMotion {
   /// New positions of the nodes on paths, middle nodes among them; the others as in `x`.
   Positions move(const Positions& x, const State& state) const;
   const std::vector<MeshPath>& paths() const { return paths_; }
-  /// (node) nodes that slide along the mesh's outer boundary and are farther from every body than the sides beside them.
-  std::vector<char> free_nodes(const Positions& x, const State& state) const;
+  /// (node) how freely a node of the mesh's outer boundary may give way, 0 to 1: all where it slides and is at least twice
+  /// as far from every body as the sides beside it are long, not at all where it is as near as one of them.
+  std::vector<double> freedom(const Positions& x, const State& state) const;
 
  private:
   SizeField size_field(const std::array<double, 2>& focus) const;

@@ -35,13 +35,13 @@ double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x) 
   return sum;
 }
 
-FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<char>& free, const std::vector<double>& held,
+FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom, const std::vector<double>& held,
                            const Positions& x) {
   std::vector<std::array<double, 2>> gradient(mesh.num_nodes(), {0, 0});  // of the volume
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block)) {
       const auto& element = mesh.elements()[e];
-      if (std::none_of(element.nodes.begin(), element.nodes.begin() + block.u.nodes, [&](int node) { return free[node] != 0; })) continue;
+      if (std::none_of(element.nodes.begin(), element.nodes.begin() + block.u.nodes, [&](int node) { return freedom[node] > 0; })) continue;
       for (int q = 0; q < block.points; ++q) {
         const PointMap at(element, block, q, x, soil.axisymmetric);
         for (int a = 0; a < block.u.nodes; ++a) {
@@ -53,11 +53,14 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
         }
       }
     }
+  double largest = 0;
+  for (int node = 0; node < mesh.num_nodes(); ++node)
+    if (freedom[node] > 0) largest = std::max(largest, std::hypot(gradient[node][0], gradient[node][1]));
   for (int node = 0; node < mesh.num_nodes(); ++node) {
-    if (!free[node]) continue;
+    if (!(freedom[node] > 0)) continue;
     const auto& g = gradient[node];
     const double size = std::hypot(g[0], g[1]);
-    if (!(size > 0)) continue;
+    if (!(size > 1e-6 * largest)) continue;  // rounding would choose its direction
     Mover mover{node, {0, 0}};
     double share = 0;  // of the normal that is left
     for (int i = 0; i < 2; ++i) {
@@ -66,7 +69,8 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
       share += mover.normal[i] * mover.normal[i];
     }
     if (share < 0.1) continue;  // a roller: what is left is rounding
-    area += share * size;
+    for (double& component : mover.normal) component *= freedom[node];
+    area += share * freedom[node] * size;
     movers.push_back(mover);
   }
 }

@@ -8,8 +8,8 @@ namespace mudline {
 /// Volume of the soil [m3; plane strain: per metre] by its own quadrature, as the balances take it.
 double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x);
 
-/// Directions in which nodes of the free boundary move to change the soil's volume: unit normals, outwards, without the
-/// prescribed components.
+/// Directions in which nodes of the free boundary move to change the soil's volume: normals, outwards, without the
+/// prescribed components, as long as the node is free.
 struct FreeBoundary {
   struct Mover {
     int node;
@@ -18,8 +18,8 @@ struct FreeBoundary {
   std::vector<Mover> movers;
   double area = 0;  // change of volume per common distance [m2]
 
-  /// `free`: (node) whether it may move at all; `held`: (node, component) nonzero where the displacement is prescribed.
-  FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<char>& free, const std::vector<double>& held,
+  /// `freedom`: (node) 0 to 1; `held`: (node, component) nonzero where the displacement is prescribed.
+  FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom, const std::vector<double>& held,
                const Positions& x);
 };
 

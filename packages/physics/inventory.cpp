@@ -8,7 +8,7 @@
 namespace mudline {
 
 Inventory take_inventory(const Soil& soil, const State& state) {
-  double local[6] = {0, 0, 0, 0, 0, 0}, total[6];
+  double local[7] = {0, 0, 0, 0, 0, 0, 0}, total[7];
   for (const SoilBlock& b : soil.blocks) {
     const Mixture mixture(*b.material);
     const PointView void_ratio = state.arrays[b.void_ratio];
@@ -33,12 +33,13 @@ Inventory take_inventory(const Soil& soil, const State& state) {
           if (!b.porous()) continue;
           local[4] += n * (1 + p * mixture.fluid_compliance) * dv;
           local[5] += n * dv;
+          local[6] += n * p * mixture.fluid_compliance * dv;
         }
       }
     });
   }
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, 6, local, total);
-  return {{total[0], total[1]}, total[2], total[3], total[4], total[5]};
+  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, 7, local, total);
+  return {{total[0], total[1]}, total[2], total[3], total[4], total[5], total[6]};
 }
 
 }  // namespace mudline

@@ -31,6 +31,9 @@ class Mpi(MudlineCase):
         for i, name in enumerate(one.header):
             if "/error" in name or "iterations" in name:  # rounding itself, and a count
                 continue
+            if name in ("mesh motion/change of solid [-]", "mesh motion/change of water [-]"):  # kept up to rounding
+                self.assertLess(max(np.abs(one.data[:, i]).max(), np.abs(many.data[:, i]).max()), 1e-12, name)
+                continue
             scale = np.abs(one.data[:, i]).max()
             difference = np.abs(one.data[:, i] - many.data[:, i]).max()
             self.assertLessEqual(difference, ROUNDING * scale, f"{name} on {ranks} ranks")
