@@ -85,7 +85,6 @@ std::vector<std::string> script_command(const std::string& name, const std::vect
   if (const char* given = std::getenv("MUDLINE_SCRIPTS")) places.push_back(given);
   places.push_back(MUDLINE_SCRIPTS);
   const auto self = std::filesystem::read_symlink("/proc/self/exe");
-  setenv("MUDLINE_PROGRAM", self.c_str(), 0);
   places.push_back((self.parent_path().parent_path() / "share/mudline").string());
   for (const std::string& place : places) {
     const std::string script = place + "/" + file;
@@ -107,6 +106,8 @@ std::vector<char*> argv_of(std::vector<std::string>& command) {
 int become_script(const std::string& name, const std::vector<std::string>& arguments) {
   if (!root()) return 0;
   std::vector<std::string> command = script_command(name, arguments);
+  // a script that runs decks starts the same program
+  setenv("MUDLINE_PROGRAM", std::filesystem::read_symlink("/proc/self/exe").c_str(), 0);
   const std::vector<char*> argv = argv_of(command);
   execvp(argv[0], argv.data());
   throw std::runtime_error("python3 cannot be started; install python3, python3-h5py and python3-matplotlib");

@@ -37,7 +37,7 @@ class Contact : public Term {
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;
 
-/// "penalty", "frictionless penalty", "mortar"; a plain list.
+/// "penalty", "frictionless penalty", "node to segment", "mortar"; a plain list.
 void register_contact(ContactRegistry& registry);
 
 }  // namespace mudline

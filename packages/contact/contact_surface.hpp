@@ -26,6 +26,7 @@ class ContactSurface {
   ContactSurface(const Space& space, const std::string& side_set, bool pressures, const BodyUnknowns& body);
 
   const std::vector<SurfaceSide>& sides() const { return sides_; }
+  const Mesh& mesh() const { return mesh_; }
   /// Over all ranks.
   long long num_global_sides() const { return num_global_sides_; }
   /// Dofs of the sides with `count` nodes: (row, displacements node after node, then pore pressures, then the body's).

@@ -50,8 +50,8 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
   }
 }
 
-std::array<PlanePoint, 2> side_box(const int* node, int count, const ConstCoordinateView& x) {
-  std::array<PlanePoint, 2> box{PlanePoint{x(node[0], 0), x(node[0], 1)}, PlanePoint{x(node[0], 0), x(node[0], 1)}};
+BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x) {
+  BoxSearch::Corners box{PlanePoint{x(node[0], 0), x(node[0], 1)}, PlanePoint{x(node[0], 0), x(node[0], 1)}};
   for (int a = 1; a < count; ++a)
     for (int i = 0; i < 2; ++i) {
       box[0][i] = std::min(box[0][i], x(node[a], i));
@@ -61,35 +61,9 @@ std::array<PlanePoint, 2> side_box(const int* node, int count, const ConstCoordi
 }
 
 void MasterSurface::sort(const ConstCoordinateView& x) {
-  boxes_.clear();
-  PlanePoint low{1e300, 1e300}, high{-1e300, -1e300};
-  for (std::size_t s = 0; s < sides_.size(); ++s) {
-    const auto box = side_box(sides_[s].node, sides_[s].count, x);
-    boxes_.push_back({box[0], box[1], static_cast<int>(s)});
-    for (int i = 0; i < 2; ++i) {
-      low[i] = std::min(low[i], box[0][i]);
-      high[i] = std::max(high[i], box[1][i]);
-    }
-  }
-  along_ = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
-  std::sort(boxes_.begin(), boxes_.end(), [this](const Box& a, const Box& b) {
-    return a.low[along_] != b.low[along_] ? a.low[along_] < b.low[along_] : a.side < b.side;
-  });
-  longest_ = 0;
-  for (const Box& box : boxes_) longest_ = std::max(longest_, box.high[along_] - box.low[along_]);
-}
-
-std::vector<int> MasterSurface::near(const PlanePoint& low, const PlanePoint& high, double distance) const {
-  std::vector<int> result;
-  const double from = low[along_] - distance - longest_, to = high[along_] + distance;
-  auto box = std::lower_bound(boxes_.begin(), boxes_.end(), from, [this](const Box& b, double v) { return b.low[along_] < v; });
-  for (; box != boxes_.end() && box->low[along_] <= to; ++box) {
-    bool apart = false;
-    for (int i = 0; i < 2; ++i) apart = apart || box->low[i] > high[i] + distance || box->high[i] < low[i] - distance;
-    if (!apart) result.push_back(box->side);
-  }
-  std::sort(result.begin(), result.end());
-  return result;
+  std::vector<BoxSearch::Corners> boxes;
+  for (const MasterSide& side : sides_) boxes.push_back(side_box(side.node, side.count, x));
+  boxes_.sort(boxes);
 }
 
 }  // namespace mudline

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/box_search.hpp"
 #include "contact/contact_rule.hpp"
 #include "physics/state.hpp"
 
@@ -25,22 +26,16 @@ class MasterSurface {
 
   /// Prepares near(): the sides' boxes at these coordinates, sorted along the direction in which the surface is longer.
   void sort(const ConstCoordinateView& x);
-  /// Sides whose boxes come within `distance` [m] of the box low..high, in ascending order.
-  std::vector<int> near(const PlanePoint& low, const PlanePoint& high, double distance) const;
+  /// Sides whose boxes come within `distance` [m] of the box, in ascending order.
+  std::vector<int> near(const BoxSearch::Corners& box, double distance) const { return boxes_.near(box, distance); }
 
  private:
   std::vector<MasterSide> sides_;
   long long num_global_sides_ = 0;
-  struct Box {
-    PlanePoint low, high;
-    int side;
-  };
-  std::vector<Box> boxes_;  // by low[along_]
-  int along_ = 0;
-  double longest_ = 0;      // [m] extent of a box in that direction
+  BoxSearch boxes_;
 };
 
 /// The box around the nodes of a side: low, high.
-std::array<PlanePoint, 2> side_box(const int* node, int count, const ConstCoordinateView& x);
+BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x);
 
 }  // namespace mudline

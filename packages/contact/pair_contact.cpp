@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/convection.hpp"
+#include "contact/two_surfaces.hpp"
+
 namespace mudline {
 
 namespace column = pair_column;
@@ -68,7 +71,7 @@ void PairContact::sparsity(Assembler& assembler) {
   std::vector<std::pair<int, int>> places;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto box = side_box(sides[s].node, sides[s].count, x);
-    for (int m : master_->near(box[0], box[1], distance)) {
+    for (int m : master_->near(box, distance)) {
       row_of_[static_cast<long long>(s) << 32 | m] = static_cast<int>(places.size());
       places.emplace_back(static_cast<int>(s), m);
     }
@@ -99,7 +102,7 @@ void PairContact::begin(const StepView& view) {
   pairs_.clear();
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto box = side_box(sides[s].node, sides[s].count, view.x_old);
-    for (int m : master_->near(box[0], box[1], 2 * capture_)) {
+    for (int m : master_->near(box, 2 * capture_)) {
       const auto place = row_of_.find(static_cast<long long>(s) << 32 | m);
       pairs_.push_back({static_cast<int>(s), m, place == row_of_.end() ? -1 : place->second});
     }
@@ -195,6 +198,25 @@ void PairContact::jacobian(const StepView& view, Assembler& assembler, double we
     if (!(force.sums.area > 0)) continue;
     for (int a = 0; a < 4 * nodes_; ++a)
       for (int b = 0; b < 4 * nodes_; ++b) to.add(pair.row, a, b, -weight * force.k[a][b]);
+  }
+}
+
+double PairContact::step_limit(const State& committed, double) const {
+  return closing_limit(context_.space, *slave_, *master_, deck_.advance_limit, committed);
+}
+
+void PairContact::relocate(const ConstCoordinateView& x_old, State& committed) {
+  // what is linear along a side is history: multipliers, and the shear stress from which friction goes on
+  const PointView& multipliers = committed.arrays[multipliers_];
+  for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
+    SurfaceSide corners = slave_->sides()[s];
+    corners.count = side_multipliers;
+    const SideShifts shifts(corners, x_old, committed.coordinates);
+    const int first = side_multipliers * static_cast<int>(s);
+    shifts.convect(multipliers, first, 0);
+    shifts.convect(multipliers, first, 1);
+    shifts.convect(committed.arrays[sides_], first, column::shear);
+    for (int a = 0; a < side_multipliers; ++a) multipliers(first + a, 0) = std::max(multipliers(first + a, 0), 0.0);
   }
 }
 

@@ -10,22 +10,21 @@
 #include "contact/contact_surface.hpp"
 #include "contact/master_surface.hpp"
 #include "contact/pair_segment.hpp"
+#include "contact/uzawa.hpp"
 
 namespace mudline {
 
 /// What the deck says of a pair, besides friction.
-struct PairParameters {
-  enum class Enforcement { penalty, augmented_lagrangian };
+struct PairParameters : EnforcementParameters {
+  PairParameters() : EnforcementParameters{Enforcement::augmented_lagrangian} {}
   void parameters(Parameters& p);
 
   std::string slave, master;
   int quadrature_degree = 5;
   double penalty = 0, penalty_factor = 10;  // [Pa/m], [-]
-  Enforcement enforcement = Enforcement::augmented_lagrangian;
-  double gap_tolerance = 0;  // [m]
-  int most_augmentations = 50;
   double capture_distance = 0;  // [m]
   double reach = 0;             // [m]
+  double advance_limit = 0.25;  // [-] of the slave's shortest side
 };
 
 /// Contact of two deformable surfaces, segment to segment: the slave's sides are cut where the feet of their points pass from
@@ -62,6 +61,8 @@ class PairContact : public Contact {
   Augmentation augment(const StepView& view, int count) override;
   std::string hint(const StepView& view) const override;
   void histories(const StepView& view, std::map<std::string, double>& values) override;
+  double step_limit(const State& committed, double dt) const override;
+  void relocate(const ConstCoordinateView& x_old, State& committed) override;
   void adopt(const State& evaluated, State& committed) override;
   std::vector<double> nodal_pressure(const State& state) const override;
   std::vector<double> nodal_shear(const State& state) const override;
@@ -71,13 +72,6 @@ class PairContact : public Contact {
     int slave, master;  // sides
     int row;            // in the dof table; -1: the matrix has no place for it
   };
-  /// What the nodes of the slave surface still miss, weighted by the multipliers' shapes: stresses less multipliers [Pa], the
-  /// gap and the stretch of what sticks that this amounts to [m].
-  struct Misfit {
-    std::vector<double> normal, gap, shear, stretch;
-  };
-  bool augmented() const { return deck_.enforcement == PairParameters::Enforcement::augmented_lagrangian; }
-  void check_sets(const Section& section) const;
   void check_overlap(const Section& section) const;
   PairLaw law(const StepView& view, int slave) const;
   PairCoordinates coordinates(const Pair& pair, const ConstCoordinateView& x) const;
@@ -85,9 +79,6 @@ class PairContact : public Contact {
   std::array<std::array<double, side_multipliers>, side_multipliers> mass(int slave, const ConstCoordinateView& x) const;
   void write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const;
   Misfit misfit(const State& state) const;
-  std::array<double, 2> largest(const Misfit& misfit) const;
-  /// Nodal values of the linear field with these weighted means.
-  std::vector<double> in_shapes(const std::vector<double>& weighted, const State& state) const;
   std::vector<double> nodal_mean(const State& state, int column) const;
 
   ContactContext context_;

@@ -1,10 +1,8 @@
 // What the deck says of a pair of deformable surfaces, and binding it to the model.
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
-#include <cstdio>
 
 #include "contact/pair_contact.hpp"
+#include "contact/two_surfaces.hpp"
 
 namespace mudline {
 
@@ -28,6 +26,8 @@ void PairParameters::parameters(Parameters& p) {
   p.add("reach", reach, "m", non_negative(),
         "Pairs of sides that are farther apart than this at the start never meet: keeps the matrix sparse where surfaces slide little; "
         "0: any two may meet");
+  p.add("advance limit", advance_limit, "-", positive(),
+        "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far apart, half their distance");
 }
 
 namespace {
@@ -52,38 +52,17 @@ void PairContact::check(const Section& section) {
   const Mesh& mesh = space.mesh();
   displacement_ = space.find("displacement");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  require_side_set(mesh, section, "slave", deck_.slave);
-  require_side_set(mesh, section, "master", deck_.master);
-  if (deck_.slave == deck_.master) section.fail("is '" + deck_.slave + "', the slave too: a surface does not touch itself; name two sets", "master");
-  if (!augmented())
-    for (const char* entry : {"gap tolerance", "most augmentations"})
-      if (section.has_parameter(entry))
-        section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
-  if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
-  if (friction_ && friction_->effective() && space.find("pore pressure") >= 0)
-    section.section("friction").fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total", "on");
+  check_two_sets(mesh, section, deck_.slave, deck_.master);
+  deck_.check(section);
+  friction_ = friction_of_two(context_, section);
   slave_ = std::make_unique<ContactSurface>(space, deck_.slave, false, BodyUnknowns());
   master_ = std::make_unique<MasterSurface>(mesh, deck_.master);
-  if (slave_->num_global_sides() == 0) section.fail("side set '" + deck_.slave + "' has no sides", "slave");
-  if (master_->num_global_sides() == 0) section.fail("side set '" + deck_.master + "' has no sides", "master");
-  check_sets(section);
   nodes_ = order(mesh.blocks().front().shape) + 1;
   axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
   rule_ = line_quadrature(deck_.quadrature_degree);
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * slave_->shortest(mesh.coordinates());
   capture_ = slave_->longest(mesh.coordinates());
   check_overlap(section);
-}
-
-void PairContact::check_sets(const Section& section) const {
-  const Mesh& mesh = context_.space.mesh();
-  const auto &slave = mesh.nodes_of_set(deck_.slave), &master = mesh.nodes_of_set(deck_.master);
-  std::vector<int> both;
-  std::set_intersection(slave.begin(), slave.end(), master.begin(), master.end(), std::back_inserter(both));
-  int here = static_cast<int>(both.size()), any = 0;
-  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(any));
-  if (any > 0)
-    section.fail("'" + deck_.master + "' shares nodes with the slave '" + deck_.slave + "': surfaces that may part need nodes of their own", "master");
 }
 
 void PairContact::check_overlap(const Section& section) const {
@@ -94,24 +73,18 @@ void PairContact::check_overlap(const Section& section) const {
   look.rule = rule_;
   look.capture = 4 * capture_;
   look.penalty = 1;
-  double deepest = 0, everywhere = 0;
+  double deepest = 0;
   master_->sort(x);
   PairForce force;
   for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
     const SurfaceSide& side = slave_->sides()[s];
     const auto box = side_box(side.node, side.count, x);
-    for (int m : master_->near(box[0], box[1], look.capture)) {
+    for (int m : master_->near(box, look.capture)) {
       const PairCoordinates at = coordinates({static_cast<int>(s), m, 0}, x);
       if (pair_segment(look, at, at, false, force)) deepest = std::min(deepest, force.sums.closest);
     }
   }
-  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MIN, deepest, Teuchos::outArg(everywhere));
-  const double edge = slave_->shortest(x);
-  if (-everywhere <= 0.5 * edge) return;
-  char text[200];
-  std::snprintf(text, sizeof text, "' overlaps the master by %.4g m at the start, more than half of its shortest side, %.4g m; move one of the two",
-                -everywhere, edge);
-  section.fail("surface '" + deck_.slave + text, "slave");
+  check_overlap_of_two(*slave_, section, deck_.slave, deepest);
 }
 
 }  // namespace mudline

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "contact/pair_contact.hpp"
-#include "core/log.hpp"
 
 namespace mudline {
 
@@ -28,9 +26,8 @@ std::array<std::array<double, 2>, 2> PairContact::mass(int slave, const ConstCoo
   return result;
 }
 
-PairContact::Misfit PairContact::misfit(const State& state) const {
+Misfit PairContact::misfit(const State& state) const {
   const int nodes = context_.space.mesh().num_nodes();
-  Misfit result;
   std::vector<double> normal(nodes, 0.0), shear(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
   for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
     const auto whole = mass(static_cast<int>(s), state.coordinates);
@@ -42,60 +39,27 @@ PairContact::Misfit PairContact::misfit(const State& state) const {
       stiffnesses[node] += (whole[a][0] + whole[a][1]) * state.arrays[penalties_](s, 0);
     }
   }
-  result.gap = slave_->mean(normal, stiffnesses);
-  result.normal = slave_->mean(std::move(normal), lengths);
-  if (!friction_) return result;
-  result.stretch = slave_->mean(shear, std::move(stiffnesses));
-  for (double& stretch : result.stretch) stretch /= friction_->tangential_factor();
-  result.shear = slave_->mean(std::move(shear), std::move(lengths));
-  return result;
-}
-
-std::array<double, 2> PairContact::largest(const Misfit& misfit) const {
-  std::array<double, 2> here{}, everywhere{};
-  for (double value : misfit.gap) here[0] = std::max(here[0], std::abs(value));
-  for (double value : misfit.stretch) here[1] = std::max(here[1], std::abs(value));
-  Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MAX, 2, here.data(), everywhere.data());
-  return everywhere;
-}
-
-std::vector<double> PairContact::in_shapes(const std::vector<double>& weighted, const State& state) const {
-  // the mass matrix over its lumped self has eigenvalues between 1/3 and 1
-  constexpr int sweeps = 12;
-  std::vector<double> result = weighted;
-  for (int sweep = 1; sweep < sweeps; ++sweep) {
-    std::vector<double> product(result.size(), 0.0), lengths(result.size(), 0.0);
-    for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
-      const auto whole = mass(static_cast<int>(s), state.coordinates);
-      const int* node = slave_->sides()[s].node;
-      for (int a = 0; a < side_multipliers; ++a) {
-        product[node[a]] += whole[a][0] * result[node[0]] + whole[a][1] * result[node[1]];
-        lengths[node[a]] += whole[a][0] + whole[a][1];
-      }
-    }
-    product = slave_->mean(std::move(product), std::move(lengths));
-    for (std::size_t node = 0; node < result.size(); ++node) result[node] += weighted[node] - product[node];
-  }
-  return result;
+  return {*slave_, std::move(normal), std::move(shear), std::move(lengths), std::move(stiffnesses),
+          friction_ ? friction_->tangential_factor() : 0.0};
 }
 
 Augmentation PairContact::augment(const StepView& view, int count) {
-  if (!augmented()) return {};
+  if (!deck_.augmented()) return {};
   const State& trial = *view.trial;
   const Misfit rest = misfit(trial);
-  const auto [gap, stretch] = largest(rest);
-  char text[280];
-  std::snprintf(text, sizeof text, "    %s: after %d augmentations weighted gap %.3g m, stretch %.3g m", name().c_str(), count, gap, stretch);
-  log::detail(text);
-  if (gap <= gap_tolerance_ && stretch <= gap_tolerance_) return {};
-  if (count >= deck_.most_augmentations) {
-    std::snprintf(text, sizeof text,
-                  "contact '%s' misses its gap tolerance of %.3g m after %d augmentations: weighted gap %.3g m, stretch of what "
-                  "sticks %.3g m (a larger penalty converges faster)",
-                  name_.c_str(), gap_tolerance_, count, gap, stretch);
-    return {false, text};
-  }
-  const std::vector<double> normal = in_shapes(rest.normal, trial), shear = friction_ ? in_shapes(rest.shear, trial) : rest.shear;
+  if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm())) return *end;
+  const ShapeMass masses = [&](const std::vector<double>& values, std::vector<double>& product, std::vector<double>& lengths) {
+    for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
+      const auto whole = mass(static_cast<int>(s), trial.coordinates);
+      const int* node = slave_->sides()[s].node;
+      for (int a = 0; a < side_multipliers; ++a) {
+        product[node[a]] += whole[a][0] * values[node[0]] + whole[a][1] * values[node[1]];
+        lengths[node[a]] += whole[a][0] + whole[a][1];
+      }
+    }
+  };
+  const std::vector<double> normal = in_shapes(*slave_, rest.normal, masses);
+  const std::vector<double> shear = friction_ ? in_shapes(*slave_, rest.shear, masses) : rest.shear;
   const PointView& multipliers = trial.arrays[multipliers_];
   for (std::size_t s = 0; s < slave_->sides().size(); ++s)
     for (int a = 0; a < side_multipliers; ++a) {
@@ -132,10 +96,10 @@ void PairContact::histories(const StepView& view, std::map<std::string, double>&
   values[name() + "/force on slave y [N]"] = sum[1];
   values[name() + "/contact area [m2]"] = sum[2];
   values[name() + "/maximum penetration [m]"] = everywhere;
-  const auto [gap, stretch] = largest(misfit(state));
-  if (augmented()) values[name() + "/weighted gap [m]"] = gap;
+  const auto [gap, stretch] = misfit(state).largest(comm);
+  if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
   if (!friction_) return;
-  if (augmented()) values[name() + "/stretch [m]"] = stretch;
+  if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
   values[name() + "/sliding length [m]"] = sum[3];
   values[name() + "/friction heat [J]"] = sum[4];
 }

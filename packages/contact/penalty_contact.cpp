@@ -23,7 +23,7 @@ void PenaltyContact::declare_state(StateStore& store) {
   work_info.name = name() + "/work";
   work_info.variables = {{"work", 1, "J"}};
   work_ = store.declare(std::move(work_info), 1);
-  if (augmented()) {
+  if (deck_.augmented()) {
     ArrayInfo multipliers;
     multipliers.name = name() + "/multipliers";
     multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
@@ -156,7 +156,7 @@ bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_
 }
 
 bool PenaltyContact::conserves() const {
-  if (deck_.impact == PenaltyParameters::Impact::automatic) return !augmented() && body_->unknowns().count > 0;
+  if (deck_.impact == PenaltyParameters::Impact::automatic) return !deck_.augmented() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 

@@ -8,23 +8,21 @@
 #include "contact/contact_surface.hpp"
 #include "contact/leaky_surface.hpp"
 #include "contact/penalty_side.hpp"
+#include "contact/uzawa.hpp"
 
 namespace mudline {
 
 /// What the deck says of a penalty contact, besides friction.
-struct PenaltyParameters {
+struct PenaltyParameters : EnforcementParameters {
+  PenaltyParameters() : EnforcementParameters{Enforcement::penalty} {}
   enum class Drainage { sealed, drained, leaky };
   enum class Impact { automatic, conserving, interpolated };
-  enum class Enforcement { penalty, augmented_lagrangian };
   void parameters(Parameters& p);
 
   std::string body, surface;
   ContactPoints method = ContactPoints::quadrature;
   int quadrature_degree = 5;
   double penalty = 0, penalty_factor = 10;  // [Pa/m], [-]
-  Enforcement enforcement = Enforcement::penalty;
-  double gap_tolerance = 0;     // [m] 0: automatic
-  int most_augmentations = 50;
   double capture_distance = 0;              // [m]
   double advance_limit = 0.25;              // [-] of the shortest side
   Drainage drainage = Drainage::sealed;
@@ -91,7 +89,6 @@ class PenaltyContact : public Contact {
   std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
-  bool augmented() const { return deck_.enforcement == PenaltyParameters::Enforcement::augmented_lagrangian; }
   void check_enforcement(const Section& section) const;
   /// Multipliers of one side; none: all 0.
   SideShift shifts(const StepView& view, std::size_t side) const;
@@ -101,16 +98,7 @@ class PenaltyContact : public Contact {
   /// Adds what the tangential multipliers of one side have changed by in this step.
   void add_multipliers(const StepView& view, std::size_t side, std::vector<ShearState>& old) const;
   bool sticks(const State& state, int row) const;
-  /// By local node, weighted by the sides' shapes: what the stresses differ by from their multipliers [Pa], and over the
-  /// penalties, weighted likewise, the gap and the stretch of what sticks [m].
-  struct Misfit {
-    std::vector<double> normal, gap, shear, stretch;
-  };
   Misfit misfit(const State& state) const;
-  /// Nodal values whose field, in the sides' shapes, has these weighted means.
-  std::vector<double> in_shapes(const std::vector<double>& weighted, const State& state) const;
-  /// Gap and stretch [m]. Collective.
-  std::array<double, 2> largest(const Misfit& misfit) const;
   /// What friction on one side needs; refers to `old`, its committed shear states.
   SideFriction side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const;
   /// Force of one side at the linearisation point. False for a degenerate side.

@@ -78,9 +78,7 @@ void PenaltyContact::check(const Section& section) {
   displacement_ = space.find("displacement");
   pressure_ = space.find("pore pressure");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  if (!mesh.has_side_set(deck_.surface))
-    section.fail("unknown side set '" + deck_.surface + "'" + suggestion(deck_.surface, mesh.side_set_names()),
-                 "surface");
+  require_side_set(mesh, section, "surface", deck_.surface);
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);

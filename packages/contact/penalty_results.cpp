@@ -49,8 +49,8 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   values[name() + "/active points"] = sum[3];
   values[name() + "/maximum penetration [m]"] = deepest_everywhere;
   values[name() + "/work [J]"] = sum[4];
-  if (augmented()) {
-    const auto [gap, stretch] = largest(misfit(state));
+  if (deck_.augmented()) {
+    const auto [gap, stretch] = misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;
     if (friction_) values[name() + "/stretch [m]"] = stretch;
   }

@@ -1,4 +1,5 @@
 #include "contact/contact.hpp"
+#include "contact/node_contact.hpp"
 #include "contact/pair_contact.hpp"
 #include "contact/penalty_contact.hpp"
 
@@ -8,6 +9,7 @@ void register_contact(ContactRegistry& registry) {
   registry.add<PenaltyContact>("penalty", "Soil surface against a rigid body, penalty, with or without friction");
   registry.add<FrictionlessPenaltyContact>("frictionless penalty",
                                            "Soil surface against a smooth rigid body, normal penalty, no friction");
+  registry.add<NodeContact>("node to segment", "Two deformable surfaces, nodes of one against the other, straight or smoothed, with or without friction");
   registry.add<PairContact>("mortar", "Two deformable surfaces, segment to segment with linear multipliers, with or without friction");
 }
 

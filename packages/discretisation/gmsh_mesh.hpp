@@ -1,11 +1,9 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <vector>
 
+#include "discretisation/gmsh_session.hpp"
 #include "discretisation/mesh.hpp"
-#include "discretisation/source_position.hpp"
 
 namespace mudline {
 
@@ -19,13 +17,11 @@ class GmshMesh : public MeshSource {
   GlobalMesh generate() const override;
 
  private:
-  void open_geometry() const;
-  void override_parameters() const;
   GlobalMesh read_model() const;
 
   std::string file_;
   int order_ = 2;
-  std::map<std::string, double> overrides_;
+  GmshOverrides overrides_;
   SourcePosition position_;
 };
 

@@ -19,7 +19,7 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, const Section& section) {
     for (const SoilBlock& b : soil.blocks) {  // every rank has every block
       if (mesh.blocks()[b.block].region != region) continue;
       material = b.material.get();
-      if (soil.excess) uplift = material->biot_coefficient * material->fluid->density();
+      uplift = soil.uplift(*material);
     }
     layers_.push_back({box[2], box[3], uplift, material});
   }

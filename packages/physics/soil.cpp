@@ -87,6 +87,10 @@ double SoilMaterial::storage(double porosity) const {
   return result;
 }
 
+double Soil::uplift(const SoilMaterial& material) const {
+  return excess && material.porous() ? material.biot_coefficient * material.fluid->density() : 0.0;
+}
+
 void Soil::declare_state(StateStore& store) {
   for (SoilBlock& b : blocks) {
     const std::string prefix = space->mesh().blocks()[b.block].region + "/";

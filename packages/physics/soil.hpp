@@ -76,6 +76,8 @@ struct Soil {
   /// Gradient of the pressure of water at rest at a time, rho_f g [Pa/m]; zero without pore fluid.
   std::function<std::array<double, 2>(double time)> hydrostatic_gradient = [](double) { return std::array<double, 2>{}; };
 
+  /// Density of the water whose weight a soil does not feel, alpha rho_f [kg/m3]; zero where pore pressures are total.
+  double uplift(const SoilMaterial& material) const;
   void declare_state(StateStore& store);
   void sparsity(Assembler& assembler);
 };

@@ -36,7 +36,9 @@ SetPairs contact_pairs(const Section& deck) {
   const Section contacts = deck.section("contacts");
   for (const std::string& name : contacts.section_names()) {
     const Section contact = contacts.section(name);
-    if (contact.has_parameter("slave") && contact.has_parameter("master")) pairs.emplace_back(contact.text("slave"), contact.text("master"));
+    if (!contact.has_parameter("slave") || !contact.has_parameter("master")) continue;
+    pairs.emplace_back(contact.text("slave"), contact.text("master"));
+    if (contact.has_parameter("two-pass")) pairs.emplace_back(contact.text("master"), contact.text("slave"));
   }
   return pairs;
 }
@@ -170,8 +172,6 @@ void Model::read_mesh_motion(const Section& deck, const Registries& registries) 
   if (!deck.has_section("mesh motion")) return;
   const Section section = deck.section("mesh motion");
   if (!soil_) section.fail("mesh motion needs a physics with soil");
-  if (!contact_pairs(deck).empty())
-    section.fail("nodes that slide along a surface would leave the multipliers of a contact of type 'mortar' behind; use one of the two");
   ale_ = std::make_unique<Ale>(*space_, *soil_, bodies_, section, MeshMotionRegistries{registries.interior_motions, registries.remaps});
 }
 

@@ -74,7 +74,7 @@ DECKS = [
     Wrong("no set", without(parameter("set", "string", "bottom")), "boundary conditions/base: required parameter 'set' is missing",
           at='    <ParameterList name="base">'),
     Wrong("no contour", without(whole("contour")),
-          "bodies/ball/contour: required parameter 'type' is missing; known contour types: cone, flat pile, sphere, cone penetrometer, torpedo, cylinder, strip, path, polyline", at=section("ball")),
+          "bodies/ball/contour: required parameter 'type' is missing; known contour types: cone, flat pile, sphere, cone penetrometer, torpedo, cylinder, strip, path, gmsh curve, polyline", at=section("ball")),
     Wrong("no duration", without(parameter("duration", "double", "0.001")), "stages/push: required parameter 'duration' is missing",
           at=section("push")),
     Wrong("no time step", without(whole("time step")), "stages/push: required section 'time step' is missing", at=section("push")),

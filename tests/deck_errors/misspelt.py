@@ -40,7 +40,7 @@ DECKS = [
           "physics/ground/initial state/type: 'geostatik' is not a choice (did you mean 'geostatic'?)"),
     Wrong("body parameter", ('name="position"', 'name="postion"'), "bodies/ball/postion: unknown parameter (did you mean 'position'?)"),
     Wrong("contour type", ('value="sphere"', 'value="spheer"'),
-          "bodies/ball/contour/type: unknown contour type 'spheer' (did you mean 'sphere'?); known types: cone, flat pile, sphere, cone penetrometer, torpedo, cylinder, strip, path, polyline"),
+          "bodies/ball/contour/type: unknown contour type 'spheer' (did you mean 'sphere'?); known types: cone, flat pile, sphere, cone penetrometer, torpedo, cylinder, strip, path, gmsh curve, polyline"),
     Wrong("contour parameter", ('value="0.2"/>\n      </', 'value="0.2"/>' + parameter("extend", "string", "full") + "\n      </"),
           "bodies/ball/contour/extend: unknown parameter (did you mean 'extent'?)", at="extend"),
     Wrong("motion type", ('value="prescribed velocity"', 'value="prescribed velocty"'),
@@ -64,7 +64,7 @@ DECKS = [
           at='value="value"'),
     Wrong("contact type", ('value="frictionless penalty"', 'value="frictional penalty"'),
           "contacts/ball on clay/type: unknown contact type 'frictional penalty' (did you mean 'frictionless penalty'?); "
-          "known types: penalty, frictionless penalty, mortar"),
+          "known types: penalty, frictionless penalty, node to segment, mortar"),
     Wrong("contact body", ('value="ball"', 'value="bal"'), "contacts/ball on clay/body: unknown body 'bal' (did you mean 'ball'?)", ranks=BOTH),
     Wrong("contact surface", (parameter("surface", "string", "top"), parameter("surface", "string", "tip")),
           "contacts/ball on clay/surface: unknown side set 'tip' (did you mean 'top'?)"),

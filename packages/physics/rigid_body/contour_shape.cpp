@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#ifdef MUDLINE_HAVE_GMSH
+#include "physics/rigid_body/gmsh_curve_shape.hpp"
+#endif
 #include "physics/rigid_body/library_shapes.hpp"
 #include "physics/rigid_body/path_shape.hpp"
 
@@ -211,6 +214,9 @@ void register_contours(Registry<ContourShape>& registry) {
   registry.add<SphereShape>("cylinder", "Cylinder lying across the plane: T-bar, pipeline; in axisymmetry a sphere");
   registry.add<StripShape>("strip", "Rigid strip or plate with rounded edges");
   registry.add<PathShape>("path", "Lines, arcs, Bezier, Hermite and NURBS curves, piece after piece");
+#ifdef MUDLINE_HAVE_GMSH
+  registry.add<GmshCurveShape>("gmsh curve", "Curves of a Gmsh geometry or a CAD model");
+#endif
   registry.add<PolylineShape>("polyline", "Straight lines through given points with rounded corners");
 }
 

@@ -152,6 +152,16 @@ void register_path_pieces(Registry<PathPiece>& registry) {
   registry.add<PathNurbs>("nurbs", "Non-uniform rational B-spline");
 }
 
+void continue_open_end(ContourPieces& pieces, ContourExtent extent) {
+  const PlanePoint first = pieces.front()->point(0), at = pieces.back()->point(pieces.back()->length());
+  double length = 0;
+  for (const auto& piece : pieces) length += piece->length();
+  const bool half = extent == ContourExtent::half;
+  const bool ended = half ? std::abs(at[0]) <= 1e-9 * length : std::hypot(at[0] - first[0], at[1] - first[1]) <= 1e-9 * length;
+  const auto* last = dynamic_cast<const LinePiece*>(pieces.back().get());
+  if (!ended && last) pieces.back() = std::make_shared<LinePiece>(last->point(0), last->point(last->length()), false, true);
+}
+
 void PathShape::parameters(Parameters& p) {
   common_parameters(p);
   p.required("start", start_, "m", "Where the path begins, in the body's frame");
@@ -177,14 +187,7 @@ void PathShape::check(const Section& section) {
     }
     at = pieces_.back()->point(pieces_.back()->length());
   }
-  const PlanePoint first = pieces_.front()->point(0);
-  double length = 0;
-  for (const auto& piece : pieces_) length += piece->length();
-  const bool half = extent_ == ContourExtent::half;
-  const bool ended = half ? std::abs(at[0]) <= 1e-9 * length : std::hypot(at[0] - first[0], at[1] - first[1]) <= 1e-9 * length;
-  // an open path goes on for ever where its last piece is a line
-  const auto* last = dynamic_cast<const LinePiece*>(pieces_.back().get());
-  if (!ended && last) pieces_.back() = std::make_shared<LinePiece>(last->point(0), last->point(last->length()), false, true);
+  continue_open_end(pieces_, extent_);
 }
 
 }  // namespace mudline

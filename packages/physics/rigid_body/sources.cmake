@@ -14,3 +14,6 @@ set(rigid_body_sources
   rigid_body/released_motion.cpp
   rigid_body/body_terms.cpp
   rigid_body/rigid_body.cpp)
+if(MUDLINE_GMSH)
+  list(APPEND rigid_body_sources rigid_body/curve_chain.cpp rigid_body/gmsh_curve_shape.cpp)
+endif()

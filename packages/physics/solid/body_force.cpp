@@ -23,7 +23,7 @@ struct BodyForceKernel {
 
   BodyForceKernel(const Soil& soil, const SoilBlock& b, const StepView& view, bool is_inertia, std::array<double, 2> g)
       : axisymmetric(soil.axisymmetric), inertia(is_inertia), points(b.points), mixture(*b.material),
-        lift(soil.excess && !is_inertia ? mixture.alpha * mixture.fluid_density : 0.0), gravity{g[0], g[1]},
+        lift(is_inertia ? 0.0 : soil.uplift(*b.material)), gravity{g[0], g[1]},
         acceleration_slope(view.sensitivity[soil.displacement].acceleration), geometry_slope(view.momentum.geometry_weight),
         pressure_slope(soil.pressure >= 0 ? view.sensitivity[soil.pressure].value : 0.0), weights(b.u.weights), N(b.u.N),
         Np(b.p.N), dN(b.u.dN), nodes(b.nodes), dofs(b.dofs), void_ratio(view.committed->arrays[b.void_ratio]),

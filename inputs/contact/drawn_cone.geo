@@ -1,0 +1,21 @@
+// Outline of a rounded cone, in millimetres; the tip is at (0, 100).
+a = Pi / 3;    // half the apex angle
+R = 100;
+r = 50;        // of the apex
+s = 30;        // of the shoulder
+xt = r * Cos(a);
+yt = r * (1 - Sin(a));
+ys = yt + (R - xt) / Tan(a);
+t = s * Tan(a / 2);
+Point(1) = {0, 100, 0};
+Point(2) = {0, 100 + r, 0};
+Point(3) = {xt, 100 + yt, 0};
+Point(4) = {R - t * Sin(a), 100 + ys - t * Cos(a), 0};
+Point(5) = {R - s, 100 + ys + t, 0};
+Point(6) = {R, 100 + ys + t, 0};
+Point(7) = {R, 400, 0};
+Circle(1) = {1, 2, 3};
+Line(2) = {3, 4};
+Circle(3) = {4, 5, 6};
+Line(4) = {6, 7};
+Physical Curve("outline") = {1, 2, 3, 4};

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "physics/rigid_body/contour_piece.hpp"
+
+namespace mudline {
+
+/// Boxes in the plane, sorted along the direction in which they spread more: finds those near another one.
+class BoxSearch {
+ public:
+  using Corners = std::array<PlanePoint, 2>;  // [m] low, high
+  void sort(const std::vector<Corners>& boxes);
+  /// Numbers of the boxes that come within `distance` [m] of the box, in ascending order.
+  std::vector<int> near(const Corners& box, double distance) const;
+
+ private:
+  struct Box {
+    PlanePoint low, high;
+    int number;
+  };
+  std::vector<Box> boxes_;  // by low[along_]
+  int along_ = 0;
+  double longest_ = 0;      // [m] extent of a box in that direction
+};
+
+}  // namespace mudline

@@ -1,0 +1,237 @@
+#include "contact/node_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/impact_share.hpp"
+
+namespace mudline {
+
+namespace column = node_column;
+
+namespace {
+constexpr double pi = 3.14159265358979323846;
+constexpr int quadrature_degree = 5;  // of tributary areas: exact on parabolic sides that are straight
+}  // namespace
+
+NodePass::NodePass(const NodePassSettings& settings, const std::string& slave, const std::string& master)
+    : settings_(settings), mesh_(settings.context->space.mesh()), slave_(settings.context->space, slave, false, BodyUnknowns()), sides_(mesh_, master),
+      surface_(sides_.sides(), settings.deck->drawing, settings.deck->corner_angle * pi / 180, settings.deck->overhang, mesh_.coordinates()),
+      displacement_(settings.context->space.find("displacement")), axisymmetric_(mesh_.geometry() == Geometry::axisymmetric) {
+  for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(ContactPoints::nodes, nodes, quadrature_degree);
+  for (std::size_t s = 0; s < slave_.sides().size(); ++s)
+    for (int a = 0; a < slave_.sides()[s].count; ++a) rows_.push_back({static_cast<int>(s), slave_.sides()[s].node[a], 0, 0, {}, {}});
+  measure(mesh_.coordinates());
+  capture_ = slave_.longest(mesh_.coordinates());
+}
+
+void NodePass::declare_state(StateStore& store) {
+  const int rows = static_cast<int>(rows_.size());
+  ArrayInfo points, penalties;
+  points.name = settings_.prefix + "points";
+  points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"},  {"slides", 1, "-"}, {"force x", 1, "N"}, {"force y", 1, "N"},
+                      {"area", 1, "m2"},   {"length", 1, "m"},    {"slip", 1, "m"},    {"heat", 1, "J"},   {"piece", 1, "-"},   {"eta", 1, "-"}};
+  points_ = store.declare(std::move(points), rows);
+  penalties.name = settings_.prefix + "penalty";
+  penalties.variables = {{"penalty", 1, "Pa/m"}};
+  penalties_ = store.declare(std::move(penalties), static_cast<int>(slave_.sides().size()));
+  ArrayInfo multipliers;
+  multipliers.name = settings_.prefix + "multipliers";
+  multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
+  multipliers_ = store.declare(std::move(multipliers), rows);
+}
+
+int NodePass::place(int row, int piece) const {
+  const auto found = place_of_.find(static_cast<long long>(row) << 32 | piece);
+  return found == place_of_.end() ? -1 : found->second;
+}
+
+void NodePass::sparsity(Assembler& assembler) {
+  // every node and piece within reach have their place from the start: the graph, and with it the order of all sums, never changes
+  const auto& x = mesh_.coordinates();
+  const auto& first = settings_.context->space.node_dof(displacement_);
+  const double distance = settings_.deck->reach > 0 ? settings_.deck->reach : 1e300;
+  std::vector<std::pair<int, int>> places;
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    for (int piece : surface_.near({x(rows_[row].node, 0), x(rows_[row].node, 1)}, distance)) {
+      place_of_[static_cast<long long>(row) << 32 | piece] = static_cast<int>(places.size());
+      places.emplace_back(static_cast<int>(row), piece);
+    }
+  Kokkos::View<int**, Kokkos::LayoutRight> table("node to segment dofs", places.size(), node_dofs);
+  for (std::size_t p = 0; p < places.size(); ++p)
+    for (int i = 0; i < 2; ++i) {
+      table(p, i) = first(rows_[places[p].first].node) + i;
+      for (int j = 0; j < max_piece_nodes; ++j) table(p, 2 + 2 * j + i) = first(surface_.pieces()[places[p].second].node[j]) + i;
+    }
+  dofs_ = table;
+  group_ = assembler.add_group(dofs_);
+}
+
+void NodePass::measure(const ConstCoordinateView& x) {
+  std::size_t row = 0;
+  for (const SurfaceSide& side : slave_.sides()) {
+    const ContactRule& rule = rules_[side.count - 2];
+    SideCoordinates at{};
+    for (int a = 0; a < side.count; ++a) at[a] = {x(side.node[a], 0), x(side.node[a], 1)};
+    SideAreas areas, lengths;
+    areas.compute(rule, at, axisymmetric_);
+    lengths.compute(rule, at, false);
+    for (int a = 0; a < side.count; ++a, ++row) {
+      rows_[row].area = settings_.share * areas.area[a];
+      rows_[row].length = lengths.area[a];
+      rows_[row].facing = {at[1][0] - at[0][0], at[1][1] - at[0][1]};
+      // a corner of a quadratic side on the axis has no area: nothing can press there
+      if (axisymmetric_ && areas.area[a] < 1e-9 * lengths.area[a] * lengths.area[a]) rows_[row].area = 0;
+    }
+  }
+}
+
+void NodePass::begin(const StepView& view) {
+  surface_.update(view.x_old);
+  measure(view.x_old);
+  const auto& sides = slave_.sides();
+  const PointView& penalties = view.trial->arrays[penalties_];
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    if (!(penalties(s, 0) > 0))
+      penalties(s, 0) = settings_.deck->penalty > 0
+                            ? settings_.deck->penalty
+                            : settings_.deck->penalty_factor * settings_.context->stiffness(sides[s].block, sides[s].element) / sides[s].height;
+  // the spring of friction starts unstretched from the stress that the step before left
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    view.trial->arrays[multipliers_](row, 1) = view.committed->arrays[points_](row, column::shear);
+  const double longest = slave_.longest(view.x_old);
+  capture_ = settings_.deck->capture_distance > 0 ? settings_.deck->capture_distance : longest;
+  touch_ = 1e-9 * longest;
+  for (Row& row : rows_) row.candidates = surface_.near({view.x_old(row.node, 0), view.x_old(row.node, 1)}, 2 * capture_);
+}
+
+bool NodePass::look(int row, const ConstCoordinateView& x, double capture, Seen& seen) const {
+  const Row& at = rows_[row];
+  if (!(at.area > 0) || !surface_.find_foot(at.candidates, {x(at.node, 0), x(at.node, 1)}, at.facing, capture, x, seen.piece, seen.foot)) return false;
+  seen.place = place(row, seen.piece);
+  return true;
+}
+
+NodeCoordinates NodePass::coordinates(int row, int piece, const ConstCoordinateView& x) const {
+  return {{x(rows_[row].node, 0), x(rows_[row].node, 1)}, surface_.coordinates(piece, x)};
+}
+
+bool NodePass::conserves(const StepView& view) const {
+  return view.inertia && !settings_.deck->augmented() && settings_.deck->impact == NodeParameters::Impact::conserving;
+}
+
+NodeLaw NodePass::law(const StepView& view, int row) const {
+  const PointView &multipliers = view.trial->arrays[multipliers_], &old = view.committed->arrays[points_];
+  NodeLaw result;
+  result.penalty = penalty(*view.trial, row);
+  result.area = rows_[row].area;
+  result.touch = touch_;
+  result.normal = multipliers(row, 0);
+  result.shear = multipliers(row, 1);
+  result.friction = settings_.friction;
+  result.time = view.time_end;
+  result.dt = view.dt;
+  result.slip = old(row, column::slip);
+  result.first_guess = predicting_;
+  result.gap_old = old(row, column::gap);
+  result.touches_late = conserves(view) && result.gap_old > 0;
+  return result;
+}
+
+void NodePass::write_away(const StepView& view, int row) const {
+  const PointView &rows = view.trial->arrays[points_], &old = view.committed->arrays[points_];
+  for (int c : {column::pressure, column::shear, column::slides, column::force_x, column::force_y, column::area, column::eta}) rows(row, c) = 0;
+  rows(row, column::gap) = capture_;
+  rows(row, column::length) = rows_[row].length;
+  rows(row, column::slip) = old(row, column::slip);
+  rows(row, column::heat) = old(row, column::heat);
+  rows(row, column::piece) = -1;
+}
+
+void NodePass::old_force(const State& committed, int row, const SurfacePiece& piece, double (&force)[node_dofs]) const {
+  const PointView& old = committed.arrays[points_];
+  double W[max_piece_nodes], dW[max_piece_nodes], ddW[max_piece_nodes];
+  piece.weights(old(row, column::eta), W, dW, ddW);
+  for (int i = 0; i < 2; ++i) {
+    force[i] = old(row, column::force_x + i);
+    for (int j = 0; j < max_piece_nodes; ++j) force[2 + 2 * j + i] = -W[j] * force[i];
+  }
+}
+
+int NodePass::residual(const StepView& view, const ResidualView& f) {
+  magnitude_ = 0;
+  correction_.clear();
+  int failures = 0;
+  const PointView &points = view.trial->arrays[points_], &old = view.committed->arrays[points_];
+  const double alpha = 1 - view.sensitivity[displacement_].value;
+  NodeForce force;
+  for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
+    Seen seen;
+    if (!look(row, view.x_end, capture_, seen)) {
+      write_away(view, row);
+      continue;
+    }
+    const NodeLaw acting = law(view, row);
+    const SurfacePiece& piece = surface_.pieces()[seen.piece];
+    node_force(acting, piece, seen.foot, coordinates(row, seen.piece, view.x_old), coordinates(row, seen.piece, view.x_end), false, force);
+    if (force.presses && seen.place < 0) ++failures;
+    if (seen.place < 0) force = {};
+    for (int a = 0; a < node_dofs && force.presses; ++a) {
+      const int dof = dofs_(seen.place, a);
+      f(dof) -= force.f[a];
+      magnitude_ += force.f[a] * force.f[a];
+      if (force.share != 1) correction_.emplace_back(dof, (1 - alpha) * (force.share - 1) * force.f[a]);
+    }
+    const int was = old(row, column::pressure) > 0 ? static_cast<int>(old(row, column::piece)) : -1;
+    if (conserves(view) && !force.presses && was >= 0 && old(row, column::gap) < 0 && force.gap >= 0 && place(row, was) >= 0) {
+      double before[node_dofs];
+      old_force(*view.committed, row, surface_.pieces()[was], before);
+      const double factor = alpha * (leaving_share(old(row, column::gap), force.gap).value - 1);
+      for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(place(row, was), a), factor * before[a]);
+    }
+    const double area = acting.area;
+    points(row, column::gap) = force.gap;
+    points(row, column::pressure) = force.pressure;
+    points(row, column::shear) = force.shear;
+    points(row, column::slides) = force.slides;
+    points(row, column::force_x) = force.f[0];
+    points(row, column::force_y) = force.f[1];
+    points(row, column::area) = force.pressure > 0 ? area : 0.0;
+    points(row, column::length) = rows_[row].length;
+    points(row, column::slip) = old(row, column::slip) + force.slip;
+    points(row, column::heat) = old(row, column::heat) + std::abs(force.shear) * force.slip * area;
+    points(row, column::piece) = seen.piece;
+    points(row, column::eta) = seen.foot.eta;
+  }
+  return failures;
+}
+
+void NodePass::correction(const ResidualView& f) const {
+  for (const auto& [dof, share] : correction_) f(dof) -= share;
+}
+
+void NodePass::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  const MatrixScatter to = assembler.scatter(group_);
+  const PointView& old = view.committed->arrays[points_];
+  const double alpha = 1 - view.sensitivity[displacement_].value;
+  NodeForce force;
+  for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
+    Seen seen;
+    if (!look(row, view.x_end, capture_, seen) || seen.place < 0) continue;
+    const SurfacePiece& piece = surface_.pieces()[seen.piece];
+    node_force(law(view, row), piece, seen.foot, coordinates(row, seen.piece, view.x_old), coordinates(row, seen.piece, view.x_end), true, force);
+    if (force.presses) {
+      for (int a = 0; a < node_dofs; ++a)
+        for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * force.k[a][b]);
+    } else if (conserves(view) && old(row, column::pressure) > 0 && old(row, column::gap) < 0 && static_cast<int>(old(row, column::piece)) == seen.piece) {
+      // across two pieces the matrix has no place for the change of a leaving force
+      double before[node_dofs];
+      old_force(*view.committed, row, piece, before);
+      const double factor = alpha / (1 - alpha) * leaving_share(old(row, column::gap), force.gap).slope;
+      for (int a = 0; a < node_dofs; ++a)
+        for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * factor * before[a] * force.gap_slope[b]);
+    }
+  }
+}
+
+}  // namespace mudline

@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "contact/smooth_surface.hpp"
+
+namespace mudline {
+namespace {
+
+using Coordinates = Kokkos::View<double**, Kokkos::LayoutRight>;
+
+/// Shear strength that grows with the pressure and falls with the speed.
+class Slope : public Friction {
+ public:
+  explicit Slope(double coefficient) : coefficient_(coefficient) {}
+  ShearStrength strength(const FrictionPoint& at) const override {
+    const double factor = coefficient_ * (1 - 10 * at.rate);
+    return {factor * at.normal, factor, -10 * coefficient_ * at.normal};
+  }
+
+ private:
+  double coefficient_;
+};
+
+struct Case {
+  const char* name;
+  Drawing drawing;
+  double x, y, friction, multiplier;
+  bool late;    // the node touches within the step
+  bool corner;  // what the case is about
+};
+
+/// A master of six nodes with its body below, nodes to the left, and one slave node; the master's unevenness is of its own.
+class EveryState : public testing::TestWithParam<Case> {
+ protected:
+  EveryState() : friction_(GetParam().friction), x_("x", 7, 2), old_("old", 7, 2) {
+    const double places[6][2] = {{2.5, 0.02}, {1.9, 0.12}, {1.0, 0.2}, {0.1, 0.14}, {-0.6, -0.03}, {-1.4, 0.05}};
+    for (int i = 0; i < 6; ++i)
+      for (int k = 0; k < 2; ++k) {
+        x_(i, k) = places[i][k];
+        old_(i, k) = places[i][k] - (k == 0 ? 0.003 : 0.001 * i);
+      }
+    const Case c = GetParam();
+    x_(6, 0) = c.x;
+    x_(6, 1) = c.y;
+    old_(6, 0) = c.x - 0.006;
+    old_(6, 1) = c.y + 0.002;
+    for (int i = 0; i < 5; ++i) sides_.push_back({2, {i, i + 1, -1}});
+    surface_ = std::make_unique<SmoothSurface>(sides_, c.drawing, 1.5, 0.1, old_);
+    law_.penalty = 1e6;
+    law_.area = 0.7;
+    law_.normal = c.multiplier;
+    law_.shear = 0.2 * c.multiplier;
+    if (c.friction > 0) law_.friction = &friction_;
+    law_.touches_late = c.late;
+    law_.gap_old = 0.01;
+  }
+  /// Force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by them.
+  NodeForce evaluate(double (&f)[14], double (&k)[14][14]) {
+    NodeFoot foot;
+    std::vector<int> all(surface_->pieces().size());
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_TRUE(surface_->find_foot(all, {x_(6, 0), x_(6, 1)}, {1, 0}, 1, x_, piece_, foot));
+    corner_ = foot.corner;
+    const SurfacePiece& piece = surface_->pieces()[piece_];
+    NodeForce out, plain;
+    const auto at = [&](const Coordinates& x) { return NodeCoordinates{{x(6, 0), x(6, 1)}, surface_->coordinates(piece_, x)}; };
+    node_force(law_, piece, foot, at(old_), at(x_), true, out);
+    node_force(law_, piece, foot, at(old_), at(x_), false, plain);
+    for (double& v : f) v = 0;
+    for (auto& row : k)
+      for (double& v : row) v = 0;
+    const auto place = [&](int a) { return a < 2 ? 12 + a : 2 * piece.node[(a - 2) / 2] + a % 2; };
+    for (int a = 0; a < node_dofs; ++a) {
+      EXPECT_EQ(out.f[a], plain.f[a]);
+      f[place(a)] += out.share * out.f[a];
+      for (int b = 0; b < node_dofs; ++b) k[place(a)][place(b)] += out.k[a][b];
+    }
+    return out;
+  }
+  Slope friction_;
+  Coordinates x_, old_;
+  std::vector<MasterSurface::MasterSide> sides_;
+  std::unique_ptr<SmoothSurface> surface_;
+  NodeLaw law_;
+  int piece_ = -1;
+  bool corner_ = false;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Contact, EveryState,
+    testing::Values(Case{"linear", Drawing::linear, 0.5, 0.12, 0, 0, false, false}, Case{"linear_stick", Drawing::linear, 0.5, 0.12, 5, 0, false, false},
+                    Case{"linear_slip", Drawing::linear, 1.5, 0.1, 0.01, 0, false, false},
+                    Case{"convex_corner", Drawing::linear, 1.0, 0.21, 0, 3e4, false, true},
+                    Case{"convex_corner_slip", Drawing::linear, 0.9995, 0.21, 0.01, 3e4, false, true},
+                    Case{"reentrant_corner", Drawing::linear, -0.597, -0.07, 5, 0, false, true},
+                    Case{"hermite", Drawing::hermite, 0.5, 0.14, 0, 0, false, false}, Case{"hermite_stick", Drawing::hermite, 0.5, 0.14, 5, 2e4, false, false},
+                    Case{"hermite_slip", Drawing::hermite, 1.4, 0.1, 0.01, 0, false, false},
+                    Case{"hermite_end", Drawing::hermite, 2.3, 0.02, 0.01, 0, false, false},
+                    Case{"hermite_late", Drawing::hermite, 0.3, 0.14, 0, 0, true, false},
+                    Case{"bezier", Drawing::bezier, 1.05, 0.12, 0, 0, false, false}, Case{"bezier_stick", Drawing::bezier, 0.2, 0.1, 5, 2e4, false, false},
+                    Case{"bezier_slip", Drawing::bezier, -0.5, -0.04, 0.01, 0, false, false},
+                    Case{"bezier_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST_P(EveryState, TangentIsTheDifferencedForce) {
+  double f[14], k[14][14], plus[14], minus[14], unused[14][14];
+  const NodeForce at = evaluate(f, k);
+  ASSERT_TRUE(at.presses);
+  ASSERT_EQ(corner_, GetParam().corner);
+  ASSERT_EQ(at.slides, GetParam().friction > 0 && GetParam().friction < 1);
+  double size = 0, error = 0;
+  for (int b = 0; b < 14; ++b) {
+    constexpr double h = 1e-6;
+    x_(b / 2, b % 2) += h;
+    evaluate(plus, unused);
+    x_(b / 2, b % 2) -= 2 * h;
+    evaluate(minus, unused);
+    x_(b / 2, b % 2) += h;
+    for (int a = 0; a < 14; ++a) {
+      size = std::max(size, std::abs(k[a][b]));
+      error = std::max(error, std::abs((plus[a] - minus[a]) / (2 * h) - k[a][b]));
+    }
+  }
+  EXPECT_LT(error, 1e-6 * size);
+}
+
+TEST_P(EveryState, ForcesAndMomentsCancel) {
+  double f[14], k[14][14], sum[2] = {0, 0}, moment = 0, size = 0;
+  const NodeForce at = evaluate(f, k);
+  for (int a = 0; a < 7; ++a) {
+    for (int i = 0; i < 2; ++i) sum[i] += f[2 * a + i];
+    moment += x_(a, 0) * f[2 * a + 1] - x_(a, 1) * f[2 * a];
+    size += std::abs(f[2 * a]) + std::abs(f[2 * a + 1]);
+  }
+  EXPECT_LT(std::hypot(sum[0], sum[1]), 1e-14 * size);
+  // friction acts across the gap
+  EXPECT_NEAR(moment, at.share * law_.area * at.gap * at.shear, 1e-13 * size + 1e-9 * std::abs(moment));
+}
+
+TEST_P(EveryState, RigidMotionOfAllIsNotSeen) {
+  double f[14], k[14][14], turned[14];
+  const NodeForce at = evaluate(f, k);
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  for (Coordinates* x : {&x_, &old_})
+    for (int a = 0; a < 7; ++a) {
+      const double r[2] = {(*x)(a, 0), (*x)(a, 1)};
+      (*x)(a, 0) = c * r[0] - s * r[1] + 3;
+      (*x)(a, 1) = s * r[0] + c * r[1] - 2;
+    }
+  surface_->update(old_);
+  const NodeForce there = evaluate(turned, k);
+  EXPECT_NEAR(there.gap, at.gap, 1e-12);
+  EXPECT_NEAR(there.shear, at.shear, 1e-6 * (1 + std::abs(at.shear)));
+  for (int a = 0; a < 7; ++a) {
+    EXPECT_NEAR(turned[2 * a], c * f[2 * a] - s * f[2 * a + 1], 1e-5);
+    EXPECT_NEAR(turned[2 * a + 1], s * f[2 * a] + c * f[2 * a + 1], 1e-5);
+  }
+}
+
+TEST(NodeSegment, OpenNodeHasNeitherForceNorStiffness) {
+  const std::vector<MasterSurface::MasterSide> sides{{2, {0, 1, -1}}};
+  Coordinates x("x", 2, 2);
+  x(0, 0) = 1;
+  const SmoothSurface surface(sides, Drawing::linear, 1, 0.1, x);
+  NodeLaw law;
+  law.penalty = 1e6;
+  law.area = 1;
+  int piece = -1;
+  NodeFoot foot;
+  ASSERT_TRUE(surface.find_foot({0}, {0.4, 0.01}, {1, 0}, 0.1, x, piece, foot));
+  const NodeCoordinates at{{0.4, 0.01}, surface.coordinates(0, x)};
+  NodeForce force;
+  node_force(law, surface.pieces()[0], foot, at, at, true, force);
+  EXPECT_FALSE(force.presses);
+  EXPECT_NEAR(force.gap, 0.01, 1e-15);
+  for (int a = 0; a < node_dofs; ++a) {
+    EXPECT_EQ(force.f[a], 0);
+    for (int b = 0; b < node_dofs; ++b) EXPECT_EQ(force.k[a][b], 0);
+  }
+}
+
+}  // namespace
+}  // namespace mudline

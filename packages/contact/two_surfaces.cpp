@@ -1,0 +1,84 @@
+#include "contact/two_surfaces.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mudline {
+
+void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master) {
+  require_side_set(mesh, section, "slave", slave);
+  require_side_set(mesh, section, "master", master);
+  if (slave == master) section.fail("is '" + slave + "', the slave too: a surface does not touch itself; name two sets", "master");
+  const auto &first = mesh.nodes_of_set(slave), &second = mesh.nodes_of_set(master);
+  std::vector<int> both;
+  std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+  const int here = static_cast<int>(both.size());
+  int any = 0;
+  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(any));
+  if (any > 0)
+    section.fail("'" + master + "' shares nodes with the slave '" + slave + "': surfaces that may part need nodes of their own", "master");
+  for (const auto& [entry, set] : {std::pair<std::string, std::string>{"slave", slave}, {"master", master}}) {
+    const long long local = static_cast<long long>(mesh.side_sets().at(set).size());
+    long long all = 0;
+    Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_SUM, local, Teuchos::outArg(all));
+    if (all == 0) section.fail("side set '" + set + "' has no sides", entry);
+  }
+}
+
+std::unique_ptr<const Friction> friction_of_two(const ContactContext& context, const Section& section) {
+  if (!section.has_section("friction")) return nullptr;
+  std::unique_ptr<const Friction> friction = context.frictions.create(section.section("friction"));
+  if (friction->effective() && context.space.find("pore pressure") >= 0)
+    section.section("friction").fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total", "on");
+  return friction;
+}
+
+void check_overlap_of_two(const ContactSurface& slave, const Section& section, const std::string& name, double least_gap) {
+  const Mesh& mesh = slave.mesh();
+  double everywhere = 0;
+  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MIN, least_gap, Teuchos::outArg(everywhere));
+  const double edge = slave.shortest(mesh.coordinates());
+  if (-everywhere <= 0.5 * edge) return;
+  char text[200];
+  std::snprintf(text, sizeof text, "' overlaps the master by %.4g m at the start, more than half of its shortest side, %.4g m; move one of the two",
+                -everywhere, edge);
+  section.fail("surface '" + name + text, "slave");
+}
+
+double closing_limit(const Space& space, const ContactSurface& slave, const MasterSurface& master, double advance_limit, const State& committed) {
+  const auto& first = space.node_dof(space.find("displacement"));
+  const ConstCoordinateView& x = committed.coordinates;
+  const auto velocity = [&](int node) { return PlanePoint{committed.rate(first(node)), committed.rate(first(node) + 1)}; };
+  // speeds against the master's mean, which is the same on all ranks that have slave sides: they have the whole master
+  PlanePoint mean{0, 0};
+  double nodes = 0, fastest[2] = {0, 0}, nearest = 1e300;
+  for (const auto& side : master.sides())
+    for (int a = 0; a < side.count; ++a, ++nodes)
+      for (int i = 0; i < 2; ++i) mean[i] += velocity(side.node[a])[i];
+  for (double& m : mean) m /= std::max(1.0, nodes);
+  const auto speed = [&](int node) { return std::hypot(velocity(node)[0] - mean[0], velocity(node)[1] - mean[1]); };
+  for (const SurfaceSide& side : slave.sides()) {
+    for (int a = 0; a < side.count; ++a) fastest[0] = std::max(fastest[0], speed(side.node[a]));
+    const auto box = side_box(side.node, side.count, x);
+    for (const auto& other : master.sides()) {
+      const auto there = side_box(other.node, other.count, x);
+      double apart[2];
+      for (int i = 0; i < 2; ++i) apart[i] = std::max({0.0, there[0][i] - box[1][i], box[0][i] - there[1][i]});
+      nearest = std::min(nearest, std::hypot(apart[0], apart[1]));
+    }
+  }
+  if (!slave.sides().empty())
+    for (const auto& side : master.sides())
+      for (int a = 0; a < side.count; ++a) fastest[1] = std::max(fastest[1], speed(side.node[a]));
+  const Teuchos::Comm<int>& comm = *slave.mesh().comm();
+  double largest[2], least = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, fastest, largest);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(least));
+  const double closing = largest[0] + largest[1];
+  return closing > 0 ? std::max(advance_limit * slave.shortest(x), 0.5 * least) / closing : 1e300;
+}
+
+}  // namespace mudline

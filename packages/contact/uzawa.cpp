@@ -1,0 +1,66 @@
+#include "contact/uzawa.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/log.hpp"
+
+namespace mudline {
+
+void EnforcementParameters::check(const Section& section) const {
+  if (augmented()) return;
+  for (const char* entry : {"gap tolerance", "most augmentations"})
+    if (section.has_parameter(entry))
+      section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
+}
+
+Misfit::Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums,
+               std::vector<double> lengths, std::vector<double> stiffnesses, double tangential_factor) {
+  gap = surface.mean(normal_sums, stiffnesses);
+  normal = surface.mean(std::move(normal_sums), lengths);
+  if (tangential_factor == 0) return;
+  stretch = surface.mean(shear_sums, std::move(stiffnesses));
+  for (double& value : stretch) value /= tangential_factor;
+  shear = surface.mean(std::move(shear_sums), std::move(lengths));
+}
+
+std::array<double, 2> Misfit::largest(const Comm& comm) const {
+  std::array<double, 2> here{}, everywhere{};
+  for (double value : gap) here[0] = std::max(here[0], std::abs(value));
+  for (double value : stretch) here[1] = std::max(here[1], std::abs(value));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, here.data(), everywhere.data());
+  return everywhere;
+}
+
+std::optional<Augmentation> end_of_augmentation(const std::string& contact, const EnforcementParameters& deck, double gap_tolerance,
+                                                const Misfit& misfit, int count, const Comm& comm) {
+  const auto [gap, stretch] = misfit.largest(comm);
+  char text[280];
+  std::snprintf(text, sizeof text, "    contact/%s: after %d augmentations weighted gap %.3g m, stretch %.3g m", contact.c_str(), count, gap, stretch);
+  log::detail(text);
+  if (gap <= gap_tolerance && stretch <= gap_tolerance) return Augmentation{};
+  if (count < deck.most_augmentations) return std::nullopt;
+  std::snprintf(text, sizeof text,
+                "contact '%s' misses its gap tolerance of %.3g m after %d augmentations: weighted gap %.3g m, stretch of what "
+                "sticks %.3g m (a larger penalty converges faster)",
+                contact.c_str(), gap_tolerance, count, gap, stretch);
+  return Augmentation{false, text};
+}
+
+std::vector<double> in_shapes(const ContactSurface& surface, const std::vector<double>& weighted, const ShapeMass& mass) {
+  // the mass matrix over its lumped self has eigenvalues between 0.4 (three nodes; 1/3 with two) and 1
+  constexpr int sweeps = 12;
+  std::vector<double> result = weighted;
+  for (int sweep = 1; sweep < sweeps; ++sweep) {
+    std::vector<double> product(result.size(), 0.0), lengths(result.size(), 0.0);
+    mass(result, product, lengths);
+    product = surface.mean(std::move(product), std::move(lengths));
+    for (std::size_t node = 0; node < result.size(); ++node) result[node] += weighted[node] - product[node];
+  }
+  return result;
+}
+
+}  // namespace mudline

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/contact_surface.hpp"
+#include "physics/term.hpp"
+
+namespace mudline {
+
+enum class Enforcement { penalty, augmented_lagrangian };
+
+/// What the deck says of the way in which a contact's condition is met; the contacts declare it, each with its own default.
+struct EnforcementParameters {
+  Enforcement enforcement;
+  double gap_tolerance = 0;     // [m] 0: automatic
+  int most_augmentations = 50;
+  bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
+  /// InputError for entries that have no meaning with the penalty method.
+  void check(const Section& section) const;
+};
+
+/// By local node of a surface, weighted by the multipliers' shapes: what stresses differ by from their multipliers [Pa], and
+/// over the penalties the gap and the stretch of what sticks [m]. Without friction shear and stretch are empty.
+struct Misfit {
+  std::vector<double> normal, gap, shear, stretch;
+
+  /// From sums over a rank's sides. `tangential_factor`: tangential over normal penalty; 0: no friction. Collective.
+  Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums, std::vector<double> lengths,
+         std::vector<double> stiffnesses, double tangential_factor);
+  /// Largest gap and stretch [m]. Collective.
+  std::array<double, 2> largest(const Comm& comm) const;
+};
+
+/// Whether Uzawa's method is at its end after `count` augmentations: within the tolerance, or refused at the most allowed
+/// ones. Nothing: the multipliers are to grow by the misfit, and the step to be solved again. Collective.
+std::optional<Augmentation> end_of_augmentation(const std::string& contact, const EnforcementParameters& deck, double gap_tolerance,
+                                                const Misfit& misfit, int count, const Comm& comm);
+
+/// Adds to `product` and `lengths`, by local node, the mass matrix of the multipliers' shapes on this rank's sides times
+/// `values`, and its row sums.
+using ShapeMass = std::function<void(const std::vector<double>& values, std::vector<double>& product, std::vector<double>& lengths)>;
+
+/// Nodal values whose field, in the multipliers' shapes, has these weighted means. Collective.
+std::vector<double> in_shapes(const ContactSurface& surface, const std::vector<double>& weighted, const ShapeMass& mass);
+
+}  // namespace mudline

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "discretisation/gmsh_session.hpp"
+#include "discretisation/piecewise_polynomial.hpp"
+
+namespace mudline {
+
+/// One curve of a CAD model in the x-y plane, in the direction in which the model has it, in the file's unit of length.
+struct CadCurve {
+  enum class Kind { line, circle, general };
+  int tag;
+  Kind kind;
+  std::vector<CurvePoint> points;   // line: its ends; circle: start, after a third and two thirds of the way, end
+  std::vector<PolynomialRun> runs;  // general: within 1e-11 of the curve's extent
+  CurvePoint start() const;
+  CurvePoint end() const;
+  CadCurve reversed() const;
+};
+
+/// Which curves of a model are meant: a physical group, or tags.
+struct CurveSelection {
+  std::string group;
+  std::vector<int> tags;
+};
+
+/// Reads curves of a geometry (.geo) or CAD model (.step, .stp, .brep) by Gmsh. Lines and circles are recognised, of all
+/// others the model's own parametrisation is taken over, see polynomial_runs(). InputError for a model that cannot be read,
+/// groups and tags it does not have, and curves off the x-y plane; entries "file", "physical curve" and "curves".
+std::vector<CadCurve> read_gmsh_curves(const std::string& file, const GmshOverrides& overrides, const CurveSelection& selection,
+                                       const SourcePosition& position);
+
+}  // namespace mudline

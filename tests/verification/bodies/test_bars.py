@@ -1,0 +1,84 @@
+"""Two elastic bars that meet: force plateau, duration, impulse, energy; E = 200 GPa, 7800 kg/m3, 1 m, 1e-4 m2, 5 m/s each."""
+import os
+import unittest
+
+import h5py
+import numpy as np
+from mudline_case import ROOT, MudlineCase
+
+DECK = os.path.join(ROOT, "inputs", "impact", "two_bars.xml")
+FORCE, DURATION, IMPULSE = 19748.4177, 3.949684e-4, 7.8
+ENERGY = 2 * 0.5 * 0.78 * 5.0**2
+THROWN = 6e-4  # s, end of the first stage
+
+
+class Bars(MudlineCase):
+    def meet(self, radius, *settings):
+        history = self.run_deck(DECK, (f"stages/fly and meet/integrator/spectral radius={radius}",) + settings)
+        force = -history["contact/faces/force on slave x"]
+        touching = np.flatnonzero(force > 0)
+        self.begin, self.end = history.time[touching[0] - 1], history.time[touching[-1]]
+        self.early = (history.time > self.begin + 0.1 * DURATION) & (history.time < self.begin + 0.9 * DURATION)
+        self.assertEqual(force[-1], 0)  # they have parted
+        return history, force
+
+    def velocities(self):
+        """Mean velocity of each bar (masses of equal linear elements in a row) at the end."""
+        with h5py.File(os.path.join(self.folder, "results", "two_bars.h5"), "r") as file:
+            x = file["mesh/coordinates"][:, 0]
+            v = file["steps"][sorted(file["steps"])[-1]]["nodal/velocity"][:][:, 0]
+        means = []
+        for bar in (x < 0, x > 0):
+            ends = (x[bar] == x[bar].min()) | (x[bar] == x[bar].max())
+            means.append(np.average(v[bar], weights=np.where(ends, 0.5, 1.0)))
+        return means
+
+    def show(self, what, value, exact, tolerance):
+        error = np.max(np.abs(value / exact - 1))
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"{what}: {error:.2e} (allowed {tolerance:.0e})")
+        self.assertLess(error, tolerance, what)
+
+    def lost(self, history):
+        """Energy that integrator and contact have taken since the bars flew, over that of the start."""
+        taken = history["balance/energy/numerical dissipation"] + history["balance/energy/contact/faces"]
+        return (taken - taken[np.searchsorted(history.time, THROWN)])[history.time >= THROWN] / ENERGY
+
+    def test_force_duration_impulse(self):
+        history, force = self.meet(0.5)
+        self.show("plateau", force[self.early], FORCE, 0.02)
+        self.show("mean force", force[self.early].mean(), FORCE, 0.002)
+        self.show("duration", self.end - self.begin, DURATION, 0.01)
+        left, right = self.velocities()
+        # the bars keep a per cent of the energy as vibration, so they part a little slower than they met
+        self.show("impulse", 0.78 * (5 - left), IMPULSE, 0.01)
+        self.assertLess(abs(left + right), 1e-6 * 5)
+        lost = self.lost(history)
+        self.assertGreater(lost[-1], 0)
+        self.assertLess(lost[-1], 0.02)
+
+    def test_no_growth_at_radius_one(self):
+        history, force = self.meet(1.0)
+        self.show("mean force", force[self.early].mean(), FORCE, 0.02)
+        self.assertLess(np.abs(history["balance/energy/numerical dissipation"][history.time >= THROWN]
+                               - history.at("balance/energy/numerical dissipation", THROWN)).max(), 1e-10 * ENERGY)
+        # the contact has opened: what its springs took has been given back
+        self.assertLess(abs(history["balance/energy/contact/faces"][-1]), 1e-10 * ENERGY)
+        left, right = self.velocities()
+        self.assertLess(abs(left + right), 1e-6 * 5)
+
+    def test_step_is_bounded_by_the_closing_speed(self):
+        """Far apart the bars may come half their distance nearer, close by a quarter of the shortest side, 1e-4 m."""
+        stage = "stages/fly and meet/"
+        history = self.run_deck(DECK, (stage + "duration=4e-4", stage + "time step/initial=4e-4", stage + "time step/maximum=4e-4"))
+        start, end = history.time[:-1], history.time[1:]
+        flight = (start >= THROWN * (1 - 1e-9)) & (end < THROWN + 4e-4)
+        gap = 0.01 - 10 * (start - 5e-5)  # the throw takes 1e-4 s to its speed
+        allowed = np.maximum(0.5 * gap, 0.25e-4) / 10
+        self.assertGreater(flight.sum(), 2)
+        self.assertLess(((end - start) / allowed)[flight].max(), 1.001)
+        self.assertGreater(((end - start) / allowed)[flight].max(), 0.85)
+
+
+if __name__ == "__main__":
+    unittest.main()

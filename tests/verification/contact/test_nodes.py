@@ -1,0 +1,160 @@
+"""Nodes against segments: patch test, two cylinders, friction, smoothed and faceted masters, ranks, restart, errors."""
+import os
+import unittest
+
+import h5py
+import numpy as np
+
+from contact_case import PRESSURE, ContactCase
+from mudline_case import History, program
+from references import contact as reference
+from test_pairs import SLIDE
+
+
+MOTION = """<ParameterList name="motion"><ParameterList name="mesh motion"><ParameterList name="interior">
+  <Parameter name="type" type="string" value="artificial"/>
+  <Parameter name="amplitude" type="double" value="0.1"/>
+  <Parameter name="period" type="double" value="0.7"/>
+</ParameterList></ParameterList></ParameterList>
+"""
+
+
+class Nodes(ContactCase):
+    overlay = property(lambda self: self.deck("node_to_segment"))
+
+    def last_step(self, stem):
+        with h5py.File(os.path.join(self.folder, "results", stem + ".h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]
+            return file["mesh/coordinates"][:], step["coordinates"][:], np.asarray(step["nodal"][PRESSURE])
+
+    def patch(self, *settings, ranks=1):
+        """Least and largest contact pressure over the load; spread of the top's displacement over its mean."""
+        with open(self.deck("blocks")) as file:
+            text = "".join(line for line in file if "gap tolerance" not in line)
+        blocks = self.write("loose.xml", text.replace("blocks.geo", os.path.join(os.path.dirname(self.deck("blocks")), "blocks.geo")))
+        self.run_deck([blocks, self.overlay], settings, ranks=ranks)
+        start, now, pressure = self.last_step("loose")
+        way = (now - start)[np.abs(start[:, 1] - 1) < 1e-9, 1]
+        pressure = pressure[pressure != 0] / 100
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"patch {settings}: pressure {pressure.min():.3f} to {pressure.max():.3f}, level {np.ptp(way) / abs(way.mean()):.1e}")
+        self.assert_within("confined", way.mean(), -1.192857142857e-5, 0.02)
+        return max(pressure.max() - 1, 1 - pressure.min()), np.ptp(way) / abs(way.mean())
+
+    def test_patch(self):
+        """Meshes that do not match: the pressure is not uniform, as is known of node to segment."""
+        for order, slave, master in ((1, "upper bottom", "lower top"), (2, "upper bottom", "lower top"), (2, "lower top", "upper bottom")):
+            stress, level = self.patch(f"mesh/order={order}", f"contacts/face/slave={slave}", f"contacts/face/master={master}",
+                                       "contacts/face/master surface=sides")
+            self.assertLess(stress, 0.2)
+            self.assertGreater(stress, 0.01)  # else the documents are wrong
+            self.assertLess(level, 1e-3)
+        two = ("mesh/order=1", "contacts/face/master surface=sides", "contacts/face/two-pass=true", "contacts/face/enforcement=penalty")
+        stress, level = self.patch(*two)
+        self.assertLess(level, 1e-4)
+        again = self.patch(*two, ranks=2)
+        self.assert_within("2 ranks", again, (stress, level), 1e-6, 1.0)
+
+    def test_patch_of_meshes_that_match(self):
+        with open(os.path.join(os.path.dirname(self.deck("blocks")), "blocks.geo")) as file:
+            text = file.read().replace("1.1 / upper_cells", "1 / lower_cells").replace("0.9 / upper_cells", "0.8 / lower_cells")
+        mesh = self.write("matching.geo", text)
+        for surface in ("sides", "hermite"):
+            self.run_deck([self.deck("blocks"), self.overlay], (f"mesh/file={mesh}", f"contacts/face/master surface={surface}"))
+            pressure = self.last_step("blocks")[2]
+            self.assertGreater(np.count_nonzero(pressure), 6)
+            self.assert_within(surface, pressure[pressure != 0], 100, 1e-6)
+
+    def cylinders(self, *settings):
+        """Distance from the middle, in half widths, and contact pressure over Hertz' largest, of the nodes that touch."""
+        history = self.run_deck([self.deck("cylinders"), self.overlay], settings)
+        a, p0 = reference.hertz_line(2 * history["contact/face/force on slave y"][-1], 0.5, 0.5 * reference.plane_modulus(2e8, 0.3))
+        _, now, pressure = self.last_step("cylinders")
+        touching = np.flatnonzero(pressure)
+        touching = touching[np.argsort(now[touching, 0])]
+        self.assertLess(history["contact/face/weighted gap"][-1], 1.3e-9)
+        return now[touching, 0] / a, pressure[touching] / p0
+
+    def test_two_cylinders(self):
+        # quadratic elements with their own sides, linear elements with smoothed ones
+        for what, settings, largest, rest in (("quadratic", ("contacts/face/master surface=sides",), 0.03, 0.1),
+                                              ("linear, hermite", ("mesh/order=1",), 0.1, 0.1)):
+            x, pressure = self.cylinders(*settings)
+            exact = reference.hertz_pressure(x, 1.0, 1.0)
+            inside = (x < 0.8) & (x > 0)
+            self.assert_within(what + ": largest pressure", pressure[0], 1.0, largest)
+            self.assert_within(what + ": inside", pressure[inside], exact[inside], rest, 1.0)
+
+    def ripple(self, surface):
+        history = self.run_deck(self.deck("rotating_die"), (f"contacts/face/master surface={surface}",))
+        turning = history.time > 1.0 + 1e-9
+        self.assertGreater(turning.sum(), 70)
+        force, drag = (history["contact/face/force on slave " + axis][turning] for axis in "yx")
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"{surface}: normal force swings by {np.ptp(force) / abs(force.mean()):.2e}, drag by {np.ptp(drag) / abs(force.mean()):.2e}; "
+                  f"Newton iterations {history['step/newton iterations'].max():.0f}")
+        return np.ptp(force) / abs(force.mean()), np.ptp(drag) / abs(force.mean())
+
+    def test_smoothed_master_ripples_ten_times_less(self):
+        facets = self.ripple("linear")
+        for surface in ("hermite", "bezier"):
+            for smooth, rough in zip(self.ripple(surface), facets):
+                self.assertLess(10 * smooth, rough)
+
+    def table(self, overlay, *extra, ranks=1):
+        done = program(["run", "-q", self.deck("blocks"), self.overlay, overlay] + list(extra), ranks, self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
+        with open(os.path.join(self.folder, "results", "blocks.csv")) as file:
+            return file.read(), History(os.path.join(self.folder, "results", "blocks.csv"))
+
+    def test_friction_restart_and_ranks(self):
+        overlay = self.write("slide.xml", SLIDE)
+        text, history = self.table(overlay)
+        drag, force = history["contact/face/force on slave x"], history["contact/face/force on slave y"]
+        self.assert_within("sliding force", -drag[-1], 0.3 * force[-1], 1e-3)
+        self.assert_within("load", force[-1], 100.0, 1e-3)
+        heat = history["contact/face/friction heat"]
+        late = np.searchsorted(history.time, 1.7)  # from here on all slides
+        self.assert_within("heat", heat[-1] - heat[late], 2e-4 * (2 - history.time[late]) * 30, 2e-3)
+        self.table(overlay, "--steps", "3")
+        restarted, _ = self.table(overlay, "--restart")
+        self.assertEqual(restarted, text)
+        for ranks in (2, 3):
+            _, other = self.table(overlay, ranks=ranks)
+            for name in ("force on slave x", "force on slave y", "friction heat"):
+                values = history["contact/face/" + name]
+                self.assert_within(f"{ranks} ranks: {name}", other["contact/face/" + name], values, 1e-8, np.abs(values).max())
+
+    def test_friction_on_a_moving_mesh(self):
+        """Nodes of both surfaces swing along them under the history: stick, slip and the whole way are those of the material mesh."""
+        slide = self.write("slide.xml", SLIDE)
+        motion = self.write("motion.xml", MOTION)
+        for kind, overlays in (("mortar", []), ("node to segment", [self.overlay])):
+            decks = [self.deck("blocks")] + overlays + [slide]
+            settings = ("contacts/face/master surface=sides",) if overlays else ()
+            still, moved = (self.run_deck(d, settings) for d in (decks, decks + [motion]))
+            self.assertGreater(np.ptp(moved["mesh motion/quality"]), 0.05)  # it does swing
+            for time in (1.25, 1.5, 1.75, 2.0):
+                drag = -still.at("contact/face/force on slave x", time)
+                self.assert_within(f"{kind}: drag at {time}", -moved.at("contact/face/force on slave x", time), drag, 3e-3, 30)
+            self.assert_within(kind + ": load", moved["contact/face/force on slave y"], 100, 1e-8)
+            self.assert_within(kind + ": heat", moved["contact/face/friction heat"][-1], still["contact/face/friction heat"][-1], 0.01)
+
+    def test_errors(self):
+        def message(*settings):
+            done = program(["check", self.deck("blocks"), self.overlay] + [x for s in settings for x in ("--set", s)], 1, self.folder)
+            self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+            return done.stderr
+
+        self.assertIn("contacts/face/enforcement: two passes have more multipliers than the surfaces have freedom; allowed with 'two-pass': penalty",
+                      message("contacts/face/two-pass=true"))
+        self.assertIn("contacts/face/master surface", message("contacts/face/master surface=spline"))
+        self.assertIn("only with a smooth 'master surface'; allowed with it: hermite, bezier",
+                      message("contacts/face/master surface=linear", "contacts/face/corner angle [deg]=30"))
+        self.assertIn("only with 'enforcement' = augmented Lagrangian", message("contacts/face/enforcement=penalty"))
+        self.assertIn("only with 'enforcement' = penalty", message("contacts/face/impact=conserving"))
+        self.assertIn("contacts/face/slave: unknown side set 'uper bottom' (did you mean 'upper bottom'?)", message("contacts/face/slave=uper bottom"))
+
+
+if __name__ == "__main__":
+    unittest.main()
