@@ -133,10 +133,10 @@ void Ale::keep_volume(const Positions& x_old, const State& state, const Constrai
   const double volume = soil_volume(mesh_, soil_, x_old);
   const auto missing = [&] { return volume - soil_volume(mesh_, soil_, x); };
   const auto matters = [&](double part) { return std::abs(part) > 1e-14 * volume; };
-  if (!matters(missing())) return;
+  double part = missing();
+  if (!matters(part)) return;
   const FreeBoundary free(mesh_, soil_, deck_.boundary.freedom(x, state), prescribed(soil_.displacement, constraints), x);
   if (!(free.area > 0)) return;
-  double part = missing();
   for (int k = 0; k < 4 && matters(part); ++k, part = missing()) {
     for (const auto& mover : free.movers)
       for (int d = 0; d < 2; ++d) {
@@ -242,17 +242,17 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
     return receipt;
   }
   receipt.largest_motion = largest_motion(x_old, x_new);
-  receipt.remaps = std::max(1, static_cast<int>(std::ceil(receipt.largest_motion / deck_.largest_motion)));
+  const int parts = std::max(1, static_cast<int>(std::ceil(receipt.largest_motion / deck_.largest_motion)));
   receipt.before = take_inventory(soil_, state);
   // The trial state is free between steps: it takes the new state, so that the committed one survives a veto.
   store.begin();
   State& moved = store.trial();
   Positions from = x_old, to = x_new;
-  for (int part = 1; part <= receipt.remaps; ++part) {
-    const double share = static_cast<double>(part) / receipt.remaps;
+  for (int part = 1; part <= parts; ++part) {
+    const double share = static_cast<double>(part) / parts;
     for (std::size_t node = 0; node < to.size(); ++node)
       for (int d = 0; d < 2; ++d)
-        to[node][d] = part == receipt.remaps ? x_new[node][d] : x_old[node][d] + share * (x_new[node][d] - x_old[node][d]);
+        to[node][d] = part == parts ? x_new[node][d] : x_old[node][d] + share * (x_new[node][d] - x_old[node][d]);
     receipt.restored_solid += carry_points(store, from, to, moved);
     carry_nodes(from, to, moved);
     from = to;

@@ -34,7 +34,6 @@ struct MeshReceipt {
   std::string veto;             // why it was not made; empty: it was
   double quality_before = 1, quality = 1;  // smallest scaled Jacobian [-]
   double largest_motion = 0;    // [-] of the element's size: Courant number
-  int remaps = 0;               // parts that the motion was made in
   double restored_solid = 0;    // share of the grains that the transfer lost and conservation put back [-]
   Inventory before, after;
 };

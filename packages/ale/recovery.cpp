@@ -115,6 +115,38 @@ Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const Position
         nodal_[static_cast<std::size_t>(n[a]) * columns + c] = sum / share;
       }
   }
+  bound_inner_nodes();
+}
+
+void Recovery::bound_inner_nodes() {
+  bounded_ = nodal_;
+  const auto& elements = mesh_.elements();
+  std::vector<bool> outer(mesh_.num_nodes(), false);
+  std::vector<double> low(nodal_.size(), 1e300), high(nodal_.size(), -1e300);
+  for (int e : mesh_.block_elements(block_.block)) {
+    const auto& element = elements[e];
+    const int corners = num_corners(element.shape);
+    for (int side = 0; side < corners; ++side) {
+      const int other = element.neighbours[side];
+      if (other >= 0 && elements[other].block == block_.block) continue;
+      outer[element.nodes[side]] = outer[element.nodes[(side + 1) % corners]] = true;
+      if (num_nodes(element.shape) > corners) outer[element.nodes[corners + side]] = true;
+    }
+    for (int q = 0; q < block_.points; ++q) {
+      const double* row = &table_[static_cast<std::size_t>(mesh_.first_row(e, block_.points) + q) * columns_];
+      for (int a = 0; a < num_nodes(element.shape); ++a)
+        for (int c = 0; c < columns_; ++c) {
+          const std::size_t i = static_cast<std::size_t>(element.nodes[a]) * columns_ + c;
+          low[i] = std::min(low[i], row[c]);
+          high[i] = std::max(high[i], row[c]);
+        }
+    }
+  }
+  for (int node = 0; node < mesh_.num_nodes(); ++node)
+    for (int c = 0; c < columns_ && !outer[node]; ++c) {
+      const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
+      if (low[i] <= high[i]) bounded_[i] = std::clamp(nodal_[i], low[i], high[i]);
+    }
 }
 
 double Recovery::at(const MeshPlace& place, int column) const {
@@ -140,7 +172,7 @@ void Recovery::widen_range(int e, int column, double& low, double& high) const {
   };
   for (int q = 0; q < block_.points; ++q)
     take(table_[static_cast<std::size_t>(mesh_.first_row(e, block_.points) + q) * columns_ + column]);
-  for (int a = 0; a < num_nodes(element.shape); ++a) take(nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column]);
+  for (int a = 0; a < num_nodes(element.shape); ++a) take(bounded_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column]);
 }
 
 }  // namespace mudline

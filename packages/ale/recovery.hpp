@@ -19,7 +19,9 @@ class Recovery {
   double at(const MeshPlace& place, int column) const;
   /// At a quadrature point of an element.
   double at_point(int element, int point, int column) const;
-  /// Widens [low, high] by the old values of the element's points and by what is recovered at its nodes.
+  /// Widens [low, high] by the old values of the element's points and by what is recovered at its nodes; at a node inside the
+  /// block no farther than the old values around it reach, where the polynomial of a steep field overshoots. (On the block's
+  /// boundary what is recovered lies outside of those values even for a linear field.)
   void widen_range(int element, int column, double& low, double& high) const;
   /// Position of a quadrature point.
   static std::array<double, 2> position(const WholeMesh::Element& element, const SoilBlock& block, int point, const Positions& x);
@@ -29,7 +31,11 @@ class Recovery {
   const SoilBlock& block_;
   const std::vector<double>& table_;
   int columns_;
-  std::vector<double> nodal_;  // (node, column)
+  /// Fills bounded_ from nodal_.
+  void bound_inner_nodes();
+
+  std::vector<double> nodal_;    // (node, column)
+  std::vector<double> bounded_;  // the same, within the old values around a node inside the block
 };
 
 }  // namespace mudline

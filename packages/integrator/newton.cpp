@@ -97,6 +97,8 @@ void NewtonOptions::parameters(Parameters& p) {
         "of the residual in one iteration, before its step is halved; 1.2 suits deep penetration; 0: any");
   p.add("reuse Jacobian", reuse_jacobian,
         "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one would not pay");
+  p.choice("first guess", first_guess, {{"committed", FirstGuess::committed}, {"extrapolated", FirstGuess::extrapolated}},
+           "of a step: the state it starts from; extrapolated: moved on with the velocities of that state, for steady penetration, where soil that yields goes on yielding");
   p.passes_on("nox", "sublists of NOX as its manual names them: Line Search, Direction, Nonlinear Solver");
   if (p.documenting() || !p.deck().has_section("nox")) return;
   const Section section = p.deck().section("nox");

@@ -31,10 +31,12 @@ class NonlinearProblem {
 };
 
 struct NewtonOptions {
+  enum class FirstGuess { committed, extrapolated };
   int maximum_iterations = 15;
   int halvings = 4;
   double largest_growth = 0;  // 0: any
   bool reuse_jacobian = true;
+  FirstGuess first_guess = FirstGuess::committed;
   Teuchos::ParameterList nox;   // passes through to NOX (Line Search, Direction, ...)
   void parameters(Parameters& p);
 };

@@ -1,4 +1,4 @@
-// The first guess of a step whose prescribed unknowns move.
+// The first guess of a step: by the linear answer to prescribed unknowns that move, or by the velocities of the step before.
 #include <algorithm>
 
 #include "integrator/overlap.hpp"
@@ -52,6 +52,25 @@ bool Stepper::predict_linear(Vector& x, bool always) {
   if (moves) f.update(1 / fraction, shifted, 1 - 1 / fraction);
   if (!solve(f, correction)) return false;
   x.update(-1, correction, 1);
+  return true;
+}
+
+bool Stepper::extrapolate(Vector& x) {
+  if (!scheme_.flow) return false;  // geostatic: no time passes
+  const State& old = store_.committed();
+  Vector guess(x, Teuchos::Copy);
+  {
+    auto data = guess.getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (int f = 0; f < space_.num_fields(); ++f) {
+      if (space_.field(f).time_order != 2) continue;
+      for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i)
+        if (!constraints_.mask(i)) data(i, 0) += view_.dt * old.rate(i);
+    }
+  }
+  Vector change(guess, Teuchos::Copy), f(map());
+  change.update(-1, x, 1);
+  if (change.norm2() == 0 || !residual(guess, f)) return false;
+  Tpetra::deep_copy(x, guess);
   return true;
 }
 

@@ -57,7 +57,8 @@ void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& rep
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
   chord_.enabled = newton.reuse_jacobian;
   Vector x = begin(request, tolerances);
-  const int predicted = predict(x) ? 1 : 0;
+  const bool goes_on = newton.first_guess == NewtonOptions::FirstGuess::extrapolated && extrapolate(x);
+  const int predicted = !goes_on && predict(x) ? 1 : 0;
   StepReport report;
   report.newton_iterations = predicted;
   solve_step(newton, x, report);

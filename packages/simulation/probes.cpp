@@ -23,9 +23,9 @@ void into_cell(CellShape shape, double (&xi)[2]) {
   for (double& c : xi) c /= std::max(1.0, sum);
 }
 
-std::string column(const std::string& probe, const Field& field, int component) {
+std::string column(const std::string& probe, const std::string& field, int components, int component) {
   const char* axes[2] = {" x", " y"};
-  return "probe/" + probe + "/" + field.name + (field.components > 1 ? axes[component] : "");
+  return "probe/" + probe + "/" + field + (components > 1 ? axes[component] : "");
 }
 
 }  // namespace
@@ -75,7 +75,8 @@ std::array<double, 2> Probes::place(const ProbeSettings& probe, const State& sta
   return {now.centre[0] + c * arm[0] - s * arm[1], now.centre[1] + s * arm[0] + c * arm[1]};
 }
 
-void Probes::interpolated(const ProbeSettings& probe, const State& state, const NodalView& excess, const Positions& x, std::vector<HistoryValue>& row) const {
+void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields, const Positions& x,
+                          std::vector<HistoryValue>& row) const {
   const std::array<double, 2> at = place(probe, state);
   const PointLocator locator(*mesh_, x);
   MeshPlace best;
@@ -95,27 +96,22 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
     best = here;
   }
   const auto& element = mesh_->elements()[best.element];
-  const auto value = [&](int f, const NodalView& values, int component) {
-    const Field& field = model_.space().field(f);
-    const CellShape shape = field.support == Support::vertices ? linear_partner(element.shape) : element.shape;
-    evaluate_shape(shape, best.xi, N, dN);
-    const std::vector<double> all = mesh_->gather(model_.space(), f, values);
-    double sum = 0;
-    for (int a = 0; a < num_nodes(shape); ++a) sum += N[a] * all[static_cast<std::size_t>(field.components) * element.nodes[a] + component];
-    return sum;
-  };
   row.push_back({"probe/" + probe.name + "/position x", "m", at[0]});
   row.push_back({"probe/" + probe.name + "/position y", "m", at[1]});
-  for (int f = 0; f < model_.space().num_fields(); ++f) {
-    const Field& field = model_.space().field(f);
-    if (field.support == Support::apart) continue;
-    for (int c = 0; c < field.components; ++c)
-      row.push_back({column(probe.name, field, c), field.unit, value(f, state.value, c)});
-    if (field.name == "pore pressure") row.push_back({"probe/" + probe.name + "/excess pore pressure", field.unit, value(f, excess, 0)});
+  for (const Values& values : fields) {
+    const Field& field = model_.space().field(values.field);
+    const CellShape shape = field.support == Support::vertices ? linear_partner(element.shape) : element.shape;
+    evaluate_shape(shape, best.xi, N, dN);
+    for (int c = 0; c < field.components; ++c) {
+      double sum = 0;
+      for (int a = 0; a < num_nodes(shape); ++a)
+        sum += N[a] * values.of_nodes[static_cast<std::size_t>(field.components) * element.nodes[a] + c];
+      row.push_back({column(probe.name, values.name, field.components, c), field.unit, sum});
+    }
   }
 }
 
-std::vector<HistoryValue> Probes::values(const State& state, const NodalView& excess) const {
+std::vector<HistoryValue> Probes::values(const State& state, const std::function<NodalView()>& excess) const {
   const Space& space = model_.space();
   std::vector<HistoryValue> row;
   for (const NodeProbe& probe : nodes_)
@@ -124,12 +120,19 @@ std::vector<HistoryValue> Probes::values(const State& state, const NodalView& ex
       if (field.support == Support::apart) continue;
       for (int c = 0; c < field.components; ++c) {
         const double mine = probe.dof[f] >= 0 ? state.value(probe.dof[f] + c) : 0.0;
-        row.push_back({column(probe.name, field, c), field.unit, sum_over_ranks(*space.dofs()->comm(), mine)});
+        row.push_back({column(probe.name, field.name, field.components, c), field.unit, sum_over_ranks(*space.dofs()->comm(), mine)});
       }
     }
   if (moving_.empty()) return row;
   const Positions x = mesh_->gather(state.coordinates);
-  for (const ProbeSettings& probe : moving_) interpolated(probe, state, excess, x, row);
+  std::vector<Values> fields;
+  for (int f = 0; f < space.num_fields(); ++f) {
+    const Field& field = space.field(f);
+    if (field.support == Support::apart) continue;
+    fields.push_back({field.name, f, mesh_->gather(space, f, state.value)});
+    if (field.name == "pore pressure") fields.push_back({"excess pore pressure", f, mesh_->gather(space, f, excess())});
+  }
+  for (const ProbeSettings& probe : moving_) interpolated(probe, state, fields, x, row);
   return row;
 }
 

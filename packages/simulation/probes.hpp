@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ class Probes {
  public:
   /// Collective.
   Probes(const Model& model, const std::vector<ProbeSettings>& settings);
-  /// `excess`: excess pore pressure by overlap dof, empty without pore fluid. Collective.
-  std::vector<HistoryValue> values(const State& state, const NodalView& excess) const;
+  /// `excess`: gives the excess pore pressure by overlap dof; called where there is pore fluid and a probe that shows it.
+  /// Collective.
+  std::vector<HistoryValue> values(const State& state, const std::function<NodalView()>& excess) const;
 
  private:
   struct NodeProbe {
@@ -28,7 +30,13 @@ class Probes {
   };
   NodeProbe nearest_node(const ProbeSettings& settings) const;
   std::array<double, 2> place(const ProbeSettings& probe, const State& state) const;
-  void interpolated(const ProbeSettings& probe, const State& state, const NodalView& excess, const Positions& x,
+  /// One field of the whole mesh, as the histories name it.
+  struct Values {
+    std::string name;
+    int field;
+    std::vector<double> of_nodes;  // (node, component)
+  };
+  void interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields, const Positions& x,
                     std::vector<HistoryValue>& row) const;
 
   const Model& model_;

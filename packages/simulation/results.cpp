@@ -169,8 +169,8 @@ void Results::write_history(const Balances& balances, const std::map<std::string
     const auto bracket = name.rfind(" [");
     row.push_back({name.substr(0, bracket), bracket == std::string::npos ? "-" : name.substr(bracket + 2, name.size() - bracket - 3), value});
   }
-  const int p = space.find("pore pressure");
-  for (const HistoryValue& value : probes_.values(state, p >= 0 ? excess_pressure(p) : NodalView())) row.push_back(value);
+  const auto excess = [&] { return excess_pressure(space.find("pore pressure")); };
+  for (const HistoryValue& value : probes_.values(state, excess)) row.push_back(value);
   for (const HistoryValue& value : balances.values()) row.push_back(value);
   history_.write(state.time, row);
 }
