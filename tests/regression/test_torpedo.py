@@ -16,7 +16,7 @@ class Torpedo(MudlineCase):
     def setUpClass(cls):
         cls.shared = MudlineCase()
         cls.shared.setUp()
-        settings = ("mesh/parameters/fine=0.1", "mesh/parameters/depth=20", "mesh/parameters/width=8", "stages/penetration/duration=0.15")
+        settings = ("mesh/parameters/fine=0.1", "mesh/parameters/coarse=2.5", "mesh/parameters/depth=20", "mesh/parameters/width=8", "stages/penetration/duration=0.15")
         done = program(["run", DECK] + [word for setting in settings for word in ("--set", setting)], folder=cls.shared.folder, timeout=280)
         assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
         cls.steps, cls.rejected = map(int, re.search(r"done: (\d+) steps, (\d+) rejected", done.stdout).groups())

@@ -1,0 +1,93 @@
+"""The decks of the applications, each shortened to some tens of steps over all of its stages: the same history on one and two ranks,
+and a run that is killed or stopped at a random moment and continued ends with the same file as one that was left alone."""
+import os
+import random
+import signal
+import subprocess
+import time
+import unittest
+
+import numpy as np
+from mudline_case import PROGRAM, ROOT, History, MudlineCase, program
+
+SHORT = {
+    "cpt/clay": {"push/duration": 0.1},
+    "cpt/tresca": {"push/duration": 0.1},
+    "free_fall_penetrometer/tresca": {"impact/duration": 8e-4},
+    "pile/clay": {"push/duration": 0.01, "set-up/duration": 3.0, "load test/duration": 0.02, "pull-out/duration": 0.02},
+    "t_bar/smooth": {"push/duration": 4.0},
+    "torpedo/clay": {"penetration/duration": 4e-3, "set-up/duration": 50.0, "pull-out/duration": 0.5},
+    "torpedo/tresca": {"penetration/duration": 4e-3},
+}
+CHECKPOINT = ["output/checkpoint steps=4"]
+RANKS = 1e-6  # of the largest value of a column
+
+
+class ApplicationDecks(MudlineCase):
+    def arguments(self, deck, name):
+        settings = [f"stages/{key}={value}" for key, value in SHORT[deck].items()] + CHECKPOINT + [f"output/name={name}"]
+        result = ["run", "-q", os.path.join(ROOT, "inputs", deck + ".xml")]
+        for setting in settings:
+            result += ["--set", setting]
+        return result
+
+    def file(self, name):
+        return os.path.join(self.folder, "results", name + ".csv")
+
+    def lines(self, name):
+        if not os.path.exists(self.file(name)):
+            return 0
+        with open(self.file(name)) as file:
+            return len(file.readlines())
+
+    def content(self, name):
+        with open(self.file(name), "rb") as file:
+            return file.read()
+
+    def whole(self, deck, name, ranks=1):
+        done = program(self.arguments(deck, name), ranks, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+        return History(self.file(name))
+
+    def check(self, deck):
+        one = self.whole(deck, "whole")
+        with self.subTest("ranks"):
+            self.compare(one, self.whole(deck, "two", 2))
+        for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGTERM, 4)):
+            moment = random.randint(7, len(one.time) - 6)
+            with self.subTest(signal=number, steps=len(one.time), moment=moment):
+                self.interrupt(deck, number, code, moment)
+
+    def compare(self, one, two):
+        self.assertEqual(one.header, two.header)
+        self.assertEqual(one.data.shape, two.data.shape)
+        for i, column in enumerate(one.header):
+            if "/error" in column or "iterations" in column or "/change of" in column:  # rounding itself, and a count
+                continue
+            # a reaction that is rounding (on an axis, along it) is measured by the others
+            alike = [np.abs(one.data[:, k]).max() for k, other in enumerate(one.header) if other.split("[")[-1] == column.split("[")[-1]]
+            scale = max(np.abs(one.data[:, i]).max(), 1e-6 * max(alike))
+            self.assertLessEqual(np.abs(one.data[:, i] - two.data[:, i]).max(), RANKS * scale, column)
+
+    def interrupt(self, deck, number, code, moment):
+        if self.lines("parts"):
+            os.remove(self.file("parts"))
+        running = subprocess.Popen([PROGRAM] + self.arguments(deck, "parts"), cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 250
+        while self.lines("parts") < moment and running.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.01)
+        running.send_signal(number)
+        _, errors = running.communicate(timeout=100)
+        self.assertEqual(running.returncode, code, errors)
+        left = self.lines("parts")
+        done = program(self.arguments(deck, "parts") + ["--restart"], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+        self.assertLess(left, self.lines("parts"))
+        self.assertEqual(self.content("parts"), self.content("whole"))
+
+
+for DECK in SHORT:
+    setattr(ApplicationDecks, "test_" + DECK.replace("/", "_"), lambda self, deck=DECK: self.check(deck))
+
+if __name__ == "__main__":
+    unittest.main()
