@@ -3,7 +3,6 @@
 
     faceted_cone.py PROGRAM FIGURE.png FOLDER      runs inputs/cpt/deep_tresca.xml twice in FOLDER; results there are used again
 """
-import csv
 import pathlib
 import subprocess
 import sys
@@ -13,6 +12,9 @@ import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+from mudline_case import History  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DECKS = ROOT / "inputs" / "cpt"
@@ -28,12 +30,9 @@ def run(program, name, overlays, folder):
     if not table.exists():
         subprocess.run([program, "run", "-q", DECKS / "deep_tresca.xml"] + overlays +
                        ["--set", f"output/name={name}", "--set", f"stages/push/duration={WAY * RADIUS / 0.02}"], cwd=folder, check=True)
-    with open(table, newline="") as file:
-        rows = list(csv.reader(file))
-    column = {title.split(" [")[0]: i for i, title in enumerate(rows[0])}
-    data = np.array(rows[1:], dtype=float)
-    way = -data[:, column["body/cone/displacement y"]] / RADIUS
-    factor = data[:, column["contact/cone/tip reaction y"]] / (np.pi * RADIUS**2 * STRENGTH)
+    history = History(table)
+    way = -history["body/cone/displacement y"] / RADIUS
+    factor = history["contact/cone/tip reaction y"] / (np.pi * RADIUS**2 * STRENGTH)
     return way[way < WAY + 1e-6], factor[way < WAY + 1e-6]
 
 

@@ -3,7 +3,6 @@
 
     ironing.py PROGRAM FIGURE.png      runs inputs/contact/ironing.xml three times in a scratch folder
 """
-import csv
 import pathlib
 import subprocess
 import sys
@@ -14,6 +13,9 @@ import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+from mudline_case import History  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DECK = ROOT / "inputs" / "contact" / "ironing.xml"
@@ -27,13 +29,10 @@ def run(program, kind, folder):
     if kind != "exact":
         settings += ["--set", f"bodies/die/contour/chord length={ELEMENT}"]
     subprocess.run([program, "run", "-q", DECK] + settings, cwd=folder, check=True)
-    with open(pathlib.Path(folder) / "results" / f"{kind}.csv", newline="") as file:
-        rows = list(csv.reader(file))
-    column = {name.split(" [")[0]: i for i, name in enumerate(rows[0])}
-    data = np.array(rows[1:], dtype=float)
-    data = data[data[:, 0] > 1.2]
-    return (data[:, column["body/die/displacement x"]] / ELEMENT, -data[:, column["contact/face/reaction x"]],
-            data[:, column["contact/face/reaction y"]])
+    history = History(pathlib.Path(folder) / "results" / f"{kind}.csv")
+    steady = history.time > 1.2
+    return (history["body/die/displacement x"][steady] / ELEMENT, -history["contact/face/reaction x"][steady],
+            history["contact/face/reaction y"][steady])
 
 
 def main():

@@ -3,7 +3,6 @@
 
     pile_wall.py RESULTS/deep FIGURE.png     after `mudline run inputs/pile/clay.xml inputs/pile/deep.xml`: its results without ending
 """
-import csv
 import pathlib
 import sys
 
@@ -15,7 +14,9 @@ from scipy.integrate import solve_ivp
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "verification"))
+for folder in ("support", "verification"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / folder))
+from mudline_case import History  # noqa: E402
 from references.cavity import CamClayRates, Undrained  # noqa: E402
 from references.strain_path import SimplePile  # noqa: E402
 
@@ -23,18 +24,24 @@ from references.strain_path import SimplePile  # noqa: E402
 RADIUS, MID, CLAY = 0.2, 1.6, dict(M=1.0, slope=0.2, swelling=0.04, nu=0.3, v0=2.3)
 K0, OCR, SURCHARGE, GAMMA, GAMMA_WATER, CONDUCTIVITY = 0.6, 2.0, 10.0, 1700 * 9.81e-3 / 2.3, 9.81, 1e-9
 PUSH = 3.21
+START = (K0, K0, 1.0)  # all stresses of both solutions grow in proportion to this
 
 
 def vertical(depth):
     return SURCHARGE + GAMMA * depth
 
 
-def cavity(depth):
-    """Total radial stress beyond hydrostatic, effective radial stress and excess pore pressure at the wall."""
-    sv = vertical(depth)
-    solution = Undrained(CamClayRates(**CLAY, start=(K0 * sv, K0 * sv, sv), ocr=OCR), 1, 300.0)
+def cavity():
+    """Total radial stress beyond hydrostatic and excess pore pressure at the wall, over the vertical effective stress."""
+    solution = Undrained(CamClayRates(**CLAY, start=START, ocr=OCR), 1, 300.0)
     stress, total = solution.at(290.0)[:2]
-    return total, stress[0], total - stress[0]
+    return total, total - stress[0]
+
+
+def strain_path():
+    """The same for the simple pile."""
+    total, _, excess = SimplePile(**CLAY, start=START, ocr=OCR).wall()
+    return total, excess
 
 
 class Field:
@@ -79,13 +86,6 @@ def consolidation(radius, excess, c, times):
     return solve_ivp(rate, (0, times[-1]), start, "BDF", times, rtol=1e-6, atol=1e-6).y[0]
 
 
-def history(path):
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    data = np.array(rows[1:], dtype=float)
-    return {name.split(" [")[0]: data[:, i] for i, name in enumerate(rows[0])}
-
-
 def time_of(share, times, values):
     """First time at which values have fallen to a share of the first of them."""
     below = np.nonzero(values < share * values[0])[0]
@@ -100,12 +100,12 @@ def main():
     z = -field.x[field.wall, 1]
     print("depth [m]  total / cavity  / strain path   excess pressure [kPa]  cavity  strain path")
     columns = []
+    by_cavity, by_path = np.array(cavity()), np.array(strain_path())
     for depth, effective, u in zip(z, field.wall_radial, field.excess[field.wall]):
         if depth < 0.3:
             continue
-        total, _, cavity_u = cavity(depth)
-        sv = vertical(depth)
-        path_total, _, path_u = SimplePile(**CLAY, start=(K0 * sv, K0 * sv, sv), ocr=OCR).wall()
+        total, cavity_u = vertical(depth) * by_cavity
+        path_total, path_u = vertical(depth) * by_path
         columns.append((depth, effective + u, u, total, cavity_u, path_total, path_u))
         print(f"{depth:9.2f} {(effective + u) / total:12.2f} {(effective + u) / path_total:12.2f} {u:20.1f} {cavity_u:14.1f} {path_u:10.1f}")
     depth, stress, u, total, cavity_u, path_total, path_u = np.array(columns).T
@@ -122,7 +122,7 @@ def main():
     axes[1].set(xlabel="radius / that of the pile", ylabel="mid depth [kPa]", xlim=(1, 25))
     axes[1].legend()
 
-    run = history(stem + ".csv")
+    run = History(stem + ".csv")
     later = run["time"] >= PUSH
     times = run["time"][later] - PUSH
     measured = run["probe/wall/pore pressure"][later] * 1e-3 - GAMMA_WATER * MID

@@ -4,7 +4,6 @@ limit loads of the deformed geometry: figure and table. Needs scipy.
 
     strip_penetration.py PROGRAM FIGURE.png FOLDER      runs inputs/footing/tresca_penetration.xml twice in FOLDER; results there are used again
 """
-import csv
 import pathlib
 import subprocess
 import sys
@@ -17,6 +16,9 @@ from limit_load import limit_loads
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+from mudline_case import History  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DECK = ROOT / "inputs" / "footing" / "tresca_penetration.xml"
 HALF_WIDTH, STRENGTH = 0.5, 10e3
@@ -28,12 +30,9 @@ def run(program, name, settings, folder):
     table = folder / "results" / f"{name}.csv"
     if not table.exists():  # the Lagrangian one ends in failure: its elements fold
         subprocess.run([program, "run", "-q", DECK, "--set", f"output/name={name}"] + settings, cwd=folder, check=name == "ale")
-    with open(table, newline="") as file:
-        rows = list(csv.reader(file))
-    column = {title.split(" [")[0]: i for i, title in enumerate(rows[0])}
-    data = np.array(rows[1:], dtype=float)
-    return (-data[:, column["body/footing/displacement y"]] / (2 * HALF_WIDTH),
-            data[:, column["contact/footing/tip reaction y"]] / (HALF_WIDTH * STRENGTH), data[:, column["mesh motion/quality"]])
+    history = History(table)
+    return (-history["body/footing/displacement y"] / (2 * HALF_WIDTH), history["contact/footing/tip reaction y"] / (HALF_WIDTH * STRENGTH),
+            history["mesh motion/quality"])
 
 
 def main():

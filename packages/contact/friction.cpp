@@ -14,6 +14,10 @@ void Friction::interface_parameters(Parameters& p) {
       "total");
 }
 
+void declare_friction(Parameters& p) {
+  p.passes_on("friction", "Friction along the surface; 'type' names a friction law; absent: none");
+}
+
 void CoulombFriction::parameters(Parameters& p) {
   p.required("coefficient", coefficient_, "-", non_negative(),
              "Friction coefficient: tangent of the interface's angle");

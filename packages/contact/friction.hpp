@@ -57,6 +57,9 @@ class CoulombFriction : public Friction {
   bool capped_ = false;
 };
 
+/// The entry "friction" of a contact.
+void declare_friction(Parameters& p);
+
 /// "coulomb"; a plain list.
 void register_friction(Registry<Friction>& registry);
 

@@ -1,7 +1,5 @@
 #include "contact/node_contact.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 
 #include "contact/two_surfaces.hpp"
@@ -11,8 +9,7 @@ namespace mudline {
 namespace column = node_column;
 
 void NodeParameters::parameters(Parameters& p) {
-  p.required("slave", slave, "Side set whose nodes look for the other surface: the finer or the softer one");
-  p.required("master", master, "Side set that they look for");
+  TwoSurfaceParameters::parameters(p);
   p.choice("master surface", drawing, {{"hermite", Drawing::hermite}, {"bezier", Drawing::bezier}, {"linear", Drawing::linear}, {"sides", Drawing::sides}},
            "How the master is drawn over its nodes: hermite: smooth (C1) through them; bezier: smooth, from the middle between two nodes to the "
            "next, with the node as control point; linear: straight from node to node; sides: the elements' own sides, straight or parabolic");
@@ -20,41 +17,19 @@ void NodeParameters::parameters(Parameters& p) {
         "Where straight lines between the master's nodes turn by more than this at the start, it has a corner, which stays one");
   p.add("overhang", overhang, "-", non_negative(), "An open end of the master goes on for this fraction of its last piece");
   p.add("two-pass", two_pass, "The master's nodes look for the slave too, and each pass has half of the forces; with 'enforcement' = penalty");
-  p.add("penalty", penalty, "Pa/m", non_negative(), "Pressure per penetration; 0: penalty factor times the slave's stiffness over element size");
-  p.add("penalty factor", penalty_factor, "-", positive(), "Automatic penalty: multiple of constrained modulus over element height");
-  p.choice("enforcement", enforcement, {{"penalty", Enforcement::penalty}, {"augmented Lagrangian", Enforcement::augmented_lagrangian}},
-           "penalty: pressure = penalty times penetration; augmented Lagrangian: a multiplier at each node carries the pressure, found by repeated "
-           "solves of a step (Uzawa) until the gap tolerance is met");
-  p.add("gap tolerance", gap_tolerance, "m", non_negative(),
-        "Augmented Lagrangian: largest gap of the nodes that press, and stretch of those that stick; 0: a millionth of the slave's shortest side");
-  p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
-        "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
   p.choice("impact", impact, {{"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
            "Dynamic steps, 'enforcement' = penalty: a node that touches or leaves within the step exerts the share of its force that does the work of "
            "the penalty spring (no impact adds energy), or what the integrator interpolates");
-  p.add("capture distance", capture_distance, "m", non_negative(),
-        "Nodes that are farther from the other surface, or deeper in it, do not see it; 0: the slave's longest side");
-  p.add("reach", reach, "m", non_negative(),
-        "Nodes and pieces that are farther apart than this at the start never meet: keeps the matrix sparse where surfaces slide little; "
-        "0: any two may meet");
-  p.add("advance limit", advance_limit, "-", positive(),
-        "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far apart, half their distance");
 }
-
-namespace {
-void friction_section(Parameters& p) {
-  p.passes_on("friction", "Friction along the surface; 'type' names a friction law; absent: smooth surfaces");
-}
-}  // namespace
 
 void NodeContact::document(Parameters& p) {
   NodeParameters().parameters(p);
-  friction_section(p);
+  declare_friction(p);
 }
 
 void NodeContact::parameters(Parameters& p) {
   deck_.parameters(p);
-  friction_section(p);
+  declare_friction(p);
 }
 
 void NodeContact::check(const Section& section) {
@@ -127,39 +102,28 @@ Augmentation NodeContact::augment(const StepView& view, int count) {
   return {true, ""};
 }
 
-std::string NodeContact::hint(const StepView&) const {
-  const int here = beyond_reach_ ? 1 : 0;
-  int any = 0;
-  Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(any));
-  return any == 0 ? "" : "surfaces of contact '" + name_ + "' met that were farther apart at the start than its 'reach': raise it";
-}
+std::string NodeContact::hint(const StepView&) const { return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_); }
 
 void NodeContact::histories(const StepView& view, std::map<std::string, double>& values) {
   const State& state = *view.committed;
-  constexpr int sums = 4;
-  double local[sums] = {0, 0, 0, 0}, sum[sums], deepest = 0, everywhere = 0;
+  SlaveSums here;
   for (std::size_t k = 0; k < passes_.size(); ++k) {
     const NodePass& pass = *passes_[k];
     const double sign = k == 0 ? 1 : -1;  // the second pass reports what the master gets
-    local[0] += sign * pass.sum(state, column::force_x);
-    local[1] += sign * pass.sum(state, column::force_y);
-    local[2] += pass.sum(state, column::area);
-    local[3] += pass.sum(state, column::heat);
-    deepest = std::max(deepest, pass.deepest(state));
+    here.force[0] += sign * pass.sum(state, column::force_x);
+    here.force[1] += sign * pass.sum(state, column::force_y);
+    here.area += pass.sum(state, column::area);
+    here.heat += pass.sum(state, column::heat);
+    here.deepest = std::max(here.deepest, pass.deepest(state));
   }
-  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, sums, local, sum);
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, deepest, Teuchos::outArg(everywhere));
-  values[name() + "/force on slave x [N]"] = sum[0];
-  values[name() + "/force on slave y [N]"] = sum[1];
-  values[name() + "/contact area [m2]"] = sum[2];
-  values[name() + "/maximum penetration [m]"] = everywhere;
+  const Comm& comm = *context_.space.mesh().comm();
+  const SlaveSums all = report_slave(comm, name(), here, values);
   if (deck_.augmented()) {
     const auto [gap, stretch] = passes_[0]->misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;
     if (friction_) values[name() + "/stretch [m]"] = stretch;
   }
-  if (friction_) values[name() + "/friction heat [J]"] = sum[3];
+  if (friction_) values[name() + "/friction heat [J]"] = all.heat;
 }
 
 double NodeContact::step_limit(const State& committed, double) const {

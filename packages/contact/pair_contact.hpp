@@ -10,21 +10,16 @@
 #include "contact/contact_surface.hpp"
 #include "contact/master_surface.hpp"
 #include "contact/pair_segment.hpp"
-#include "contact/uzawa.hpp"
+#include "contact/two_surfaces.hpp"
 
 namespace mudline {
 
 /// What the deck says of a pair, besides friction.
-struct PairParameters : EnforcementParameters {
-  PairParameters() : EnforcementParameters{Enforcement::augmented_lagrangian} {}
+struct PairParameters : TwoSurfaceParameters {
+  PairParameters() : TwoSurfaceParameters(Enforcement::augmented_lagrangian) {}
   void parameters(Parameters& p);
 
-  std::string slave, master;
   int quadrature_degree = 5;
-  double penalty = 0, penalty_factor = 10;  // [Pa/m], [-]
-  double capture_distance = 0;  // [m]
-  double reach = 0;             // [m]
-  double advance_limit = 0.25;  // [-] of the slave's shortest side
 };
 
 /// Contact of two deformable surfaces, segment to segment: the slave's sides are cut where the feet of their points pass from

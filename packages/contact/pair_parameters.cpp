@@ -2,48 +2,22 @@
 #include <algorithm>
 
 #include "contact/pair_contact.hpp"
-#include "contact/two_surfaces.hpp"
 
 namespace mudline {
 
 void PairParameters::parameters(Parameters& p) {
-  p.required("slave", slave, "Side set whose points look for the other surface: the finer or the softer one");
-  p.required("master", master, "Side set that they look for");
+  TwoSurfaceParameters::parameters(p);
   p.add("quadrature degree", quadrature_degree, "-", closed(1, 11), "Polynomial degree that the integration over a segment is exact for");
-  p.add("penalty", penalty, "Pa/m", non_negative(), "Pressure per penetration; 0: penalty factor times the slave's stiffness over element size");
-  p.add("penalty factor", penalty_factor, "-", positive(), "Automatic penalty: multiple of constrained modulus over element height");
-  p.choice("enforcement", enforcement,
-           {{"augmented Lagrangian", Enforcement::augmented_lagrangian}, {"penalty", Enforcement::penalty}},
-           "augmented Lagrangian: multipliers carry the pressure, found by repeated solves of a step (Uzawa) until the gap tolerance "
-           "is met; penalty: pressure = penalty times penetration");
-  p.add("gap tolerance", gap_tolerance, "m", non_negative(),
-        "Augmented Lagrangian: largest gap of the touching surface, weighted by the multipliers' shapes, and stretch where it "
-        "sticks; 0: a millionth of the slave's shortest side");
-  p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
-        "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
-  p.add("capture distance", capture_distance, "m", non_negative(),
-        "Points that are farther from the other surface, or deeper in it, do not see it; 0: the slave's longest side");
-  p.add("reach", reach, "m", non_negative(),
-        "Pairs of sides that are farther apart than this at the start never meet: keeps the matrix sparse where surfaces slide little; "
-        "0: any two may meet");
-  p.add("advance limit", advance_limit, "-", positive(),
-        "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far apart, half their distance");
 }
-
-namespace {
-void friction_section(Parameters& p) {
-  p.passes_on("friction", "Friction along the surface; 'type' names a friction law; absent: smooth surfaces");
-}
-}  // namespace
 
 void PairContact::document(Parameters& p) {
   PairParameters().parameters(p);
-  friction_section(p);
+  declare_friction(p);
 }
 
 void PairContact::parameters(Parameters& p) {
   deck_.parameters(p);
-  friction_section(p);
+  declare_friction(p);
 }
 
 void PairContact::check(const Section& section) {

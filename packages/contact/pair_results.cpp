@@ -1,6 +1,4 @@
 // Uzawa's method of a pair, and what it reports.
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -70,38 +68,28 @@ Augmentation PairContact::augment(const StepView& view, int count) {
   return {true, ""};
 }
 
-std::string PairContact::hint(const StepView&) const {
-  int here = beyond_reach_ ? 1 : 0, any = 0;
-  Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(any));
-  if (any == 0) return "";
-  return "surfaces of contact '" + name_ + "' met that were farther apart at the start than its 'reach': raise it";
-}
+std::string PairContact::hint(const StepView&) const { return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_); }
 
 void PairContact::histories(const StepView& view, std::map<std::string, double>& values) {
   const State& state = *view.committed;
   const PointView& rows = state.arrays[sides_];
-  constexpr int sums = 5;
-  double local[sums] = {0, 0, 0, 0, state.arrays[heat_](0, 0)}, sum[sums], deepest = 0, everywhere = 0;
+  SlaveSums here;
+  here.heat = state.arrays[heat_](0, 0);
   for (std::size_t row = 0; row < rows.extent(0); ++row) {
-    local[0] += rows(row, column::force_x);
-    local[1] += rows(row, column::force_y);
-    local[2] += rows(row, column::area);
-    local[3] += rows(row, column::slides);
-    deepest = std::max(deepest, -rows(row, column::deepest));
+    here.force[0] += rows(row, column::force_x);
+    here.force[1] += rows(row, column::force_y);
+    here.area += rows(row, column::area);
+    here.slides += rows(row, column::slides);
+    here.deepest = std::max(here.deepest, -rows(row, column::deepest));
   }
-  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, sums, local, sum);
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, deepest, Teuchos::outArg(everywhere));
-  values[name() + "/force on slave x [N]"] = sum[0];
-  values[name() + "/force on slave y [N]"] = sum[1];
-  values[name() + "/contact area [m2]"] = sum[2];
-  values[name() + "/maximum penetration [m]"] = everywhere;
+  const Comm& comm = *context_.space.mesh().comm();
+  const SlaveSums all = report_slave(comm, name(), here, values);
   const auto [gap, stretch] = misfit(state).largest(comm);
   if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
   if (!friction_) return;
   if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
-  values[name() + "/sliding length [m]"] = sum[3];
-  values[name() + "/friction heat [J]"] = sum[4];
+  values[name() + "/sliding length [m]"] = all.slides;
+  values[name() + "/friction heat [J]"] = all.heat;
 }
 
 std::vector<double> PairContact::nodal_mean(const State& state, int column) const {

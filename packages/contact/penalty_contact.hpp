@@ -22,9 +22,8 @@ struct PenaltyParameters : EnforcementParameters {
   std::string body, surface;
   ContactPoints method = ContactPoints::quadrature;
   int quadrature_degree = 5;
-  double penalty = 0, penalty_factor = 10;  // [Pa/m], [-]
-  double capture_distance = 0;              // [m]
-  double advance_limit = 0.25;              // [-] of the shortest side
+  double capture_distance = 0;  // [m]
+  double advance_limit = 0.25;  // [-] of the shortest side
   Drainage drainage = Drainage::sealed;
   Impact impact = Impact::automatic;
   double sealing_gap = 0.1;  // [-] of the side's length

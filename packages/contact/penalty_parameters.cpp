@@ -16,19 +16,7 @@ void PenaltyParameters::parameters(Parameters& p) {
            "Where contact is checked: at Gauss points of the sides, or at the nodes with their tributary areas");
   p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
         "Polynomial degree that the integration over a side is exact for");
-  p.add("penalty", penalty, "Pa/m", non_negative(),
-        "Pressure per penetration; 0: penalty factor times soil stiffness over element size");
-  p.add("penalty factor", penalty_factor, "-", positive(),
-        "Automatic penalty: multiple of constrained modulus over element height");
-  p.choice("enforcement", enforcement,
-           {{"penalty", Enforcement::penalty}, {"augmented Lagrangian", Enforcement::augmented_lagrangian}},
-           "penalty: pressure = penalty times penetration; augmented Lagrangian: multipliers carry the pressure, found by repeated "
-           "solves of a step (Uzawa) until the gap tolerance is met");
-  p.add("gap tolerance", gap_tolerance, "m", non_negative(),
-        "Augmented Lagrangian: largest gap of the touching surface, weighted by the shapes of its sides, and stretch where it "
-        "sticks; 0: a millionth of the surface's shortest side");
-  p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
-        "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
+  EnforcementParameters::parameters(p);
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
   p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
@@ -48,20 +36,14 @@ void PenaltyParameters::parameters(Parameters& p) {
         "away, half the distance to the surface");
 }
 
-namespace {
-void friction_section(Parameters& p) {
-  p.passes_on("friction", "Friction along the surface; 'type' names a friction law; absent: a smooth body");
-}
-}  // namespace
-
 void PenaltyContact::document(Parameters& p) {
   PenaltyParameters().parameters(p);
-  friction_section(p);
+  declare_friction(p);
 }
 
 void PenaltyContact::parameters(Parameters& p) {
   deck_.parameters(p);
-  friction_section(p);
+  declare_friction(p);
 }
 
 void PenaltyContact::check(const Section& section) {

@@ -8,6 +8,19 @@
 
 namespace mudline {
 
+void TwoSurfaceParameters::parameters(Parameters& p) {
+  p.required("slave", slave, "Side set that looks for the other surface: the finer or the softer one");
+  p.required("master", master, "Side set that it looks for");
+  EnforcementParameters::parameters(p);
+  p.add("capture distance", capture_distance, "m", non_negative(),
+        "What is farther from the other surface, or deeper in it, does not see it; 0: the slave's longest side");
+  p.add("reach", reach, "m", non_negative(),
+        "Pieces of the surfaces that are farther apart than this at the start never meet: keeps the matrix sparse where surfaces slide little; "
+        "0: any two may meet");
+  p.add("advance limit", advance_limit, "-", positive(),
+        "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far apart, half their distance");
+}
+
 void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master) {
   require_side_set(mesh, section, "slave", slave);
   require_side_set(mesh, section, "master", master);
@@ -79,6 +92,30 @@ double closing_limit(const Space& space, const ContactSurface& slave, const Mast
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(least));
   const double closing = largest[0] + largest[1];
   return closing > 0 ? std::max(advance_limit * slave.shortest(x), 0.5 * least) / closing : 1e300;
+}
+
+std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool here) {
+  const int mine = here ? 1 : 0;
+  int any = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  return any == 0 ? "" : "surfaces of contact '" + name + "' met that were farther apart at the start than its 'reach': raise it";
+}
+
+SlaveSums report_slave(const Comm& comm, const std::string& contact, const SlaveSums& here, std::map<std::string, double>& values) {
+  const double local[5] = {here.force[0], here.force[1], here.area, here.slides, here.heat};
+  double sum[5];
+  SlaveSums all;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 5, local, sum);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, here.deepest, Teuchos::outArg(all.deepest));
+  all.force = {sum[0], sum[1]};
+  all.area = sum[2];
+  all.slides = sum[3];
+  all.heat = sum[4];
+  values[contact + "/force on slave x [N]"] = all.force[0];
+  values[contact + "/force on slave y [N]"] = all.force[1];
+  values[contact + "/contact area [m2]"] = all.area;
+  values[contact + "/maximum penetration [m]"] = all.deepest;
+  return all;
 }
 
 }  // namespace mudline

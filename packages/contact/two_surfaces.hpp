@@ -1,13 +1,27 @@
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
 #include <string>
 
 #include "contact/contact.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/master_surface.hpp"
+#include "contact/uzawa.hpp"
 
 namespace mudline {
+
+/// What the deck says of all contacts of two deformable surfaces, besides friction.
+struct TwoSurfaceParameters : EnforcementParameters {
+  std::string slave, master;
+  double capture_distance = 0;  // [m] 0: the slave's longest side
+  double reach = 0;             // [m] 0: any two may meet
+  double advance_limit = 0.25;  // [-] of the slave's shortest side
+
+  explicit TwoSurfaceParameters(Enforcement usual) : EnforcementParameters{usual} {}
+  void parameters(Parameters& p);
+};
 
 /// What all contacts of two deformable surfaces ask of the deck's "slave" and "master": two side sets without a common node.
 /// InputError. Collective.
@@ -24,5 +38,21 @@ void check_overlap_of_two(const ContactSurface& slave, const Section& section, c
 /// Step in which two surfaces come nearer by at most `advance_limit` times the slave's shortest side, or by half their distance
 /// while they are far apart [s], at the speeds of the committed state. Collective.
 double closing_limit(const Space& space, const ContactSurface& slave, const MasterSurface& master, double advance_limit, const State& committed);
+
+/// The advice where surfaces met that the matrix has no place for; `here`: on this rank. Collective.
+std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool here);
+
+/// Sums over this rank's part of the slave, and its deepest point.
+struct SlaveSums {
+  std::array<double, 2> force{};  // [N]
+  double area = 0;                // [m2]
+  double slides = 0;              // [m] length
+  double heat = 0;                // [J]
+  double deepest = 0;             // [m] >= 0
+};
+
+/// Writes the columns that all contacts of two surfaces have under the contact's name; the other sums of all ranks are
+/// returned. Collective.
+SlaveSums report_slave(const Comm& comm, const std::string& contact, const SlaveSums& here, std::map<std::string, double>& values);
 
 }  // namespace mudline

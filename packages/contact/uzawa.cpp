@@ -10,6 +10,19 @@
 
 namespace mudline {
 
+void EnforcementParameters::parameters(Parameters& p) {
+  p.add("penalty", penalty, "Pa/m", non_negative(), "Pressure per penetration; 0: penalty factor times the soil's stiffness over element size");
+  p.add("penalty factor", penalty_factor, "-", positive(), "Automatic penalty: multiple of constrained modulus over element height");
+  p.choice("enforcement", enforcement, {{"penalty", Enforcement::penalty}, {"augmented Lagrangian", Enforcement::augmented_lagrangian}},
+           "penalty: pressure = penalty times penetration; augmented Lagrangian: multipliers carry the pressure, found by repeated solves of a step "
+           "(Uzawa) until the gap tolerance is met");
+  p.add("gap tolerance", gap_tolerance, "m", non_negative(),
+        "Augmented Lagrangian: largest gap of what touches, weighted by the multipliers' shapes, and stretch where it sticks; 0: a millionth of the "
+        "surface's (the slave's) shortest side");
+  p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
+        "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
+}
+
 void EnforcementParameters::check(const Section& section) const {
   if (augmented()) return;
   for (const char* entry : {"gap tolerance", "most augmentations"})

@@ -13,12 +13,14 @@ namespace mudline {
 
 enum class Enforcement { penalty, augmented_lagrangian };
 
-/// What the deck says of the way in which a contact's condition is met; the contacts declare it, each with its own default.
+/// What the deck says of the way in which a contact's condition is met; each contact has its own default.
 struct EnforcementParameters {
   Enforcement enforcement;
-  double gap_tolerance = 0;     // [m] 0: automatic
+  double penalty = 0, penalty_factor = 10;  // [Pa/m] 0: automatic; [-]
+  double gap_tolerance = 0;                 // [m] 0: automatic
   int most_augmentations = 50;
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
+  void parameters(Parameters& p);
   /// InputError for entries that have no meaning with the penalty method.
   void check(const Section& section) const;
 };

@@ -3,22 +3,10 @@
 #include <cmath>
 
 #include "contact/pair_segment.hpp"
+#include "slope_friction.hpp"
 
 namespace mudline {
 namespace {
-
-/// Shear strength that grows with the pressure and falls with the speed.
-class Slope : public Friction {
- public:
-  explicit Slope(double coefficient) : coefficient_(coefficient) {}
-  ShearStrength strength(const FrictionPoint& at) const override {
-    const double factor = coefficient_ * (1 - 10 * at.rate);
-    return {factor * at.normal, factor, -10 * coefficient_ * at.normal};
-  }
-
- private:
-  double coefficient_;
-};
 
 /// Slave on top, nodes to the right (its body above); master below, nodes to the left. Bent when quadratic.
 PairCoordinates sides(double overlap, double shift, double bend) {

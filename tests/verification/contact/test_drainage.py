@@ -1,8 +1,6 @@
 """Water through a body: a column under a leaky plate against the series solution, and the surface when the plate is lifted."""
 import unittest
 
-import numpy as np
-
 from contact_case import ContactCase
 from mudline_case import program
 from references import biot

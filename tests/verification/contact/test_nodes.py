@@ -5,11 +5,10 @@ import unittest
 import h5py
 import numpy as np
 
-from contact_case import PRESSURE, ContactCase
-from mudline_case import History, program
+from contact_case import PRESSURE
+from mudline_case import program
 from references import contact as reference
-from test_pairs import SLIDE
-
+from sliding_blocks import SLIDE, SlidingBlocks
 
 MOTION = """<ParameterList name="motion"><ParameterList name="mesh motion"><ParameterList name="interior">
   <Parameter name="type" type="string" value="artificial"/>
@@ -19,7 +18,7 @@ MOTION = """<ParameterList name="motion"><ParameterList name="mesh motion"><Para
 """
 
 
-class Nodes(ContactCase):
+class Nodes(SlidingBlocks):
     overlay = property(lambda self: self.deck("node_to_segment"))
 
     def last_step(self, stem):
@@ -101,29 +100,8 @@ class Nodes(ContactCase):
             for smooth, rough in zip(self.ripple(surface), facets):
                 self.assertLess(10 * smooth, rough)
 
-    def table(self, overlay, *extra, ranks=1):
-        done = program(["run", "-q", self.deck("blocks"), self.overlay, overlay] + list(extra), ranks, self.folder)
-        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
-        with open(os.path.join(self.folder, "results", "blocks.csv")) as file:
-            return file.read(), History(os.path.join(self.folder, "results", "blocks.csv"))
-
     def test_friction_restart_and_ranks(self):
-        overlay = self.write("slide.xml", SLIDE)
-        text, history = self.table(overlay)
-        drag, force = history["contact/face/force on slave x"], history["contact/face/force on slave y"]
-        self.assert_within("sliding force", -drag[-1], 0.3 * force[-1], 1e-3)
-        self.assert_within("load", force[-1], 100.0, 1e-3)
-        heat = history["contact/face/friction heat"]
-        late = np.searchsorted(history.time, 1.7)  # from here on all slides
-        self.assert_within("heat", heat[-1] - heat[late], 2e-4 * (2 - history.time[late]) * 30, 2e-3)
-        self.table(overlay, "--steps", "3")
-        restarted, _ = self.table(overlay, "--restart")
-        self.assertEqual(restarted, text)
-        for ranks in (2, 3):
-            _, other = self.table(overlay, ranks=ranks)
-            for name in ("force on slave x", "force on slave y", "friction heat"):
-                values = history["contact/face/" + name]
-                self.assert_within(f"{ranks} ranks: {name}", other["contact/face/" + name], values, 1e-8, np.abs(values).max())
+        self.check_sliding_blocks(self.overlay)
 
     def test_friction_on_a_moving_mesh(self):
         """Nodes of both surfaces swing along them under the history: stick, slip and the whole way are those of the material mesh."""

@@ -5,42 +5,13 @@ import unittest
 import h5py
 import numpy as np
 
-from contact_case import PRESSURE, ContactCase
-from mudline_case import History, program
+from contact_case import PRESSURE
+from mudline_case import program
 from references import contact as reference
-
-SLIDE = """<ParameterList name="slide">
-  <ParameterList name="contacts"><ParameterList name="face">
-    <Parameter name="gap tolerance" type="double" value="1e-9"/>
-    <ParameterList name="friction">
-      <Parameter name="type" type="string" value="coulomb"/>
-      <Parameter name="coefficient" type="double" value="0.3"/>
-    </ParameterList>
-  </ParameterList></ParameterList>
-  <ParameterList name="boundary conditions"><ParameterList name="pull">
-    <Parameter name="type" type="string" value="displacement"/>
-    <Parameter name="set" type="string" value="top"/>
-    <Parameter name="x" type="string" value="2e-4*(t&gt;1)*(t-1)"/>
-  </ParameterList>
-  <ParameterList name="base right">
-    <Parameter name="type" type="string" value="fixed"/>
-    <Parameter name="set" type="string" value="base"/>
-  </ParameterList></ParameterList>
-  <ParameterList name="solver"><Parameter name="residual tolerance" type="double" value="1e-8"/></ParameterList>
-  <ParameterList name="stages">
-    <ParameterList name="press"><Parameter name="conditions" type="Array(string)" value="{base right, load, pull}"/></ParameterList>
-    <ParameterList name="slide">
-      <Parameter name="type" type="string" value="quasi-static"/>
-      <Parameter name="duration" type="double" value="1.0"/>
-      <Parameter name="conditions" type="Array(string)" value="{base right, load, pull}"/>
-      <ParameterList name="time step"><Parameter name="initial" type="double" value="0.125"/></ParameterList>
-    </ParameterList>
-  </ParameterList>
-</ParameterList>
-"""
+from sliding_blocks import SlidingBlocks
 
 
-class Pairs(ContactCase):
+class Pairs(SlidingBlocks):
     def top(self, level=1.0):
         """Displacements of the nodes that started at y = level, and the contact pressures that are not 0."""
         with h5py.File(os.path.join(self.folder, "results", "blocks.h5"), "r") as file:
@@ -84,31 +55,9 @@ class Pairs(ContactCase):
                                reference.hertz_pressure(fraction * a, a, p0), 0.02, p0)
         self.assertLess(history["contact/face/weighted gap"][-1], 1.3e-9)
 
-    def table(self, overlay, *extra, ranks=1):
-        done = program(["run", "-q", self.deck("blocks"), overlay] + list(extra), ranks, self.folder)
-        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
-        with open(os.path.join(self.folder, "results", "blocks.csv")) as file:
-            return file.read(), History(os.path.join(self.folder, "results", "blocks.csv"))
-
     def test_friction_restart_and_ranks(self):
-        overlay = self.write("slide.xml", SLIDE)
-        text, history = self.table(overlay)
-        drag, force = history["contact/face/force on slave x"], history["contact/face/force on slave y"]
-        # the ground tilts under the drag, by a strain of 1e-5
-        self.assert_within("sliding force", -drag[-1], 0.3 * force[-1], 1e-3)
-        self.assert_within("load", force[-1], 100.0, 1e-3)
+        history = self.check_sliding_blocks()
         self.assert_within("what slides", history["contact/face/sliding length"][-1], history["contact/face/contact area"][-1], 1e-4)
-        heat = history["contact/face/friction heat"]
-        late = np.searchsorted(history.time, 1.7)  # from here on all slides
-        self.assert_within("heat", heat[-1] - heat[late], 2e-4 * (2 - history.time[late]) * 30, 2e-3)
-        self.table(overlay, "--steps", "3")
-        restarted, _ = self.table(overlay, "--restart")
-        self.assertEqual(restarted, text)
-        for ranks in (2, 3):
-            _, other = self.table(overlay, ranks=ranks)
-            for name in ("force on slave x", "force on slave y", "friction heat"):
-                values = history["contact/face/" + name]
-                self.assert_within(f"{ranks} ranks: {name}", other["contact/face/" + name], values, 1e-8, np.abs(values).max())
 
     def test_errors(self):
         def message(*settings):
