@@ -55,6 +55,8 @@ class Ale {
   MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;
+  /// Of the deck: motions to less than this, and than before, are refused.
+  double accepted_quality() const { return deck_.lowest_quality; }
 
  private:
   /// New positions of all nodes; a reason when there are none.

@@ -19,7 +19,7 @@ std::vector<std::array<double, 2>> places(const MeshPath& path, const Positions&
 
 void BoundaryMotion::parameters(Parameters& p) {
   p.add("corners", corners_, "point sets whose nodes stay material points, besides the corners of the mesh");
-  p.add("corner angle [deg]", corner_angle_, "-", open(0, 180), "a boundary that turns by more in the source's mesh has a corner there");
+  p.add("corner angle [deg]", corner_angle_, "-", open(0, 180), "a boundary that turns by more in the source's mesh, and does not lie on a body there, has a corner");
   p.add("material sides", material_sides_, "side sets whose nodes do not slide");
   p.add("largest slide", largest_slide_, "-", half_open(0, 0.5), "a node slides at most by this share of the side that it moves along at once");
   p.add("focus", focus_, "body whose reference point the finest sides travel with; empty: the source's spacing everywhere");
@@ -53,7 +53,7 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
     focus = bodies.at(focus_)->initial_position();
   }
-  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180);
+  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180, nodes_on_bodies(source));
   for (const MeshPath& path : paths_) {
     const PathCurve curve(places(path, source));
     const CurveMeasure measure(curve, size_field(focus));
@@ -64,6 +64,15 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     for (const std::string& name : material_sides_) slides = slides && !path.sets.count(name);
     slides_.push_back(slides);
   }
+}
+
+std::vector<bool> BoundaryMotion::nodes_on_bodies(const Positions& x) const {
+  constexpr double near = 1e-3;  // [-] of a contour's length
+  std::vector<bool> result(x.size(), false);
+  for (const auto& [name, body] : bodies_)
+    for (std::size_t node = 0; node < x.size(); ++node)
+      if (std::abs(body->closest(body->initial_placement(), x[node]).gap) < near * body->contour().length()) result[node] = true;
+  return result;
 }
 
 std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::array<double, 2>& x) const {

@@ -41,8 +41,9 @@ double turning(const Positions& x, int before, int at, int after) {
 
 class Splitter {
  public:
-  Splitter(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle)
-      : x_(source), edges_(feature_edges(mesh)) {
+  Splitter(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle,
+           const std::vector<bool>& on_body)
+      : x_(source), edges_(feature_edges(mesh)), on_body_(on_body) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       at_[edges_[i].from].push_back(static_cast<int>(i));
       at_[edges_[i].to].push_back(static_cast<int>(i));
@@ -52,7 +53,7 @@ class Splitter {
       for (int node : mesh.node_sets().at(name)) named.insert(node);
     for (const auto& [node, touching] : at_)
       if (touching.size() != 2 || named.count(node) || edges_[touching[0]].sets != edges_[touching[1]].sets ||
-          turning(x_, other_end(touching[0], node), node, other_end(touching[1], node)) > corner_angle)
+          is_corner(other_end(touching[0], node), node, other_end(touching[1], node), corner_angle))
         ends_.insert(node);
   }
 
@@ -70,6 +71,10 @@ class Splitter {
   }
 
  private:
+  bool is_corner(int before, int at, int after, double corner_angle) const {
+    if (turning(x_, before, at, after) <= corner_angle) return false;
+    return on_body_.empty() || !(on_body_[before] && on_body_[at] && on_body_[after]);
+  }
   int other_end(int edge, int node) const { return edges_[edge].from == node ? edges_[edge].to : edges_[edge].from; }
 
   MeshPath follow(int start, int edge) {
@@ -91,13 +96,14 @@ class Splitter {
   std::vector<Edge> edges_;
   std::map<int, std::vector<int>> at_;
   std::set<int> ends_;
+  const std::vector<bool>& on_body_;
 };
 
 }  // namespace
 
 std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
-                                 double corner_angle) {
-  return Splitter(mesh, source, corners, corner_angle).paths();
+                                 double corner_angle, const std::vector<bool>& on_body) {
+  return Splitter(mesh, source, corners, corner_angle, on_body).paths();
 }
 
 }  // namespace mudline

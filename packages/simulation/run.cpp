@@ -262,12 +262,24 @@ std::string Run::relocate_mesh() {
   if (!model_.stepper().refresh_history()) return "the remapped state cannot be evaluated";
   for (Term* term : model_.stepper().active()) term->adopt(store.trial(), store.committed());
   balances_.add_remap(receipt);
+  warn_of_quality(receipt);
   char line[200];
   std::snprintf(line, sizeof line, "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e, restored %+.1e", receipt.quality_before, receipt.quality,
                 receipt.largest_motion, receipt.after.solid / receipt.before.solid - 1,
                 receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid);
   log::detail(line);
   return "";
+}
+
+void Run::warn_of_quality(const MeshReceipt& receipt) {
+  if (receipt.quality >= model_.ale()->accepted_quality() || poor_mesh_) return;
+  poor_mesh_ = true;
+  char line[240];
+  std::snprintf(line, sizeof line,
+                "the mesh's smallest scaled Jacobian is %.3g at t %.6g s, below 'mesh motion/lowest quality' = %.3g, and mesh motion cannot mend it: "
+                "doubt the results from here on",
+                receipt.quality, model_.store().committed().time, model_.ale()->accepted_quality());
+  log::warn(line);
 }
 
 void Run::after_step(const Stage& stage, double dt, const StepReport& report) {

@@ -41,6 +41,8 @@ class Run {
   bool moves_mesh(const Stage& stage) const;
   /// "" or why the mesh was not moved; the state is then undefined.
   std::string relocate_mesh();
+  /// Once, where the moved mesh is worse than the deck accepts.
+  void warn_of_quality(const MeshReceipt& receipt);
   void after_step(const Stage& stage, double dt, const StepReport& report);
   double choose_dt(const Stage& stage) const;
   double local_error(const Stage& stage) const;
@@ -67,6 +69,7 @@ class Run {
   std::map<std::string, double> histories_;  // of its terms
   int steps_here_ = 0;
   int rejected_ = 0;
+  bool poor_mesh_ = false;  // that was said
   double wall_start_ = 0;
 };
 

@@ -42,6 +42,24 @@ TEST(CurveMeasure, PlaceInvertsAt) {
   EXPECT_NEAR(measure.total(), std::log(2.1 / 0.1) / 0.4, 0.01);
 }
 
+TEST(MeshPaths, ABodyUnderTheBoundaryMakesNoCorner) {
+  const auto mesh = box(CellShape::tri6, 4);
+  const WholeMesh whole(*mesh);
+  Positions x = whole.gather(mesh->coordinates());
+  double top = -1e300;
+  for (const auto& place : x) top = std::max(top, place[1]);
+  std::vector<bool> on_body(x.size(), false);
+  int middle = -1;
+  for (std::size_t node = 0; node < x.size(); ++node) {
+    if (std::abs(x[node][1] - top) > 1e-12) continue;
+    on_body[node] = true;
+    if (whole.is_vertex(static_cast<int>(node)) && (middle < 0 || std::abs(x[node][0] - 0.5) < std::abs(x[middle][0] - 0.5))) middle = static_cast<int>(node);
+  }
+  x[middle][1] -= 0.2;  // turns by 77 degrees there
+  EXPECT_GT(find_paths(whole, x, {}, 0.5).size(), 4u);
+  EXPECT_EQ(find_paths(whole, x, {}, 0.5, on_body).size(), 4u);  // the ends of the top stay corners: the walls are not on the body
+}
+
 TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
   const auto mesh = box(CellShape::tri6, 4);
   const WholeMesh whole(*mesh);
