@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// Mohr-Coulomb, linear elastic and perfectly plastic, smooth everywhere (Abbo & Sloan 1995, Computers & Structures
+/// Mohr-Coulomb, linear elastic (or stiffer with the pressure) and perfectly plastic, smooth everywhere (Abbo & Sloan 1995, Computers & Structures
 /// 54:427; Abbo, Lyamin, Sloan & Hambleton 2011, IJSS 48:3001). p' compression positive:
 ///     yield      f = sqrt(J2 K(S)^2 + m^2) - p' sin(phi) - c cos(phi) = 0, m = a c cos(phi)
 ///     potential  g = sqrt(J2 K_psi(S)^2 + (a c cos(psi))^2) - p' sin(psi)
@@ -15,11 +15,16 @@ namespace mudline {
 /// differ, and with psi = 0 none of them could be returned to the cone. c grows with depth, fixed to the material where
 /// it starts. Code: tension positive, [Pa].
 ///
+/// Stiffness (Ohde 1939; Schanz, Vermeer & Bonnier 1999, Beyond 2000 in Computational Geotechnics, p. 281): with an exponent n
+///     E = E_ref ((c cos(phi) + p' sin(phi)) / (c cos(phi) + p_ref sin(phi)))^n,  p' >= 0 of the start of the increment
+///
 /// An initial stress outside the surface is brought back to it, at fixed strain, when the law is first evaluated.
 struct MohrCoulomb : ConeTip {
   enum { cohesion_here, plastic_shear_strain, state_size };
 
   ElasticConstants elasticity;
+  double exponent = 0.0;            // [-] n
+  double reference_pressure = 1e5;  // [Pa] p_ref
   StrengthProfile cohesion;
   double friction = 30.0, dilation = 0.0;  // [deg] phi, psi
   double transition = 29.0;                // [deg] theta_T
@@ -34,8 +39,8 @@ struct MohrCoulomb : ConeTip {
   /// (1 - sin(phi)) R^sin(phi), at most the passive ratio (Jaky 1944; Mayne & Kulhawy 1982).
   double k0(double overconsolidation_ratio) const;
 
-  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const {
-    return elasticity.moduli();
+  KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double* stress, double, const double* state) const {
+    return moduli_at(::fmax(sym6::mean_pressure(stress), 0.0), state[cohesion_here]);
   }
   KOKKOS_INLINE_FUNCTION FrictionalModel model(double c, const double* stress) const;
   template <class T>
@@ -43,13 +48,22 @@ struct MohrCoulomb : ConeTip {
                                      double* state) const;
 
  private:
+  KOKKOS_INLINE_FUNCTION ElasticModuli moduli_at(double p, double c) const {
+    ElasticModuli m = elasticity.moduli();
+    if (exponent == 0.0) return m;
+    const double share = ::pow((c * cosine_ + p * sine_) / (c * cosine_ + reference_pressure * sine_), exponent);
+    m.bulk *= share;
+    m.shear *= share;
+    return m;
+  }
+
   double sine_ = 0, cosine_ = 1, dilation_sine_ = 0, dilation_cosine_ = 1;
   LodeShape yield_shape_, potential_shape_, tension_shape_;
 };
 
 KOKKOS_INLINE_FUNCTION FrictionalModel MohrCoulomb::model(double c, const double* stress) const {
-  const ElasticModuli m = elasticity.moduli();
   const double strength = c * cosine_, p = ::fmax(sym6::mean_pressure(stress), 0.0);
+  const ElasticModuli m = moduli_at(p, c);
   return {{m.bulk, m.shear},
           yield_shape_,
           potential_shape_,

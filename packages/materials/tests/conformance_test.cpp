@@ -34,6 +34,13 @@ std::vector<Teuchos::ParameterList> frictional_variants(Teuchos::ParameterList b
   return {base, dilating, associated, brittle, euler, fifth_order};
 }
 
+std::vector<Teuchos::ParameterList> mohr_coulomb_variants(const Teuchos::ParameterList& elastic) {
+  auto all = frictional_variants(elastic);
+  all.push_back(all.front());
+  all.back().set("stiffness exponent", 0.5);
+  return all;
+}
+
 std::vector<Teuchos::ParameterList> cone_variants(const Teuchos::ParameterList& elastic) {
   auto all = frictional_variants(elastic);
   Teuchos::ParameterList direct(elastic);
@@ -96,7 +103,7 @@ std::map<std::string, std::vector<Teuchos::ParameterList>> variants() {
   return {{"linear elastic", {elastic}},
           {"modified cam clay", {plain, sheng, constant_shear, implicit, fifth_order}},
           {"neo-hookean", {elastic}},
-          {"mohr-coulomb", frictional_variants(elastic)},
+          {"mohr-coulomb", mohr_coulomb_variants(elastic)},
           {"drucker-prager", cone_variants(elastic)},
           {"tresca", tresca_variants()},
           {"von mises", von_mises_variants(elastic)}};
