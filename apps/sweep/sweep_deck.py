@@ -109,7 +109,8 @@ OF_COLUMN = {
 
 
 class Formula:
-    """Arithmetic with variables, pi, the functions above, and first/last/smallest/largest/mean('column of the history')."""
+    """Arithmetic with variables, pi, the functions above, and first/last/smallest/largest/mean('column of the history');
+    at('column', time) interpolates linearly, within the run."""
 
     def __init__(self, text, where):
         self.where = where
@@ -143,13 +144,18 @@ class Formula:
         name = node.func.id
         if name in FUNCTIONS:
             return FUNCTIONS[name](*(self._value(argument, variables, columns) for argument in node.args))
-        if name not in OF_COLUMN:
-            raise SweepError(f"{self.where}: unknown function '{name}'{did_you_mean(name, list(FUNCTIONS) + list(OF_COLUMN))}")
+        if name not in OF_COLUMN and name != "at":
+            raise SweepError(f"{self.where}: unknown function '{name}'{did_you_mean(name, list(FUNCTIONS) + list(OF_COLUMN) + ['at'])}")
         if columns is None:
             raise SweepError(f"{self.where}: '{name}' needs a run's history; here are only variables")
-        if len(node.args) != 1 or not isinstance(node.args[0], ast.Constant) or not isinstance(node.args[0].value, str):
-            raise SweepError(f"{self.where}: '{name}' takes one column in quotes")
+        if len(node.args) != (2 if name == "at" else 1) or not isinstance(node.args[0], ast.Constant) or not isinstance(node.args[0].value, str):
+            raise SweepError(f"{self.where}: '{name}' takes one column in quotes{' and a time' if name == 'at' else ''}")
         column = node.args[0].value
         if column not in columns:
             raise SweepError(f"{self.where}: the history has no column '{column}'{did_you_mean(column, list(columns))}")
-        return OF_COLUMN[name](columns[column])
+        if name != "at":
+            return OF_COLUMN[name](columns[column])
+        time, times = self._value(node.args[1], variables, columns), columns["time"]
+        if not times[0] <= time <= times[-1]:
+            raise SweepError(f"{self.where}: the history goes from {times[0]:.6g} to {times[-1]:.6g} s; asked was {time:.6g} s")
+        return float(np.interp(time, times, columns[column]))

@@ -40,6 +40,13 @@ class Formulas(unittest.TestCase):
         self.assertEqual(Formula("largest('a/force y') - smallest('a/force y') + last('a/force y')", "here").value({}, columns), 10.0)
         self.assertEqual(Formula("mean('a/force y') + first('a/force y')", "here").value({}, columns), 1.0)
 
+    def test_at_a_time(self):
+        columns = {"time": [0.0, 1.0, 3.0], "a": [5.0, 7.0, 3.0]}
+        self.assertEqual(Formula("at('a', 2 * v)", "here").value({"v": 1.0}, columns), 5.0)
+        for text, message in (("at('a')", "takes one column in quotes and a time"), ("at('a', 3.1)", "from 0 to 3 s; asked was 3.1 s")):
+            with self.subTest(text), self.assertRaisesRegex(SweepError, message):
+                Formula(text, "here").value({}, columns)
+
     def test_what_is_refused(self):
         for text, message in (
             ("velocty", "did you mean 'velocity'"),
