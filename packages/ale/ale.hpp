@@ -35,6 +35,7 @@ struct MeshReceipt {
   double quality_before = 1, quality = 1;  // smallest scaled Jacobian [-]
   double largest_motion = 0;    // [-] of the element's size: Courant number
   double restored_solid = 0;    // share of the grains that the transfer lost and conservation put back [-]
+  double yield_drift = 0;       // [-] share of the stress that the laws took back to their yield surfaces afterwards
   Inventory before, after;
 };
 

@@ -111,6 +111,7 @@ void Balances::add_remap(const MeshReceipt& receipt) {
   const Inventory &before = receipt.before, &after = receipt.after;
   rows(remap_solid, 0) += after.solid - before.solid;
   rows(remap_water, 0) += after.water - before.water;
+  rows(remap_drift, 0) = receipt.yield_drift;
   rows(remap_kinetic, 0) += after.kinetic - before.kinetic;
   for (int i = 0; i < 2; ++i) {
     rows(remap_momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
@@ -161,6 +162,7 @@ std::vector<HistoryValue> Balances::values() const {
     for (int i = 0; i < 2; ++i)
       result.push_back({std::string("mesh motion/change of momentum ") + names[i], "N s", rows(remap_momentum_x + i, 0)});
     result.push_back({"mesh motion/change of kinetic energy", "J", rows(remap_kinetic, 0)});
+    result.push_back({"mesh motion/yield drift", "-", rows(remap_drift, 0)});
   }
   return result;
 }

@@ -29,7 +29,7 @@ class Balances {
  private:
   // Rows of the state array; the works of all terms of the model follow.
   enum Row { reaction_work, excess_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start,
-             remap_solid, remap_water, remap_momentum_x, remap_momentum_y, remap_kinetic, first_term };
+             remap_solid, remap_water, remap_momentum_x, remap_momentum_y, remap_kinetic, remap_drift, first_term };
   Inventory inventory(const State& state) const;
   int row_of(const Term* term) const;
 

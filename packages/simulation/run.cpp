@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "ale/yield_drift.hpp"
 #include "core/log.hpp"
 #include "integrator/overlap.hpp"
 
@@ -255,18 +256,19 @@ bool Run::moves_mesh(const Stage& stage) const { return model_.ale() && stage.me
 
 std::string Run::relocate_mesh() {
   StateStore& store = model_.store();
-  const MeshReceipt receipt = model_.ale()->relocate(store, model_.stepper().constraints());
+  MeshReceipt receipt = model_.ale()->relocate(store, model_.stepper().constraints());
   if (!receipt.moved) return receipt.veto;
   // the trial state still has the mesh as it was
   for (Term* term : model_.stepper().active()) term->relocate(store.trial().coordinates, store.committed());
   if (!model_.stepper().refresh_history()) return "the remapped state cannot be evaluated";
+  receipt.yield_drift = yield_drift(*model_.soil(), store.committed(), store.trial());
   for (Term* term : model_.stepper().active()) term->adopt(store.trial(), store.committed());
   balances_.add_remap(receipt);
   warn_of_quality(receipt);
-  char line[200];
-  std::snprintf(line, sizeof line, "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e, restored %+.1e", receipt.quality_before, receipt.quality,
+  char line[240];
+  std::snprintf(line, sizeof line, "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e, restored %+.1e, yield drift %.1e", receipt.quality_before, receipt.quality,
                 receipt.largest_motion, receipt.after.solid / receipt.before.solid - 1,
-                receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid);
+                receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid, receipt.yield_drift);
   log::detail(line);
   return "";
 }

@@ -15,6 +15,7 @@ SHORT = {
     "cpt/tresca": {"push/duration": 0.1},
     "free_fall_penetrometer/tresca": {"impact/duration": 8e-4},
     "pile/clay": {"push/duration": 0.01, "set-up/duration": 3.0, "load test/duration": 0.02, "pull-out/duration": 0.02},
+    "pile/sand": {"push/duration": 0.008, "set-up/duration": 0.02, "load test/duration": 0.02, "pull-out/duration": 0.02},
     "t_bar/smooth": {"push/duration": 4.0},
     "torpedo/clay": {"penetration/duration": 4e-3, "set-up/duration": 50.0, "pull-out/duration": 0.5},
     "torpedo/tresca": {"penetration/duration": 0.02},
