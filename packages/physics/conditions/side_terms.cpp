@@ -56,6 +56,7 @@ SidePoint SideLoad::evaluate(const LoadedSide& side, const ConstCoordinateView& 
     for (int i = 0; i < 2; ++i) {
       p.tangent[i] += p.dN[a] * x(side.nodes[a], i);
       p.initial[i] += p.N[a] * initial(side.nodes[a], i);
+      p.present[i] += p.N[a] * x(side.nodes[a], i);
     }
   }
   p.r = axisymmetric_ ? r : 1 / (2 * pi);
@@ -110,13 +111,32 @@ void Traction::jacobian(const StepView& view, Assembler& assembler, double weigh
 
 void SurfacePressure::parameters(Parameters& p) {
   declare_set(p);
-  p.required("value", value_, "Pa", "pressure on the current surface, positive against the body; a function of time and initial position");
+  p.required("value", value_, "Pa", "pressure on the current surface, positive against the body; a function of time and position");
+  p.choice("position", position_, {{"initial", Position::initial}, {"present", Position::present}},
+           "where a point is for the function: where it stood in the mesh as it was made, or where it is now");
+}
+
+double SurfacePressure::value(const StepView& view, const SidePoint& p) const {
+  return value_(view.momentum.time, position_ == Position::present ? p.present : p.initial);
+}
+
+std::array<double, 2> SurfacePressure::gradient(const StepView& view, const SidePoint& p) const {
+  std::array<double, 2> result{};
+  if (position_ == Position::initial || value_.is_constant()) return result;
+  const double h = 1e-6 * std::hypot(p.tangent[0], p.tangent[1]);
+  for (int i = 0; i < 2; ++i) {
+    SidePoint low = p, high = p;
+    low.present[i] -= h;
+    high.present[i] += h;
+    result[i] = (value(view, high) - value(view, low)) / (2 * h);
+  }
+  return result;
 }
 
 int SurfacePressure::residual(const StepView& view, const ResidualView& f) {
   for (std::size_t s = 0; s < sides_.size(); ++s)
     for_each_point(sides_[s], view.momentum.x, [&](const SidePoint& p) {
-      const double load = value_(view.momentum.time, p.initial) * p.weight;
+      const double load = value(view, p) * p.weight;
       const double n[2] = {p.tangent[1], -p.tangent[0]};
       for (std::size_t a = 0; a < sides_[s].nodes.size(); ++a)
         for (int i = 0; i < 2; ++i) f(dofs_(s, 2 * a + i)) += p.N[a] * load * n[i];
@@ -130,14 +150,17 @@ void SurfacePressure::jacobian(const StepView& view, Assembler& assembler, doubl
     double k[6][6] = {{0}};
     const std::size_t nodes = sides_[s].nodes.size();
     for_each_point(sides_[s], view.momentum.x, [&](const SidePoint& p) {
-      const double load = value_(view.momentum.time, p.initial) * view.momentum.geometry_weight * p.weight;
+      const double share = view.momentum.geometry_weight * p.weight, load = value(view, p) * share;
       const double n[2] = {p.tangent[1], -p.tangent[0]};
+      const auto slope = gradient(view, p);
       for (std::size_t a = 0; a < nodes; ++a)
         for (std::size_t b = 0; b < nodes; ++b) {
           k[2 * a][2 * b + 1] += p.N[a] * load * p.dN[b];
           k[2 * a + 1][2 * b] -= p.N[a] * load * p.dN[b];
           if (axisymmetric_)
             for (int i = 0; i < 2; ++i) k[2 * a + i][2 * b] += p.N[a] * load * n[i] * p.N[b] / p.r;
+          for (int i = 0; i < 2; ++i)
+            for (int j = 0; j < 2; ++j) k[2 * a + i][2 * b + j] += p.N[a] * share * n[i] * slope[j] * p.N[b];
         }
     });
     scatter(to, static_cast<int>(s), k, weight);

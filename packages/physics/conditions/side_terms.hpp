@@ -20,7 +20,7 @@ struct SidePoint {
   double tangent[2];     // dx/dxi [m]; the outward normal times ds/dxi is (tangent[1], -tangent[0])
   double r;              // [m] 1/(2 pi) in plane strain
   double weight;         // quadrature weight times 2 pi r
-  Point initial;         // initial position, the argument of functions
+  Point initial, present;  // [m] positions, the argument of functions
 };
 
 /// A load term on the sides of a set: quadrature, scatter, group registration.
@@ -70,7 +70,8 @@ class Traction : public SideLoad {
   Function component_[2];
 };
 
-/// Pressure that follows the current surface; positive pushes against the body.
+/// Pressure that follows the current surface; positive pushes against the body. A function of the point's initial position, or of its
+/// present one (of water in a hole that a body opens, say): then the tangent has its gradient, by central differences.
 class SurfacePressure : public SideLoad {
  public:
   void parameters(Parameters& p);
@@ -81,7 +82,12 @@ class SurfacePressure : public SideLoad {
   std::string kind() const override { return "pressure"; }
 
  private:
+  enum class Position { initial, present };
+  double value(const StepView& view, const SidePoint& p) const;
+  std::array<double, 2> gradient(const StepView& view, const SidePoint& p) const;
+
   Function value_;
+  Position position_ = Position::initial;
 };
 
 /// Prescribed outward discharge [m/s] of a scalar field (pore water by default; for another field its flux density).

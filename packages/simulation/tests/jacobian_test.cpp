@@ -36,6 +36,7 @@ std::string deck(const Case& c) {
       list("drain", text("type", "pore pressure") + text("set", "top") + number("value", 1e3)) +
       list("shear", text("type", "traction") + text("set", "top") + number("x", 3e4) + number("y", -2e4)) +
       list("push", text("type", "pressure") + text("set", "right") + number("value", 5e4)) +
+      list("mud", text("type", "pressure") + text("set", "left") + text("value", "4e4*(1.2-y)*(1+x)") + text("position", "present")) +
       list("leave", text("type", "absorbing") + text("set", "right")) + list("leak", text("type", "flux") + text("set", "left") + number("value", 1e-3));
   return list("deck",
               list("mesh", text("type", "box") + text("geometry", c.geometry) + text("cell", c.cell) + par("cells", "Array(double)", "{3, 2}") +
