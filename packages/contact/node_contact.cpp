@@ -18,7 +18,7 @@ void NodeParameters::parameters(Parameters& p) {
   p.add("overhang", overhang, "-", non_negative(), "An open end of the master goes on for this fraction of its last piece");
   p.add("two-pass", two_pass, "The master's nodes look for the slave too, and each pass has half of the forces; with 'enforcement' = penalty");
   p.choice("impact", impact, {{"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
-           "Dynamic steps, 'enforcement' = penalty: a node that touches or leaves within the step exerts the share of its force that does the work of "
+           "Dynamic steps, 'enforcement' = penalty: nodes exert the share of their force that does the work of "
            "the penalty spring (no impact adds energy), or what the integrator interpolates");
 }
 

@@ -74,8 +74,15 @@ class NodePass {
   NodeLaw law(const StepView& view, int row) const;
   NodeCoordinates coordinates(int row, int piece, const ConstCoordinateView& x) const;
   bool conserves(const StepView& view) const;
+  /// Where gaps are measured, at both ends of the step.
+  struct Positions {
+    ConstCoordinateView old, end;
+  };
+  Positions positions(const StepView& view) const;
   /// Force on nodes and piece that acted at the start of the step, by dof of its place.
   void old_force(const State& committed, int row, const SurfacePiece& piece, double (&force)[node_dofs]) const;
+  /// A node that pressed at the start of the step exerts the share of that force, not what the integrator takes of it.
+  void add_old_share(const StepView& view, int row, double gap);
   void write_away(const StepView& view, int row) const;
   double penalty(const State& state, int row) const { return state.arrays[penalties_](rows_[row].side, 0); }
   bool sticks(const State& state, int row) const;

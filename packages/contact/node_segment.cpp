@@ -139,9 +139,9 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
   T shear(0.0);
   if (law.friction) shear = shear_stress(law, g, piece, x, old, pressure, out);
   out.shear = value(shear);
-  if (law.touches_late && out.gap < 0) {
-    const ImpactShare part = closing_share(law.gap_old, out.gap);
-    share = chain(gap, part.value, part.slope);
+  if (law.end_weight > 0) {
+    const ImpactShare part = end_share(law.gap_old, out.gap, law.damping);
+    share = chain(gap, part.value / law.end_weight, part.slope / law.end_weight);
   }
   const T traction[2] = {pressure * g.normal.x + shear * g.along.x, pressure * g.normal.y + shear * g.along.y};
   for (int i = 0; i < 2; ++i) {

@@ -83,8 +83,14 @@ class PenaltyContact : public Contact {
   PenaltyParameters deck_;
 
  private:
-  /// Whether points that touch or leave within a dynamic step exert a share of their force only.
-  bool conserves() const;
+  /// Where gaps are measured, at both ends of the step.
+  struct Positions {
+    BodyPlacement body_old, body_end;
+    ConstCoordinateView x_old, x_end;
+  };
+  Positions positions(const StepView& view) const;
+  /// Whether points exert the shares of ImpactShare in dynamic steps.
+  bool conserves(const StepView& view) const;
   std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
@@ -101,7 +107,7 @@ class PenaltyContact : public Contact {
   /// What friction on one side needs; refers to `old`, its committed shear states.
   SideFriction side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const;
   /// Force of one side at the linearisation point. False for a degenerate side.
-  bool evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
+  bool evaluate(const StepView& view, const Positions& at, std::size_t side, bool want_tangent, SideForce& force,
                 std::vector<ContactPoint>& points) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest. Collective.
   void look_for_touch(const StepView& view);

@@ -41,9 +41,10 @@ struct SideFriction {
 /// Force [N] on the soil and its moment about the body's centre [N m].
 using PointForce = std::array<double, 3>;
 
-/// Dynamic steps: the integrator takes (1 - alpha_f) of the force at the end and alpha_f of that at the start.
+/// Dynamic steps with shares of ImpactShare, instead of the integrator's (1 - alpha_f) of the force at the end and alpha_f of that at the
+/// start.
 struct SideImpact {
-  double alpha_f;
+  double alpha_f, damping;
   const PointForce* old;  // (point) at the start of the step
 };
 
@@ -71,7 +72,7 @@ constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
 /// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m, m2].
 struct SideForce {
   double f[max_side_dofs];           // at the end of the step
-  double correction[max_side_dofs];  // what touches or leaves within the step: to be added at the alpha level
+  double correction[max_side_dofs];  // to be added at the alpha level, with SideImpact
   double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
 };
 

@@ -67,6 +67,15 @@ class Bars(MudlineCase):
         left, right = self.velocities()
         self.assertLess(abs(left + right), 1e-6 * 5)
 
+    def test_no_growth_with_a_stiff_spring(self):
+        """Steps that do not resolve the penalty's spring, radii at which such steps used to add energy."""
+        stage = "stages/fly and meet/"
+        for radius in (0.8, 0.9):
+            history, _ = self.meet(radius, "contacts/faces/penalty factor=10", stage + "time step/initial=2e-6", stage + "time step/maximum=2e-6")
+            lost = self.lost(history)
+            self.assertGreater(lost.min(), -1e-6)
+            self.assertLess(lost[-1], 0.01)
+
     def test_step_is_bounded_by_the_closing_speed(self):
         """Far apart the bars may come half their distance nearer, close by a quarter of the shortest side, 1e-4 m."""
         stage = "stages/fly and meet/"
