@@ -40,6 +40,7 @@ void NodePass::declare_state(StateStore& store) {
   multipliers.name = settings_.prefix + "multipliers";
   multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
   multipliers_ = store.declare(std::move(multipliers), rows);
+  if (settings_.deck->active_set.outer()) active_set_.declare_state(store, settings_.prefix, rows);
 }
 
 int NodePass::place(int row, int piece) const {
@@ -104,6 +105,22 @@ void NodePass::begin(const StepView& view) {
   capture_ = settings_.deck->capture_distance > 0 ? settings_.deck->capture_distance : longest;
   touch_ = 1e-9 * longest;
   for (Row& row : rows_) row.candidates = surface_.near({view.x_old(row.node, 0), view.x_old(row.node, 1)}, 2 * capture_);
+  if (active_set_.used()) start_active_set(view);
+}
+
+void NodePass::start_active_set(const StepView& view) const {
+  // what pressed, and what overlaps before the nodes have moved: prescribed ones alone are at their places
+  std::vector<char> presses(rows_.size(), 0);
+  for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
+    presses[row] = view.committed->arrays[points_](row, column::pressure) > 0;
+    Seen seen;
+    if (presses[row] || !look(row, view.x_end, capture_, seen)) continue;
+    NodeForce force;
+    const NodeCoordinates at = coordinates(row, seen.piece, view.x_end);
+    node_force({}, surface_.pieces()[seen.piece], seen.foot, at, at, false, force);
+    presses[row] = force.gap <= touch_;
+  }
+  active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
 }
 
 bool NodePass::look(int row, const ConstCoordinateView& x, double capture, Seen& seen) const {
@@ -118,7 +135,7 @@ NodeCoordinates NodePass::coordinates(int row, int piece, const ConstCoordinateV
 }
 
 bool NodePass::conserves(const StepView& view) const {
-  return view.inertia && view.sensitivity[displacement_].value > 0 && !settings_.deck->augmented() && settings_.deck->impact == NodeParameters::Impact::conserving;
+  return view.inertia && view.sensitivity[displacement_].value > 0 && !settings_.deck->augmented() && !active_set_.used() && settings_.deck->impact == NodeParameters::Impact::conserving;
 }
 
 NodePass::Positions NodePass::positions(const StepView& view) const {
@@ -142,6 +159,8 @@ NodeLaw NodePass::law(const StepView& view, int row) const {
   result.first_guess = predicting_;
   result.gap_old = old(row, column::gap);
   result.damping = view.damping;
+  result.fixed = active_set_.used();
+  result.member = result.fixed && active_set_.holds(*view.trial, row);
   result.end_weight = conserves(view) ? view.sensitivity[displacement_].value : 0.0;
   return result;
 }

@@ -26,7 +26,7 @@ struct NodePassSettings {
 /// area of that side, so that a node between two sides has two rows; a rank has the rows of its sides.
 ///
 /// State arrays, a row each: "<prefix>points", see node_column; "<prefix>multipliers" (normal and shear, augmented Lagrangian);
-/// "<prefix>penalty" (a row per side, frozen when the contact first starts a step).
+/// "<prefix>active set" (see ActiveSet), "<prefix>penalty" (a row per side, frozen when the contact first starts a step).
 class NodePass {
  public:
   /// Collective.
@@ -44,6 +44,8 @@ class NodePass {
   double magnitude_squared() const { return magnitude_; }
   void jacobian(const StepView& view, Assembler& assembler, double weight);
 
+  const ActiveSet& active_set() const { return active_set_; }
+  std::optional<Augmentation> update_active_set(const State& trial, const std::string& contact, double gap_tolerance) const;
   Misfit misfit(const State& state) const;
   /// One step of Uzawa's method.
   void augment(const State& trial) const;
@@ -69,6 +71,7 @@ class NodePass {
     int piece = -1, place = -1;  // place: in the dof table, -1: none
     NodeFoot foot;
   };
+  void start_active_set(const StepView& view) const;
   void measure(const ConstCoordinateView& x);
   bool look(int row, const ConstCoordinateView& x, double capture, Seen& seen) const;
   NodeLaw law(const StepView& view, int row) const;
@@ -95,6 +98,7 @@ class NodePass {
   SmoothSurface surface_;
   std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
   std::vector<Row> rows_;
+  ActiveSet active_set_;            // used with the outer loop only
   std::unordered_map<long long, int> place_of_;  // (row, piece)
   ElementDofs dofs_;
   int group_ = -1, displacement_ = -1;

@@ -31,6 +31,7 @@ struct NodeLaw {
   double time = 0, dt = 1;             // [s] end of the step; its length
   double slip = 0;                     // [m] path slid before the step
   bool first_guess = false;            // friction sticks
+  bool fixed = false, member = false;  // membership of an active set decides whether the node presses, not its gap
   double end_weight = 0;               // dynamic steps that conserve energy: weight of the end in the integrator's force; 0: others
   double gap_old = 0, damping = 0;     // [m]; see ImpactShare
 };

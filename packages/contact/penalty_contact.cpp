@@ -31,6 +31,7 @@ void PenaltyContact::declare_state(StateStore& store) {
     multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
     multipliers_ = store.declare(std::move(multipliers), first_row_.back());
   }
+  if (deck_.active_set.outer()) active_set_.declare_state(store, name() + "/", first_row_.back());
   if (!friction_) return;
   ArrayInfo frictions;
   frictions.name = name() + "/friction";
@@ -72,6 +73,7 @@ void PenaltyContact::begin(const StepView& view) {
                                            : std::hypot(to.centre[0] - from.centre[0], to.centre[1] - from.centre[1]);
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
   for (std::size_t s = 0; s < candidate_.size(); ++s) candidate_[s] = least_gap(s, view.x_old, to) <= capture_;
+  if (active_set_.used()) start_active_set(view, to);
 }
 
 double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const {
@@ -165,7 +167,7 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
 
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.sensitivity[displacement_].value == 0) return false;  // 0: the start of a stage, not a step
-  if (deck_.impact == PenaltyParameters::Impact::automatic) return !deck_.augmented() && body_->unknowns().count > 0;
+  if (deck_.impact == PenaltyParameters::Impact::automatic) return !deck_.augmented() && !active_set_.used() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 

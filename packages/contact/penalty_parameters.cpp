@@ -17,6 +17,7 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
         "Polynomial degree that the integration over a side is exact for");
   EnforcementParameters::parameters(p);
+  active_set.parameters(p);
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
   p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},

@@ -161,7 +161,7 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     point.gap = foot.gap;
     point.area = areas.area[c];
     const double pressed = foot.gap - shift.now[c];  // the gap at which the pressure is penalty <-pressed>
-    point.active = pressed < 0;
+    point.active = shift.fixed ? shift.member[c] : pressed < 0;
     point.height = body.height(against.placement, at);
     if (friction) {  // slip and heat stay when the shear stress goes
       point.shear.slip = friction->old[c].slip;

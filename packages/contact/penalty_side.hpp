@@ -48,10 +48,12 @@ struct SideImpact {
   const PointForce* old;  // (point) at the start of the step
 };
 
-/// Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
+/// Which points press. Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
 /// multipliers are part of SideFriction::old.
 struct SideShift {
   double now[max_contact_points] = {}, old[max_contact_points] = {};  // (point) in this step; in the committed state
+  bool fixed = false;                                                 // member decides, not the gap: t = penalty (shift_c - gap)
+  bool member[max_contact_points] = {};
 };
 
 /// The body that a side may touch.
