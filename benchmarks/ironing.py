@@ -38,11 +38,12 @@ def run(program, kind, folder):
 def main():
     program, figure = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
     axes = plt.subplots(figsize=(8, 3.6))[1]
-    print("contour    drag, peak to peak / mean normal force    normal force, peak to peak / mean")
+    print("contour    drag, peak to peak / mean normal force    normal force, peak to peak / mean    without its slow change along the slab")
     with tempfile.TemporaryDirectory() as folder:
         for kind, label in KINDS.items():
             way, drag, normal = run(program, kind, folder)
-            print(f"{kind:10s} {np.ptp(drag) / normal.mean():.5f} {np.ptp(normal) / normal.mean():33.5f}")
+            ripple = normal - np.polyval(np.polyfit(way, normal, 4), way)
+            print(f"{kind:10s} {np.ptp(drag) / normal.mean():.5f} {np.ptp(normal) / normal.mean():33.5f} {np.ptp(ripple) / normal.mean():33.5f}")
             axes.plot(way, 100 * drag / normal.mean(), label=label, lw=2.2 if kind == "bezier" else 1.1)
     axes.set_xlabel("way of the cylinder [elements]")
     axes.set_ylabel("drag / normal force [%]")

@@ -2,23 +2,28 @@
 
 namespace mudline {
 
-/// Share of the force that a point which touches or leaves within a step exerts over that step, as if the gap changed
-/// linearly: with it the force does the work that its penalty spring stores or gives back (the discrete gradient at
-/// alpha_f = 1/2, less given back than stored below), so that an impact adds no energy, however long the step.
+/// Share of its penalty force that a contact point exerts on the mean over a dynamic step, as if the gap changed linearly. Without damping
+/// share * force * change of gap is the energy that the spring stores or gives back (a discrete gradient), however long the step; with
+/// it more is taken and less given back. Gaps are those of the conjugate positions, see StepView::ahead_end.
 struct ImpactShare {
-  double value = 1, slope = 0;  // slope: by the gap at the end [1/m]
+  double value, slope;  // slope: by the gap at the end [1/m]
 };
 
-/// gap_old > 0, gap < 0: share of the force at the end.
-inline ImpactShare closing_share(double gap_old, double gap) {
+/// Of the force at the end of the step; gap < 0, 0 <= damping <= 1/2.
+inline ImpactShare end_share(double gap_old, double gap, double damping) {
+  const double whole = 0.5 + damping;
+  if (gap_old <= 0) return {whole, 0};
   const double way = gap_old - gap;
-  return {-gap / way, -gap_old / (way * way)};
+  return {-whole * gap / way, -whole * gap_old / (way * way)};
 }
 
-/// gap_old < 0, gap >= 0: share of the force at the start.
-inline ImpactShare leaving_share(double gap_old, double gap) {
+/// Of the force at the start.
+inline ImpactShare start_share(double gap_old, double gap, double damping) {
+  const double whole = 0.5 - damping;
+  if (gap_old >= 0) return {0, 0};
+  if (gap <= 0) return {whole, 0};
   const double way = gap - gap_old;
-  return {-gap_old / way, gap_old / (way * way)};
+  return {-whole * gap_old / way, whole * gap_old / (way * way)};
 }
 
 }  // namespace mudline

@@ -16,9 +16,10 @@ void NodeParameters::parameters(Parameters& p) {
   p.add("corner angle [deg]", corner_angle, "deg", Range{0, 180, true, false},
         "Where straight lines between the master's nodes turn by more than this at the start, it has a corner, which stays one");
   p.add("overhang", overhang, "-", non_negative(), "An open end of the master goes on for this fraction of its last piece");
+  active_set.parameters(p);
   p.add("two-pass", two_pass, "The master's nodes look for the slave too, and each pass has half of the forces; with 'enforcement' = penalty");
   p.choice("impact", impact, {{"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
-           "Dynamic steps, 'enforcement' = penalty: a node that touches or leaves within the step exerts the share of its force that does the work of "
+           "Dynamic steps, 'enforcement' = penalty: nodes exert the share of their force that does the work of "
            "the penalty spring (no impact adds energy), or what the integrator interpolates");
 }
 
@@ -38,7 +39,12 @@ void NodeContact::check(const Section& section) {
   displacement_ = context_.space.find("displacement");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
   check_two_sets(mesh, section, deck_.slave, deck_.master);
-  deck_.check(section);
+  deck_.check(section, deck_.active_set.outer());
+  deck_.active_set.check(section);
+  if (deck_.active_set.outer() && section.has_parameter("impact") && deck_.impact == NodeParameters::Impact::conserving)
+    section.fail("conserving is for 'active set' = in newton: a node in tension has no share; allowed with outer loop: interpolated", "impact");
+  if (deck_.active_set.outer() && deck_.two_pass)
+    section.fail("the two passes would not know of each other's sets; allowed with 'two-pass': in newton", "active set");
   if (deck_.two_pass && deck_.augmented())
     section.fail("two passes have more multipliers than the surfaces have freedom; allowed with 'two-pass': penalty", "enforcement");
   if (deck_.augmented() && section.has_parameter("impact"))
@@ -94,8 +100,12 @@ void NodeContact::jacobian(const StepView& view, Assembler& assembler, double we
 }
 
 Augmentation NodeContact::augment(const StepView& view, int count) {
-  if (!deck_.augmented()) return {};
   const State& trial = *view.trial;
+  if (passes_[0]->active_set().used()) {
+    if (const auto next = passes_[0]->update_active_set(trial, name_, gap_tolerance_)) return *next;
+    count -= passes_[0]->active_set().updates(trial);
+  }
+  if (!deck_.augmented()) return {};
   const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, passes_[0]->misfit(trial), count, *context_.space.mesh().comm());
   if (end) return *end;
   passes_[0]->augment(trial);

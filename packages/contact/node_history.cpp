@@ -14,6 +14,14 @@ bool NodePass::sticks(const State& state, int row) const {
   return settings_.friction && points(row, column::pressure) > 0 && points(row, column::slides) == 0;
 }
 
+std::optional<Augmentation> NodePass::update_active_set(const State& trial, const std::string& contact, double gap_tolerance) const {
+  const auto pressed = [&](int row) {
+    if (!(rows_[row].area > 0)) return capture_;
+    return trial.arrays[points_](row, column::gap) - trial.arrays[multipliers_](row, 0) / penalty(trial, row);
+  };
+  return active_set_.update(trial, contact, settings_.deck->active_set, gap_tolerance, pressed, *mesh_.comm());
+}
+
 Misfit NodePass::misfit(const State& state) const {
   const int nodes = mesh_.num_nodes();
   std::vector<double> normal(nodes, 0.0), shear(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);

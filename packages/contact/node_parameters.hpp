@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/active_set.hpp"
 #include "contact/smooth_surface.hpp"
 #include "contact/two_surfaces.hpp"
 
@@ -16,6 +17,7 @@ struct NodeParameters : TwoSurfaceParameters {
   double overhang = 0.1;     // [-] of the last piece
   bool two_pass = false;
   Impact impact = Impact::conserving;
+  ActiveSetParameters active_set;
 };
 
 }  // namespace mudline

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/conjugate_position.hpp"
 #include "contact/impact_share.hpp"
 
 namespace mudline {
@@ -39,6 +40,7 @@ void NodePass::declare_state(StateStore& store) {
   multipliers.name = settings_.prefix + "multipliers";
   multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
   multipliers_ = store.declare(std::move(multipliers), rows);
+  if (settings_.deck->active_set.outer()) active_set_.declare_state(store, settings_.prefix, rows);
 }
 
 int NodePass::place(int row, int piece) const {
@@ -103,6 +105,22 @@ void NodePass::begin(const StepView& view) {
   capture_ = settings_.deck->capture_distance > 0 ? settings_.deck->capture_distance : longest;
   touch_ = 1e-9 * longest;
   for (Row& row : rows_) row.candidates = surface_.near({view.x_old(row.node, 0), view.x_old(row.node, 1)}, 2 * capture_);
+  if (active_set_.used()) start_active_set(view);
+}
+
+void NodePass::start_active_set(const StepView& view) const {
+  // what pressed, and what overlaps before the nodes have moved: prescribed ones alone are at their places
+  std::vector<char> presses(rows_.size(), 0);
+  for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
+    presses[row] = view.committed->arrays[points_](row, column::pressure) > 0;
+    Seen seen;
+    if (presses[row] || !look(row, view.x_end, capture_, seen)) continue;
+    NodeForce force;
+    const NodeCoordinates at = coordinates(row, seen.piece, view.x_end);
+    node_force({}, surface_.pieces()[seen.piece], seen.foot, at, at, false, force);
+    presses[row] = force.gap <= touch_;
+  }
+  active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
 }
 
 bool NodePass::look(int row, const ConstCoordinateView& x, double capture, Seen& seen) const {
@@ -117,7 +135,13 @@ NodeCoordinates NodePass::coordinates(int row, int piece, const ConstCoordinateV
 }
 
 bool NodePass::conserves(const StepView& view) const {
-  return view.inertia && !settings_.deck->augmented() && settings_.deck->impact == NodeParameters::Impact::conserving;
+  return view.inertia && view.sensitivity[displacement_].value > 0 && !settings_.deck->augmented() && !active_set_.used() && settings_.deck->impact == NodeParameters::Impact::conserving;
+}
+
+NodePass::Positions NodePass::positions(const StepView& view) const {
+  if (!conserves(view)) return {view.x_old, view.x_end};
+  const Space& space = settings_.context->space;
+  return {moved_ahead(space, view.x_old, view.ahead_old), moved_ahead(space, view.x_end, view.ahead_end)};
 }
 
 NodeLaw NodePass::law(const StepView& view, int row) const {
@@ -134,7 +158,10 @@ NodeLaw NodePass::law(const StepView& view, int row) const {
   result.slip = old(row, column::slip);
   result.first_guess = predicting_;
   result.gap_old = old(row, column::gap);
-  result.touches_late = conserves(view) && result.gap_old > 0;
+  result.damping = view.damping;
+  result.fixed = active_set_.used();
+  result.member = result.fixed && active_set_.holds(*view.trial, row);
+  result.end_weight = conserves(view) ? view.sensitivity[displacement_].value : 0.0;
   return result;
 }
 
@@ -165,15 +192,17 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
   const PointView &points = view.trial->arrays[points_], &old = view.committed->arrays[points_];
   const double alpha = 1 - view.sensitivity[displacement_].value;
   NodeForce force;
+  const Positions at = positions(view);
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
     Seen seen;
-    if (!look(row, view.x_end, capture_, seen)) {
+    if (!look(row, at.end, capture_, seen)) {
       write_away(view, row);
+      add_old_share(view, row, capture_);
       continue;
     }
     const NodeLaw acting = law(view, row);
     const SurfacePiece& piece = surface_.pieces()[seen.piece];
-    node_force(acting, piece, seen.foot, coordinates(row, seen.piece, view.x_old), coordinates(row, seen.piece, view.x_end), false, force);
+    node_force(acting, piece, seen.foot, coordinates(row, seen.piece, at.old), coordinates(row, seen.piece, at.end), false, force);
     if (force.presses && seen.place < 0) ++failures;
     if (seen.place < 0) force = {};
     for (int a = 0; a < node_dofs && force.presses; ++a) {
@@ -182,13 +211,7 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
       magnitude_ += force.f[a] * force.f[a];
       if (force.share != 1) correction_.emplace_back(dof, (1 - alpha) * (force.share - 1) * force.f[a]);
     }
-    const int was = old(row, column::pressure) > 0 ? static_cast<int>(old(row, column::piece)) : -1;
-    if (conserves(view) && !force.presses && was >= 0 && old(row, column::gap) < 0 && force.gap >= 0 && place(row, was) >= 0) {
-      double before[node_dofs];
-      old_force(*view.committed, row, surface_.pieces()[was], before);
-      const double factor = alpha * (leaving_share(old(row, column::gap), force.gap).value - 1);
-      for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(place(row, was), a), factor * before[a]);
-    }
+    add_old_share(view, row, force.gap);
     const double area = acting.area;
     points(row, column::gap) = force.gap;
     points(row, column::pressure) = force.pressure;
@@ -206,6 +229,17 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
   return failures;
 }
 
+void NodePass::add_old_share(const StepView& view, int row, double gap) {
+  const PointView& old = view.committed->arrays[points_];
+  if (!conserves(view) || !(old(row, column::pressure) > 0)) return;
+  const int was = static_cast<int>(old(row, column::piece)), there = place(row, was);
+  if (there < 0) return;
+  double before[node_dofs];
+  old_force(*view.committed, row, surface_.pieces()[was], before);
+  const double factor = start_share(old(row, column::gap), gap, view.damping).value - (1 - view.sensitivity[displacement_].value);
+  for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(there, a), factor * before[a]);
+}
+
 void NodePass::correction(const ResidualView& f) const {
   for (const auto& [dof, share] : correction_) f(dof) -= share;
 }
@@ -213,24 +247,25 @@ void NodePass::correction(const ResidualView& f) const {
 void NodePass::jacobian(const StepView& view, Assembler& assembler, double weight) {
   const MatrixScatter to = assembler.scatter(group_);
   const PointView& old = view.committed->arrays[points_];
-  const double alpha = 1 - view.sensitivity[displacement_].value;
+  const bool conserving = conserves(view);
+  const double end_weight = view.sensitivity[displacement_].value, moved = conserving ? view.sensitivity[displacement_].conjugate : 1.0;
   NodeForce force;
+  const Positions at = positions(view);
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
     Seen seen;
-    if (!look(row, view.x_end, capture_, seen) || seen.place < 0) continue;
+    if (!look(row, at.end, capture_, seen) || seen.place < 0) continue;
     const SurfacePiece& piece = surface_.pieces()[seen.piece];
-    node_force(law(view, row), piece, seen.foot, coordinates(row, seen.piece, view.x_old), coordinates(row, seen.piece, view.x_end), true, force);
-    if (force.presses) {
+    node_force(law(view, row), piece, seen.foot, coordinates(row, seen.piece, at.old), coordinates(row, seen.piece, at.end), true, force);
+    if (force.presses)
       for (int a = 0; a < node_dofs; ++a)
-        for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * force.k[a][b]);
-    } else if (conserves(view) && old(row, column::pressure) > 0 && old(row, column::gap) < 0 && static_cast<int>(old(row, column::piece)) == seen.piece) {
-      // across two pieces the matrix has no place for the change of a leaving force
-      double before[node_dofs];
-      old_force(*view.committed, row, piece, before);
-      const double factor = alpha / (1 - alpha) * leaving_share(old(row, column::gap), force.gap).slope;
-      for (int a = 0; a < node_dofs; ++a)
-        for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * factor * before[a] * force.gap_slope[b]);
-    }
+        for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * moved * force.k[a][b]);
+    const double slope = conserving && old(row, column::pressure) > 0 ? start_share(old(row, column::gap), force.gap, view.damping).slope : 0.0;
+    // across two pieces the matrix has no place for the change of a leaving force
+    if (slope == 0 || static_cast<int>(old(row, column::piece)) != seen.piece) continue;
+    double before[node_dofs];
+    old_force(*view.committed, row, piece, before);
+    for (int a = 0; a < node_dofs; ++a)
+      for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * moved * slope / end_weight * before[a] * force.gap_slope[b]);
   }
 }
 

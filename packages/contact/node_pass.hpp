@@ -26,7 +26,7 @@ struct NodePassSettings {
 /// area of that side, so that a node between two sides has two rows; a rank has the rows of its sides.
 ///
 /// State arrays, a row each: "<prefix>points", see node_column; "<prefix>multipliers" (normal and shear, augmented Lagrangian);
-/// "<prefix>penalty" (a row per side, frozen when the contact first starts a step).
+/// "<prefix>active set" (see ActiveSet), "<prefix>penalty" (a row per side, frozen when the contact first starts a step).
 class NodePass {
  public:
   /// Collective.
@@ -44,6 +44,8 @@ class NodePass {
   double magnitude_squared() const { return magnitude_; }
   void jacobian(const StepView& view, Assembler& assembler, double weight);
 
+  const ActiveSet& active_set() const { return active_set_; }
+  std::optional<Augmentation> update_active_set(const State& trial, const std::string& contact, double gap_tolerance) const;
   Misfit misfit(const State& state) const;
   /// One step of Uzawa's method.
   void augment(const State& trial) const;
@@ -69,13 +71,21 @@ class NodePass {
     int piece = -1, place = -1;  // place: in the dof table, -1: none
     NodeFoot foot;
   };
+  void start_active_set(const StepView& view) const;
   void measure(const ConstCoordinateView& x);
   bool look(int row, const ConstCoordinateView& x, double capture, Seen& seen) const;
   NodeLaw law(const StepView& view, int row) const;
   NodeCoordinates coordinates(int row, int piece, const ConstCoordinateView& x) const;
   bool conserves(const StepView& view) const;
+  /// Where gaps are measured, at both ends of the step.
+  struct Positions {
+    ConstCoordinateView old, end;
+  };
+  Positions positions(const StepView& view) const;
   /// Force on nodes and piece that acted at the start of the step, by dof of its place.
   void old_force(const State& committed, int row, const SurfacePiece& piece, double (&force)[node_dofs]) const;
+  /// A node that pressed at the start of the step exerts the share of that force, not what the integrator takes of it.
+  void add_old_share(const StepView& view, int row, double gap);
   void write_away(const StepView& view, int row) const;
   double penalty(const State& state, int row) const { return state.arrays[penalties_](rows_[row].side, 0); }
   bool sticks(const State& state, int row) const;
@@ -88,6 +98,7 @@ class NodePass {
   SmoothSurface surface_;
   std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
   std::vector<Row> rows_;
+  ActiveSet active_set_;            // used with the outer loop only
   std::unordered_map<long long, int> place_of_;  // (row, piece)
   ElementDofs dofs_;
   int group_ = -1, displacement_ = -1;

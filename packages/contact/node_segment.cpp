@@ -107,7 +107,7 @@ T shear_stress(const NodeLaw& law, const Geometry<T>& g, const SurfacePiece& pie
   T travel = dot(minus(minus(x.slave, was), minus(g.foot, foot_was)), g.along);
   const T gap_was = dot(minus(was, foot_was), g.normal);
   // a node that was open counts what it travelled after it touched, as if the gap had closed evenly
-  if (law.normal == 0 && value(gap_was) > 0) travel = travel * g.gap / (g.gap - gap_was);
+  if (law.normal == 0 && value(gap_was) > 0) travel = value(g.gap) < 0 ? travel * g.gap / (g.gap - gap_was) : T(0.0);
   const double stiffness = law.friction->tangential_factor() * law.penalty;
   T stress = law.shear - stiffness * travel;
   if (law.first_guess) return stress;
@@ -132,16 +132,16 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
   T pressure = law.normal - law.penalty * g.gap;
   out.gap = value(gap);
   // surfaces that meet without overlap have stiffness, but no pull
-  if (!(value(pressure) > -law.penalty * law.touch)) return;
-  if (value(pressure) < 0) pressure = chain(pressure, 0.0, 1.0);
+  if (law.fixed ? !law.member : !(value(pressure) > -law.penalty * law.touch)) return;
+  if (!law.fixed && value(pressure) < 0) pressure = chain(pressure, 0.0, 1.0);
   out.presses = true;
   out.pressure = value(pressure);
   T shear(0.0);
   if (law.friction) shear = shear_stress(law, g, piece, x, old, pressure, out);
   out.shear = value(shear);
-  if (law.touches_late && out.gap < 0) {
-    const ImpactShare part = closing_share(law.gap_old, out.gap);
-    share = chain(gap, part.value, part.slope);
+  if (law.end_weight > 0) {
+    const ImpactShare part = end_share(law.gap_old, out.gap, law.damping);
+    share = chain(gap, part.value / law.end_weight, part.slope / law.end_weight);
   }
   const T traction[2] = {pressure * g.normal.x + shear * g.along.x, pressure * g.normal.y + shear * g.along.y};
   for (int i = 0; i < 2; ++i) {

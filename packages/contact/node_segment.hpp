@@ -31,14 +31,15 @@ struct NodeLaw {
   double time = 0, dt = 1;             // [s] end of the step; its length
   double slip = 0;                     // [m] path slid before the step
   bool first_guess = false;            // friction sticks
-  bool touches_late = false;           // dynamic step that the node began at gap_old > 0: it exerts its share of the force
-  double gap_old = 0;                  // [m]
+  bool fixed = false, member = false;  // membership of an active set decides whether the node presses, not its gap
+  double end_weight = 0;               // dynamic steps that conserve energy: weight of the end in the integrator's force; 0: others
+  double gap_old = 0, damping = 0;     // [m]; see ImpactShare
 };
 
 struct NodeForce {
   double f[node_dofs];             // [N] at the end of the step
   double k[node_dofs][node_dofs];  // [N/m] of share * f
-  double share = 1;                // of f that acts over the step, see ImpactShare
+  double share = 1;                // share of ImpactShare over the end's weight in the integrator's force; 1 where nothing is shared
   double gap = 0;                  // [m] along the master's normal
   double gap_slope[node_dofs];     // d gap
   double pressure = 0, shear = 0;  // [Pa] shear: on the slave, along the master's direction of travel

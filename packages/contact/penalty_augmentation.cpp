@@ -1,4 +1,4 @@
-// Augmented Lagrangian: multipliers of a contact by Uzawa's method.
+// What follows a solve of a step: the active set, and the multipliers of the augmented Lagrangian by Uzawa's method.
 #include "contact/penalty_contact.hpp"
 
 namespace mudline {
@@ -6,7 +6,10 @@ namespace mudline {
 namespace column = contact_column;
 
 void PenaltyContact::check_enforcement(const Section& section) const {
-  deck_.check(section);
+  deck_.check(section, deck_.active_set.outer());
+  deck_.active_set.check(section);
+  if (deck_.active_set.outer() && deck_.impact == PenaltyParameters::Impact::conserving)
+    section.fail("conserving is for 'active set' = in newton: a point in tension has no share; allowed with outer loop: automatic, interpolated", "impact");
   if (!deck_.augmented()) return;
   if (deck_.impact == PenaltyParameters::Impact::conserving)
     section.fail(
@@ -17,6 +20,9 @@ void PenaltyContact::check_enforcement(const Section& section) const {
 
 SideShift PenaltyContact::shifts(const StepView& view, std::size_t side) const {
   SideShift result;
+  result.fixed = active_set_.used();
+  for (int row = first_row_[side]; result.fixed && row < first_row_[side + 1]; ++row)
+    result.member[row - first_row_[side]] = active_set_.holds(*view.trial, row);
   if (!deck_.augmented()) return result;
   const double penalty = view.trial->arrays[penalties_](side, 0);
   for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) {
@@ -79,9 +85,36 @@ Misfit PenaltyContact::misfit(const State& state) const {
           friction_ ? friction_->tangential_factor() : 0.0};
 }
 
+void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement& placement) const {
+  // what pressed, and what the body runs into, or touches, before the soil has moved
+  const PointView& before = view.committed->arrays[points_];
+  std::vector<char> presses(first_row_.back(), 0);
+  for (std::size_t s = 0; s < candidate_.size(); ++s) {
+    if (!candidate_[s]) continue;
+    const SurfaceSide& side = surface_->sides()[s];
+    const SideCoordinates x = coordinates(side, view.x_end);
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
+      presses[row] = before(row, column::active) > 0 || body_->closest(placement, rule(side).place(row - first_row_[s], x)).gap <= 1e-3 * gap_tolerance_;
+  }
+  active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
+}
+
+std::optional<Augmentation> PenaltyContact::update_active_set(const State& trial) const {
+  std::vector<double> pressed(first_row_.back());
+  for (std::size_t s = 0; s < candidate_.size(); ++s)
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
+      pressed[row] = trial.arrays[points_](row, column::gap) -
+                     (deck_.augmented() ? trial.arrays[multipliers_](row, multiplier_column::normal) / trial.arrays[penalties_](s, 0) : 0.0);
+  return active_set_.update(trial, name_, deck_.active_set, gap_tolerance_, [&](int row) { return pressed[row]; }, *context_.space.mesh().comm());
+}
+
 Augmentation PenaltyContact::augment(const StepView& view, int count) {
-  if (!deck_.augmented()) return {};
   const State& trial = *view.trial;
+  if (active_set_.used()) {
+    if (const auto next = update_active_set(trial)) return *next;
+    count -= active_set_.updates(trial);
+  }
+  if (!deck_.augmented()) return {};
   const Misfit rest = misfit(trial);
   if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm())) return *end;
   const auto& sides = surface_->sides();

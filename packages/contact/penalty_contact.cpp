@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/conjugate_position.hpp"
+
 namespace mudline {
 
 namespace column = contact_column;
@@ -29,6 +31,7 @@ void PenaltyContact::declare_state(StateStore& store) {
     multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
     multipliers_ = store.declare(std::move(multipliers), first_row_.back());
   }
+  if (deck_.active_set.outer()) active_set_.declare_state(store, name() + "/", first_row_.back());
   if (!friction_) return;
   ArrayInfo frictions;
   frictions.name = name() + "/friction";
@@ -70,6 +73,7 @@ void PenaltyContact::begin(const StepView& view) {
                                            : std::hypot(to.centre[0] - from.centre[0], to.centre[1] - from.centre[1]);
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
   for (std::size_t s = 0; s < candidate_.size(); ++s) candidate_[s] = least_gap(s, view.x_old, to) <= capture_;
+  if (active_set_.used()) start_active_set(view, to);
 }
 
 double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const {
@@ -132,18 +136,24 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
   return result;
 }
 
-bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
+PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const {
+  if (!conserves(view)) return {body_->placement(*view.committed), body_->placement(*view.trial), view.x_old, view.x_end};
+  return {moved_ahead(*body_, *view.committed, view.ahead_old, view.lead), moved_ahead(*body_, *view.trial, view.ahead_end, view.lead),
+          moved_ahead(context_.space, view.x_old, view.ahead_old), moved_ahead(context_.space, view.x_end, view.ahead_end)};
+}
+
+bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, std::size_t side, bool want_tangent, SideForce& force,
                               std::vector<ContactPoint>& points) const {
   const SurfaceSide& at = surface_->sides()[side];
-  const SideBody against{*body_, body_->placement(*view.trial), {body_->placement(*view.committed), coordinates(at, view.x_old)}, touch_, touch_share_};
+  const SideBody against{*body_, positions.body_end, {positions.body_old, coordinates(at, positions.x_old)}, touch_, touch_share_};
   const double penalty = view.trial->arrays[penalties_](side, 0);
-  const SideCoordinates x = coordinates(at, view.x_end);
+  const SideCoordinates x = coordinates(at, positions.x_end);
   std::vector<PointForce> forces;
   SideImpact impact{};
-  const bool conserving = view.inertia && conserves();
+  const bool conserving = conserves(view);
   if (conserving) {
     forces = point_forces(*view.committed, side);
-    impact = {1 - view.sensitivity[displacement_].value, forces.data()};
+    impact = {1 - view.sensitivity[displacement_].value, view.damping, forces.data()};
   }
   const SideImpact* within = conserving ? &impact : nullptr;
   const SideShift shift = shifts(view, side);
@@ -155,8 +165,9 @@ bool PenaltyContact::evaluate(const StepView& view, std::size_t side, bool want_
   return penalty_side(rule(at), against, penalty, &friction, within, shift, x, axisymmetric_, want_tangent, force, points);
 }
 
-bool PenaltyContact::conserves() const {
-  if (deck_.impact == PenaltyParameters::Impact::automatic) return !deck_.augmented() && body_->unknowns().count > 0;
+bool PenaltyContact::conserves(const StepView& view) const {
+  if (!view.inertia || view.sensitivity[displacement_].value == 0) return false;  // 0: the start of a stage, not a step
+  if (deck_.impact == PenaltyParameters::Impact::automatic) return !deck_.augmented() && !active_set_.used() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -196,6 +207,7 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   correction_.clear();
   std::vector<ContactPoint> points;
   SideForce side_force;
+  const Positions at = positions(view);
   for (std::size_t s = 0; s < sides.size(); ++s) {
     if (!candidate_[s]) {
       // the rows of a skipped side say that it is at least as far away as the search looked
@@ -209,7 +221,7 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
       write_points(*view.trial, s, points);
       continue;
     }
-    if (!evaluate(view, s, false, side_force, points)) ++failures;
+    if (!evaluate(view, at, s, false, side_force, points)) ++failures;
     write_points(*view.trial, s, points);
     const ElementDofs& dofs = surface_->dofs(sides[s].count);
     const int soil = 2 * sides[s].count, all = static_cast<int>(dofs.extent(1));
@@ -246,15 +258,17 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
   const MatrixScatter to[2] = {assembler.scatter(group_[0]), assembler.scatter(group_[1])};
   std::vector<ContactPoint> points;
   SideForce force;
+  const Positions at = positions(view);
+  const double moved = conserves(view) ? view.sensitivity[displacement_].conjugate : 1.0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const SurfaceSide& side = sides[s];
     if (!candidate_[s]) continue;
-    evaluate(view, s, true, force, points);
+    evaluate(view, at, s, true, force, points);
     const int soil = 2 * side.count, first_body = soil + surface_->pressure_nodes(side.count);
     const int columns = first_body + body_->unknowns().count;
     for (int a = 0; a < columns; ++a) {
       if (a >= soil && a < first_body) continue;
-      for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * force.k[a][b]);
+      for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * (b >= soil && b < first_body ? 1.0 : moved) * force.k[a][b]);
     }
   }
   if (leak_) leak_->jacobian(view, assembler);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/active_set.hpp"
 #include "contact/contact.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/leaky_surface.hpp"
@@ -29,6 +30,7 @@ struct PenaltyParameters : EnforcementParameters {
   double sealing_gap = 0.1;  // [-] of the side's length
   double conductance = 0;    // [m/(Pa s)]
   Function outside;          // [Pa] pore pressure on the body's side
+  ActiveSetParameters active_set;
 };
 
 /// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s m) ds at n+1, t = penalty <-gap> [Pa], n from
@@ -45,7 +47,7 @@ struct PenaltyParameters : EnforcementParameters {
 /// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
 /// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with which
 /// the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
-/// "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
+/// "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
 ///
 /// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
 /// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: the
@@ -83,8 +85,14 @@ class PenaltyContact : public Contact {
   PenaltyParameters deck_;
 
  private:
-  /// Whether points that touch or leave within a dynamic step exert a share of their force only.
-  bool conserves() const;
+  /// Where gaps are measured, at both ends of the step.
+  struct Positions {
+    BodyPlacement body_old, body_end;
+    ConstCoordinateView x_old, x_end;
+  };
+  Positions positions(const StepView& view) const;
+  /// Whether points exert the shares of ImpactShare in dynamic steps.
+  bool conserves(const StepView& view) const;
   std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
@@ -94,6 +102,8 @@ class PenaltyContact : public Contact {
   /// The multiplier of a point's shear stress with which a step starts [Pa].
   double initial_shear_multiplier(const State& committed, int row) const;
   void start_multipliers(const StepView& view) const;
+  void start_active_set(const StepView& view, const BodyPlacement& placement) const;
+  std::optional<Augmentation> update_active_set(const State& trial) const;
   /// Adds what the tangential multipliers of one side have changed by in this step.
   void add_multipliers(const StepView& view, std::size_t side, std::vector<ShearState>& old) const;
   bool sticks(const State& state, int row) const;
@@ -101,7 +111,7 @@ class PenaltyContact : public Contact {
   /// What friction on one side needs; refers to `old`, its committed shear states.
   SideFriction side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const;
   /// Force of one side at the linearisation point. False for a degenerate side.
-  bool evaluate(const StepView& view, std::size_t side, bool want_tangent, SideForce& force,
+  bool evaluate(const StepView& view, const Positions& at, std::size_t side, bool want_tangent, SideForce& force,
                 std::vector<ContactPoint>& points) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest. Collective.
   void look_for_touch(const StepView& view);
@@ -126,6 +136,7 @@ class PenaltyContact : public Contact {
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;
   std::unique_ptr<LeakySurface> leak_;  // null unless leaky
+  ActiveSet active_set_;                // used with the outer loop only
   std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
   std::vector<int> first_row_;      // (side) in the points array; one more: number of rows
   std::vector<char> candidate_;     // (side) near enough to be evaluated in this step

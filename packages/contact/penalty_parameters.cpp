@@ -17,6 +17,7 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
         "Polynomial degree that the integration over a side is exact for");
   EnforcementParameters::parameters(p);
+  active_set.parameters(p);
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
   p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
@@ -26,8 +27,8 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
   p.choice("impact", impact,
            {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
-           "Points that touch or leave within a dynamic step. conserving: they exert the share of their force that adds no "
-           "energy, whatever the step; interpolated: the integrator's mean of start and end, smoother where a body is pushed "
+           "Forces over a dynamic step. conserving: points exert the share of their force that adds no "
+           "energy, whatever the step and the spectral radius; interpolated: the integrator's mean of start and end, smoother where a body is pushed "
            "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
   p.add("sealing gap", sealing_gap, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the body still seals the side");

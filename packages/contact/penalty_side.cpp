@@ -161,7 +161,7 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     point.gap = foot.gap;
     point.area = areas.area[c];
     const double pressed = foot.gap - shift.now[c];  // the gap at which the pressure is penalty <-pressed>
-    point.active = pressed < 0;
+    point.active = shift.fixed ? shift.member[c] : pressed < 0;
     point.height = body.height(against.placement, at);
     if (friction) {  // slip and heat stay when the shear stress goes
       point.shear.slip = friction->old[c].slip;
@@ -171,15 +171,12 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     const BodyWays ways(body.unknowns(), arm);
     const PointAssembly add(rule, c, ways, first_body, out);
     const double gap_old = impact ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap - shift.old[c] : 0.0;
-    if (!point.active) {
-      if (impact && gap_old < 0) {
-        const ImpactShare share = leaving_share(gap_old, pressed);
-        add.add_force(impact->old[c], impact->alpha_f * (share.value - 1), out.correction);
-        if (want_tangent)
-          add.add_old_tangent(impact->old[c], impact->alpha_f / (1 - impact->alpha_f) * share.slope, foot.normal);
-      }
-      if (!want_tangent || foot.gap >= against.touch) continue;
+    if (impact) {
+      const ImpactShare before = start_share(gap_old, pressed, impact->damping);
+      add.add_force(impact->old[c], before.value - impact->alpha_f, out.correction);
+      if (want_tangent && before.slope != 0) add.add_old_tangent(impact->old[c], before.slope / (1 - impact->alpha_f), foot.normal);
     }
+    if (!point.active && (!want_tangent || foot.gap >= against.touch)) continue;
     ShearTangent shear;
     if (point.active) {
       point.pressure = -penalty * pressed;
@@ -187,9 +184,13 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
       if (friction) add_friction(rule, c, body, against.start, *friction, penalty, shift, foot, point, shear);
     }
     point.moment = arm[0] * point.force[1] - arm[1] * point.force[0];
-    const ImpactShare share = impact && point.active && gap_old > 0 ? closing_share(gap_old, pressed) : ImpactShare();
+    ImpactShare share{1, 0};  // of the end's part in the alpha level
+    if (impact && point.active) {
+      share = end_share(gap_old, pressed, impact->damping);
+      add.add_force(point.force, share.value - (1 - impact->alpha_f), out.correction);
+      share = {share.value / (1 - impact->alpha_f), share.slope / (1 - impact->alpha_f)};
+    }
     add.add_force(point.force, 1, out.f);
-    if (impact) add.add_force(point.force, (1 - impact->alpha_f) * (share.value - 1), out.correction);
     if (!want_tangent) continue;
     double change[2][max_side_dofs] = {};
     point_tangent(rule, c, areas, point.active ? penalty : against.touch_share * penalty, foot, point, shear, ways, pressures, change);

@@ -41,16 +41,19 @@ struct SideFriction {
 /// Force [N] on the soil and its moment about the body's centre [N m].
 using PointForce = std::array<double, 3>;
 
-/// Dynamic steps: the integrator takes (1 - alpha_f) of the force at the end and alpha_f of that at the start.
+/// Dynamic steps with shares of ImpactShare, instead of the integrator's (1 - alpha_f) of the force at the end and alpha_f of that at the
+/// start.
 struct SideImpact {
-  double alpha_f;
+  double alpha_f, damping;
   const PointForce* old;  // (point) at the start of the step
 };
 
-/// Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
+/// Which points press. Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
 /// multipliers are part of SideFriction::old.
 struct SideShift {
   double now[max_contact_points] = {}, old[max_contact_points] = {};  // (point) in this step; in the committed state
+  bool fixed = false;                                                 // member decides, not the gap: t = penalty (shift_c - gap)
+  bool member[max_contact_points] = {};
 };
 
 /// The body that a side may touch.
@@ -71,7 +74,7 @@ constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
 /// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m, m2].
 struct SideForce {
   double f[max_side_dofs];           // at the end of the step
-  double correction[max_side_dofs];  // what touches or leaves within the step: to be added at the alpha level
+  double correction[max_side_dofs];  // to be added at the alpha level, with SideImpact
   double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
 };
 

@@ -22,6 +22,10 @@ ShearResponse stick_or_slide(const Friction& law, const ShearState& old, double 
 
 TouchingTravel::TouchingTravel(double gap_old, double gap, double travel) : value(travel), fraction(1), gap_slope(0) {
   if (gap_old <= 0) return;
+  if (gap >= 0) {  // held in tension by a fixed active set: it has not touched yet
+    value = fraction = 0;
+    return;
+  }
   const double closing = gap - gap_old;
   fraction = gap / closing;
   gap_slope = -travel * gap_old / (closing * closing);

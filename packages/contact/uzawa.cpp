@@ -17,16 +17,16 @@ void EnforcementParameters::parameters(Parameters& p) {
            "penalty: pressure = penalty times penetration; augmented Lagrangian: multipliers carry the pressure, found by repeated solves of a step "
            "(Uzawa) until the gap tolerance is met");
   p.add("gap tolerance", gap_tolerance, "m", non_negative(),
-        "Augmented Lagrangian: largest gap of what touches, weighted by the multipliers' shapes, and stretch where it sticks; 0: a millionth of the "
-        "surface's (the slave's) shortest side");
+        "Augmented Lagrangian: largest gap of what touches, weighted by the multipliers' shapes, and stretch where it sticks (where there is an "
+        "active set in an outer loop, also how far its chatter guard lets a point off); 0: a millionth of the surface's (the slave's) shortest side");
   p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
         "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
 }
 
-void EnforcementParameters::check(const Section& section) const {
+void EnforcementParameters::check(const Section& section, bool guarded) const {
   if (augmented()) return;
   for (const char* entry : {"gap tolerance", "most augmentations"})
-    if (section.has_parameter(entry))
+    if (section.has_parameter(entry) && !(guarded && std::string(entry) == "gap tolerance"))
       section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
 }
 

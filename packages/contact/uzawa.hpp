@@ -21,8 +21,8 @@ struct EnforcementParameters {
   int most_augmentations = 50;
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   void parameters(Parameters& p);
-  /// InputError for entries that have no meaning with the penalty method.
-  void check(const Section& section) const;
+  /// InputError for entries that have no meaning with the penalty method. `guarded`: an active set's guard has a gap tolerance too.
+  void check(const Section& section, bool guarded = false) const;
 };
 
 /// By local node of a surface, weighted by the multipliers' shapes: what stresses differ by from their multipliers [Pa], and

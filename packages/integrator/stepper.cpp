@@ -46,7 +46,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   store_.allocate_history(slots);
   assembler_.finalise();
   const int n = space.dofs()->num_overlap_dofs(), nodes = space.mesh().num_nodes();
-  for (NodalView* v : {&value_, &rate_, &velocity_, &acceleration_, &reaction_, &total_}) *v = NodalView("level", n);
+  for (NodalView* v : {&value_, &rate_, &velocity_, &acceleration_, &ahead_old_, &ahead_end_, &reaction_, &total_}) *v = NodalView("level", n);
   for (CoordinateView* v : {&x_end_, &x_momentum_, &x_balance_}) *v = CoordinateView("coordinates", nodes, 2);
   constraints_ = {Kokkos::View<char*>("constrained", n), NodalView("prescribed", n)};
   reference_.assign(space.num_fields(), 0);
@@ -85,6 +85,12 @@ void Stepper::prepare_view(const StepRequest& request) {
   view_.rate = rate_;
   view_.velocity = velocity_;
   view_.acceleration = acceleration_;
+  view_.ahead_old = ahead_old_;
+  view_.ahead_end = ahead_end_;
+  Kokkos::deep_copy(ahead_old_, 0.0);
+  Kokkos::deep_copy(ahead_end_, 0.0);
+  view_.damping = scheme_.damping();
+  view_.lead = scheme_.lead() * request.dt;
   view_.x_old = old.coordinates;
   view_.x_end = trial.coordinates;
   const double momentum = 1 - scheme_.alpha_f;  // weight of the new level
@@ -109,11 +115,13 @@ void Stepper::set_sensitivities() {
       s.velocity = scheme_.inertia ? (1 - af) * scheme_.gamma / (scheme_.beta * dt) : 1 / dt;
       s.rate = scheme_.incremental ? 1 / dt : s.velocity;
       s.acceleration = scheme_.inertia ? (1 - scheme_.alpha_m) / (scheme_.beta * dt * dt) : 0.0;
+      s.conjugate = 1 + (scheme_.lead() * scheme_.gamma - scheme_.bend()) / scheme_.beta;
     } else {
       s.value = scheme_.incremental ? scheme_.theta : scheme_.flow_alpha_f;
       s.rate = scheme_.incremental ? 1 / dt : scheme_.flow_alpha_m / (scheme_.theta * dt);
       s.velocity = s.rate;
       s.acceleration = 0;
+      s.conjugate = 1;
     }
   }
 }
@@ -122,6 +130,7 @@ void Stepper::levels_of_field(int f, int begin, int end) {
   const State& old = store_.committed();
   State& trial = store_.trial();
   const double dt = view_.dt, af = scheme_.alpha_f, am = scheme_.alpha_m;
+  const double lead = scheme_.lead() * dt, bend = scheme_.bend() * dt * dt;
   const bool second = space_.field(f).time_order == 2;
   for (int i = begin; i < end; ++i) {
     const double change = trial.value(i) - old.value(i), mean = change / dt;
@@ -132,9 +141,11 @@ void Stepper::levels_of_field(int f, int begin, int end) {
       velocity_(i) = (1 - af) * trial.rate(i) + af * old.rate(i);
       value_(i) = old.value(i) + (1 - af) * change;
       rate_(i) = scheme_.incremental ? mean : velocity_(i);
+      ahead_old_(i) = lead * old.rate(i) - bend * old.acceleration(i);
+      ahead_end_(i) = lead * trial.rate(i) - bend * trial.acceleration(i);
     } else if (second) {
       trial.rate(i) = velocity_(i) = rate_(i) = scheme_.flow ? mean : 0.0;
-      trial.acceleration(i) = acceleration_(i) = 0;
+      trial.acceleration(i) = acceleration_(i) = ahead_old_(i) = ahead_end_(i) = 0;
       value_(i) = trial.value(i);
     } else if (scheme_.incremental) {
       trial.rate(i) = rate_(i) = velocity_(i) = scheme_.flow ? mean : 0.0;

@@ -144,7 +144,7 @@ class Stepper : public NonlinearProblem {
   TimeScheme scheme_;
   StepTolerances tolerances_;
   Constraints constraints_;
-  NodalView value_, rate_, velocity_, acceleration_, reaction_, total_;
+  NodalView value_, rate_, velocity_, acceleration_, ahead_old_, ahead_end_, reaction_, total_;
   CoordinateView x_end_, x_momentum_, x_balance_;
   std::vector<NodalView> force_;
   std::vector<double> reference_, reference_floor_, size_floor_;

@@ -14,6 +14,12 @@ struct TimeScheme {
   double alpha_m = 0, alpha_f = 0, beta = 0.25, gamma = 0.5;
   bool incremental = false;
   double flow_alpha_m = 1, flow_alpha_f = 1, theta = 1;
+  /// The conjugate position u + lead dt v - bend dt^2 a: with the momentum m (v + lead dt a) it makes the free flight of a mass m, and its
+  /// kicks by a force f at the momentum level, exact: dt f = change of momentum, mean momentum dt / m = change of position.
+  double lead() const { return inertia ? 1 - alpha_m - gamma : 0.0; }
+  /// Of contact springs, see ImpactShare: 0 where the integrator keeps energy, else just enough that they do not ring.
+  double damping() const { return inertia ? 0.25 * (gamma - 0.5) : 0.0; }
+  double bend() const { return inertia ? beta - 0.5 * gamma + lead() * (gamma - 0.5) : 0.0; }
 };
 
 /// A way to step through time. Stateless.

@@ -17,6 +17,7 @@ struct Sensitivity {
   double rate = 0;          // d rate_alpha / dx        (balance equations)
   double velocity = 0;      // d velocity_alpha / dx    (damping)
   double acceleration = 0;  // d acceleration_alpha / dx
+  double conjugate = 1;     // d (value_{n+1} + ahead_{n+1}) / dx, see StepView
 };
 
 /// Instant and configuration at which a group of terms is evaluated.
@@ -35,6 +36,12 @@ struct StepView {
   ConstNodalView value, rate, velocity, acceleration;   // at the alpha level
   ConstCoordinateView x_old, x_end;                     // [m]
   Level momentum, balance;
+  /// Dynamic steps, fields of second order [m]: by how much the position that is conjugate to forces at the momentum level is ahead of
+  /// the value. Over its change, not over that of the value, such a force does the work that the integrator's kinetic energy takes up.
+  /// Empty: it is the value.
+  ConstNodalView ahead_old, ahead_end;
+  double damping = 0;                                   // [-] by which such a force weighs the end of the step above 1/2 to damp what is not resolved
+  double lead = 0;                                      // [s] time by which it is ahead, for what moves steadily
   std::vector<Sensitivity> sensitivity;                 // by field
   bool inertia;                                         // false in quasi-static and geostatic stages
   bool flow;                                            // false in a geostatic stage: storage and rates are off

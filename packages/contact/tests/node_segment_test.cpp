@@ -41,7 +41,7 @@ class EveryState : public testing::TestWithParam<Case> {
     law_.normal = c.multiplier;
     law_.shear = 0.2 * c.multiplier;
     if (c.friction > 0) law_.friction = &friction_;
-    law_.touches_late = c.late;
+    law_.end_weight = c.late ? 0.6 : 0;
     law_.gap_old = 0.01;
   }
   /// Force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by them.

@@ -57,6 +57,31 @@ class Bars(MudlineCase):
         self.assertGreater(lost[-1], 0)
         self.assertLess(lost[-1], 0.02)
 
+    def of_cells(self, cells, *settings):
+        """The bars with so many cells each, half a cell's travel time per step: contact's impulse and the loss of momentum of each bar [N s]."""
+        with open(os.path.join(os.path.dirname(DECK), "two_bars.geo")) as file:
+            mesh = self.write("bars.geo", file.read().replace("cells = {100,", f"cells = {{{cells},"))
+        stage = "stages/fly and meet/"
+        history, force = self.meet(0.5, f"mesh/file={mesh}", stage + f"time step/initial={1e-4 / cells}", stage + f"time step/maximum={1e-4 / cells}", *settings)
+        left, right = self.velocities()
+        return np.sum(force * history["step/dt"]), 0.78 * (5 - left), 0.78 * (5 + right)
+
+    def test_impulse_is_the_change_of_momentum(self):
+        # what the integrator takes of the two ends adds up to the force at the ends of all steps
+        impulse, left, right = self.of_cells(40, "contacts/faces/impact=interpolated")
+        self.show("impulse against the left bar's momentum", impulse, left, 1e-6)
+        self.show("impulse against the right bar's momentum", impulse, right, 1e-6)
+
+    def test_impulse_converges(self):
+        """Towards that of waves without dispersion, with the root of the cells' size: what is missing stays as vibration behind the steep front."""
+        errors = [1 - self.of_cells(cells)[1] / IMPULSE for cells in (20, 40, 80)]
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print("impulse of 20, 40, 80 cells: " + ", ".join(f"{error:.2e}" for error in errors))
+        for coarse, fine in zip(errors, errors[1:]):
+            self.assertGreater(fine, 0)
+            self.assertLess(fine, 0.85 * coarse)
+        self.assertLess(errors[-1], 4e-3)
+
     def test_no_growth_at_radius_one(self):
         history, force = self.meet(1.0)
         self.show("mean force", force[self.early].mean(), FORCE, 0.02)
@@ -66,6 +91,15 @@ class Bars(MudlineCase):
         self.assertLess(abs(history["balance/energy/contact/faces"][-1]), 1e-10 * ENERGY)
         left, right = self.velocities()
         self.assertLess(abs(left + right), 1e-6 * 5)
+
+    def test_no_growth_with_a_stiff_spring(self):
+        """Steps that do not resolve the penalty's spring, radii at which such steps used to add energy."""
+        stage = "stages/fly and meet/"
+        for radius in (0.8, 0.9):
+            history, _ = self.meet(radius, "contacts/faces/penalty factor=10", stage + "time step/initial=2e-6", stage + "time step/maximum=2e-6")
+            lost = self.lost(history)
+            self.assertGreater(lost.min(), -1e-6)
+            self.assertLess(lost[-1], 0.01)
 
     def test_step_is_bounded_by_the_closing_speed(self):
         """Far apart the bars may come half their distance nearer, close by a quarter of the shortest side, 1e-4 m."""

@@ -58,6 +58,52 @@ class RamOnBar(MudlineCase):
             self.assertLess(lost[-1], most * self.start)
 
 
+class EnergyOfImpacts(MudlineCase):
+    """The ram against the bar and against rigid ground: no spectral radius and no step adds energy."""
+    RADII = (0.0, 0.3, 0.5, 0.8, 0.9, 1.0)
+    STEP, MASS, AREA = 2e-4, 100.0, 0.01  # s, kg, m2
+    COARSE = ("bodies/ram/position={0, 0.00034}", "mesh/cells={1, 4}", "stages/blow/time step/initial=2e-4")
+    GROUND = """<ParameterList name="ground"><ParameterList name="boundary conditions"><ParameterList name="all of it">
+      <Parameter name="type" type="string" value="fixed"/><Parameter name="set" type="string" value="top"/>
+      </ParameterList></ParameterList></ParameterList>"""
+
+    def penalty(self, resolution):
+        """So that the ram on the penalty's spring turns by so many radians in a step."""
+        return (resolution / self.STEP) ** 2 * self.MASS / self.AREA
+
+    def lost(self, decks, radius, resolution, duration):
+        """What integrator and contact have taken by each time, and the ram's final energy; over the initial energy."""
+        history = self.run_deck(decks, self.COARSE + (
+            f"stages/blow/integrator/spectral radius={radius}", f"contacts/head/penalty={self.penalty(resolution):.6e}",
+            f"stages/blow/duration={duration}"), name="ram_on_bar")
+        self.assertEqual(history["contact/head/active points"][-1], 0)
+        taken = history["balance/energy/numerical dissipation"] + history["balance/energy/contact/head"]
+        return taken / 50.0, history["body/ram/velocity y"][-1] ** 2
+
+    def test_bar(self):
+        for resolution, radii in ((0.1, (0.0, 0.9)), (30.0, self.RADII)):
+            for radius in radii:
+                lost, _ = self.lost(deck("ram_on_bar"), radius, resolution, 0.026)
+                self.assertGreater(lost[-1], -1e-7, (resolution, radius))
+                self.assertLess(lost[-1], 0.06, (resolution, radius))
+                # while it touches, energy is where the conjugate positions are, which the velocities do not show
+                self.assertGreater(lost.min(), -2e-3, (resolution, radius))
+
+    def test_rigid_ground(self):
+        """Nothing but the ram and the spring: restitution of energy, the table in theory.md."""
+        ground = self.write("ground.xml", self.GROUND)
+        allowed = {0.0: 0.7, 0.3: 0.45, 0.5: 0.3, 0.8: 0.11, 0.9: 0.06, 1.0: 1e-6}
+        for resolution in (0.1, 1.0, 30.0):
+            row = []
+            for radius in self.RADII:
+                _, energy = self.lost([deck("ram_on_bar"), ground], radius, resolution, 0.009 if resolution < 1 else 0.004)
+                row.append(f"{100 * (1 - energy):.2g}")
+                self.assertLess(energy, 1 + 1e-6, (resolution, radius))
+                self.assertGreater(energy, 1 - allowed[radius], (resolution, radius))
+            if os.environ.get("MUDLINE_SHOW_ERRORS"):
+                print(f"per cent lost, {resolution} rad per step: " + " | ".join(row))
+
+
 class BallOnClay(MudlineCase):
     def test_balances(self):
         history = self.run_deck(deck("ball_on_clay"), ("stages/drop/integrator/spectral radius=1",))

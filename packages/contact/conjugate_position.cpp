@@ -1,0 +1,28 @@
+#include "contact/conjugate_position.hpp"
+
+namespace mudline {
+
+ConstCoordinateView moved_ahead(const Space& space, const ConstCoordinateView& x, const ConstNodalView& ahead) {
+  if (ahead.extent(0) == 0) return x;
+  const auto& dof = space.node_dof(space.find("displacement"));
+  const CoordinateView moved("conjugate position", x.extent(0), 2);
+  for (std::size_t node = 0; node < x.extent(0); ++node)
+    for (int i = 0; i < 2; ++i) moved(node, i) = x(node, i) + (dof(node) >= 0 ? ahead(dof(node) + i) : 0.0);
+  return moved;
+}
+
+BodyPlacement moved_ahead(const RigidBody& body, const State& state, const ConstNodalView& ahead, double lead) {
+  BodyPlacement result = body.placement(state);
+  if (ahead.extent(0) == 0) return result;
+  const BodyUnknowns& unknowns = body.unknowns();
+  for (int k = 0; k < unknowns.count; ++k) {
+    const int direction = unknowns.direction[k];
+    (direction < 2 ? result.centre[direction] : result.angle) += ahead(unknowns.dof[k]) * unknowns.scale[k];
+  }
+  if (unknowns.count > 0) return result;
+  const auto velocity = body.velocity(state);
+  for (int i = 0; i < 2; ++i) result.centre[i] += lead * velocity[i];
+  return result;
+}
+
+}  // namespace mudline
