@@ -11,7 +11,7 @@ import numpy as np
 from mudline_case import PROGRAM, ROOT, History, MudlineCase, program
 
 SHORT = {
-    "cpt/clay": {"push/duration": 0.14},
+    "cpt/clay": {"push/duration": 0.2},
     "cpt/tresca": {"push/duration": 0.04, "push/time step/growth": 1.0},
     "free_fall_penetrometer/tresca": {"impact/duration": 8e-4},
     "pile/clay": {"push/duration": 0.01, "set-up/duration": 3.0, "load test/duration": 0.02, "pull-out/duration": 0.02},
@@ -20,10 +20,11 @@ SHORT = {
     "torpedo/clay": {"penetration/duration": 4e-3, "set-up/duration": 50.0, "pull-out/duration": 0.5},
     "torpedo/tresca": {"penetration/duration": 0.02},
 }
-# a deck that stops Newton's method at 1e-5 gives ranks that agree to that
-TIGHT = {"cpt/tresca": ["solver/residual tolerance=1e-9"]}
+# decks that stop Newton's method at 1e-5 give ranks that agree to that
+TIGHT = {deck: ["solver/residual tolerance=1e-9"] for deck in ("cpt/tresca", "pile/sand")}
 CHECKPOINT = ["output/checkpoint steps=4"]
 RANKS = 1e-6  # of the largest value of a column
+WATER = 1e-11  # [m3] rounding of the difference of two contents of hundreds of m3
 
 
 class ApplicationDecks(MudlineCase):
@@ -71,7 +72,8 @@ class ApplicationDecks(MudlineCase):
             # a reaction that is rounding (on an axis, along it) is measured by the others
             alike = [np.abs(one.data[:, k]).max() for k, other in enumerate(one.header) if other.split("[")[-1] == column.split("[")[-1]]
             scale = max(np.abs(one.data[:, i]).max(), 1e-6 * max(alike))
-            self.assertLessEqual(np.abs(one.data[:, i] - two.data[:, i]).max(), RANKS * scale, column)
+            allowed = max(RANKS * scale, WATER if column == "balance/water/change [m3]" else 0)
+            self.assertLessEqual(np.abs(one.data[:, i] - two.data[:, i]).max(), allowed, column)
 
     def interrupt(self, deck, number, code, moment):
         if self.lines("parts"):
