@@ -53,7 +53,7 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
     focus = bodies.at(focus_)->initial_position();
   }
-  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180, nodes_on_bodies(source));
+  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180, [&](int node) { return starts_on_body(source[node]); });
   for (const MeshPath& path : paths_) {
     const PathCurve curve(places(path, source));
     const CurveMeasure measure(curve, size_field(focus));
@@ -66,13 +66,12 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
   }
 }
 
-std::vector<bool> BoundaryMotion::nodes_on_bodies(const Positions& x) const {
+bool BoundaryMotion::starts_on_body(const std::array<double, 2>& x) const {
   constexpr double near = 1e-3;  // [-] of a contour's length
-  std::vector<bool> result(x.size(), false);
-  for (const auto& [name, body] : bodies_)
-    for (std::size_t node = 0; node < x.size(); ++node)
-      if (std::abs(body->closest(body->initial_placement(), x[node]).gap) < near * body->contour().length()) result[node] = true;
-  return result;
+  return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& entry) {
+    const RigidBody& body = *entry.second;
+    return std::abs(body.closest(body.initial_placement(), x).gap) < near * body.contour().length();
+  });
 }
 
 std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::array<double, 2>& x) const {

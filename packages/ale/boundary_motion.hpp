@@ -31,8 +31,7 @@ class BoundaryMotion {
   std::vector<double> freedom(const Positions& x, const State& state) const;
 
  private:
-  /// (node) whether a body starts there.
-  std::vector<bool> nodes_on_bodies(const Positions& x) const;
+  bool starts_on_body(const std::array<double, 2>& x) const;
   SizeField size_field(const std::array<double, 2>& focus) const;
   /// Gap to the nearest body.
   std::optional<ContourFoot> foot(const State& state, const std::array<double, 2>& x) const;

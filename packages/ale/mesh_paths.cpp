@@ -42,7 +42,7 @@ double turning(const Positions& x, int before, int at, int after) {
 class Splitter {
  public:
   Splitter(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle,
-           const std::vector<bool>& on_body)
+           const std::function<bool(int)>& on_body)
       : x_(source), edges_(feature_edges(mesh)), on_body_(on_body) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       at_[edges_[i].from].push_back(static_cast<int>(i));
@@ -73,7 +73,7 @@ class Splitter {
  private:
   bool is_corner(int before, int at, int after, double corner_angle) const {
     if (turning(x_, before, at, after) <= corner_angle) return false;
-    return on_body_.empty() || !(on_body_[before] && on_body_[at] && on_body_[after]);
+    return !(on_body_(before) && on_body_(at) && on_body_(after));
   }
   int other_end(int edge, int node) const { return edges_[edge].from == node ? edges_[edge].to : edges_[edge].from; }
 
@@ -96,13 +96,13 @@ class Splitter {
   std::vector<Edge> edges_;
   std::map<int, std::vector<int>> at_;
   std::set<int> ends_;
-  const std::vector<bool>& on_body_;
+  const std::function<bool(int)>& on_body_;
 };
 
 }  // namespace
 
 std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
-                                 double corner_angle, const std::vector<bool>& on_body) {
+                                 double corner_angle, const std::function<bool(int node)>& on_body) {
   return Splitter(mesh, source, corners, corner_angle, on_body).paths();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,9 +21,9 @@ struct MeshPath {
 
 /// All boundaries of the mesh's regions, split into paths. A path ends where regions meet, where the side sets change, at
 /// the nodes of the sets named as corners, and where the boundary of the source's mesh turns by more than `corner_angle`
-/// [rad] and does not lie on a body there (`on_body`, by node): that turns as the body does, and the soil slides past it. The
+/// [rad] and does not lie on a body there (`on_body` of a node; asked only where it turns): that turns as the body does, and the soil slides past it. The
 /// ends of paths are material points.
 std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
-                                 double corner_angle, const std::vector<bool>& on_body = {});
+                                 double corner_angle, const std::function<bool(int node)>& on_body = [](int) { return false; });
 
 }  // namespace mudline

@@ -91,13 +91,7 @@ void NodePass::measure(const ConstCoordinateView& x) {
 void NodePass::begin(const StepView& view) {
   surface_.update(view.x_old);
   measure(view.x_old);
-  const auto& sides = slave_.sides();
-  const PointView& penalties = view.trial->arrays[penalties_];
-  for (std::size_t s = 0; s < sides.size(); ++s)
-    if (!(penalties(s, 0) > 0))
-      penalties(s, 0) = settings_.deck->penalty > 0
-                            ? settings_.deck->penalty
-                            : settings_.deck->penalty_factor * settings_.context->stiffness(sides[s].block, sides[s].element) / sides[s].height;
+  settings_.deck->start_penalties(slave_, settings_.context->stiffness, view.trial->arrays[penalties_]);
   // the spring of friction starts unstretched from the stress that the step before left
   for (std::size_t row = 0; row < rows_.size(); ++row)
     view.trial->arrays[multipliers_](row, 1) = view.committed->arrays[points_](row, column::shear);

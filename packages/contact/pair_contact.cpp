@@ -89,11 +89,8 @@ void PairContact::sparsity(Assembler& assembler) {
 
 void PairContact::begin(const StepView& view) {
   const auto& sides = slave_->sides();
-  const PointView &penalties = view.trial->arrays[penalties_], &multipliers = view.trial->arrays[multipliers_];
-  for (std::size_t s = 0; s < sides.size(); ++s)
-    if (!(penalties(s, 0) > 0))
-      penalties(s, 0) = deck_.penalty > 0 ? deck_.penalty
-                                          : deck_.penalty_factor * context_.stiffness(sides[s].block, sides[s].element) / sides[s].height;
+  const PointView& multipliers = view.trial->arrays[multipliers_];
+  deck_.start_penalties(*slave_, context_.stiffness, view.trial->arrays[penalties_]);
   // the spring of friction starts unstretched from the stress that the step before left
   for (std::size_t row = 0; row < multipliers.extent(0); ++row)
     multipliers(row, 1) = view.committed->arrays[sides_](row, column::shear);

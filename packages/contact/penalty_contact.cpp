@@ -51,21 +51,10 @@ SideCoordinates PenaltyContact::coordinates(const SurfaceSide& side, const Const
   return result;
 }
 
-void PenaltyContact::set_penalties(const StepView& view) const {
-  const PointView& rows = view.trial->arrays[penalties_];
-  const auto& sides = surface_->sides();
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    if (rows(s, 0) > 0) continue;
-    rows(s, 0) = deck_.penalty > 0
-                     ? deck_.penalty
-                     : deck_.penalty_factor * context_.stiffness(sides[s].block, sides[s].element) / sides[s].height;
-  }
-}
-
 void PenaltyContact::begin(const StepView& view) {
   touch_share_ = 1;
   body_->advance(view);
-  set_penalties(view);
+  deck_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
   start_multipliers(view);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet

@@ -123,7 +123,6 @@ class PenaltyContact : public Contact {
   void check_drainage(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
-  void set_penalties(const StepView& view) const;
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
   /// More than half of the side's points press or are nearer than the sealing gap; `length` of the side [m].
   bool closed(const PointView& rows, std::size_t side, double length) const;

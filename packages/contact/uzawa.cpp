@@ -30,6 +30,13 @@ void EnforcementParameters::check(const Section& section, bool guarded) const {
       section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
 }
 
+void EnforcementParameters::start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
+                                            const PointView& rows) const {
+  const auto& sides = surface.sides();
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    if (!(rows(s, 0) > 0)) rows(s, 0) = penalty > 0 ? penalty : penalty_factor * stiffness(sides[s].block, sides[s].element) / sides[s].height;
+}
+
 Misfit::Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums,
                std::vector<double> lengths, std::vector<double> stiffnesses, double tangential_factor) {
   gap = surface.mean(normal_sums, stiffnesses);

@@ -21,6 +21,9 @@ struct EnforcementParameters {
   int most_augmentations = 50;
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   void parameters(Parameters& p);
+  /// Fills the rows (side, 0) that have no penalty yet [Pa/m]: it stays as it was when the contact first started a step.
+  /// `stiffness`: of the soil by block and element [Pa].
+  void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness, const PointView& rows) const;
   /// InputError for entries that have no meaning with the penalty method. `guarded`: an active set's guard has a gap tolerance too.
   void check(const Section& section, bool guarded = false) const;
 };
