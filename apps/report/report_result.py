@@ -69,7 +69,7 @@ def text(value):
 
 
 class FieldResult:
-    """The fields of a run; steps still being written are left out."""
+    """The fields of a run."""
 
     def __init__(self, path):
         try:
@@ -80,8 +80,13 @@ class FieldResult:
             raise ReportError(f"{path}: not a field file of mudline")
         self.axisymmetric = text(self.file.attrs["geometry"]) == "axisymmetric"
         self.metadata = {name: text(data[()]) for name, data in self.file["metadata"].items()}
-        self.regions = text(self.file["mesh/region names"][()]).split("\n")
-        self.steps = [name for name, step in self.file["steps"].items() if "time" in step.attrs]
+        try:
+            self.regions = text(self.file["mesh/region names"][()]).split("\n")
+            self.steps = [name for name, step in self.file["steps"].items() if "time" in step.attrs]
+        except KeyError:  # a link that leads nowhere
+            link = self.file.get("mesh", getlink=True)
+            folder = Path(path).parent / getattr(link, "filename", ".").rpartition("/")[0]
+            raise ReportError(f"{path}: the files of its fields cannot be read; they belong in the folder {folder}") from None
         self.times = np.array([self.file["steps"][name].attrs["time"] for name in self.steps], dtype=float)
         self.stages = [text(self.file["steps"][name].attrs["stage"]) for name in self.steps]
         self._read_cells()

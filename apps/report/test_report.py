@@ -177,10 +177,15 @@ class ReportTest(unittest.TestCase):
         (self.folder / "text.h5").write_text("no HDF5")
         (self.folder / "odd.csv").write_text("x,y\n1,2\n")
         (self.folder / "empty").mkdir()
+        with h5py.File(self.folder / "alone.h5", "w") as file:
+            file.attrs.update({"format": "mudline fields", "geometry": "plane strain"})
+            file.create_group("metadata")
+            file["mesh"] = h5py.ExternalLink("moved.fields/mesh.h5", "/mesh")
         for arguments, part in [
             ((self.folder / "none",), "there is no such result"),
             ((self.folder / "none.h5",), "there is no such file"),
             ((self.folder / "text.h5",), "cannot be read as an HDF5 file"),
+            ((self.folder / "alone.h5",), f"they belong in the folder {self.folder / 'moved.fields'}"),
             ((self.folder / "odd",), "not a history"),
             ((self.folder / "empty",), "holds no result"),
             ((self.folder / "cone", "--fields", "temperature"), "there is no field 'temperature'; known: deviatoric"),

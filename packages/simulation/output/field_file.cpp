@@ -2,30 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 
 #include "core/errors.hpp"
 #include "simulation/output/atomic_file.hpp"
 #include "simulation/output/collective.hpp"
+#include "simulation/output/field_index.hpp"
 #include "simulation/output/field_layout.hpp"
 #include "simulation/output/hdf5_tools.hpp"
 #include "simulation/output/id_order.hpp"
-#include "simulation/output/xdmf.hpp"
 
 namespace mudline {
 
 namespace {
-
-constexpr const char* format_name = "mudline fields";
-constexpr long long format_version = 1;
-
-std::string step_name(std::size_t index) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%06zu", index);
-  return text;
-}
 
 /// Names that must agree on all ranks, lest the ranks create different datasets and wait for each other for ever.
 std::string signature(const std::vector<OutputField>& fields) {
@@ -35,129 +26,105 @@ std::string signature(const std::vector<OutputField>& fields) {
   return text + '\n';
 }
 
+std::map<std::string, xdmf::Field> read_fields(hid_t file, const std::string& group) {
+  std::map<std::string, xdmf::Field> fields;
+  const auto parent = h5::open_group(file, group);
+  for (const std::string& link : h5::names(parent)) {
+    const auto dataset = h5::open_dataset(parent, link);
+    fields[link] = {h5::text_attribute(dataset, "name"), h5::text_attribute(dataset, "unit"),
+                    static_cast<int>(h5::integer_attribute(dataset, "components"))};
+  }
+  return fields;
+}
+
 }  // namespace
 
 struct FieldFile::File {
   File(const Mesh& mesh, const std::string& stem);
 
   void create(const Mesh& mesh);
-  void open(const Mesh& mesh, double restart_time);
-  std::map<std::string, xdmf::Field> read_fields(const std::string& group) const;
+  void open(double restart_time);
+  void write_whole(const std::string& path, const std::function<void(hid_t)>& content) const;
   std::string wrong_fields(const std::vector<OutputField>& fields, std::size_t rows) const;
   std::string bad_value(const std::vector<OutputField>& fields) const;
-  std::map<std::string, xdmf::Field> write_fields(hid_t step, const std::string& group,
+  std::map<std::string, xdmf::Field> write_fields(hid_t file, const std::string& group,
                                                   const std::vector<OutputField>& fields, const IdOrder& order) const;
-  void write_bodies(hid_t step, const std::map<std::string, BodyPose>& poses) const;
-  void record(const xdmf::Step& step);
-  void publish();
+  void write_bodies(hid_t file, const std::map<std::string, BodyPose>& poses) const;
+  void publish() const;
   void fail_alike(const std::string& message) const;
 
   Teuchos::RCP<const Teuchos::Comm<int>> owner;  // keeps the communicator alive
   MPI_Comm comm;
   int rank;
-  std::string stem;
   IdOrder nodes, elements;
-  h5::Handle file;
-  xdmf::Model model;
-  std::map<std::string, std::vector<std::array<double, 2>>> contours;  // by link name
-  std::size_t steps = 0;
-  std::string grids;  // the XML of the steps so far, on rank 0
+  FieldIndex index;  // the same on every rank; rank 0 writes it
 };
 
 FieldFile::File::File(const Mesh& mesh, const std::string& path_stem)
     : owner(mesh.comm()),
       comm(raw_communicator(*mesh.comm())),
       rank(mesh.comm()->getRank()),
-      stem(path_stem),
       nodes(comm, field_layout::owned_ids(mesh), mesh.num_global_nodes()),
-      elements(comm, field_layout::element_ids(mesh), mesh.num_global_elements()) {
-  model.hdf5 = std::filesystem::path(stem + ".h5").filename().string();
-  model.nodes = nodes.global_count();
-  model.elements = elements.global_count();
+      elements(comm, field_layout::element_ids(mesh), mesh.num_global_elements()),
+      index(path_stem) {
+  index.geometry = mesh.geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain";
+  index.model.nodes = nodes.global_count();
+  index.model.elements = elements.global_count();
 }
 
 void FieldFile::File::fail_alike(const std::string& message) const {
   const std::string agreed = agreed_message(comm, message);
-  if (!agreed.empty()) throw std::runtime_error(stem + ".h5: " + agreed);
+  if (!agreed.empty()) throw std::runtime_error(index.path() + ": " + agreed);
+}
+
+/// All ranks write a file together under a temporary name, which is renamed when it is complete on disk.
+void FieldFile::File::write_whole(const std::string& path, const std::function<void(hid_t)>& content) const {
+  const std::string temporary = path + ".part";
+  std::string error;
+  try {
+    const auto file = h5::create_file(comm, temporary);
+    content(file);
+    h5::flush(file, temporary);
+  } catch (const std::runtime_error& failure) {
+    error = std::string(failure.what()) + " (disk full?)";
+  }
+  std::error_code ignored;
+  if (!error.empty() && rank == 0) std::filesystem::remove(temporary, ignored);
+  fail_alike(error);
+  fail_alike(rank == 0 ? rename_file(temporary, path) : "");
 }
 
 void FieldFile::File::create(const Mesh& mesh) {
-  // An XDMF file of an earlier run would refer to steps that no longer exist.
-  std::error_code ignored;
-  if (rank == 0) std::filesystem::remove(stem + ".xdmf", ignored);
-  file = h5::create_file(comm, stem + ".h5");
-  h5::set_attribute(file, "format", std::string(format_name));
-  h5::set_attribute(file, "format version", format_version);
-  h5::set_attribute(file, "geometry",
-                    std::string(mesh.geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain"));
-  h5::set_attribute(file, "nodes", model.nodes);
-  h5::set_attribute(file, "elements", model.elements);
-  for (const char* group : {"metadata", "bodies", "steps"}) h5::create_group(file, group);
-  model.topology_length = field_layout::write_mesh(file, comm, mesh, nodes, elements);
-  h5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush '" + stem + ".h5'");
-}
-
-void FieldFile::File::open(const Mesh& mesh, double restart_time) {
-  const std::string path = stem + ".h5", advice = "; move it away, or run without a restart";
-  try {
-    file = h5::open_file(comm, path, true);
-  } catch (const std::runtime_error&) {
-    throw InputError(path + ": the result of the first run cannot be opened" + advice);
+  std::error_code problem;
+  if (rank == 0) {
+    // An index of an earlier run would refer to steps that no longer exist.
+    index.remove_files();
+    std::filesystem::create_directories(index.folder(), problem);
   }
-  if (!h5::has_attribute(file, "format") || h5::text_attribute(file, "format") != format_name ||
-      h5::integer_attribute(file, "format version") != format_version)
-    throw InputError(path + ": not a result of this version of mudline" + advice);
-  const long long old_nodes = h5::integer_attribute(file, "nodes"),
-                  old_elements = h5::integer_attribute(file, "elements");
-  if (old_nodes != model.nodes || old_elements != model.elements)
-    throw InputError(path + ": the result belongs to a mesh of " + std::to_string(old_nodes) + " nodes and " +
-                     std::to_string(old_elements) + " elements, but this mesh has " + std::to_string(model.nodes) +
-                     " and " + std::to_string(model.elements) + advice);
-  model.topology_length = static_cast<long long>(h5::size(file, "mesh/topology"));
-  for (const std::string& link : h5::names(h5::open_group(file, "bodies"))) {
-    const auto points = h5::read_all<double>(file, "bodies/" + link + "/contour");
-    auto& contour = contours[link];
-    for (std::size_t i = 0; i + 1 < points.size(); i += 2) contour.push_back({points[i], points[i + 1]});
-    const auto body = h5::open_group(file, "bodies/" + link);
-    model.bodies[link] = {h5::text_attribute(body, "name"), static_cast<long long>(contour.size())};
-  }
-
-  const auto group = h5::open_group(file, "steps");
-  bool keep = true;
-  for (std::size_t k = 0; h5::exists(group, step_name(k)); ++k) {
-    const std::string name = step_name(k);
-    xdmf::Step step;
-    {
-      const auto old = h5::open_group(group, name);
-      step = {"/steps/" + name, 0.0, 0, "", {}, {}};
-      // A step without its time was cut short by a crash: the time is written last.
-      keep = keep && h5::has_attribute(old, "time") && h5::number_attribute(old, "time") <= restart_time;
-      if (keep) {
-        step.time = h5::number_attribute(old, "time");
-        step.number = h5::integer_attribute(old, "step");
-        step.stage = h5::text_attribute(old, "stage");
-        step.nodal = read_fields(step.group + "/nodal");
-        step.cell = read_fields(step.group + "/cell");
-      }
-    }
-    if (keep)
-      record(step);
-    else
-      h5::remove(group, name);
-  }
+  fail_alike(problem ? "cannot create the folder '" + index.folder() + "': " + problem.message() : "");
+  write_whole(index.mesh_path(), [&](hid_t file) {
+    index.model.topology_length = field_layout::write_mesh(file, comm, mesh, nodes, elements);
+  });
   publish();
 }
 
-std::map<std::string, xdmf::Field> FieldFile::File::read_fields(const std::string& group) const {
-  std::map<std::string, xdmf::Field> fields;
-  const auto parent = h5::open_group(file, group);
-  for (const std::string& link : h5::names(parent)) {
-    const h5::Handle dataset(H5Dopen2(parent, link.c_str(), H5P_DEFAULT), H5Dclose,
-                             "find '" + group + "/" + link + "'");
-    fields[link] = {h5::text_attribute(dataset, "name"), h5::text_attribute(dataset, "unit"),
-                    static_cast<int>(h5::integer_attribute(dataset, "components"))};
+void FieldFile::File::open(double restart_time) {
+  const std::size_t old = index.read();
+  try {
+    for (std::size_t k = 0; k < old; ++k) {
+      const auto file = h5::open_file(MPI_COMM_SELF, index.step_path(k), false);
+      const double time = h5::number_attribute(file, "time");
+      if (time > restart_time) break;
+      index.append({FieldIndex::step_name(k), time, h5::integer_attribute(file, "step"),
+                    h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell")});
+    }
+  } catch (const std::runtime_error& failure) {
+    throw InputError(index.path() + ": the result of the first run cannot be continued: " + failure.what() +
+                     "; move it away, or run without a restart");
   }
-  return fields;
+  MPI_Barrier(comm);  // every rank has read what rank 0 now replaces
+  publish();
+  if (rank == 0) index.remove_steps(index.steps);
 }
 
 /// What is wrong with the shape of the call, or "".
@@ -186,11 +153,11 @@ std::string FieldFile::File::bad_value(const std::vector<OutputField>& fields) c
   return "";
 }
 
-std::map<std::string, xdmf::Field> FieldFile::File::write_fields(hid_t step, const std::string& group_name,
+std::map<std::string, xdmf::Field> FieldFile::File::write_fields(hid_t file, const std::string& group_name,
                                                                  const std::vector<OutputField>& fields,
                                                                  const IdOrder& order) const {
   std::map<std::string, xdmf::Field> written;
-  const auto group = h5::create_group(step, group_name);
+  const auto group = h5::create_group(file, group_name);
   for (const auto& field : fields) {
     const std::string link = h5::link_name(field.name);
     const int columns = field_layout::stored_components(field.components);
@@ -203,9 +170,9 @@ std::map<std::string, xdmf::Field> FieldFile::File::write_fields(hid_t step, con
   return written;
 }
 
-void FieldFile::File::write_bodies(hid_t step, const std::map<std::string, BodyPose>& poses) const {
-  const auto group = h5::create_group(step, "bodies");
-  for (const auto& [link, body] : model.bodies) {
+void FieldFile::File::write_bodies(hid_t file, const std::map<std::string, BodyPose>& poses) const {
+  const auto group = h5::create_group(file, "bodies");
+  for (const auto& [link, body] : index.model.bodies) {
     const auto found = poses.find(body.name);
     const BodyPose pose = found == poses.end() ? BodyPose() : found->second;
     const double c = std::cos(pose.angle), s = std::sin(pose.angle);
@@ -214,7 +181,7 @@ void FieldFile::File::write_bodies(hid_t step, const std::map<std::string, BodyP
     h5::set_attribute(place, "rotation", std::vector<double>{pose.angle});
     std::vector<double> points;
     if (rank == 0)
-      for (const auto& point : contours.at(link)) {
+      for (const auto& point : index.contours.at(link)) {
         const double x = point[0] - pose.centre[0], y = point[1] - pose.centre[1];
         // a body that does not turn keeps every bit
         if (pose.angle == 0)
@@ -226,31 +193,15 @@ void FieldFile::File::write_bodies(hid_t step, const std::map<std::string, BodyP
   }
 }
 
-void FieldFile::File::record(const xdmf::Step& step) {
-  if (rank == 0) grids += xdmf::grid(model, step);
-  ++steps;
-}
-
-/// Brings the file to a state that a reader may see, then the XDMF that refers to it.
-void FieldFile::File::publish() {
-  fail_alike(H5Fflush(file, H5F_SCOPE_GLOBAL) < 0 ? "cannot be flushed (disk full?)" : "");
-  std::string error;
-  if (rank == 0) {
-    std::error_code ignored;
-    if (steps > 0)
-      error = write_atomically(stem + ".xdmf", xdmf::document(grids));
-    else
-      std::filesystem::remove(stem + ".xdmf", ignored);
-  }
-  fail_alike(error);
-}
+/// Brings the steps so far before the readers' eyes.
+void FieldFile::File::publish() const { fail_alike(rank == 0 ? index.write() : ""); }
 
 FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<double> restart_time)
     : file_(std::make_unique<File>(mesh, path_stem)) {
   std::error_code ignored;
-  const bool found = std::filesystem::is_regular_file(path_stem + ".h5", ignored);
+  const bool found = std::filesystem::is_regular_file(file_->index.path(), ignored);
   if (restart_time && broadcast(file_->comm, found ? "found" : "") == "found")
-    file_->open(mesh, *restart_time);
+    file_->open(*restart_time);
   else
     file_->create(mesh);
 }
@@ -258,32 +209,24 @@ FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::option
 FieldFile::~FieldFile() = default;
 
 void FieldFile::set_metadata(const std::string& name, const std::string& text) {
-  const std::string same = broadcast(file_->comm, text), link = h5::link_name(name);
-  const auto group = h5::open_group(file_->file, "metadata");
-  if (h5::exists(group, link)) h5::remove(group, link);
-  h5::write_text(group, link, same, file_->rank);
+  file_->index.metadata[h5::link_name(name)] = broadcast(file_->comm, text);
+  file_->publish();
 }
 
 void FieldFile::add_body(const std::string& name, const std::vector<std::array<double, 2>>& contour) {
-  File& f = *file_;
+  FieldIndex& index = file_->index;
   const std::string link = h5::link_name(name);
-  const auto group = h5::open_group(f.file, "bodies");
-  if (h5::exists(group, link)) {
+  const auto found = index.contours.find(link);
+  if (found != index.contours.end()) {
     // After a restart: the steps already written describe this contour.
-    if (contour.size() != f.contours[link].size())
-      throw InputError(f.stem + ".h5: body '" + name + "' has another contour than in the first run");
-  } else if (f.steps > 0) {
+    if (contour.size() != found->second.size())
+      throw InputError(index.path() + ": body '" + name + "' has another contour than in the first run");
+  } else if (index.steps > 0) {
     throw std::invalid_argument("body '" + name + "' is added after the first step was written");
-  } else {
-    const auto body = h5::create_group(group, link);
-    h5::set_attribute(body, "name", name);
-    std::vector<double> points;
-    if (f.rank == 0)
-      for (const auto& point : contour) points.insert(points.end(), point.begin(), point.end());
-    h5::write(body, "contour", points, {contour.size(), 2, 0, f.rank == 0 ? contour.size() : 0});
   }
-  f.contours[link] = contour;
-  f.model.bodies[link] = {name, static_cast<long long>(contour.size())};
+  index.contours[link] = contour;
+  index.model.bodies[link] = {name, static_cast<long long>(contour.size())};
+  file_->publish();
 }
 
 void FieldFile::write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
@@ -295,7 +238,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
   if (wrong.empty()) wrong = f.wrong_fields(nodal, f.nodes.local_count());
   if (wrong.empty()) wrong = f.wrong_fields(cell, f.elements.local_count());
   for (const auto& entry : poses)
-    if (f.model.bodies.count(h5::link_name(entry.first)) == 0) wrong = "there is no body '" + entry.first + "'";
+    if (f.index.model.bodies.count(h5::link_name(entry.first)) == 0) wrong = "there is no body '" + entry.first + "'";
   wrong = agreed_message(f.comm, wrong);
   if (wrong.empty() && !same_everywhere(f.comm, stage + '\n' + signature(nodal) + signature(cell)))
     wrong = "the ranks give different fields to write";
@@ -306,25 +249,20 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
   if (bad.empty()) bad = f.bad_value(cell);
   f.fail_alike(bad);
 
-  xdmf::Step written{"/steps/" + step_name(f.steps), time, step, stage, {}, {}};
-  std::string error;
-  try {
-    const auto group = h5::create_group(f.file, written.group);
-    field_layout::write_rows(group, "coordinates", coordinates, 2, f.nodes);
-    written.nodal = f.write_fields(group, "nodal", nodal, f.nodes);
-    written.cell = f.write_fields(group, "cell", cell, f.elements);
-    f.write_bodies(group, poses);
-    h5::set_attribute(group, "step", static_cast<long long>(step));
-    h5::set_attribute(group, "stage", stage);
-    h5::set_attribute(group, "time", std::vector<double>{time});
-  } catch (const std::runtime_error& failure) {
-    error = std::string(failure.what()) + " (disk full?)";
-  }
-  f.fail_alike(error);
-  f.record(written);
+  xdmf::Step written{FieldIndex::step_name(f.index.steps), time, step, stage, {}, {}};
+  f.write_whole(f.index.step_path(f.index.steps), [&](hid_t file) {
+    h5::set_attribute(file, "time", std::vector<double>{time});
+    h5::set_attribute(file, "step", static_cast<long long>(step));
+    h5::set_attribute(file, "stage", stage);
+    field_layout::write_rows(file, "coordinates", coordinates, 2, f.nodes);
+    written.nodal = f.write_fields(file, "nodal", nodal, f.nodes);
+    written.cell = f.write_fields(file, "cell", cell, f.elements);
+    f.write_bodies(file, poses);
+  });
+  f.index.append(written);
   f.publish();
 }
 
-int FieldFile::num_steps() const { return static_cast<int>(file_->steps); }
+int FieldFile::num_steps() const { return static_cast<int>(file_->index.steps); }
 
 }  // namespace mudline

@@ -27,15 +27,18 @@ struct BodyPose {
   std::array<double, 2> centre{};
 };
 
-/// The fields of a run: one HDF5 file written by all ranks together, and beside it an XDMF file for ParaView. After
-/// every write both are complete on disk, so they can be looked at while the run goes on. Rows are ordered by global
-/// ids: the file does not depend on the number of ranks. docs/output_format.md has the layout.
+/// The fields of a run: an HDF5 file for the mesh and one for every step, written by all ranks together in a folder, and
+/// beside it an HDF5 file of links to them and an XDMF file for ParaView. Every file is written under a temporary name
+/// and renamed when it is complete, so they can be looked at while the run goes on, and a killed run leaves every step
+/// that was written. (HDF5 changes a growing file in place: a program killed in the middle of that leaves a file that
+/// cannot be read.) Rows are ordered by global ids: nothing depends on the number of ranks. docs/output_format.md has the
+/// layout.
 ///
 /// Every member is collective and wants the same names, times and texts on every rank. Errors are thrown alike:
 /// std::runtime_error for a value that is not finite or a disk that refuses, std::invalid_argument for a wrong call.
 class FieldFile {
  public:
-  /// Writes path_stem + ".h5" and, from the first step on, path_stem + ".xdmf". Without `restart_time` old files are
+  /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".xdmf". Without `restart_time` old files are
   /// replaced. With it steps up to and including that time stay and later ones go; missing files are started anew.
   /// InputError when the old file cannot be continued: no result of mudline, or of another mesh.
   FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<double> restart_time = {});
@@ -55,7 +58,7 @@ class FieldFile {
              const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
              const std::map<std::string, BodyPose>& poses = {});
 
-  /// Number of steps in the file.
+  /// Number of steps written so far, those of before a restart included.
   int num_steps() const;
 
  private:

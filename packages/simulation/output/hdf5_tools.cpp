@@ -80,10 +80,6 @@ Handle open_attribute(hid_t object, const std::string& name) {
   return Handle(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "find attribute '" + name + "'");
 }
 
-Handle open_dataset(hid_t parent, const std::string& name) {
-  return Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "find dataset '" + name + "'");
-}
-
 }  // namespace
 
 Handle::Handle(hid_t id, herr_t (*close)(hid_t), const std::string& doing) : id_(id), close_(close) {
@@ -114,11 +110,16 @@ Handle open_group(hid_t parent, const std::string& name) {
   return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "find group '" + name + "'");
 }
 
-bool exists(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
-
-void remove(hid_t parent, const std::string& name) {
-  check(H5Ldelete(parent, name.c_str(), H5P_DEFAULT), "remove '" + name + "'");
+Handle open_dataset(hid_t parent, const std::string& name) {
+  return Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "find dataset '" + name + "'");
 }
+
+void link_to_file(hid_t parent, const std::string& name, const std::string& file, const std::string& object) {
+  check(H5Lcreate_external(file.c_str(), object.c_str(), parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        "link '" + name + "' to '" + file + "'");
+}
+
+void flush(hid_t file, const std::string& path) { check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush '" + path + "'"); }
 
 std::vector<std::string> names(hid_t group) {
   std::vector<std::string> result;

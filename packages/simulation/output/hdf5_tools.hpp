@@ -39,8 +39,11 @@ Handle create_file(MPI_Comm comm, const std::string& path);
 Handle open_file(MPI_Comm comm, const std::string& path, bool writable);
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
-bool exists(hid_t parent, const std::string& name);
-void remove(hid_t parent, const std::string& name);
+Handle open_dataset(hid_t parent, const std::string& name);
+/// A link that leads to an object of another file; `file` is relative to the folder of the file that has the link.
+void link_to_file(hid_t parent, const std::string& name, const std::string& file, const std::string& object);
+/// Brings everything to the disk. Closing does so too, but cannot say that it failed.
+void flush(hid_t file, const std::string& path);
 /// Names of the links in a group, sorted.
 std::vector<std::string> names(hid_t group);
 

@@ -5,6 +5,7 @@ set(simulation_output_sources
   output/checkpoint_file.cpp
   output/collective.cpp
   output/field_file.cpp
+  output/field_index.cpp
   output/field_layout.cpp
   output/hdf5_tools.cpp
   output/history_file.cpp

@@ -13,24 +13,25 @@ std::string number(double value) {
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
-std::string heavy(const Model& model, const std::string& path, const std::string& dimensions, const std::string& type) {
-  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + model.hdf5 + ":" + path +
-         "</DataItem>";
+std::string heavy(const Model& model, const std::string& file, const std::string& path, const std::string& dimensions,
+                  const std::string& type) {
+  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + model.folder + "/" + file +
+         ".h5:" + path + "</DataItem>";
 }
 
 const char* const real = "NumberType=\"Float\" Precision=\"8\"";
 const char* const integer = "NumberType=\"Int\" Precision=\"8\"";
 const char* const small_integer = "NumberType=\"Int\" Precision=\"4\"";
 
-std::string attributes(const Model& model, const std::map<std::string, Field>& fields, const std::string& group,
-                       const std::string& centre, long long rows) {
+std::string attributes(const Model& model, const Step& step, const std::map<std::string, Field>& fields,
+                       const std::string& group, const std::string& centre, long long rows) {
   std::string text;
   for (const auto& [link, field] : fields) {
     const char* type = field.components == 1 ? "Scalar" : field.components == 3 ? "Vector" : "Tensor6";
     const std::string columns = field.components == 1 ? "" : " " + std::to_string(field.components);
     text += "        <Attribute Name=\"" + xml_escaped(field.name + " [" + field.unit + "]") + "\" AttributeType=\"" +
             type + "\" Center=\"" + centre + "\">" +
-            heavy(model, group + "/" + link, std::to_string(rows) + columns, real) + "</Attribute>\n";
+            heavy(model, step.file, group + "/" + link, std::to_string(rows) + columns, real) + "</Attribute>\n";
   }
   return text;
 }
@@ -48,7 +49,7 @@ std::string body_grid(const Model& model, const Step& step, const std::string& l
          points + "\" " + small_integer + " Format=\"XML\">" + line +
          "</DataItem></Topology>\n"
          "        <Geometry GeometryType=\"XYZ\">" +
-         heavy(model, step.group + "/bodies/" + link + "/coordinates", points + " 3", real) +
+         heavy(model, step.file, "/bodies/" + link + "/coordinates", points + " 3", real) +
          "</Geometry>\n      </Grid>\n";
 }
 
@@ -64,15 +65,15 @@ std::string grid(const Model& model, const Step& step) {
                             "      <Information Name=\"stage\" Value=\"" +
                             xml_escaped(step.stage) + "\"/>\n";
   const std::string mesh = "        <Topology TopologyType=\"Mixed\" NumberOfElements=\"" + elements + "\">" +
-                           heavy(model, "/mesh/topology", std::to_string(model.topology_length), integer) +
+                           heavy(model, "mesh", "/mesh/topology", std::to_string(model.topology_length), integer) +
                            "</Topology>\n"
                            "        <Geometry GeometryType=\"XYZ\">" +
-                           heavy(model, step.group + "/coordinates", nodes + " 3", real) +
+                           heavy(model, step.file, "/coordinates", nodes + " 3", real) +
                            "</Geometry>\n"
                            "        <Attribute Name=\"region\" AttributeType=\"Scalar\" Center=\"Cell\">" +
-                           heavy(model, "/mesh/region", elements, small_integer) + "</Attribute>\n" +
-                           attributes(model, step.nodal, step.group + "/nodal", "Node", model.nodes) +
-                           attributes(model, step.cell, step.group + "/cell", "Cell", model.elements);
+                           heavy(model, "mesh", "/mesh/region", elements, small_integer) + "</Attribute>\n" +
+                           attributes(model, step, step.nodal, "/nodal", "Node", model.nodes) +
+                           attributes(model, step, step.cell, "/cell", "Cell", model.elements);
 
   if (model.bodies.empty())
     return "      <Grid Name=\"soil\" GridType=\"Uniform\">\n      " + about + mesh + "      </Grid>\n";

@@ -12,9 +12,9 @@ struct Field {
   int components;
 };
 
-/// What the light data say about one written step; the keys are link names in the HDF5 file.
+/// What the light data say about one written step; the keys are link names in its HDF5 file.
 struct Step {
-  std::string group;  // "/steps/000000"
+  std::string file;  // in the model's folder, without suffix: "000000"
   double time;
   long long number;
   std::string stage;
@@ -28,7 +28,7 @@ struct Body {
 
 /// What stays the same over a run.
 struct Model {
-  std::string hdf5;  // file name, without folder: both files lie side by side
+  std::string folder;  // that holds mesh.h5 and the files of the steps, beside the XDMF file
   long long nodes, elements, topology_length;
   std::map<std::string, Body> bodies;  // by link name
 };

@@ -55,9 +55,7 @@ TEST(FieldFile, StepsAreCompleteOnDiskWhileTheFileIsOpen) {
   file.set_metadata("deck", std::string(80000, 'd'));
   for (int step = 0; step < 3; ++step) {
     result.write(file, 0.5 * step);
-    // HDF5 shares an open file within a process, so another program is played by a copy of the bytes on disk.
-    const std::string copy = folder / "copy.h5", group = "/steps/00000" + std::to_string(step);
-    std::filesystem::copy_file(folder / "r.h5", copy, std::filesystem::copy_options::overwrite_existing);
+    const std::string name = "00000" + std::to_string(step), group = "/steps/" + name, copy = folder / "r.h5";
     EXPECT_EQ(dataset(copy, group + "/nodal/pore_pressure")[34], 34.0);
     const auto displacement = dataset(copy, group + "/nodal/displacement");
     EXPECT_EQ(std::vector<double>(displacement.begin() + 6, displacement.begin() + 9),
@@ -70,7 +68,7 @@ TEST(FieldFile, StepsAreCompleteOnDiskWhileTheFileIsOpen) {
     EXPECT_EQ(dataset(copy, group + "/coordinates")[3 * 8], 0.5 * (1 + 0.5 * step));
     EXPECT_EQ(dataset(copy, group + "/bodies/cone/coordinates")[4], 1 - 0.5 * step);
     const std::string xdmf = content(folder / "r.xdmf");
-    EXPECT_NE(xdmf.find("r.h5:" + group + "/cell/effective_stress</DataItem>"), std::string::npos);
+    EXPECT_NE(xdmf.find("r.fields/" + name + ".h5:/cell/effective_stress</DataItem>"), std::string::npos);
     EXPECT_NE(xdmf.find("<Attribute Name=\"pore pressure [Pa]\" AttributeType=\"Scalar\" Center=\"Node\">"),
               std::string::npos);
     EXPECT_NE(xdmf.find("Value=\"push &amp; &lt;hold&gt;\""), std::string::npos);
@@ -95,16 +93,55 @@ TEST(FieldFile, RestartDropsLaterStepsAndGoesOn) {
   }
   run(folder / "parts", 2.0, 3, 4, 1.0);
   std::string parts = content(folder / "parts.xdmf");
-  for (std::size_t at = 0; (at = parts.find("parts.h5", at)) != std::string::npos;) parts.replace(at, 8, "whole.h5");
+  for (std::size_t at = 0; (at = parts.find("parts.fields", at)) != std::string::npos;)
+    parts.replace(at, 5, "whole");
   EXPECT_EQ(parts, content(folder / "whole.xdmf"));
   for (const char* name :
        {"/steps/000001/nodal/pore_pressure", "/steps/000003/nodal/pore_pressure", "/steps/000004/coordinates"})
     EXPECT_EQ(dataset(folder / "parts.h5", name), dataset(folder / "whole.h5", name)) << name;
   EXPECT_TRUE(dataset(folder / "parts.h5", "/steps/000005/coordinates").empty());
+  EXPECT_FALSE(std::filesystem::exists(folder / "parts.fields/000005.h5"));
 
   FieldFile from_the_start(result.mesh, folder / "parts", -1.0);
   EXPECT_EQ(from_the_start.num_steps(), 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "parts.xdmf"));
+}
+
+TEST(FieldFile, AStepThatWasCutShortHarmsNothing) {
+  Folder folder;
+  Result result;
+  {
+    FieldFile file(result.mesh, folder / "r");
+    file.add_body("cone", contour);
+    for (int step = 0; step < 2; ++step) result.write(file, step);
+  }
+  // What kills leave: half a step, a step that the index does not have yet, half an index.
+  std::ofstream(folder / "r.fields/000002.h5.part") << "half a step";
+  std::filesystem::copy_file(folder / "r.fields/000001.h5", folder / "r.fields/000002.h5");
+  std::ofstream(folder / "r.h5.part") << "half an index";
+  FieldFile file(result.mesh, folder / "r", 1.0);
+  file.add_body("cone", contour);
+  EXPECT_EQ(file.num_steps(), 2);
+  EXPECT_TRUE(dataset(folder / "r.h5", "/steps/000002/coordinates").empty());
+  result.write(file, 2, 7.0);
+  EXPECT_EQ(dataset(folder / "r.h5", "/steps/000002/nodal/pore_pressure")[34], 7.0 * 34);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / ""))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+}
+
+TEST(FieldFile, RestartNeedsTheStepsThatTheIndexNames) {
+  Folder folder;
+  Result result;
+  {
+    FieldFile file(result.mesh, folder / "r");
+    file.add_body("cone", contour);
+    result.write(file, 0);
+  }
+  std::filesystem::remove(folder / "r.fields/000000.h5");
+  EXPECT_NE(message_of<InputError>([&] {
+              FieldFile(result.mesh, folder / "r", 1.0);
+            }).find("r.h5: the result of the first run cannot be continued: cannot open '" + (folder / "r.fields/000000.h5")),
+            std::string::npos);
 }
 
 TEST(FieldFile, RestartRefusesAnotherMeshOrAForeignFile) {

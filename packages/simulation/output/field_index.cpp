@@ -1,0 +1,118 @@
+#include "simulation/output/field_index.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "core/errors.hpp"
+#include "simulation/output/atomic_file.hpp"
+#include "simulation/output/hdf5_tools.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr const char* format_name = "mudline fields";
+constexpr long long format_version = 2;
+
+}  // namespace
+
+FieldIndex::FieldIndex(const std::string& path_stem) : stem(path_stem) {
+  model.folder = std::filesystem::path(folder()).filename().string();
+}
+
+std::string FieldIndex::step_name(std::size_t step) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%06zu", step);
+  return text;
+}
+
+std::size_t FieldIndex::read() {
+  const std::string advice = "; move it away, or run without a restart";
+  h5::Handle file;
+  try {
+    file = h5::open_file(MPI_COMM_SELF, path(), false);
+  } catch (const std::runtime_error&) {
+    throw InputError(path() + ": the result of the first run cannot be opened" + advice);
+  }
+  if (!h5::has_attribute(file, "format") || h5::text_attribute(file, "format") != format_name ||
+      h5::integer_attribute(file, "format version") != format_version)
+    throw InputError(path() + ": not a result of this version of mudline" + advice);
+  const long long old_nodes = h5::integer_attribute(file, "nodes"),
+                  old_elements = h5::integer_attribute(file, "elements");
+  if (old_nodes != model.nodes || old_elements != model.elements)
+    throw InputError(path() + ": the result belongs to a mesh of " + std::to_string(old_nodes) + " nodes and " +
+                     std::to_string(old_elements) + " elements, but this mesh has " + std::to_string(model.nodes) +
+                     " and " + std::to_string(model.elements) + advice);
+  model.topology_length = h5::integer_attribute(file, "topology length");
+  for (const std::string& link : h5::names(h5::open_group(file, "metadata")))
+    metadata[link] = h5::read_text(file, "metadata/" + link);
+  for (const std::string& link : h5::names(h5::open_group(file, "bodies"))) {
+    const auto points = h5::read_all<double>(file, "bodies/" + link + "/contour");
+    auto& contour = contours[link];
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2) contour.push_back({points[i], points[i + 1]});
+    const auto body = h5::open_group(file, "bodies/" + link);
+    model.bodies[link] = {h5::text_attribute(body, "name"), static_cast<long long>(contour.size())};
+  }
+  return h5::names(h5::open_group(file, "steps")).size();
+}
+
+void FieldIndex::append(const xdmf::Step& step) {
+  grids_ += xdmf::grid(model, step);
+  ++steps;
+}
+
+void FieldIndex::write_index(const std::string& to) const {
+  const auto file = h5::create_file(MPI_COMM_SELF, to);
+  h5::set_attribute(file, "format", std::string(format_name));
+  h5::set_attribute(file, "format version", format_version);
+  h5::set_attribute(file, "geometry", geometry);
+  h5::set_attribute(file, "nodes", model.nodes);
+  h5::set_attribute(file, "elements", model.elements);
+  h5::set_attribute(file, "topology length", model.topology_length);
+  h5::link_to_file(file, "mesh", model.folder + "/mesh.h5", "/mesh");
+  const auto texts = h5::create_group(file, "metadata"), bodies = h5::create_group(file, "bodies"),
+             links = h5::create_group(file, "steps");
+  for (const auto& [link, text] : metadata) h5::write_text(texts, link, text, 0);
+  for (const auto& [link, contour] : contours) {
+    const auto body = h5::create_group(bodies, link);
+    h5::set_attribute(body, "name", model.bodies.at(link).name);
+    std::vector<double> points;
+    for (const auto& point : contour) points.insert(points.end(), point.begin(), point.end());
+    h5::write(body, "contour", points, {contour.size(), 2, 0, contour.size()});
+  }
+  for (std::size_t k = 0; k < steps; ++k)
+    h5::link_to_file(links, step_name(k), model.folder + "/" + step_name(k) + ".h5", "/");
+  h5::flush(file, to);
+}
+
+std::string FieldIndex::write() const {
+  const std::string temporary = path() + ".part";
+  try {
+    write_index(temporary);
+  } catch (const std::runtime_error& failure) {
+    return failure.what();
+  }
+  // The steps must exist for whoever reads of them, in whichever of the two files.
+  std::string error = rename_file(temporary, path());
+  std::error_code ignored;
+  if (error.empty() && steps > 0) error = write_atomically(stem + ".xdmf", xdmf::document(grids_));
+  if (steps == 0) std::filesystem::remove(stem + ".xdmf", ignored);
+  return error;
+}
+
+void FieldIndex::remove_files() const {
+  std::error_code ignored;
+  std::filesystem::remove(stem + ".xdmf", ignored);
+  std::filesystem::remove(path(), ignored);
+  remove_steps(0);
+}
+
+void FieldIndex::remove_steps(std::size_t first) const {
+  std::error_code ignored;
+  // Steps are numbered without gaps.
+  for (std::size_t k = first; std::filesystem::remove(step_path(k), ignored); ++k) {
+  }
+}
+
+}  // namespace mudline

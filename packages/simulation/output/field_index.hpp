@@ -1,0 +1,53 @@
+#pragma once
+
+// What is known of a run's fields as a whole; used by field_file.cpp only.
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "simulation/output/xdmf.hpp"
+
+namespace mudline {
+
+/// The two small files through which the steps of a run are found: <stem>.h5, whose links lead to the files of the mesh
+/// and of the steps in the folder <stem>.fields, and <stem>.xdmf. Both are written whole under a temporary name and
+/// renamed, so that whatever kills the run leaves the old ones or the new ones. Nothing here is collective: every rank
+/// may hold an index, one of them writes it.
+struct FieldIndex {
+  explicit FieldIndex(const std::string& stem);
+
+  /// Paths of the index, of the folder, of the mesh's file and of a step's; and the name of a step, "000010".
+  std::string path() const { return stem + ".h5"; }
+  std::string folder() const { return stem + ".fields"; }
+  std::string mesh_path() const { return folder() + "/mesh.h5"; }
+  std::string step_path(std::size_t step) const { return folder() + "/" + step_name(step) + ".h5"; }
+  static std::string step_name(std::size_t step);
+
+  /// Takes the index of an earlier run, without its steps. InputError when it is not one or belongs to another mesh.
+  /// Returns the number of steps that it names.
+  std::size_t read();
+
+  /// Adds a complete step.
+  void append(const xdmf::Step& step);
+
+  /// Writes both files; without steps there is no XDMF file. Returns what went wrong, "" when nothing did.
+  std::string write() const;
+
+  /// Removes both files and the steps from `first` on from the folder.
+  void remove_files() const;
+  void remove_steps(std::size_t first) const;
+
+  std::string stem, geometry;
+  xdmf::Model model;
+  std::map<std::string, std::string> metadata;                         // by link name
+  std::map<std::string, std::vector<std::array<double, 2>>> contours;  // by link name, in the reference position [m]
+  std::size_t steps = 0;
+
+ private:
+  void write_index(const std::string& to) const;
+
+  std::string grids_;  // the XML of the steps so far
+};
+
+}  // namespace mudline
