@@ -19,11 +19,11 @@ import numpy as np  # noqa: E402
 
 import mudline_report  # noqa: E402
 import report_pictures  # noqa: E402
-from report_result import FieldResult, History, ReportError, stress_invariants  # noqa: E402
+from report_result import FieldResult, History, stress_invariants  # noqa: E402
 
 
 def write_result(path, with_body=True):
-    """One quad9 and, right of it, two tri6 on [0, 2] x [0, 1]; two stages, and a step that is still being written."""
+    """One quad9 and, right of it, two tri6 on [0, 2] x [0, 1]; two stages, and a step without its time."""
     x, y = np.meshgrid(np.arange(5) * 0.5, np.arange(3) * 0.5)
     points = np.column_stack([x.ravel(), y.ravel(), np.zeros(15)])
     cells = [[35, 0, 2, 12, 10, 1, 7, 11, 5, 6], [36, 2, 4, 14, 3, 9, 8], [36, 2, 14, 12, 8, 13, 7]]

@@ -53,7 +53,6 @@ SideCoordinates PenaltyContact::coordinates(const SurfaceSide& side, const Const
 
 void PenaltyContact::begin(const StepView& view) {
   touch_share_ = 1;
-  body_->advance(view);
   deck_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
   start_multipliers(view);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);

@@ -96,6 +96,8 @@ class Term {
   /// Sum of squares of the element contributions to one field in the last residual call, on this rank: the scale against
   /// which convergence is measured, meaningful where the contributions cancel. Negative: use the assembled residual.
   virtual double magnitude_squared(int field) const { return -1; }
+  /// False where its force acts on no displacement (a balance of mass): the balance of energy then has no column for it.
+  virtual bool does_work() const { return true; }
   /// What a user should know when a step fails on account of this term; empty: nothing. Collective.
   virtual std::string hint(const StepView&) const { return ""; }
   /// Adds weight * dR/dx at the linearisation point of the last residual call.

@@ -133,7 +133,7 @@ std::vector<HistoryValue> Balances::values() const {
     const double work = rows(first_term + static_cast<int>(k), 0);
     works += work;
     if (is_inertia(*terms_[k])) inertia += work;
-    if (terms_[k]->name().rfind("flux/", 0) == 0 || terms_[k]->name() == "fluid mass") continue;
+    if (!terms_[k]->does_work()) continue;
     result.push_back({"balance/energy/" + terms_[k]->name(), "J", work});
   }
   const double kinetic = now.kinetic - rows(kinetic_start, 0);

@@ -107,9 +107,11 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
         entry.fail("its field '" + field.name + "' is declared differently by another physics", "type");
     }
   }
-  Bodies free;
-  for (const auto& [name, body] : bodies_)
+  Bodies all, free;
+  for (const auto& [name, body] : bodies_) {
+    all.push_back(body);
     if (body->may_be_free()) free.push_back(body);
+  }
   if (!free.empty())
     fields.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(mesh_->geometry()), Support::apart, 2, static_cast<int>(free.size())});
   space_ = std::make_unique<Space>(*mesh_, fields);
@@ -118,6 +120,7 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
   const Section materials = deck.section("materials");
   PhysicsContext context{*space_, materials_, materials, terms_, soil_, block_data_};
   for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->build(context, entries[i]);
+  if (!all.empty()) terms_.push_back(std::make_unique<BodyPaths>(all));
   if (free.empty()) return;
   terms_.push_back(std::make_unique<BodyInertia>(free));
   terms_.push_back(std::make_unique<BodyLoads>(free));
@@ -229,7 +232,7 @@ void Model::activate(const Stage& stage, bool fresh) {
 std::shared_ptr<const BodyMotion> Model::motion_in(const Stage& stage, const std::string& name) const {
   const RigidBody& body = *bodies_.at(name);
   if (stage.type == Stage::Type::geostatic) return nullptr;
-  // A body without mass moves in the stages whose contacts are active; without any contact nobody would feel it.
+  // A body whose motion is always prescribed moves in the stages in which some contact acts; without any nobody would feel it.
   if (stage.contacts.empty() && body.unknowns().count == 0) return nullptr;
   const auto other = stage_motions_.find({stage.name, name});
   return other == stage_motions_.end() ? body.own_motion() : other->second;

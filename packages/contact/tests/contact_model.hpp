@@ -96,6 +96,7 @@ struct ContactModel {
     view.sensitivity.assign(3, Sensitivity());
     view.committed = &store.committed();
     view.trial = &trial;
+    for (const auto& [name, body] : bodies_) body->advance(view);
     contact->begin(view);
   }
   /// Residual of the contact by overlap dof, this rank's part. With inertia: its alpha level less the share of F_n.

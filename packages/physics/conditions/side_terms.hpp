@@ -94,6 +94,7 @@ class SurfacePressure : public SideLoad {
 class NormalFlux : public SideLoad {
  public:
   void parameters(Parameters& p);
+  bool does_work() const override { return false; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 

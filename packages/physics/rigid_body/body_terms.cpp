@@ -33,6 +33,10 @@ BodyLoad load(const RigidBody& body, const StepView& view) {
 
 }  // namespace
 
+void BodyPaths::begin(const StepView& view) {
+  for (const auto& body : bodies_) body->advance(view);
+}
+
 double moving_mass(const RigidBody& body) {
   return body.properties().mass + (body.released() ? body.released()->added_mass(body.properties()) : 0.0);
 }
@@ -65,10 +69,6 @@ void BodyInertia::constrain(const StepView& view, Constraints& constraints) {
       constraints.value(dof) = direction < 2 ? end.displacement[direction] : view.committed->value(dof);
     }
   }
-}
-
-void BodyInertia::begin(const StepView& view) {
-  for (const auto& body : bodies_) body->advance(view);
 }
 
 int BodyInertia::residual(const StepView& view, const ResidualView& f) {

@@ -22,6 +22,20 @@ class BodyTerm : public Term {
   double magnitude_ = 0;  // of the last residual call
 };
 
+/// Moves all bodies over a step, before the other terms look at them: what is prescribed, and the clocks. No force.
+class BodyPaths : public Term {
+ public:
+  explicit BodyPaths(Bodies bodies) : bodies_(std::move(bodies)) {}
+  std::string name() const override { return "body paths"; }
+  bool does_work() const override { return false; }
+  void begin(const StepView& view) override;
+  int residual(const StepView&, const ResidualView&) override { return 0; }
+  void jacobian(const StepView&, Assembler&, double) override {}
+
+ private:
+  Bodies bodies_;
+};
+
 /// R = m a of the released directions, with the water that moves along. A prescribed direction gives the momentum that
 /// its motion takes in the step; its rates in the trial state are those of the motion, not the integrator's.
 class BodyInertia : public BodyTerm {
@@ -30,7 +44,6 @@ class BodyInertia : public BodyTerm {
   std::string name() const override { return "body inertia"; }
   /// Prescribes what does not move freely.
   void constrain(const StepView& view, Constraints& constraints) override;
-  void begin(const StepView& view) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void histories(const StepView& view, std::map<std::string, double>& values) override;

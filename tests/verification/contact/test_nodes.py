@@ -17,6 +17,29 @@ MOTION = """<ParameterList name="motion"><ParameterList name="mesh motion"><Para
 </ParameterList></ParameterList></ParameterList>
 """
 
+# a fine part of the outer boundaries that travels along with a body that nothing touches
+FOCUS = """<ParameterList name="focus">
+  <ParameterList name="bodies"><ParameterList name="point">
+    <ParameterList name="contour">
+      <Parameter name="type" type="string" value="cylinder"/>
+      <Parameter name="diameter" type="double" value="0.02"/>
+      <Parameter name="extent" type="string" value="full"/>
+    </ParameterList>
+    <Parameter name="position" type="Array(double)" value="{-0.5, 0.3}"/>
+    <ParameterList name="motion">
+      <Parameter name="type" type="string" value="prescribed velocity"/>
+      <Parameter name="velocity x" type="string" value="1"/>
+    </ParameterList>
+  </ParameterList></ParameterList>
+  <ParameterList name="mesh motion"><ParameterList name="boundary">
+    <Parameter name="focus" type="string" value="point"/>
+    <Parameter name="size near focus" type="double" value="0.05"/>
+    <Parameter name="growth" type="double" value="0.5"/>
+    <Parameter name="material sides" type="Array(string)" value="{upper bottom, lower top}"/>
+  </ParameterList></ParameterList>
+</ParameterList>
+"""
+
 
 class Nodes(SlidingBlocks):
     overlay = property(lambda self: self.deck("node_to_segment"))
@@ -104,20 +127,22 @@ class Nodes(SlidingBlocks):
         self.check_sliding_blocks(self.overlay)
 
     def test_friction_on_a_moving_mesh(self):
-        """The inside of both blocks swings, remap after remap: stick, slip and the whole way are those of the material mesh. Nodes of the surfaces
-        stay where they are here; that history goes along when they slide is convection_test.cpp's."""
+        """The inside of both blocks swings, or their outer sides slide, remap after remap: stick, slip and the whole way are those of the
+        material mesh. Nodes of the surfaces stay where they are here; that history goes along when they slide is convection_test.cpp's."""
         slide = self.write("slide.xml", SLIDE)
-        motion = self.write("motion.xml", MOTION)
+        motion, focus = self.write("motion.xml", MOTION), self.write("focus.xml", FOCUS)
         for kind, overlays in (("mortar", []), ("node to segment", [self.overlay])):
             decks = [self.deck("blocks")] + overlays + [slide]
             settings = ("contacts/face/master surface=sides",) if overlays else ()
-            still, moved = (self.run_deck(d, settings) for d in (decks, decks + [motion]))
-            self.assertGreater(np.ptp(moved["mesh motion/quality"]), 0.05)  # it does swing inside
-            for time in (1.25, 1.5, 1.75, 2.0):
-                drag = -still.at("contact/face/force on slave x", time)
-                self.assert_within(f"{kind}: drag at {time}", -moved.at("contact/face/force on slave x", time), drag, 3e-3, 30)
-            self.assert_within(kind + ": load", moved["contact/face/force on slave y"], 100, 1e-8)
-            self.assert_within(kind + ": heat", moved["contact/face/friction heat"][-1], still["contact/face/friction heat"][-1], 0.01)
+            still, moved, slid = (self.run_deck(d, settings) for d in (decks, decks + [motion], decks + [focus]))
+            self.assert_within("path of what nothing touches", slid["body/point/displacement x"], slid.time, 1e-12)
+            for name, history in (("swings", moved), ("slides", slid)):
+                self.assertGreater(np.ptp(history["mesh motion/quality"]), 0.05)  # it does move
+                for time in (1.25, 1.5, 1.75, 2.0):
+                    drag = -still.at("contact/face/force on slave x", time)
+                    self.assert_within(f"{kind}, {name}: drag at {time}", -history.at("contact/face/force on slave x", time), drag, 3e-3, 30)
+                self.assert_within(f"{kind}, {name}: load", history["contact/face/force on slave y"], 100, 1e-8)
+                self.assert_within(f"{kind}, {name}: heat", history["contact/face/friction heat"][-1], still["contact/face/friction heat"][-1], 0.01)
 
     def test_errors(self):
         def message(*settings):
