@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/contact_damping.hpp"
 #include "contact/two_surfaces.hpp"
 
 namespace mudline {
@@ -21,6 +22,7 @@ void NodeParameters::parameters(Parameters& p) {
   p.choice("impact", impact, {{"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
            "Dynamic steps, 'enforcement' = penalty: nodes exert the share of their force that does the work of "
            "the penalty spring (no impact adds energy), or what the integrator interpolates");
+  p.add("damping", damping, "s/m", non_negative(), damping_documentation);
 }
 
 void NodeContact::document(Parameters& p) {
@@ -124,6 +126,7 @@ void NodeContact::histories(const StepView& view, std::map<std::string, double>&
     here.force[1] += sign * pass.sum(state, column::force_y);
     here.area += pass.sum(state, column::area);
     here.heat += pass.sum(state, column::heat);
+    here.damped += pass.damping_heat(state);
     here.deepest = std::max(here.deepest, pass.deepest(state));
   }
   const Comm& comm = *context_.space.mesh().comm();
@@ -134,6 +137,7 @@ void NodeContact::histories(const StepView& view, std::map<std::string, double>&
     if (friction_) values[name() + "/stretch [m]"] = stretch;
   }
   if (friction_) values[name() + "/friction heat [J]"] = all.heat;
+  if (deck_.damping > 0) values[name() + "/damping heat [J]"] = all.damped;
 }
 
 double NodeContact::step_limit(const State& committed, double) const {

@@ -70,6 +70,8 @@ double NodePass::sum(const State& state, int c) const {
   return result;
 }
 
+double NodePass::damping_heat(const State& state) const { return damping_ < 0 ? 0.0 : state.arrays[damping_](0, 0); }
+
 double NodePass::deepest(const State& state) const {
   double result = 0;
   for (std::size_t row = 0; row < rows_.size(); ++row)

@@ -40,6 +40,12 @@ void NodePass::declare_state(StateStore& store) {
   multipliers.name = settings_.prefix + "multipliers";
   multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
   multipliers_ = store.declare(std::move(multipliers), rows);
+  if (settings_.deck->damping > 0) {
+    ArrayInfo damping;
+    damping.name = settings_.prefix + "damping";
+    damping.variables = {{"heat", 1, "J"}};
+    damping_ = store.declare(std::move(damping), 1);
+  }
   if (settings_.deck->active_set.outer()) active_set_.declare_state(store, settings_.prefix, rows);
 }
 
@@ -155,7 +161,13 @@ NodeLaw NodePass::law(const StepView& view, int row) const {
   result.damping = view.damping;
   result.fixed = active_set_.used();
   result.member = result.fixed && active_set_.holds(*view.trial, row);
-  result.end_weight = conserves(view) ? view.sensitivity[displacement_].value : 0.0;
+  const double end_weight = view.sensitivity[displacement_].value;
+  result.end_weight = conserves(view) ? end_weight : 0.0;
+  if (end_weight > 0) {  // else it is the start of a stage, not a step
+    result.viscous = settings_.deck->damping;
+    result.start_weight = 1 - end_weight;
+    result.normal_old = old(row, column::pressure) * old(row, column::area);
+  }
   return result;
 }
 
@@ -186,6 +198,7 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
   const PointView &points = view.trial->arrays[points_], &old = view.committed->arrays[points_];
   const double alpha = 1 - view.sensitivity[displacement_].value;
   NodeForce force;
+  double damped = 0;
   const Positions at = positions(view);
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
     Seen seen;
@@ -206,6 +219,8 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
       if (force.share != 1) correction_.emplace_back(dof, (1 - alpha) * (force.share - 1) * force.f[a]);
     }
     add_old_share(view, row, force.gap);
+    for (int a = 0; a < node_dofs && force.damped != 0; ++a) correction_.emplace_back(dofs_(seen.place, a), force.damping[a]);
+    damped += force.damped;
     const double area = acting.area;
     points(row, column::gap) = force.gap;
     points(row, column::pressure) = force.pressure;
@@ -220,6 +235,7 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
     points(row, column::piece) = seen.piece;
     points(row, column::eta) = seen.foot.eta;
   }
+  if (damping_ >= 0) view.trial->arrays[damping_](0, 0) = view.committed->arrays[damping_](0, 0) + damped;
   return failures;
 }
 
@@ -250,7 +266,7 @@ void NodePass::jacobian(const StepView& view, Assembler& assembler, double weigh
     if (!look(row, at.end, capture_, seen) || seen.place < 0) continue;
     const SurfacePiece& piece = surface_.pieces()[seen.piece];
     node_force(law(view, row), piece, seen.foot, coordinates(row, seen.piece, at.old), coordinates(row, seen.piece, at.end), true, force);
-    if (force.presses)
+    if (force.presses || force.damped != 0)
       for (int a = 0; a < node_dofs; ++a)
         for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * moved * force.k[a][b]);
     const double slope = conserving && old(row, column::pressure) > 0 ? start_share(old(row, column::gap), force.gap, view.damping).slope : 0.0;

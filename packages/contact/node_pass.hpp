@@ -26,7 +26,8 @@ struct NodePassSettings {
 /// area of that side, so that a node between two sides has two rows; a rank has the rows of its sides.
 ///
 /// State arrays, a row each: "<prefix>points", see node_column; "<prefix>multipliers" (normal and shear, augmented Lagrangian);
-/// "<prefix>active set" (see ActiveSet), "<prefix>penalty" (a row per side, frozen when the contact first starts a step).
+/// "<prefix>active set" (see ActiveSet), "<prefix>penalty" (a row per side, frozen when the contact first starts a step),
+/// "<prefix>damping" (with damping, one row: its heat so far).
 class NodePass {
  public:
   /// Collective.
@@ -51,6 +52,8 @@ class NodePass {
   void augment(const State& trial) const;
   void relocate(const ConstCoordinateView& x_old, State& committed) const;
   void adopt(const State& evaluated, State& committed) const;
+  /// Heat of damping so far, this rank's [J].
+  double damping_heat(const State& state) const;
   /// Sum of a column over this rank's rows; the deepest penetration among them [m].
   double sum(const State& state, int column) const;
   double deepest(const State& state) const;
@@ -106,7 +109,7 @@ class NodePass {
   double magnitude_ = 0;
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false, predicting_ = false;
-  int points_ = -1, multipliers_ = -1, penalties_ = -1;  // state handles
+  int points_ = -1, multipliers_ = -1, penalties_ = -1, damping_ = -1;  // state handles
 };
 
 /// Columns of a pass's points.

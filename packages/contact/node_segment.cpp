@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_damping.hpp"
 #include "contact/impact_share.hpp"
 #include "tensor/dual.hpp"
 
@@ -122,18 +123,51 @@ T shear_stress(const NodeLaw& law, const Geometry<T>& g, const SurfacePiece& pie
   return stress + direction * strength.rate_slope * (value(travel) > 0 ? 1 : -1) / law.dt * (travel - value(travel));
 }
 
+/// Forces of a node by dof; at the end of the step, and what damping adds to the mean over it.
+template <class T>
+struct Forces {
+  T end[node_dofs], damping[node_dofs];
+  T gap, share;
+};
+
+template <class T>
+void spread(const SurfacePiece& piece, const Geometry<T>& g, const T& x, const T& y, T (&force)[node_dofs]) {
+  const T of_slave[2] = {x, y};
+  for (int i = 0; i < 2; ++i) {
+    force[i] = of_slave[i];
+    for (int j = 0; j < piece.count; ++j) force[2 + 2 * j + i] = -1.0 * g.W[j] * of_slave[i];
+  }
+}
+
+/// Damping of a node with this pressure, also of one that left in the step.
+template <class T>
+void add_damping(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g, const T& pressure, Forces<T>& result, NodeForce& out) {
+  const bool conserves = law.end_weight > 0;
+  const ImpactShare start = conserves ? start_share(law.gap_old, out.gap, law.damping) : ImpactShare{law.start_weight, 0};
+  ImpactShare end{1 - law.start_weight, 0};
+  if (conserves) end = value(pressure) > 0 ? end_share(law.gap_old, out.gap, law.damping) : ImpactShare{0, 0};
+  const ContactDamping viscous = contact_damping(law.viscous, law.gap_old, out.gap, law.dt);
+  const T mean = chain(g.gap, start.value, start.slope) * law.normal_old + chain(g.gap, end.value, end.slope) * pressure * law.area;
+  const T size = chain(g.gap, viscous.factor, viscous.slope) * mean;
+  out.damped = value(size) * (law.gap_old - out.gap);
+  spread(piece, g, size * g.normal.x, size * g.normal.y, result.damping);
+}
+
 template <class T>
 void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const Positions<double>& old, const Positions<T>& x,
-              T (&force)[node_dofs], T& gap, T& share, NodeForce& out) {
+              Forces<T>& result, NodeForce& out) {
   const Geometry<T> g = geometry(piece, foot, x);
-  gap = g.gap;
-  share = T(1.0);
-  for (T& f : force) f = T(0.0);
+  result.gap = g.gap;
+  result.share = T(1.0);
+  for (int a = 0; a < node_dofs; ++a) result.end[a] = result.damping[a] = T(0.0);
   T pressure = law.normal - law.penalty * g.gap;
-  out.gap = value(gap);
+  out.gap = value(g.gap);
   // surfaces that meet without overlap have stiffness, but no pull
-  if (law.fixed ? !law.member : !(value(pressure) > -law.penalty * law.touch)) return;
+  const bool open = law.fixed ? !law.member : !(value(pressure) > -law.penalty * law.touch);
+  if (open) pressure = T(0.0);
   if (!law.fixed && value(pressure) < 0) pressure = chain(pressure, 0.0, 1.0);
+  if (law.viscous > 0 && (!open || law.normal_old > 0)) add_damping(law, piece, g, pressure, result, out);
+  if (open) return;
   out.presses = true;
   out.pressure = value(pressure);
   T shear(0.0);
@@ -141,13 +175,9 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
   out.shear = value(shear);
   if (law.end_weight > 0) {
     const ImpactShare part = end_share(law.gap_old, out.gap, law.damping);
-    share = chain(gap, part.value / law.end_weight, part.slope / law.end_weight);
+    result.share = chain(g.gap, part.value / law.end_weight, part.slope / law.end_weight);
   }
-  const T traction[2] = {pressure * g.normal.x + shear * g.along.x, pressure * g.normal.y + shear * g.along.y};
-  for (int i = 0; i < 2; ++i) {
-    force[i] = traction[i] * law.area;
-    for (int j = 0; j < piece.count; ++j) force[2 + 2 * j + i] = -1.0 * g.W[j] * traction[i] * law.area;
-  }
+  spread(piece, g, (pressure * g.normal.x + shear * g.along.x) * law.area, (pressure * g.normal.y + shear * g.along.y) * law.area, result.end);
 }
 
 }  // namespace
@@ -156,19 +186,23 @@ void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& f
                 bool want_tangent, NodeForce& out) {
   out = {};
   if (!want_tangent) {
-    double gap = 0, share = 1;
-    evaluate(law, piece, foot, plain(old), plain(now), out.f, gap, share, out);
-    out.share = share;
+    Forces<double> force;
+    evaluate(law, piece, foot, plain(old), plain(now), force, out);
+    std::copy_n(force.end, node_dofs, out.f);
+    std::copy_n(force.damping, node_dofs, out.damping);
+    out.share = force.share;
     return;
   }
   using T = Dual<node_dofs>;
-  T force[node_dofs], gap, share;
-  evaluate(law, piece, foot, plain(old), variables<T>(now), force, gap, share, out);
-  out.share = value(share);
-  std::copy_n(gap.d, node_dofs, out.gap_slope);
+  Forces<T> force;
+  evaluate(law, piece, foot, plain(old), variables<T>(now), force, out);
+  out.share = value(force.share);
+  std::copy_n(force.gap.d, node_dofs, out.gap_slope);
+  const double weight = 1 / (1 - law.start_weight);
   for (int a = 0; a < node_dofs; ++a) {
-    out.f[a] = value(force[a]);
-    const T acting = force[a] * share;
+    out.f[a] = value(force.end[a]);
+    out.damping[a] = value(force.damping[a]);
+    const T acting = force.end[a] * force.share + weight * force.damping[a];
     std::copy_n(acting.d, node_dofs, out.k[a]);
   }
 }

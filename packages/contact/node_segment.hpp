@@ -34,17 +34,22 @@ struct NodeLaw {
   bool fixed = false, member = false;  // membership of an active set decides whether the node presses, not its gap
   double end_weight = 0;               // dynamic steps that conserve energy: weight of the end in the integrator's force; 0: others
   double gap_old = 0, damping = 0;     // [m]; see ImpactShare
+  double viscous = 0;                  // [s/m] coefficient of ContactDamping; 0: none
+  double start_weight = 0;             // weight of the start in the integrator's force
+  double normal_old = 0;               // [N] normal force at the start of the step
 };
 
 struct NodeForce {
   double f[node_dofs];             // [N] at the end of the step
-  double k[node_dofs][node_dofs];  // [N/m] of share * f
+  double damping[node_dofs];       // [N] what damping adds to the mean over the step
+  double k[node_dofs][node_dofs];  // [N/m] of share * f + damping / the end's weight in the integrator's force
   double share = 1;                // share of ImpactShare over the end's weight in the integrator's force; 1 where nothing is shared
   double gap = 0;                  // [m] along the master's normal
   double gap_slope[node_dofs];     // d gap
   double pressure = 0, shear = 0;  // [Pa] shear: on the slave, along the master's direction of travel
   bool presses = false, slides = false;
   double slip = 0;                 // [m] of this step
+  double damped = 0;               // [J] heat of damping in this step
 };
 
 /// One slave node against its foot on a piece of the master: pressure t = <multiplier - penalty gap>, shear stress by

@@ -24,6 +24,7 @@ void PenaltyContact::declare_state(StateStore& store) {
   penalties_ = store.declare(std::move(penalties), static_cast<int>(surface_->sides().size()));
   work_info.name = name() + "/work";
   work_info.variables = {{"work", 1, "J"}};
+  if (deck_.damping > 0) work_info.variables.insert(work_info.variables.end(), {{"damping heat", 1, "J"}, {"damping x", 1, "N"}, {"damping y", 1, "N"}});
   work_ = store.declare(std::move(work_info), 1);
   if (deck_.augmented()) {
     ArrayInfo multipliers;
@@ -144,13 +145,20 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
     impact = {1 - view.sensitivity[displacement_].value, view.damping, forces.data()};
   }
   const SideImpact* within = conserving ? &impact : nullptr;
+  std::vector<double> normal;
+  SideDamping damping{};
+  if (damps(view)) {
+    normal = normal_forces(*view.committed, side);
+    damping = {deck_.damping, view.dt, 1 - view.sensitivity[displacement_].value, normal.data()};
+  }
+  const SideDamping* damped = damps(view) ? &damping : nullptr;
   const SideShift shift = shifts(view, side);
   if (!friction_)
-    return penalty_side(rule(at), against, penalty, nullptr, within, shift, x, axisymmetric_, want_tangent, force, points);
+    return penalty_side(rule(at), against, penalty, nullptr, within, damped, shift, x, axisymmetric_, want_tangent, force, points);
   std::vector<ShearState> old = shear_states(*view.committed, side);
   add_multipliers(view, side, old);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, penalty, &friction, within, shift, x, axisymmetric_, want_tangent, force, points);
+  return penalty_side(rule(at), against, penalty, &friction, within, damped, shift, x, axisymmetric_, want_tangent, force, points);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
@@ -165,6 +173,21 @@ std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::si
   for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
     forces.push_back({rows(row, column::force_x), rows(row, column::force_y), rows(row, column::moment)});
   return forces;
+}
+
+std::vector<double> PenaltyContact::normal_forces(const State& state, std::size_t side) const {
+  const PointView& rows = state.arrays[points_];
+  std::vector<double> forces;
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) forces.push_back(rows(row, column::pressure) * rows(row, column::area));
+  return forces;
+}
+
+void PenaltyContact::book_damping(const State& trial, const std::vector<ContactPoint>& points) const {
+  const PointView& sums = trial.arrays[work_];
+  for (const ContactPoint& point : points) {
+    sums(0, 1) += point.damped;
+    for (int i = 0; i < 2; ++i) sums(0, 2 + i) += point.damping[i];
+  }
 }
 
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
@@ -196,6 +219,11 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   std::vector<ContactPoint> points;
   SideForce side_force;
   const Positions at = positions(view);
+  if (deck_.damping > 0) {
+    const PointView& sums = view.trial->arrays[work_];
+    sums(0, 1) = view.committed->arrays[work_](0, 1);
+    sums(0, 2) = sums(0, 3) = 0;
+  }
   for (std::size_t s = 0; s < sides.size(); ++s) {
     if (!candidate_[s]) {
       // the rows of a skipped side say that it is at least as far away as the search looked
@@ -211,6 +239,7 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     }
     if (!evaluate(view, at, s, false, side_force, points)) ++failures;
     write_points(*view.trial, s, points);
+    if (damps(view)) book_damping(*view.trial, points);
     const ElementDofs& dofs = surface_->dofs(sides[s].count);
     const int soil = 2 * sides[s].count, all = static_cast<int>(dofs.extent(1));
     for (int a = 0; a < all; ++a) {

@@ -27,6 +27,7 @@ struct PenaltyParameters : EnforcementParameters {
   double advance_limit = 0.25;  // [-] of the shortest side
   Drainage drainage = Drainage::sealed;
   Impact impact = Impact::automatic;
+  double damping = 0;        // [s/m]
   double sealing_gap = 0.1;  // [-] of the side's length
   double conductance = 0;    // [m/(Pa s)]
   Function outside;          // [Pa] pore pressure on the body's side
@@ -47,7 +48,8 @@ struct PenaltyParameters : EnforcementParameters {
 /// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
 /// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with which
 /// the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
-/// "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's displacement).
+/// "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's
+/// displacement; with damping its heat so far and its force on the soil in the last step).
 ///
 /// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
 /// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: the
@@ -94,6 +96,11 @@ class PenaltyContact : public Contact {
   /// Whether points exert the shares of ImpactShare in dynamic steps.
   bool conserves(const StepView& view) const;
   std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
+  /// Whether damping acts: not in the start of a stage, which is no step.
+  bool damps(const StepView& view) const { return deck_.damping > 0 && view.sensitivity[displacement_].value > 0; }
+  std::vector<double> normal_forces(const State& state, std::size_t side) const;
+  /// Adds the damping of one side's points to the rows of the trial state.
+  void book_damping(const State& trial, const std::vector<ContactPoint>& points) const;
   /// Shear states of one side's points.
   std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
   void check_enforcement(const Section& section) const;

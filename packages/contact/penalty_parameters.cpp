@@ -30,6 +30,7 @@ void PenaltyParameters::parameters(Parameters& p) {
            "Forces over a dynamic step. conserving: points exert the share of their force that adds no "
            "energy, whatever the step and the spectral radius; interpolated: the integrator's mean of start and end, smoother where a body is pushed "
            "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
+  p.add("damping", damping, "s/m", non_negative(), damping_documentation);
   p.add("sealing gap", sealing_gap, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the body still seals the side");
   p.add("advance limit", advance_limit, "-", positive(),

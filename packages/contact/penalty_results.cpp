@@ -20,10 +20,14 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   const State& state = *view.committed;
   const PointView& rows = state.arrays[points_];
   const auto force = local_force(state);
-  // reaction (2), area, active points, work; friction: force (2), heat, sliding points; the tip's reaction
-  constexpr int sums = 10;
+  // reaction (2), area, active points, work; friction: force (2), heat, sliding points; the tip's reaction; damping: heat, force (2)
+  constexpr int sums = 13;
   double local[sums] = {-force[0], -force[1], 0, 0, state.arrays[work_](0, 0)}, sum[sums];
   double deepest = 0, deepest_everywhere = 0;
+  if (deck_.damping > 0) {
+    local[10] = state.arrays[work_](0, 1);
+    for (int i = 0; i < 2; ++i) local[11 + i] = -state.arrays[work_](0, 2 + i);
+  }
   for (int row = 0; row < first_row_.back(); ++row) {
     if (friction_) {
       const PointView& shear = state.arrays[frictions_];
@@ -49,6 +53,11 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   values[name() + "/active points"] = sum[3];
   values[name() + "/maximum penetration [m]"] = deepest_everywhere;
   values[name() + "/work [J]"] = sum[4];
+  if (deck_.damping > 0) {
+    values[name() + "/damping heat [J]"] = sum[10];
+    values[name() + "/damping x [N]"] = sum[11];
+    values[name() + "/damping y [N]"] = sum[12];
+  }
   if (deck_.augmented()) {
     const auto [gap, stretch] = misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;

@@ -143,10 +143,43 @@ void point_tangent(const ContactRule& rule, int c, const SideAreas& areas, doubl
   }
 }
 
+/// Shares of the normal forces at both ends in the mean over the step.
+struct StepShares {
+  ImpactShare start, end;
+};
+
+/// Damping of a point, also of one that left in the step.
+void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double penalty, const SideDamping& side, const StepShares& share,
+                 double gap_old, const PlanePoint& arm, const ContourFoot& foot, const BodyWays& ways, int first_body,
+                 const PointAssembly& add, bool want_tangent, SideForce& out, ContactPoint& point) {
+  const double end = point.active ? point.pressure * point.area : 0.0, mean = share.start.value * side.old[c] + share.end.value * end;
+  const ContactDamping damping = contact_damping(side.coefficient, gap_old, foot.gap, side.dt);
+  for (int i = 0; i < 2; ++i) point.damping[i] = damping.factor * mean * foot.normal[i];
+  point.damped = damping.factor * mean * (gap_old - foot.gap);
+  const PointForce force{point.damping[0], point.damping[1], arm[0] * point.damping[1] - arm[1] * point.damping[0]};
+  add.add_force(force, 1, out.correction);
+  if (!want_tangent) return;
+  const double weight = 1 / (1 - side.alpha_f);
+  const double by_gap = damping.slope * mean + damping.factor * (share.start.slope * side.old[c] + share.end.slope * end);
+  double change[2][max_side_dofs] = {};
+  for (int b = 0; b < first_body + ways.count; ++b) {
+    if (b >= 2 * rule.nodes && b < first_body) continue;  // pressures
+    double size = by_gap * add.gap_slope(b, foot.normal);
+    if (point.active) size -= damping.factor * share.end.value * penalty * add.gap_slope(b, foot.normal) * point.area;
+    if (point.active && b < first_body) size += damping.factor * share.end.value * point.pressure * areas.variation[c][b];
+    // the normal turns along the contour, and with the body
+    const double turned = b < first_body ? foot.turning * foot.tangent[b % 2] * rule.shape[c][b / 2]
+                                         : ways.turn[b - first_body] - foot.turning * (foot.tangent[0] * ways.way[b - first_body][0] + foot.tangent[1] * ways.way[b - first_body][1]);
+    for (int i = 0; i < 2; ++i) change[i][b] = weight * (size * foot.normal[i] + damping.factor * mean * turned * foot.tangent[i]);
+  }
+  add.add_tangent(change);
+  add.add_arm_change(point.damping, weight);
+}
+
 }  // namespace
 
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideImpact* impact, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  const SideImpact* impact, const SideDamping* damping, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
                   std::vector<ContactPoint>& points) {
   const RigidBody& body = against.body;
   const int pressures = friction ? friction->pressure_nodes : 0, first_body = 2 * rule.nodes + pressures;
@@ -170,16 +203,22 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     const PlanePoint arm{at[0] - against.placement.centre[0], at[1] - against.placement.centre[1]};
     const BodyWays ways(body.unknowns(), arm);
     const PointAssembly add(rule, c, ways, first_body, out);
-    const double gap_old = impact ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap - shift.old[c] : 0.0;
+    const double gap_start = impact || damping ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap : 0.0;
+    const double gap_old = gap_start - shift.old[c];
     if (impact) {
       const ImpactShare before = start_share(gap_old, pressed, impact->damping);
       add.add_force(impact->old[c], before.value - impact->alpha_f, out.correction);
       if (want_tangent && before.slope != 0) add.add_old_tangent(impact->old[c], before.slope / (1 - impact->alpha_f), foot.normal);
     }
+    if (point.active) point.pressure = -penalty * pressed;
+    if (damping) {
+      StepShares shares{{damping->alpha_f, 0}, {1 - damping->alpha_f, 0}};
+      if (impact) shares = {start_share(gap_old, pressed, impact->damping), point.active ? end_share(gap_old, pressed, impact->damping) : ImpactShare{0, 0}};
+      add_damping(rule, c, areas, penalty, *damping, shares, gap_start, arm, foot, ways, first_body, add, want_tangent, out, point);
+    }
     if (!point.active && (!want_tangent || foot.gap >= against.touch)) continue;
     ShearTangent shear;
     if (point.active) {
-      point.pressure = -penalty * pressed;
       for (int i = 0; i < 2; ++i) point.force[i] = point.pressure * foot.normal[i] * point.area;
       if (friction) add_friction(rule, c, body, against.start, *friction, penalty, shift, foot, point, shear);
     }

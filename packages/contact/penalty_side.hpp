@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "contact/contact_damping.hpp"
 #include "contact/contact_rule.hpp"
 #include "contact/impact_share.hpp"
 #include "contact/stick_slip.hpp"
@@ -19,6 +20,8 @@ struct ContactPoint {
   double friction[2];    // [N] part of the force that is along the surface
   double height;         // [m] in the body's frame above its reference point
   double moment;         // [N m] of the force about the body's centre
+  double damping[2];     // [N] what damping adds to the mean force over the step
+  double damped;         // [J] heat that it makes in the step
 };
 
 /// Where the body and the side were when the step began.
@@ -48,6 +51,13 @@ struct SideImpact {
   const PointForce* old;  // (point) at the start of the step
 };
 
+/// Damping of one side.
+struct SideDamping {
+  double coefficient, dt;  // [s/m]; [s]
+  double alpha_f;          // the integrator's share of the start of the step
+  const double* old;       // (point) [N] normal force at the start of the step
+};
+
 /// Which points press. Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
 /// multipliers are part of SideFriction::old.
 struct SideShift {
@@ -74,17 +84,17 @@ constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
 /// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m, m2].
 struct SideForce {
   double f[max_side_dofs];           // at the end of the step
-  double correction[max_side_dofs];  // to be added at the alpha level, with SideImpact
+  double correction[max_side_dofs];  // to be added at the alpha level, with SideImpact or SideDamping
   double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
 };
 
 /// Penalty law t = penalty <shift - gap> at the contact points of a side against a body:
 /// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s = 0.
 /// The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
-/// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. Null `impact`: no
-/// correction. `points` receives rule.points results. False for a degenerate side.
+/// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. Null `impact` and
+/// `damping`: no correction. `points` receives rule.points results. False for a degenerate side.
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideImpact* impact, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  const SideImpact* impact, const SideDamping* damping, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
                   std::vector<ContactPoint>& points);
 
 }  // namespace mudline

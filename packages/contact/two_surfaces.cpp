@@ -102,15 +102,17 @@ std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool he
 }
 
 SlaveSums report_slave(const Comm& comm, const std::string& contact, const SlaveSums& here, std::map<std::string, double>& values) {
-  const double local[5] = {here.force[0], here.force[1], here.area, here.slides, here.heat};
-  double sum[5];
+  constexpr int sums = 6;
+  const double local[sums] = {here.force[0], here.force[1], here.area, here.slides, here.heat, here.damped};
+  double sum[sums];
   SlaveSums all;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 5, local, sum);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, sums, local, sum);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, here.deepest, Teuchos::outArg(all.deepest));
   all.force = {sum[0], sum[1]};
   all.area = sum[2];
   all.slides = sum[3];
   all.heat = sum[4];
+  all.damped = sum[5];
   values[contact + "/force on slave x [N]"] = all.force[0];
   values[contact + "/force on slave y [N]"] = all.force[1];
   values[contact + "/contact area [m2]"] = all.area;

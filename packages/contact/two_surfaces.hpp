@@ -48,6 +48,7 @@ struct SlaveSums {
   double area = 0;                // [m2]
   double slides = 0;              // [m] length
   double heat = 0;                // [J]
+  double damped = 0;              // [J] heat of damping
   double deepest = 0;             // [m] >= 0
 };
 

@@ -103,7 +103,6 @@ struct ContactModel {
   NodalView residual() {
     NodalView f("f", space.dofs()->num_overlap_dofs());
     failures = contact->residual(view, f);
-    if (!view.inertia) return f;
     for (std::size_t i = 0; i < f.extent(0); ++i) f(i) *= weight();
     contact->correction(view, f);
     return f;

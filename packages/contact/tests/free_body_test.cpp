@@ -82,6 +82,7 @@ struct Case {
   double coefficient;
   double lift;            // [m] after the first step: opens most of the points
   double alpha_f = -1;    // negative: without inertia
+  double damping = 0;     // [s/m]
 };
 
 class EveryFreeBody : public testing::TestWithParam<Case> {};
@@ -97,7 +98,13 @@ INSTANTIATE_TEST_SUITE_P(FreeBody, EveryFreeBody,
                                          Case{Geometry::axisymmetric, Cells::tri6, "surface quadrature", 0.2, 0.03, 0.5},
                                          Case{Geometry::axisymmetric, Cells::quad9, "nodes", 0.02, 0},
                                          Case{Geometry::axisymmetric, Cells::tri6, "surface quadrature", 50, 0},
-                                         Case{Geometry::axisymmetric, Cells::quad4, "surface quadrature", 0.2, 0.03}));
+                                         Case{Geometry::axisymmetric, Cells::quad4, "surface quadrature", 0.2, 0.03},
+                                         Case{Geometry::plane_strain, Cells::quad9, "surface quadrature", 0.2, 0, -1, 30},
+                                         Case{Geometry::plane_strain, Cells::tri6, "nodes", 0, 0.03, -1, 10},               // opens
+                                         Case{Geometry::plane_strain, Cells::quad9, "surface quadrature", 0.02, 0, 0.5, 100},
+                                         Case{Geometry::plane_strain, Cells::tri6, "surface quadrature", 0.2, 0.03, 0.4, 20},
+                                         Case{Geometry::axisymmetric, Cells::quad9, "surface quadrature", 0.2, 0, 0.3, 100},
+                                         Case{Geometry::axisymmetric, Cells::tri6, "surface quadrature", 0, 0.03, 0.5, 1e4}));  // as it never pulls
 
 TEST_P(EveryFreeBody, JacobianIsTheDifferencedResidual) {
   const Case c = GetParam();
@@ -106,7 +113,9 @@ TEST_P(EveryFreeBody, JacobianIsTheDifferencedResidual) {
                                  : body_xml("b", text_parameter("type", "sphere") + number_parameter("diameter", 1.0), free_motion("y"),
                                             "0, -0.06", number_parameter("mass", 50));
   ContactModel model(c.geometry, strip(c.cells, 5, 1, plane ? -1 : 0, plane ? 2 : 1, 1, 0.2), body,
-                     contact_parameters(c.method, eps) + (c.coefficient > 0 ? friction(c.coefficient) : ""), {}, "penalty");
+                     contact_parameters(c.method, eps) + (c.coefficient > 0 ? friction(c.coefficient) : "") +
+                         (c.damping > 0 ? number_parameter("damping", c.damping) : ""),
+                     {}, "penalty");
   model.begin(1);
   model.residual();
   model.store.accept();
@@ -182,6 +191,43 @@ TEST(FreeBody, ImpactGivesTheSpringsEnergyBack) {
     model.store.accept();
   }
   EXPECT_EQ(stored, 0);
+}
+
+TEST(FreeBody, DampingTakesWhatItReports) {
+  // a plate of 2 m: over each step the mean normal force times damping times speed, never a pull
+  for (const bool conserving : {false, true}) {
+    ContactModel model(Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 2, 1, 0),
+                       body_xml("b", text_parameter("type", "polyline") + array_parameter("x", "0, 10") + array_parameter("y", "0, 0"),
+                                free_motion("y"), "0, 0", number_parameter("mass", 50)),
+                       contact_parameters("surface quadrature", eps) + number_parameter("damping", 20) +
+                           text_parameter("impact", conserving ? "conserving" : "interpolated"));
+    const int dof = model.bodies_["b"]->unknowns().dof[1];
+    const double path[] = {0.013, -0.02, -0.031, -0.004, 0.007}, dt = 0.5;
+    double heat = 0, before = 0, old_force = 0;
+    for (const double y : path) {
+      model.begin(dt);
+      model.set_inertia(0.5);
+      model.store.trial().value(dof) = y;
+      NodalView now("now", model.space.dofs()->num_overlap_dofs()), correction("correction", now.extent(0));
+      model.contact->residual(model.view, now);
+      model.contact->correction(model.view, correction);
+      const double rate = (before - y) / dt, forces[2] = {2 * eps * std::max(-before, 0.0), 2 * eps * std::max(-y, 0.0)};
+      const double start = conserving ? start_share(before, y, 0).value : 0.5, end = conserving ? end_share(before, y, 0).value : 0.5;
+      const double mean = start * forces[0] + end * forces[1], damping = std::max(20 * rate, -1.0) * mean;
+      heat += damping * (before - y);
+      // upwards on the body; the residual has the sign of what resists
+      EXPECT_NEAR(0.5 * (now(dof) + old_force) + correction(dof), -(mean + damping), 1e-9 * eps) << y;
+      old_force = now(dof);
+      before = y;
+      model.store.accept();
+      std::map<std::string, double> values;
+      model.contact->histories(model.view, values);
+      EXPECT_NEAR(values.at("contact/c/damping heat [J]"), heat, 1e-9 * eps) << y;
+      EXPECT_NEAR(values.at("contact/c/damping y [N]"), damping, 1e-9 * eps) << y;
+      EXPECT_LE(-(mean + damping), 1e-9 * eps);
+    }
+    EXPECT_GT(heat, 0);
+  }
 }
 
 TEST(FreeBody, WithoutInertiaGetsStiffnessFromTheNearestPoints) {

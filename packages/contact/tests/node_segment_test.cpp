@@ -17,6 +17,7 @@ struct Case {
   double x, y, friction, multiplier;
   bool late;    // the node touches within the step
   bool corner;  // what the case is about
+  double viscous = 0;
 };
 
 /// A master of six nodes with its body below, nodes to the left, and one slave node; the master's unevenness is of its own.
@@ -43,6 +44,9 @@ class EveryState : public testing::TestWithParam<Case> {
     if (c.friction > 0) law_.friction = &friction_;
     law_.end_weight = c.late ? 0.6 : 0;
     law_.gap_old = 0.01;
+    law_.viscous = c.viscous;
+    law_.normal_old = 2e4;
+    if (c.viscous > 0) law_.start_weight = 0.4;
   }
   /// Force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by them.
   NodeForce evaluate(double (&f)[14], double (&k)[14][14]) {
@@ -62,7 +66,8 @@ class EveryState : public testing::TestWithParam<Case> {
     const auto place = [&](int a) { return a < 2 ? 12 + a : 2 * piece.node[(a - 2) / 2] + a % 2; };
     for (int a = 0; a < node_dofs; ++a) {
       EXPECT_EQ(out.f[a], plain.f[a]);
-      f[place(a)] += out.share * out.f[a];
+      EXPECT_EQ(out.damping[a], plain.damping[a]);
+      f[place(a)] += out.share * out.f[a] + out.damping[a] / (1 - law_.start_weight);
       for (int b = 0; b < node_dofs; ++b) k[place(a)][place(b)] += out.k[a][b];
     }
     return out;
@@ -89,7 +94,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"hermite_late", Drawing::hermite, 0.3, 0.14, 0, 0, true, false},
                     Case{"bezier", Drawing::bezier, 1.05, 0.12, 0, 0, false, false}, Case{"bezier_stick", Drawing::bezier, 0.2, 0.1, 5, 2e4, false, false},
                     Case{"bezier_slip", Drawing::bezier, -0.5, -0.04, 0.01, 0, false, false},
-                    Case{"bezier_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false}),
+                    Case{"bezier_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false},
+                    Case{"damped", Drawing::hermite, 0.5, 0.14, 5, 2e4, false, false, 0.5},
+                    Case{"damped_corner", Drawing::linear, 1.0, 0.21, 0, 3e4, false, true, 0.5},
+                    Case{"damped_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false, 2}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST_P(EveryState, TangentIsTheDifferencedForce) {

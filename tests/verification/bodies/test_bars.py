@@ -92,6 +92,17 @@ class Bars(MudlineCase):
         left, right = self.velocities()
         self.assertLess(abs(left + right), 1e-6 * 5)
 
+    def test_damping_takes_what_it_reports(self):
+        history, force = self.meet(1.0, "contacts/faces/damping=0.01")
+        heat = history["contact/faces/damping heat"][-1]
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"damping heat {heat / ENERGY:.3e} of the energy, mean force {force[self.early].mean() / FORCE:.5f}")
+        self.assertGreater(heat, 1e-4 * ENERGY)
+        self.assertLess(abs(history["balance/energy/contact/faces"][-1] - heat), 1e-9 * ENERGY)
+        self.show("mean force", force[self.early].mean(), FORCE, 0.02)  # bars that move together are not damped
+        left, right = self.velocities()
+        self.assertLess(abs(left + right), 1e-6 * 5)
+
     def test_no_growth_with_a_stiff_spring(self):
         """Steps that do not resolve the penalty's spring, radii at which such steps used to add energy."""
         stage = "stages/fly and meet/"

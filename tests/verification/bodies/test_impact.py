@@ -104,6 +104,36 @@ class EnergyOfImpacts(MudlineCase):
                 print(f"per cent lost, {resolution} rad per step: " + " | ".join(row))
 
 
+    def test_damped_restitution(self):
+        """Hunt and Crossley: m v dv/dx = -k x (1 + c v) between touch and leave, so v/c - ln(1 + c v)/c^2 is the same at both."""
+        ground = self.write("ground.xml", self.GROUND)
+        for damping, radius in ((0.3, 1.0), (1.5, 1.0), (0.3, 0.8)):
+            def invariant(v):
+                return v / damping - np.log(1 + damping * v) / damping**2
+            slow, fast = 0.0, min(1.0, 0.999999 / damping)
+            for _ in range(60):
+                middle = 0.5 * (slow + fast)
+                slow, fast = (middle, fast) if invariant(-middle) < invariant(1.0) else (slow, middle)
+            errors = []
+            for resolution in (0.2, 0.1, 0.05):
+                history = self.run_deck([deck("ram_on_bar"), ground], self.COARSE + (
+                    f"stages/blow/integrator/spectral radius={radius}", f"contacts/head/penalty={self.penalty(resolution):.6e}",
+                    f"contacts/head/damping={damping}", f"stages/blow/duration={1.5e-3 / resolution}"), name="ram_on_bar")
+                self.assertEqual(history["contact/head/active points"][-1], 0)
+                speed = history["body/ram/velocity y"][-1]
+                errors.append(speed / slow - 1)
+                heat = history["contact/head/damping heat"]
+                self.assertGreater(np.diff(heat).min(), -1e-12)
+                # the integrator's own loss comes on top below radius 1
+                taken = history["balance/energy/contact/head"][-1]
+                self.assertLess(abs(taken - heat[-1]) if radius == 1 else heat[-1] - taken, 1e-7 * 50)
+            if os.environ.get("MUDLINE_SHOW_ERRORS"):
+                print(f"damping {damping} s/m, radius {radius}: comes back with {slow:.5f}, errors {errors}")
+            self.assertLess(abs(errors[-1]), 2.5e-4 if radius == 1 else 6e-3)
+            self.assertGreater(abs(errors[0] / errors[1]), 3.6 if radius == 1 else 1.7)
+            self.assertGreater(abs(errors[1] / errors[2]), 3.6 if radius == 1 else 1.7)
+
+
 class BallOnClay(MudlineCase):
     def test_balances(self):
         history = self.run_deck(deck("ball_on_clay"), ("stages/drop/integrator/spectral radius=1",))
