@@ -24,7 +24,9 @@ SHORT = {
 TIGHT = {deck: ["solver/residual tolerance=1e-9"] for deck in ("cpt/tresca", "pile/sand")}
 CHECKPOINT = ["output/checkpoint steps=4"]
 RANKS = 1e-6  # of the largest value of a column
-WATER = 1e-11  # [m3] rounding of the difference of two contents of hundreds of m3
+# [m3] rounding of the difference of two contents: hundreds of m3, or a million
+WATER = {"torpedo/clay": 1e-7}
+SOME_WATER = 1e-11
 
 
 class ApplicationDecks(MudlineCase):
@@ -57,13 +59,13 @@ class ApplicationDecks(MudlineCase):
         one = self.whole(deck, "whole")
         self.assertGreater(len(one.time), 16)  # else there is no moment to interrupt it
         with self.subTest("ranks"):
-            self.compare(one, self.whole(deck, "two", 2))
+            self.compare(one, self.whole(deck, "two", 2), WATER.get(deck, SOME_WATER))
         for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGTERM, 4)):
             moment = random.randint(7, len(one.time) - 6)
             with self.subTest(signal=number, steps=len(one.time), moment=moment):
                 self.interrupt(deck, number, code, moment)
 
-    def compare(self, one, two):
+    def compare(self, one, two, water):
         self.assertEqual(one.header, two.header)
         self.assertEqual(one.data.shape, two.data.shape)
         for i, column in enumerate(one.header):
@@ -72,7 +74,7 @@ class ApplicationDecks(MudlineCase):
             # a reaction that is rounding (on an axis, along it) is measured by the others
             alike = [np.abs(one.data[:, k]).max() for k, other in enumerate(one.header) if other.split("[")[-1] == column.split("[")[-1]]
             scale = max(np.abs(one.data[:, i]).max(), 1e-6 * max(alike))
-            allowed = max(RANKS * scale, WATER if column == "balance/water/change [m3]" else 0)
+            allowed = max(RANKS * scale, water if column == "balance/water/change [m3]" else 0)
             self.assertLessEqual(np.abs(one.data[:, i] - two.data[:, i]).max(), allowed, column)
 
     def interrupt(self, deck, number, code, moment):
