@@ -27,6 +27,53 @@ double outside(CellShape shape, const double xi[2]) {
 
 constexpr double edge_tolerance = 1e-10;
 
+/// Point t in [-1, 1] of a side in reference coordinates.
+void along_side(CellShape shape, int side, double t, double (&xi)[2]) {
+  static constexpr double triangle[4][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}}, square[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+  const auto& from = num_corners(shape) == 3 ? triangle[side] : square[side];
+  const auto& to = num_corners(shape) == 3 ? triangle[side + 1] : square[side + 1];
+  for (int i = 0; i < 2; ++i) xi[i] = from[i] + 0.5 * (1 + t) * (to[i] - from[i]);
+}
+
+/// A side of the boundary as seen from a point.
+class BoundarySide {
+ public:
+  BoundarySide(const WholeMesh::Element& element, int side, const Positions& x, const std::array<double, 2>& point) {
+    const std::vector<int> nodes = side_nodes(element.shape, side);
+    count_ = static_cast<int>(nodes.size());
+    for (int a = 0; a < count_; ++a)
+      for (int i = 0; i < 2; ++i) off_[a][i] = x[element.nodes[nodes[a]]][i] - point[i];
+  }
+  double chord() const { return std::hypot(off_[1][0] - off_[0][0], off_[1][1] - off_[0][1]); }
+  double distance(double t) const { return std::hypot(at(t, false)[0], at(t, false)[1]); }
+  /// Where the distance is least, if it falls and then rises between the two.
+  double stationary(double low, double high) const {
+    const auto rises = [&](double t) {
+      const auto off = at(t, false), way = at(t, true);
+      return off[0] * way[0] + off[1] * way[1] >= 0;
+    };
+    if (rises(low)) return low;
+    if (!rises(high)) return high;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      (rises(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+ private:
+  std::array<double, 2> at(double t, bool slope) const {
+    double N[3], dN[3];
+    evaluate_line(count_, t, N, dN);
+    std::array<double, 2> result{};
+    for (int a = 0; a < count_; ++a)
+      for (int i = 0; i < 2; ++i) result[i] += (slope ? dN : N)[a] * off_[a][i];
+    return result;
+  }
+  double off_[3][2];
+  int count_;
+};
+
 }  // namespace
 
 bool PointLocator::invert(int e, const std::array<double, 2>& point, double xi[2]) const {
@@ -96,6 +143,35 @@ MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) cons
     least = off;
     best = {e, {xi[0], xi[1]}};
     if (off <= edge_tolerance) break;
+  }
+  return best;
+}
+
+MeshPlace PointLocator::nearest_on_boundary(const std::array<double, 2>& point) const {
+  constexpr int samples = 8;  // of a side: a parabola has no more than three places where its distance is stationary
+  MeshPlace best;
+  double least = 1e300;
+  for (int e = 0; e < static_cast<int>(mesh_.elements().size()); ++e) {
+    const auto& element = mesh_.elements()[e];
+    for (int s = 0; s < num_sides(element.shape); ++s) {
+      if (element.neighbours[s] >= 0) continue;
+      const BoundarySide side(element, s, x_, point);
+      double nearest = -1, near = 1e300;
+      for (int k = 0; k <= samples; ++k) {
+        const double t = -1 + 2.0 * k / samples, here = side.distance(t);
+        if (here >= near) continue;
+        near = here;
+        nearest = t;
+      }
+      // distances change by no more than the way along the side, which even a strongly curved one has less than twice as long as its chord
+      if (near - 2 * side.chord() / samples > least) continue;
+      nearest = side.stationary(std::max(nearest - 2.0 / samples, -1.0), std::min(nearest + 2.0 / samples, 1.0));
+      near = side.distance(nearest);
+      if (near >= least) continue;
+      least = near;
+      best.element = e;
+      along_side(element.shape, s, nearest, best.xi);
+    }
   }
   return best;
 }

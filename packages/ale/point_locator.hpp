@@ -19,6 +19,8 @@ class PointLocator {
  public:
   PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
   MeshPlace find(const std::array<double, 2>& point, int guess) const;
+  /// The nearest point of the mesh's outer boundary, for points outside.
+  MeshPlace nearest_on_boundary(const std::array<double, 2>& point) const;
   /// Inverse of the isoparametric map of one element. False where Newton's method finds none.
   bool invert(int element, const std::array<double, 2>& point, double xi[2]) const;
 

@@ -79,6 +79,8 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
                           std::vector<HistoryValue>& row) const {
   const std::array<double, 2> at = place(probe, state);
   const PointLocator locator(*mesh_, x);
+  const auto bounds = model_.mesh().bounds();
+  const double rounding = 1e-9 * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
   MeshPlace best;
   double least = 1e300, N[9], dN[18];
   for (std::size_t block = 0; block < model_.mesh().blocks().size(); ++block) {
@@ -95,6 +97,7 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
     least = distance;
     best = here;
   }
+  if (least > rounding) best = locator.nearest_on_boundary(at);
   const auto& element = mesh_->elements()[best.element];
   row.push_back({"probe/" + probe.name + "/position x", "m", at[0]});
   row.push_back({"probe/" + probe.name + "/position y", "m", at[1]});
