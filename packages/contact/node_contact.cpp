@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "contact/contact_damping.hpp"
 #include "contact/two_surfaces.hpp"
 
 namespace mudline {
@@ -22,7 +21,6 @@ void NodeParameters::parameters(Parameters& p) {
   p.choice("impact", impact, {{"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
            "Dynamic steps, 'enforcement' = penalty: nodes exert the share of their force that does the work of "
            "the penalty spring (no impact adds energy), or what the integrator interpolates");
-  p.add("damping", damping, "s/m", non_negative(), damping_documentation);
 }
 
 void NodeContact::document(Parameters& p) {

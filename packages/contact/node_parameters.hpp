@@ -17,7 +17,6 @@ struct NodeParameters : TwoSurfaceParameters {
   double overhang = 0.1;     // [-] of the last piece
   bool two_pass = false;
   Impact impact = Impact::conserving;
-  double damping = 0;  // [s/m]
   ActiveSetParameters active_set;
 };
 

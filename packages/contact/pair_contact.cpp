@@ -24,6 +24,7 @@ void add(const PairSums& from, PairSums& to) {
   to.sliding += from.sliding;
   to.area += from.area;
   to.heat += from.heat;
+  to.damped += from.damped;
   to.deepest = std::min(to.deepest, from.deepest);
 }
 
@@ -57,7 +58,7 @@ void PairContact::declare_state(StateStore& store) {
   penalties.variables = {{"penalty", 1, "Pa/m"}};
   penalties_ = store.declare(std::move(penalties), rows);
   heat.name = name() + "/heat";
-  heat.variables = {{"heat", 1, "J"}};
+  heat.variables = {{"friction heat", 1, "J"}, {"damping heat", 1, "J"}};
   heat_ = store.declare(std::move(heat), 1);
 }
 
@@ -127,8 +128,14 @@ PairLaw PairContact::law(const StepView& view, int slave) const {
   result.time = view.time_end;
   result.dt = view.dt;
   result.first_guess = predicting_;
+  const double end_weight = view.sensitivity[displacement_].value;
+  if (end_weight > 0) {  // else it is the start of a stage, not a step
+    result.viscous = deck_.damping;
+    result.start_weight = 1 - end_weight;
+  }
   const PointView& multipliers = view.trial->arrays[multipliers_];
   for (int a = 0; a < side_multipliers; ++a) {
+    result.pressure_old[a] = view.committed->arrays[sides_](side_multipliers * slave + a, column::pressure);
     result.normal[a] = multipliers(side_multipliers * slave + a, 0);
     result.shear[a] = multipliers(side_multipliers * slave + a, 1);
   }
@@ -158,7 +165,8 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
   magnitude_ = 0;
   beyond_reach_ = false;
   int failures = 0;
-  double heat = view.committed->arrays[heat_](0, 0);
+  correction_.clear();
+  double heat = view.committed->arrays[heat_](0, 0), damped = view.committed->arrays[heat_](0, 1);
   PairForce side_force;
   auto pair = pairs_.begin();
   for (int s = 0; s < static_cast<int>(slave_->sides().size()); ++s) {
@@ -176,14 +184,21 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
       for (int a = 0; a < 4 * nodes_; ++a) {
         f(dofs_(pair->row, a)) -= side_force.f[a];
         magnitude_ += side_force.f[a] * side_force.f[a];
+        if (side_force.damping[a] != 0) correction_.emplace_back(dofs_(pair->row, a), side_force.damping[a]);
         if (a < 2 * nodes_) force[a % 2] += side_force.f[a];
       }
     }
     heat += sums.heat;
+    damped += sums.damped;
     write_side(*view.trial, s, sums, force);
   }
   view.trial->arrays[heat_](0, 0) = heat;
+  view.trial->arrays[heat_](0, 1) = damped;
   return failures;
+}
+
+void PairContact::correction(const StepView&, const ResidualView& f) {
+  for (const auto& [dof, force] : correction_) f(dof) -= force;
 }
 
 void PairContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
@@ -192,7 +207,7 @@ void PairContact::jacobian(const StepView& view, Assembler& assembler, double we
   for (const Pair& pair : pairs_) {
     if (pair.row < 0) continue;
     if (!pair_segment(law(view, pair.slave), coordinates(pair, view.x_old), coordinates(pair, view.x_end), true, force)) continue;
-    if (!(force.sums.area > 0)) continue;
+    if (!(force.sums.area > 0) && force.sums.damped == 0) continue;
     for (int a = 0; a < 4 * nodes_; ++a)
       for (int b = 0; b < 4 * nodes_; ++b) to.add(pair.row, a, b, -weight * force.k[a][b]);
   }

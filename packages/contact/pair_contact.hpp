@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "contact/contact.hpp"
@@ -33,7 +34,8 @@ struct PairParameters : TwoSurfaceParameters {
 /// State arrays, a row per corner of each slave side: "contact/<name>/sides" (mean gap; pressure and shear stress as linear
 /// fields over what touches; the side's deepest point; halves of the force on the slave, of the sliding length and of the
 /// touching area; what Uzawa's method has yet to close), "contact/<name>/multipliers" (normal and shear),
-/// "contact/<name>/penalty" (a row per slave side, frozen when the contact first starts a step), "contact/<name>/heat".
+/// "contact/<name>/penalty" (a row per slave side, frozen when the contact first starts a step), "contact/<name>/heat" (of friction
+/// and of damping).
 class PairContact : public Contact {
  public:
   explicit PairContact(const ContactContext& context) : context_(context) {}
@@ -51,6 +53,7 @@ class PairContact : public Contact {
   bool asks_for_prediction() const override { return friction_ != nullptr; }
   void predicting(bool on) override { predicting_ = on; }
   int residual(const StepView& view, const ResidualView& f) override;
+  void correction(const StepView& view, const ResidualView& f) override;
   double magnitude_squared(int field) const override { return field == displacement_ ? magnitude_ : 0.0; }
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView& view, int count) override;
@@ -89,6 +92,7 @@ class PairContact : public Contact {
   int group_ = -1, nodes_ = 3;                  // of a side
   double gap_tolerance_ = 0, capture_ = 0;      // [m]
   double magnitude_ = 0;                        // of the last residual call
+  std::vector<std::pair<int, double>> correction_;  // (dof, damping) of the last residual call
   bool axisymmetric_ = false, predicting_ = false, beyond_reach_ = false;
   int displacement_ = -1;
   int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles

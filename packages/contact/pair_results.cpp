@@ -75,6 +75,7 @@ void PairContact::histories(const StepView& view, std::map<std::string, double>&
   const PointView& rows = state.arrays[sides_];
   SlaveSums here;
   here.heat = state.arrays[heat_](0, 0);
+  here.damped = state.arrays[heat_](0, 1);
   for (std::size_t row = 0; row < rows.extent(0); ++row) {
     here.force[0] += rows(row, column::force_x);
     here.force[1] += rows(row, column::force_y);
@@ -86,6 +87,7 @@ void PairContact::histories(const StepView& view, std::map<std::string, double>&
   const SlaveSums all = report_slave(comm, name(), here, values);
   const auto [gap, stretch] = misfit(state).largest(comm);
   if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
+  if (deck_.damping > 0) values[name() + "/damping heat [J]"] = all.damped;
   if (!friction_) return;
   if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
   values[name() + "/sliding length [m]"] = all.slides;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_damping.hpp"
 #include "tensor/dual.hpp"
 
 namespace mudline {
@@ -195,9 +196,28 @@ Shear<T> shear_stress(const PairLaw& law, const T& multiplier, const T& pressure
   return result;
 }
 
+/// Forces on the slave's nodes, then on the master's; what damping adds.
 template <class T>
 struct Forces {
-  T slave[2 * max_side_nodes], master[2 * max_side_nodes];
+  Forces() {
+    for (int a = 0; a < pair_dofs; ++a) end[a] = damping[a] = T(0.0);
+  }
+  T end[pair_dofs], damping[pair_dofs];
+};
+
+/// Adds a traction on the slave and its opposite on the master.
+template <class T>
+struct Spread {
+  int nodes;
+  T N[max_side_nodes], M[max_side_nodes], area;
+  void add(const T& x, const T& y, T (&to)[pair_dofs]) const {
+    const T force[2] = {x * area, y * area};
+    for (int a = 0; a < nodes; ++a)
+      for (int i = 0; i < 2; ++i) {
+        to[2 * a + i] += N[a] * force[i];
+        to[2 * (nodes + a) + i] -= M[a] * force[i];
+      }
+  }
 };
 
 template <class T>
@@ -232,28 +252,36 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
       sums.gap[a] += weight * value(shape[a]) * value(foot.gap);
     }
     // surfaces that meet without overlap have stiffness, but no pull
-    if (!(value(pressure) > -law.penalty * tiny)) continue;
+    const bool open = !(value(pressure) > -law.penalty * tiny);
+    if (open) pressure = T(0.0);
     if (value(pressure) < 0) pressure = chain(pressure, 0.0, 1.0);
+    Vec<T> was{T(0.0), T(0.0)}, foot_was = was;
+    if (law.friction || law.viscous > 0) {
+      was = curve_as<T>(slave_old).point(xi);
+      foot_was = curve_as<T>(master_old).point(foot.eta);
+    }
+    const T gap_old = dot(was - foot_was, foot.normal);
+    Spread<T> spread{nodes, {}, {}, area};
+    slave_t.shapes(xi, spread.N);
+    master_t.shapes(foot.eta, spread.M);
+    if (law.viscous > 0) {
+      const T before = shape[0] * law.pressure_old[0] + shape[1] * law.pressure_old[1];
+      const T mean = law.start_weight * (value(before) > 0 ? before : T(0.0)) + (1 - law.start_weight) * pressure;
+      const ContactDamping damping = contact_damping(law.viscous, value(gap_old), value(foot.gap), law.dt);
+      const T size = chain(foot.gap - gap_old, damping.factor, damping.slope) * mean;
+      spread.add(size * foot.normal.x, size * foot.normal.y, forces.damping);
+      sums.damped += value(size) * value(area) * (value(gap_old) - value(foot.gap));
+    }
+    if (open) continue;
     Shear<T> shear;
     const T start = shape[0] * law.shear[0] + shape[1] * law.shear[1];
     if (law.friction) {
-      const Curve<T> slave_was = curve_as<T>(slave_old), master_was = curve_as<T>(master_old);
-      const Vec<T> was = slave_was.point(xi), foot_was = master_was.point(foot.eta);
       T travel = dot((at - was) - (master_t.point(foot.eta) - foot_was), foot.along);
-      const T gap_old = dot(was - foot_was, foot.normal);
       // a point that was open counts what it travelled after it touched, as if the gap had closed evenly
       if (value(multiplier) == 0 && value(gap_old) > 0) travel = travel * foot.gap / (foot.gap - gap_old);
       shear = shear_stress(law, start, pressure, travel, {value(was.x), value(was.y)});
     }
-    T N[max_side_nodes], M[max_side_nodes];
-    slave_t.shapes(xi, N);
-    master_t.shapes(foot.eta, M);
-    const T traction[2] = {pressure * foot.normal.x + shear.stress * foot.along.x, pressure * foot.normal.y + shear.stress * foot.along.y};
-    for (int a = 0; a < nodes; ++a)
-      for (int i = 0; i < 2; ++i) {
-        forces.slave[2 * a + i] += N[a] * traction[i] * area;
-        forces.master[2 * a + i] -= M[a] * traction[i] * area;
-      }
+    spread.add(pressure * foot.normal.x + shear.stress * foot.along.x, pressure * foot.normal.y + shear.stress * foot.along.y, forces.end);
     for (int a = 0; a < side_multipliers; ++a) {
       sums.pressure[a] += weight * value(shape[a]) * value(pressure);
       sums.shear[a] += weight * value(shape[a]) * value(shear.stress);
@@ -274,22 +302,23 @@ bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoor
   out = {};
   const int half = 2 * law.nodes;
   if (!want_tangent) {
-    Forces<double> forces{};
+    Forces<double> forces;
     if (!integrate(law, old, now, curve(law.nodes, now.slave), curve(law.nodes, now.master), forces, out.sums)) return false;
-    std::copy_n(forces.slave, half, out.f);
-    std::copy_n(forces.master, half, out.f + half);
+    std::copy_n(forces.end, 2 * half, out.f);
+    std::copy_n(forces.damping, 2 * half, out.damping);
     return true;
   }
   using T = Dual<pair_dofs>;
   Forces<T> forces;
-  for (int a = 0; a < half; ++a) forces.slave[a] = forces.master[a] = T(0.0);
   if (!integrate(law, old, now, variable_curve<pair_dofs>(law.nodes, now.slave, 0), variable_curve<pair_dofs>(law.nodes, now.master, half),
                  forces, out.sums))
     return false;
+  const double weight = 1 / (1 - law.start_weight);
   for (int a = 0; a < 2 * half; ++a) {
-    const T& force = a < half ? forces.slave[a] : forces.master[a - half];
-    out.f[a] = force.v;
-    std::copy_n(force.d, 2 * half, out.k[a]);
+    out.f[a] = value(forces.end[a]);
+    out.damping[a] = value(forces.damping[a]);
+    const T acting = forces.end[a] + weight * forces.damping[a];
+    std::copy_n(acting.d, 2 * half, out.k[a]);
   }
   return true;
 }

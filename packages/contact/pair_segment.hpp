@@ -26,6 +26,9 @@ struct PairLaw {
   double time = 0, dt = 1;             // [s] end of the step; its length
   bool first_guess = false;            // friction sticks
   double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners
+  double viscous = 0;                          // [s/m] coefficient of ContactDamping; 0: none
+  double start_weight = 0;                     // weight of the start of the step in the integrator's force
+  double pressure_old[side_multipliers] = {};  // [Pa] at the slave's corners at the start of the step, for damping
 };
 
 /// Integrals over the segment, weighted by the multipliers' shapes (a) and the length without the circumference [m].
@@ -38,14 +41,16 @@ struct PairSums {
   double sliding = 0;  // length that slides [m]
   double area = 0;     // that presses [m2], with the circumference
   double heat = 0;     // [J] of this step
+  double damped = 0;   // [J] heat of damping in this step
   double deepest = 0;  // least gap of the points that press [m]
   double closest = 0;  // least gap [m]
 };
 
 /// Forces [N] on the nodes of both sides, their derivatives [N/m].
 struct PairForce {
-  double f[pair_dofs];
-  double k[pair_dofs][pair_dofs];
+  double f[pair_dofs];             // at the end of the step
+  double damping[pair_dofs];       // what damping adds to the mean over the step
+  double k[pair_dofs][pair_dofs];  // of f + damping / (1 - start_weight)
   PairSums sums;
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "contact/contact_damping.hpp"
+
 namespace mudline {
 
 void TwoSurfaceParameters::parameters(Parameters& p) {
@@ -19,6 +21,7 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
         "0: any two may meet");
   p.add("advance limit", advance_limit, "-", positive(),
         "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far apart, half their distance");
+  p.add("damping", damping, "s/m", non_negative(), damping_documentation);
 }
 
 void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master) {

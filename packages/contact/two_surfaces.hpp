@@ -18,6 +18,7 @@ struct TwoSurfaceParameters : EnforcementParameters {
   double capture_distance = 0;  // [m] 0: the slave's longest side
   double reach = 0;             // [m] 0: any two may meet
   double advance_limit = 0.25;  // [-] of the slave's shortest side
+  double damping = 0;           // [s/m]
 
   explicit TwoSurfaceParameters(Enforcement usual) : EnforcementParameters{usual} {}
   void parameters(Parameters& p);

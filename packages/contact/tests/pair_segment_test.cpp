@@ -25,6 +25,7 @@ struct Case {
   int nodes;
   bool axisymmetric;
   double overlap, shift, friction, multiplier;
+  double viscous = 0;
 };
 
 class EverySegment : public testing::TestWithParam<Case> {
@@ -40,6 +41,12 @@ class EverySegment : public testing::TestWithParam<Case> {
     law_.normal[0] = c.multiplier;
     law_.normal[1] = 1.5 * c.multiplier;
     law_.shear[0] = 0.1 * c.multiplier;
+    law_.viscous = c.viscous;
+    if (c.viscous > 0) {
+      law_.start_weight = 0.4;
+      law_.pressure_old[0] = 3e4;
+      law_.pressure_old[1] = 1e4;
+    }
     now_ = sides(c.overlap, c.shift, c.nodes == 3 ? 0.01 : 0);
     old_ = sides(c.overlap - 0.004, c.shift + 0.003, c.nodes == 3 ? 0.01 : 0);
   }
@@ -52,7 +59,9 @@ INSTANTIATE_TEST_SUITE_P(Contact, EverySegment,
                          testing::Values(Case{"inner", 3, false, 0.05, -0.5, 0, 0}, Case{"end", 3, false, 0.05, 0, 0, 0},
                                          Case{"multipliers", 3, false, 0.01, -0.3, 0, 3e4}, Case{"straight", 2, false, 0.05, 0, 0, 0},
                                          Case{"axisymmetric", 3, true, 0.05, 0.1, 0, 0}, Case{"stick", 3, false, 0.05, 0, 5, 2e4},
-                                         Case{"slip", 3, true, 0.05, -0.2, 0.01, 2e4}, Case{"straight slip", 2, false, 0.05, 0, 0.01, 0}),
+                                         Case{"slip", 3, true, 0.05, -0.2, 0.01, 2e4}, Case{"straight slip", 2, false, 0.05, 0, 0.01, 0},
+                                         Case{"damped", 3, false, 0.05, 0, 5, 2e4, 20}, Case{"damped axisymmetric", 3, true, 0.05, 0.1, 0, 0, 20},
+                                         Case{"damped straight", 2, false, 0.05, 0, 0.01, 0, 20}),
                          [](const auto& info) {
                            std::string name = info.param.name;
                            for (char& c : name) c = c == ' ' ? '_' : c;
@@ -68,6 +77,8 @@ TEST_P(EverySegment, TangentIsTheDifferencedForce) {
   double size = 0, error = 0;
   for (int b = 0; b < dofs; ++b) {
     EXPECT_EQ(at.f[b], plain.f[b]);
+    EXPECT_EQ(at.damping[b], plain.damping[b]);
+    EXPECT_EQ(at.damping[b] != 0, law_.viscous > 0);
     constexpr double h = 1e-6;
     entry(now_, law_.nodes, b) += h;
     pair_segment(law_, old_, now_, false, plus);
@@ -76,7 +87,9 @@ TEST_P(EverySegment, TangentIsTheDifferencedForce) {
     entry(now_, law_.nodes, b) += h;
     for (int a = 0; a < dofs; ++a) {
       size = std::max(size, std::abs(at.k[a][b]));
-      error = std::max(error, std::abs((plus.f[a] - minus.f[a]) / (2 * h) - at.k[a][b]));
+      const double weight = 1 / (1 - law_.start_weight);
+      const double change = plus.f[a] - minus.f[a] + weight * (plus.damping[a] - minus.damping[a]);
+      error = std::max(error, std::abs(change / (2 * h) - at.k[a][b]));
     }
   }
   EXPECT_LT(error, 1e-7 * size);
@@ -87,9 +100,10 @@ TEST_P(EverySegment, WhatTheSlaveGetsTheMasterGives) {
   ASSERT_TRUE(pair_segment(law_, old_, now_, false, at));
   double sum[2] = {0, 0}, size = 0, moment = 0;
   for (int a = 0; a < 4 * law_.nodes; ++a) {
-    sum[a % 2] += at.f[a];
-    size += std::abs(at.f[a]);
-    moment += (a % 2 ? 1 : -1) * at.f[a] * entry(now_, law_.nodes, a % 2 ? a - 1 : a + 1);
+    const double force = at.f[a] + at.damping[a];
+    sum[a % 2] += force;
+    size += std::abs(force);
+    moment += (a % 2 ? 1 : -1) * force * entry(now_, law_.nodes, a % 2 ? a - 1 : a + 1);
   }
   EXPECT_NEAR(sum[0], 0, 1e-14 * size);
   EXPECT_NEAR(sum[1], 0, 1e-14 * size);

@@ -103,6 +103,23 @@ class Bars(MudlineCase):
         left, right = self.velocities()
         self.assertLess(abs(left + right), 1e-6 * 5)
 
+    def test_damping_of_mortar(self):
+        """Its springs are not conserving: what they give or take themselves is left of the contact's work."""
+        with open(DECK) as file:
+            text = "".join(line for line in file if "master surface" not in line).replace("node to segment", "mortar")
+        deck = self.write("two_bars.xml", text.replace("two_bars.geo", os.path.join(os.path.dirname(DECK), "two_bars.geo")))
+        lost = []
+        for damping in (0.0, 0.01):
+            history = self.run_deck(deck, ("stages/fly and meet/integrator/spectral radius=1", "contacts/faces/enforcement=penalty",
+                                           f"contacts/faces/damping={damping}"))
+            lost.append(history["balance/energy/contact/faces"][-1])
+        heat = history["contact/faces/damping heat"]
+        self.assertGreater(heat[-1], 1e-3 * ENERGY)
+        self.assertGreater(np.diff(heat).min(), -1e-12 * ENERGY)
+        self.show("damping heat", lost[1] - lost[0], heat[-1], 0.02)
+        left, right = self.velocities()
+        self.assertLess(abs(left + right), 1e-6 * 5)
+
     def test_no_growth_with_a_stiff_spring(self):
         """Steps that do not resolve the penalty's spring, radii at which such steps used to add energy."""
         stage = "stages/fly and meet/"
