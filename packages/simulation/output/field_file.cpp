@@ -66,7 +66,7 @@ FieldFile::File::File(const Mesh& mesh, const std::string& path_stem)
       rank(mesh.comm()->getRank()),
       nodes(comm, field_layout::owned_ids(mesh), mesh.num_global_nodes()),
       elements(comm, field_layout::element_ids(mesh), mesh.num_global_elements()),
-      index(path_stem) {
+      index(path_stem, rank == 0) {
   index.geometry = mesh.geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain";
   index.model.nodes = nodes.global_count();
   index.model.elements = elements.global_count();
@@ -110,8 +110,9 @@ void FieldFile::File::create(const Mesh& mesh) {
 
 void FieldFile::File::open(double restart_time) {
   const std::size_t old = index.read();
+  std::string error;
   try {
-    for (std::size_t k = 0; k < old; ++k) {
+    for (std::size_t k = 0; rank == 0 && k < old; ++k) {
       const auto file = h5::open_file(MPI_COMM_SELF, index.step_path(k), false);
       const double time = h5::number_attribute(file, "time");
       if (time > restart_time) break;
@@ -119,10 +120,15 @@ void FieldFile::File::open(double restart_time) {
                     h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell")});
     }
   } catch (const std::runtime_error& failure) {
-    throw InputError(index.path() + ": the result of the first run cannot be continued: " + failure.what() +
-                     "; move it away, or run without a restart");
+    error = failure.what();
   }
-  MPI_Barrier(comm);  // every rank has read what rank 0 now replaces
+  error = agreed_message(comm, error);
+  if (!error.empty())
+    throw InputError(index.path() + ": the result of the first run cannot be continued: " + error +
+                     "; move it away, or run without a restart");
+  unsigned long long kept = index.steps;
+  MPI_Bcast(&kept, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
+  index.steps = kept;
   publish();
   if (rank == 0) index.remove_steps(index.steps);
 }
@@ -194,7 +200,7 @@ void FieldFile::File::write_bodies(hid_t file, const std::map<std::string, BodyP
 }
 
 /// Brings the steps so far before the readers' eyes.
-void FieldFile::File::publish() const { fail_alike(rank == 0 ? index.write() : ""); }
+void FieldFile::File::publish() const { fail_alike(index.write()); }
 
 FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<double> restart_time)
     : file_(std::make_unique<File>(mesh, path_stem)) {

@@ -17,7 +17,7 @@ constexpr long long format_version = 2;
 
 }  // namespace
 
-FieldIndex::FieldIndex(const std::string& path_stem) : stem(path_stem) {
+FieldIndex::FieldIndex(const std::string& path_stem, bool writer) : stem(path_stem), writer_(writer) {
   model.folder = std::filesystem::path(folder()).filename().string();
 }
 
@@ -58,7 +58,7 @@ std::size_t FieldIndex::read() {
 }
 
 void FieldIndex::append(const xdmf::Step& step) {
-  grids_ += xdmf::grid(model, step);
+  if (writer_) grids_ += xdmf::grid(model, step);
   ++steps;
 }
 
@@ -87,6 +87,7 @@ void FieldIndex::write_index(const std::string& to) const {
 }
 
 std::string FieldIndex::write() const {
+  if (!writer_) return "";
   const std::string temporary = path() + ".part";
   try {
     write_index(temporary);

@@ -13,9 +13,9 @@ namespace mudline {
 /// The two small files through which the steps of a run are found: <stem>.h5, whose links lead to the files of the mesh
 /// and of the steps in the folder <stem>.fields, and <stem>.xdmf. Both are written whole under a temporary name and
 /// renamed, so that whatever kills the run leaves the old ones or the new ones. Nothing here is collective: every rank
-/// may hold an index, one of them writes it.
+/// holds an index, rank 0's is the writer.
 struct FieldIndex {
-  explicit FieldIndex(const std::string& stem);
+  FieldIndex(const std::string& stem, bool writer);
 
   /// Paths of the index, of the folder, of the mesh's file and of a step's; and the name of a step, "000010".
   std::string path() const { return stem + ".h5"; }
@@ -31,7 +31,7 @@ struct FieldIndex {
   /// Adds a complete step.
   void append(const xdmf::Step& step);
 
-  /// Writes both files; without steps there is no XDMF file. Returns what went wrong, "" when nothing did.
+  /// Writes both files, if it is the writer; without steps there is no XDMF file. Returns what went wrong, "" when nothing did.
   std::string write() const;
 
   /// Removes both files and the steps from `first` on from the folder.
@@ -47,7 +47,8 @@ struct FieldIndex {
  private:
   void write_index(const std::string& to) const;
 
-  std::string grids_;  // the XML of the steps so far
+  bool writer_;
+  std::string grids_;  // the writer's: the XML of the steps so far
 };
 
 }  // namespace mudline
