@@ -7,6 +7,7 @@ import subprocess
 import time
 import unittest
 
+import h5py
 import numpy as np
 from mudline_case import PROGRAM, ROOT, History, MudlineCase, program
 
@@ -22,7 +23,8 @@ SHORT = {
 }
 # decks that stop Newton's method at 1e-5 give ranks that agree to that
 TIGHT = {deck: ["solver/residual tolerance=1e-9"] for deck in ("cpt/tresca", "pile/sand")}
-CHECKPOINT = ["output/checkpoint steps=4"]
+# fields often, so that many of the random moments are within their writing
+OUTPUT = ["output/checkpoint steps=4", "output/field steps=2"]
 RANKS = 1e-6  # of the largest value of a column
 # [m3] rounding of the difference of two contents: hundreds of m3, or a million
 WATER = {"torpedo/clay": 1e-7}
@@ -31,7 +33,7 @@ SOME_WATER = 1e-11
 
 class ApplicationDecks(MudlineCase):
     def arguments(self, deck, name):
-        settings = [f"stages/{key}={value}" for key, value in SHORT[deck].items()] + TIGHT.get(deck, []) + CHECKPOINT + [f"output/name={name}"]
+        settings = [f"stages/{key}={value}" for key, value in SHORT[deck].items()] + TIGHT.get(deck, []) + OUTPUT + [f"output/name={name}"]
         result = ["run", "-q", os.path.join(ROOT, "inputs", deck + ".xml")]
         for setting in settings:
             result += ["--set", setting]
@@ -49,6 +51,14 @@ class ApplicationDecks(MudlineCase):
     def content(self, name):
         with open(self.file(name), "rb") as file:
             return file.read()
+
+    def fields(self, name):
+        """What ParaView is told of the run's steps, and their displacements."""
+        stem = self.file(name)[:-len(".csv")]
+        with open(stem + ".xdmf") as file:
+            text = file.read().replace(name + ".fields", "fields")
+        with h5py.File(stem + ".h5", "r") as file:
+            return text, [step["nodal/displacement"][:] for step in file["steps"].values()]
 
     def whole(self, deck, name, ranks=1):
         done = program(self.arguments(deck, name), ranks, self.folder)
@@ -92,6 +102,9 @@ class ApplicationDecks(MudlineCase):
         self.assertEqual(done.returncode, 0, done.stderr[-2000:])
         self.assertLess(left, self.lines("parts"))
         self.assertEqual(self.content("parts"), self.content("whole"))
+        (parts, moved), (whole, expected) = self.fields("parts"), self.fields("whole")
+        self.assertEqual(parts, whole)
+        np.testing.assert_array_equal(moved, expected)
 
 
 for DECK in SHORT:
