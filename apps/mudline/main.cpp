@@ -146,6 +146,7 @@ int dispatch(int argc, char** argv, bool root) {
 
 int main(int argc, char** argv) {
   keep_blas_serial();
+  setenv("HWLOC_HIDE_ERRORS", "2", 0);  // in a container without /sys MPI's hwloc prints a line of its own in every run
   // The command line is ours: Kokkos would answer --help with its own options.
   int own_count = 1;
   Tpetra::ScopeGuard scope(&own_count, &argv);
