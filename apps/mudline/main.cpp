@@ -22,13 +22,6 @@ void keep_blas_serial() {
   if (void* set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<void (*)(int)>(set)(1);
 }
 
-/// What Open MPI does on its own in a container without /sys: hwloc prints a line in every run, and a program without mpiexec starts a
-/// daemon that it would need to spawn others, which takes five seconds there.
-void calm_mpi() {
-  setenv("HWLOC_HIDE_ERRORS", "2", 0);
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-}
-
 void add_deck_options(CLI::App& command, cli::DeckOptions& deck) {
   command.add_option("deck", deck.decks, "deck, then overlays that replace single parameters of it")->required();
   command.add_option("--set", deck.settings, "replace one parameter: --set \"stages/push/duration=2.0\"")->allow_extra_args(false);
@@ -153,7 +146,7 @@ int dispatch(int argc, char** argv, bool root) {
 
 int main(int argc, char** argv) {
   keep_blas_serial();
-  calm_mpi();
+  setenv("HWLOC_HIDE_ERRORS", "2", 0);  // in a container without /sys MPI's hwloc prints a line of its own in every run
   // The command line is ours: Kokkos would answer --help with its own options.
   int own_count = 1;
   Tpetra::ScopeGuard scope(&own_count, &argv);
