@@ -9,10 +9,11 @@ struct ImpactShare {
   double value, slope;  // slope: by the gap at the end [1/m]
 };
 
-/// Of the force at the end of the step; gap < 0, 0 <= damping <= 1/2.
+/// Of the force at the end of the step, where there is one (gap < 0); 0 <= damping <= 1/2.
 inline ImpactShare end_share(double gap_old, double gap, double damping) {
   const double whole = 0.5 + damping;
   if (gap_old <= 0) return {whole, 0};
+  if (gap >= 0) return {0, 0};
   const double way = gap_old - gap;
   return {-whole * gap / way, -whole * gap_old / (way * way)};
 }
@@ -25,5 +26,17 @@ inline ImpactShare start_share(double gap_old, double gap, double damping) {
   const double way = gap - gap_old;
   return {-whole * gap_old / way, whole * gap_old / (way * way)};
 }
+
+/// Of the forces at both ends in the mean over the step.
+struct StepShares {
+  ImpactShare start, end;
+};
+
+inline StepShares conserving_shares(double gap_old, double gap, double damping) {
+  return {start_share(gap_old, gap, damping), end_share(gap_old, gap, damping)};
+}
+
+/// Those of the integrator, which weighs the start by `start_weight`.
+inline StepShares interpolated_shares(double start_weight) { return {{start_weight, 0}, {1 - start_weight, 0}}; }
 
 }  // namespace mudline

@@ -128,14 +128,13 @@ void NodeContact::histories(const StepView& view, std::map<std::string, double>&
     here.deepest = std::max(here.deepest, pass.deepest(state));
   }
   const Comm& comm = *context_.space.mesh().comm();
-  const SlaveSums all = report_slave(comm, name(), here, values);
+  const SlaveSums all = report_slave(comm, name(), deck_, here, values);
   if (deck_.augmented()) {
     const auto [gap, stretch] = passes_[0]->misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;
     if (friction_) values[name() + "/stretch [m]"] = stretch;
   }
   if (friction_) values[name() + "/friction heat [J]"] = all.heat;
-  if (deck_.damping > 0) values[name() + "/damping heat [J]"] = all.damped;
 }
 
 double NodeContact::step_limit(const State& committed, double) const {

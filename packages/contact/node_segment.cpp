@@ -141,13 +141,10 @@ void spread(const SurfacePiece& piece, const Geometry<T>& g, const T& x, const T
 
 /// Damping of a node with this pressure, also of one that left in the step.
 template <class T>
-void add_damping(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g, const T& pressure, Forces<T>& result, NodeForce& out) {
-  const bool conserves = law.end_weight > 0;
-  const ImpactShare start = conserves ? start_share(law.gap_old, out.gap, law.damping) : ImpactShare{law.start_weight, 0};
-  ImpactShare end{1 - law.start_weight, 0};
-  if (conserves) end = value(pressure) > 0 ? end_share(law.gap_old, out.gap, law.damping) : ImpactShare{0, 0};
+void add_damping(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g, const T& pressure, const StepShares& shares, Forces<T>& result,
+                 NodeForce& out) {
   const ContactDamping viscous = contact_damping(law.viscous, law.gap_old, out.gap, law.dt);
-  const T mean = chain(g.gap, start.value, start.slope) * law.normal_old + chain(g.gap, end.value, end.slope) * pressure * law.area;
+  const T mean = chain(g.gap, shares.start.value, shares.start.slope) * law.normal_old + chain(g.gap, shares.end.value, shares.end.slope) * pressure * law.area;
   const T size = chain(g.gap, viscous.factor, viscous.slope) * mean;
   out.damped = value(size) * (law.gap_old - out.gap);
   spread(piece, g, size * g.normal.x, size * g.normal.y, result.damping);
@@ -166,17 +163,16 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
   const bool open = law.fixed ? !law.member : !(value(pressure) > -law.penalty * law.touch);
   if (open) pressure = T(0.0);
   if (!law.fixed && value(pressure) < 0) pressure = chain(pressure, 0.0, 1.0);
-  if (law.viscous > 0 && (!open || law.normal_old > 0)) add_damping(law, piece, g, pressure, result, out);
+  const bool conserves = law.end_weight > 0;
+  const StepShares shares = conserves ? conserving_shares(law.gap_old, out.gap, law.damping) : interpolated_shares(law.start_weight);
+  if (law.viscous > 0 && (!open || law.normal_old > 0)) add_damping(law, piece, g, pressure, shares, result, out);
   if (open) return;
   out.presses = true;
   out.pressure = value(pressure);
   T shear(0.0);
   if (law.friction) shear = shear_stress(law, g, piece, x, old, pressure, out);
   out.shear = value(shear);
-  if (law.end_weight > 0) {
-    const ImpactShare part = end_share(law.gap_old, out.gap, law.damping);
-    result.share = chain(g.gap, part.value / law.end_weight, part.slope / law.end_weight);
-  }
+  if (conserves) result.share = chain(g.gap, shares.end.value / law.end_weight, shares.end.slope / law.end_weight);
   spread(piece, g, (pressure * g.normal.x + shear * g.along.x) * law.area, (pressure * g.normal.y + shear * g.along.y) * law.area, result.end);
 }
 

@@ -84,10 +84,9 @@ void PairContact::histories(const StepView& view, std::map<std::string, double>&
     here.deepest = std::max(here.deepest, -rows(row, column::deepest));
   }
   const Comm& comm = *context_.space.mesh().comm();
-  const SlaveSums all = report_slave(comm, name(), here, values);
+  const SlaveSums all = report_slave(comm, name(), deck_, here, values);
   const auto [gap, stretch] = misfit(state).largest(comm);
   if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
-  if (deck_.damping > 0) values[name() + "/damping heat [J]"] = all.damped;
   if (!friction_) return;
   if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
   values[name() + "/sliding length [m]"] = all.slides;

@@ -253,6 +253,7 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     }
     // surfaces that meet without overlap have stiffness, but no pull
     const bool open = !(value(pressure) > -law.penalty * tiny);
+    if (open && !(law.viscous > 0)) continue;
     if (open) pressure = T(0.0);
     if (value(pressure) < 0) pressure = chain(pressure, 0.0, 1.0);
     Vec<T> was{T(0.0), T(0.0)}, foot_was = was;

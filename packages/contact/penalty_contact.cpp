@@ -23,8 +23,7 @@ void PenaltyContact::declare_state(StateStore& store) {
   penalties.variables = {{"penalty", 1, "Pa/m"}};
   penalties_ = store.declare(std::move(penalties), static_cast<int>(surface_->sides().size()));
   work_info.name = name() + "/work";
-  work_info.variables = {{"work", 1, "J"}};
-  if (deck_.damping > 0) work_info.variables.insert(work_info.variables.end(), {{"damping heat", 1, "J"}, {"damping x", 1, "N"}, {"damping y", 1, "N"}});
+  work_info.variables = {{"work", 1, "J"}, {"damping heat", 1, "J"}, {"damping x", 1, "N"}, {"damping y", 1, "N"}};
   work_ = store.declare(std::move(work_info), 1);
   if (deck_.augmented()) {
     ArrayInfo multipliers;
@@ -138,27 +137,27 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
   const double penalty = view.trial->arrays[penalties_](side, 0);
   const SideCoordinates x = coordinates(at, positions.x_end);
   std::vector<PointForce> forces;
-  SideImpact impact{};
-  const bool conserving = conserves(view);
-  if (conserving) {
-    forces = point_forces(*view.committed, side);
-    impact = {1 - view.sensitivity[displacement_].value, view.damping, forces.data()};
-  }
-  const SideImpact* within = conserving ? &impact : nullptr;
   std::vector<double> normal;
-  SideDamping damping{};
+  SideStep step;
+  step.alpha_f = 1 - view.sensitivity[displacement_].value;
+  step.dt = view.dt;
+  if (conserves(view)) {
+    forces = point_forces(*view.committed, side);
+    step.old = forces.data();
+    step.impact_damping = view.damping;
+  }
   if (damps(view)) {
     normal = normal_forces(*view.committed, side);
-    damping = {deck_.damping, view.dt, 1 - view.sensitivity[displacement_].value, normal.data()};
+    step.normal_old = normal.data();
+    step.viscous = deck_.damping;
   }
-  const SideDamping* damped = damps(view) ? &damping : nullptr;
   const SideShift shift = shifts(view, side);
   if (!friction_)
-    return penalty_side(rule(at), against, penalty, nullptr, within, damped, shift, x, axisymmetric_, want_tangent, force, points);
+    return penalty_side(rule(at), against, penalty, nullptr, step, shift, x, axisymmetric_, want_tangent, force, points);
   std::vector<ShearState> old = shear_states(*view.committed, side);
   add_multipliers(view, side, old);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, penalty, &friction, within, damped, shift, x, axisymmetric_, want_tangent, force, points);
+  return penalty_side(rule(at), against, penalty, &friction, step, shift, x, axisymmetric_, want_tangent, force, points);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
@@ -219,11 +218,9 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   std::vector<ContactPoint> points;
   SideForce side_force;
   const Positions at = positions(view);
-  if (deck_.damping > 0) {
-    const PointView& sums = view.trial->arrays[work_];
-    sums(0, 1) = view.committed->arrays[work_](0, 1);
-    sums(0, 2) = sums(0, 3) = 0;
-  }
+  const PointView& done = view.trial->arrays[work_];
+  done(0, 1) = view.committed->arrays[work_](0, 1);
+  done(0, 2) = done(0, 3) = 0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     if (!candidate_[s]) {
       // the rows of a skipped side say that it is at least as far away as the search looked
@@ -251,10 +248,9 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   }
   const auto before = local_force(*view.committed), now = local_force(*view.trial);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
-  double done = view.committed->arrays[work_](0, 0);
-  for (int i = 0; i < 2; ++i) done += 0.5 * (before[i] + now[i]) * (to.centre[i] - from.centre[i]);
-  done += 0.5 * (before[2] + now[2]) * (to.angle - from.angle);
-  view.trial->arrays[work_](0, 0) = done;
+  done(0, 0) = view.committed->arrays[work_](0, 0);
+  for (int i = 0; i < 2; ++i) done(0, 0) += 0.5 * (before[i] + now[i]) * (to.centre[i] - from.centre[i]);
+  done(0, 0) += 0.5 * (before[2] + now[2]) * (to.angle - from.angle);
   look_for_touch(view);
   return failures;
 }

@@ -49,7 +49,7 @@ struct PenaltyParameters : EnforcementParameters {
 /// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with which
 /// the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
 /// "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's
-/// displacement; with damping its heat so far and its force on the soil in the last step).
+/// displacement; of damping the heat so far and its force on the soil in the last step).
 ///
 /// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
 /// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: the

@@ -22,12 +22,9 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   const auto force = local_force(state);
   // reaction (2), area, active points, work; friction: force (2), heat, sliding points; the tip's reaction; damping: heat, force (2)
   constexpr int sums = 13;
-  double local[sums] = {-force[0], -force[1], 0, 0, state.arrays[work_](0, 0)}, sum[sums];
+  const PointView& done = state.arrays[work_];
+  double local[sums] = {-force[0], -force[1], 0, 0, done(0, 0), 0, 0, 0, 0, 0, done(0, 1), -done(0, 2), -done(0, 3)}, sum[sums];
   double deepest = 0, deepest_everywhere = 0;
-  if (deck_.damping > 0) {
-    local[10] = state.arrays[work_](0, 1);
-    for (int i = 0; i < 2; ++i) local[11 + i] = -state.arrays[work_](0, 2 + i);
-  }
   for (int row = 0; row < first_row_.back(); ++row) {
     if (friction_) {
       const PointView& shear = state.arrays[frictions_];

@@ -143,24 +143,19 @@ void point_tangent(const ContactRule& rule, int c, const SideAreas& areas, doubl
   }
 }
 
-/// Shares of the normal forces at both ends in the mean over the step.
-struct StepShares {
-  ImpactShare start, end;
-};
-
 /// Damping of a point, also of one that left in the step.
-void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double penalty, const SideDamping& side, const StepShares& share,
+void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double penalty, const SideStep& step, const StepShares& share,
                  double gap_old, const PlanePoint& arm, const ContourFoot& foot, const BodyWays& ways, int first_body,
                  const PointAssembly& add, bool want_tangent, SideForce& out, ContactPoint& point) {
-  const double end = point.active ? point.pressure * point.area : 0.0, mean = share.start.value * side.old[c] + share.end.value * end;
-  const ContactDamping damping = contact_damping(side.coefficient, gap_old, foot.gap, side.dt);
+  const double end = point.active ? point.pressure * point.area : 0.0, mean = share.start.value * step.normal_old[c] + share.end.value * end;
+  const ContactDamping damping = contact_damping(step.viscous, gap_old, foot.gap, step.dt);
   for (int i = 0; i < 2; ++i) point.damping[i] = damping.factor * mean * foot.normal[i];
   point.damped = damping.factor * mean * (gap_old - foot.gap);
   const PointForce force{point.damping[0], point.damping[1], arm[0] * point.damping[1] - arm[1] * point.damping[0]};
   add.add_force(force, 1, out.correction);
   if (!want_tangent) return;
-  const double weight = 1 / (1 - side.alpha_f);
-  const double by_gap = damping.slope * mean + damping.factor * (share.start.slope * side.old[c] + share.end.slope * end);
+  const double weight = 1 / (1 - step.alpha_f);
+  const double by_gap = damping.slope * mean + damping.factor * (share.start.slope * step.normal_old[c] + share.end.slope * end);
   double change[2][max_side_dofs] = {};
   for (int b = 0; b < first_body + ways.count; ++b) {
     if (b >= 2 * rule.nodes && b < first_body) continue;  // pressures
@@ -179,7 +174,7 @@ void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double 
 }  // namespace
 
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideImpact* impact, const SideDamping* damping, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  const SideStep& step, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
                   std::vector<ContactPoint>& points) {
   const RigidBody& body = against.body;
   const int pressures = friction ? friction->pressure_nodes : 0, first_body = 2 * rule.nodes + pressures;
@@ -203,19 +198,16 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     const PlanePoint arm{at[0] - against.placement.centre[0], at[1] - against.placement.centre[1]};
     const BodyWays ways(body.unknowns(), arm);
     const PointAssembly add(rule, c, ways, first_body, out);
-    const double gap_start = impact || damping ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap : 0.0;
+    const bool conserves = step.old != nullptr;
+    const double gap_start = conserves || step.viscous > 0 ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap : 0.0;
     const double gap_old = gap_start - shift.old[c];
-    if (impact) {
-      const ImpactShare before = start_share(gap_old, pressed, impact->damping);
-      add.add_force(impact->old[c], before.value - impact->alpha_f, out.correction);
-      if (want_tangent && before.slope != 0) add.add_old_tangent(impact->old[c], before.slope / (1 - impact->alpha_f), foot.normal);
+    const StepShares shares = conserves ? conserving_shares(gap_old, pressed, step.impact_damping) : interpolated_shares(step.alpha_f);
+    if (conserves) {
+      add.add_force(step.old[c], shares.start.value - step.alpha_f, out.correction);
+      if (want_tangent && shares.start.slope != 0) add.add_old_tangent(step.old[c], shares.start.slope / (1 - step.alpha_f), foot.normal);
     }
     if (point.active) point.pressure = -penalty * pressed;
-    if (damping) {
-      StepShares shares{{damping->alpha_f, 0}, {1 - damping->alpha_f, 0}};
-      if (impact) shares = {start_share(gap_old, pressed, impact->damping), point.active ? end_share(gap_old, pressed, impact->damping) : ImpactShare{0, 0}};
-      add_damping(rule, c, areas, penalty, *damping, shares, gap_start, arm, foot, ways, first_body, add, want_tangent, out, point);
-    }
+    if (step.viscous > 0) add_damping(rule, c, areas, penalty, step, shares, gap_start, arm, foot, ways, first_body, add, want_tangent, out, point);
     if (!point.active && (!want_tangent || foot.gap >= against.touch)) continue;
     ShearTangent shear;
     if (point.active) {
@@ -224,10 +216,9 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     }
     point.moment = arm[0] * point.force[1] - arm[1] * point.force[0];
     ImpactShare share{1, 0};  // of the end's part in the alpha level
-    if (impact && point.active) {
-      share = end_share(gap_old, pressed, impact->damping);
-      add.add_force(point.force, share.value - (1 - impact->alpha_f), out.correction);
-      share = {share.value / (1 - impact->alpha_f), share.slope / (1 - impact->alpha_f)};
+    if (conserves && point.active) {
+      add.add_force(point.force, shares.end.value - (1 - step.alpha_f), out.correction);
+      share = {shares.end.value / (1 - step.alpha_f), shares.end.slope / (1 - step.alpha_f)};
     }
     add.add_force(point.force, 1, out.f);
     if (!want_tangent) continue;

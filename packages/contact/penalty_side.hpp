@@ -44,18 +44,13 @@ struct SideFriction {
 /// Force [N] on the soil and its moment about the body's centre [N m].
 using PointForce = std::array<double, 3>;
 
-/// Dynamic steps with shares of ImpactShare, instead of the integrator's (1 - alpha_f) of the force at the end and alpha_f of that at the
-/// start.
-struct SideImpact {
-  double alpha_f, damping;
-  const PointForce* old;  // (point) at the start of the step
-};
-
-/// Damping of one side.
-struct SideDamping {
-  double coefficient, dt;  // [s/m]; [s]
-  double alpha_f;          // the integrator's share of the start of the step
-  const double* old;       // (point) [N] normal force at the start of the step
+/// What acts over a step. By itself the integrator takes (1 - alpha_f) of the force at the end and alpha_f of that at the start.
+struct SideStep {
+  double alpha_f = 0, dt = 1;         // [-], [s]
+  const PointForce* old = nullptr;    // (point) at the start of the step: points exert shares of ImpactShare instead
+  double impact_damping = 0;          // [-] of those shares
+  double viscous = 0;                 // [s/m] coefficient of ContactDamping; 0: none
+  const double* normal_old = nullptr; // (point) [N] normal force at the start of the step, for ContactDamping
 };
 
 /// Which points press. Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier / penalty [m]. Tangential
@@ -84,17 +79,16 @@ constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
 /// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m, m2].
 struct SideForce {
   double f[max_side_dofs];           // at the end of the step
-  double correction[max_side_dofs];  // to be added at the alpha level, with SideImpact or SideDamping
+  double correction[max_side_dofs];  // to be added at the alpha level, with shares of ImpactShare or ContactDamping
   double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
 };
 
 /// Penalty law t = penalty <shift - gap> at the contact points of a side against a body:
 /// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s = 0.
 /// The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
-/// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. Null `impact` and
-/// `damping`: no correction. `points` receives rule.points results. False for a degenerate side.
+/// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. `points` receives rule.points results. False for a degenerate side.
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideImpact* impact, const SideDamping* damping, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
+                  const SideStep& step, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
                   std::vector<ContactPoint>& points);
 
 }  // namespace mudline

@@ -104,7 +104,8 @@ std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool he
   return any == 0 ? "" : "surfaces of contact '" + name + "' met that were farther apart at the start than its 'reach': raise it";
 }
 
-SlaveSums report_slave(const Comm& comm, const std::string& contact, const SlaveSums& here, std::map<std::string, double>& values) {
+SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck, const SlaveSums& here,
+                       std::map<std::string, double>& values) {
   constexpr int sums = 6;
   const double local[sums] = {here.force[0], here.force[1], here.area, here.slides, here.heat, here.damped};
   double sum[sums];
@@ -120,6 +121,7 @@ SlaveSums report_slave(const Comm& comm, const std::string& contact, const Slave
   values[contact + "/force on slave y [N]"] = all.force[1];
   values[contact + "/contact area [m2]"] = all.area;
   values[contact + "/maximum penetration [m]"] = all.deepest;
+  if (deck.damping > 0) values[contact + "/damping heat [J]"] = all.damped;
   return all;
 }
 

@@ -55,6 +55,6 @@ struct SlaveSums {
 
 /// Writes the columns that all contacts of two surfaces have under the contact's name; the other sums of all ranks are
 /// returned. Collective.
-SlaveSums report_slave(const Comm& comm, const std::string& contact, const SlaveSums& here, std::map<std::string, double>& values);
+SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck, const SlaveSums& here, std::map<std::string, double>& values);
 
 }  // namespace mudline
