@@ -45,7 +45,10 @@ class BoundarySide {
       for (int i = 0; i < 2; ++i) off_[a][i] = x[element.nodes[nodes[a]]][i] - point[i];
   }
   double chord() const { return std::hypot(off_[1][0] - off_[0][0], off_[1][1] - off_[0][1]); }
-  double distance(double t) const { return std::hypot(at(t, false)[0], at(t, false)[1]); }
+  double distance(double t) const {
+    const auto off = at(t, false);
+    return std::hypot(off[0], off[1]);
+  }
   /// Where the distance is least, if it falls and then rises between the two.
   double stationary(double low, double high) const {
     const auto rises = [&](double t) {

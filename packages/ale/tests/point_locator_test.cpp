@@ -19,15 +19,21 @@ std::array<double, 2> position(const WholeMesh& mesh, const Positions& x, const 
   return result;
 }
 
-class EveryCell : public ::testing::TestWithParam<CellShape> {};
+/// A box whose lines of constant height are waves of this size and wave number.
+class EveryCell : public ::testing::TestWithParam<CellShape> {
+ protected:
+  void bend(double size, double wave) {
+    for (auto& p : x) p[1] += size * std::sin(wave * p[0]) * p[1];
+  }
+  std::unique_ptr<Mesh> mesh = box(GetParam(), 4);
+  WholeMesh whole{*mesh};
+  Positions x = whole.gather(mesh->coordinates());
+  PointLocator locator{whole, x};
+};
 INSTANTIATE_TEST_SUITE_P(PointLocator, EveryCell, ::testing::Values(CellShape::quad9, CellShape::tri6));
 
 TEST_P(EveryCell, FindsThePointsOfACurvedMesh) {
-  const auto mesh = box(GetParam(), 4);
-  const WholeMesh whole(*mesh);
-  Positions x = whole.gather(mesh->coordinates());
-  for (auto& p : x) p[1] += 0.1 * std::sin(3 * p[0]) * p[1];
-  const PointLocator locator(whole, x);
+  bend(0.1, 3);
   for (int k = 0; k < 50; ++k) {
     const std::array<double, 2> at{0.01 + 0.98 * (k % 7) / 6.0, 0.01 + 0.95 * (k % 11) / 10.0};
     const auto there = position(whole, x, locator.find(at, k % static_cast<int>(whole.elements().size())));
@@ -36,10 +42,6 @@ TEST_P(EveryCell, FindsThePointsOfACurvedMesh) {
 }
 
 TEST_P(EveryCell, NearestOnStraightBoundaryIsThatOfTheBox) {
-  const auto mesh = box(GetParam(), 4);
-  const WholeMesh whole(*mesh);
-  const Positions x = whole.gather(mesh->coordinates());
-  const PointLocator locator(whole, x);
   for (const std::array<double, 2> at : {std::array<double, 2>{0.37, 1.8}, {-0.4, 0.61}, {1.7, 1.2}, {0.52, -1e-3}, {1 + 1e-6, 0.25}, {-3, -4}}) {
     const auto there = position(whole, x, locator.nearest_on_boundary(at));
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(there[i], std::min(std::max(at[i], 0.0), 1.0), 1e-13 * (1 + std::abs(at[i]))) << at[0] << " " << at[1];
@@ -47,11 +49,7 @@ TEST_P(EveryCell, NearestOnStraightBoundaryIsThatOfTheBox) {
 }
 
 TEST_P(EveryCell, NearestOnCurvedBoundaryBeatsEveryOtherPointOfIt) {
-  const auto mesh = box(GetParam(), 4);
-  const WholeMesh whole(*mesh);
-  Positions x = whole.gather(mesh->coordinates());
-  for (auto& p : x) p[1] += 0.3 * std::sin(3.1 * p[0]) * p[1];
-  const PointLocator locator(whole, x);
+  bend(0.3, 3.1);
   for (const std::array<double, 2> at : {std::array<double, 2>{0.37, 1.8}, {0.1, 1.3}, {1.2, 1.4}, {0.5, 1.31}, {-0.2, 0.3}}) {
     const auto there = position(whole, x, locator.nearest_on_boundary(at));
     const double found = std::hypot(there[0] - at[0], there[1] - at[1]);

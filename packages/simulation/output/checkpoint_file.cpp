@@ -7,9 +7,9 @@
 
 #include "core/errors.hpp"
 #include "discretisation/mesh.hpp"
-#include "simulation/output/atomic_file.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/hdf5_tools.hpp"
+#include "simulation/output/whole_file.hpp"
 
 namespace mudline {
 
@@ -88,11 +88,10 @@ void append_names(std::string& text, const Map& map) {
   text += '\n';
 }
 
-void write_file(MPI_Comm comm, const std::string& path, const MeshSignature& mesh, const CheckpointData& data) {
+void write_content(MPI_Comm comm, hid_t file, const MeshSignature& mesh, const CheckpointData& data) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  const auto file = h5::create_file(comm, path);
   h5::set_attribute(file, "format", std::string(format_name));
   h5::set_attribute(file, "format version", format_version);
   h5::set_attribute(file, "ranks", static_cast<long long>(ranks));
@@ -162,16 +161,8 @@ void CheckpointWriter::write(const std::string& path, const CheckpointData& data
   for (const auto& [name, text] : data.texts) names += text + '\n';
   if (!same_everywhere(mpi, names)) throw std::logic_error("the ranks give different names or texts to a checkpoint");
 
-  const std::string temporary = path + ".part";
-  std::string error;
-  try {
-    write_file(mpi, temporary, mesh_, data);
-  } catch (const std::runtime_error& failure) {
-    error = "checkpoint '" + path + "': " + failure.what();
-  }
-  error = agreed_message(mpi, error);
-  if (error.empty()) error = agreed_message(mpi, comm_->getRank() == 0 ? rename_file(temporary, path) : "");
-  if (!error.empty()) throw std::runtime_error(error);
+  const std::string error = write_whole(mpi, path, [&](hid_t file) { write_content(mpi, file, mesh_, data); });
+  if (!error.empty()) throw std::runtime_error("checkpoint '" + path + "': " + error);
 }
 
 CheckpointReader::CheckpointReader(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh)

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 
 #include "core/errors.hpp"
-#include "simulation/output/atomic_file.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/field_index.hpp"
 #include "simulation/output/field_layout.hpp"
 #include "simulation/output/hdf5_tools.hpp"
 #include "simulation/output/id_order.hpp"
+#include "simulation/output/whole_file.hpp"
 
 namespace mudline {
 
@@ -44,7 +43,6 @@ struct FieldFile::File {
 
   void create(const Mesh& mesh);
   void open(double restart_time);
-  void write_whole(const std::string& path, const std::function<void(hid_t)>& content) const;
   std::string wrong_fields(const std::vector<OutputField>& fields, std::size_t rows) const;
   std::string bad_value(const std::vector<OutputField>& fields) const;
   std::map<std::string, xdmf::Field> write_fields(hid_t file, const std::string& group,
@@ -77,23 +75,6 @@ void FieldFile::File::fail_alike(const std::string& message) const {
   if (!agreed.empty()) throw std::runtime_error(index.path() + ": " + agreed);
 }
 
-/// All ranks write a file together under a temporary name, which is renamed when it is complete on disk.
-void FieldFile::File::write_whole(const std::string& path, const std::function<void(hid_t)>& content) const {
-  const std::string temporary = path + ".part";
-  std::string error;
-  try {
-    const auto file = h5::create_file(comm, temporary);
-    content(file);
-    h5::flush(file, temporary);
-  } catch (const std::runtime_error& failure) {
-    error = std::string(failure.what()) + " (disk full?)";
-  }
-  std::error_code ignored;
-  if (!error.empty() && rank == 0) std::filesystem::remove(temporary, ignored);
-  fail_alike(error);
-  fail_alike(rank == 0 ? rename_file(temporary, path) : "");
-}
-
 void FieldFile::File::create(const Mesh& mesh) {
   std::error_code problem;
   if (rank == 0) {
@@ -102,9 +83,9 @@ void FieldFile::File::create(const Mesh& mesh) {
     std::filesystem::create_directories(index.folder(), problem);
   }
   fail_alike(problem ? "cannot create the folder '" + index.folder() + "': " + problem.message() : "");
-  write_whole(index.mesh_path(), [&](hid_t file) {
+  fail_alike(write_whole(comm, index.mesh_path(), [&](hid_t file) {
     index.model.topology_length = field_layout::write_mesh(file, comm, mesh, nodes, elements);
-  });
+  }));
   publish();
 }
 
@@ -216,7 +197,6 @@ FieldFile::~FieldFile() = default;
 
 void FieldFile::set_metadata(const std::string& name, const std::string& text) {
   file_->index.metadata[h5::link_name(name)] = broadcast(file_->comm, text);
-  file_->publish();
 }
 
 void FieldFile::add_body(const std::string& name, const std::vector<std::array<double, 2>>& contour) {
@@ -232,7 +212,6 @@ void FieldFile::add_body(const std::string& name, const std::vector<std::array<d
   }
   index.contours[link] = contour;
   index.model.bodies[link] = {name, static_cast<long long>(contour.size())};
-  file_->publish();
 }
 
 void FieldFile::write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
@@ -256,7 +235,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
   f.fail_alike(bad);
 
   xdmf::Step written{FieldIndex::step_name(f.index.steps), time, step, stage, {}, {}};
-  f.write_whole(f.index.step_path(f.index.steps), [&](hid_t file) {
+  f.fail_alike(write_whole(f.comm, f.index.step_path(f.index.steps), [&](hid_t file) {
     h5::set_attribute(file, "time", std::vector<double>{time});
     h5::set_attribute(file, "step", static_cast<long long>(step));
     h5::set_attribute(file, "stage", stage);
@@ -264,7 +243,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
     written.nodal = f.write_fields(file, "nodal", nodal, f.nodes);
     written.cell = f.write_fields(file, "cell", cell, f.elements);
     f.write_bodies(file, poses);
-  });
+  }));
   f.index.append(written);
   f.publish();
 }

@@ -46,7 +46,7 @@ class FieldFile {
   FieldFile(const FieldFile&) = delete;
   FieldFile& operator=(const FieldFile&) = delete;
 
-  /// Stores a text under a name ("program", "deck", ...), replacing an earlier one.
+  /// Stores a text under a name ("program", "deck", ...), replacing an earlier one; on disk with the next step.
   void set_metadata(const std::string& name, const std::string& text);
 
   /// A rigid body's contour in its reference position [m], drawn with the soil. Before the first write; after a restart

@@ -7,6 +7,7 @@
 #include "core/errors.hpp"
 #include "simulation/output/atomic_file.hpp"
 #include "simulation/output/hdf5_tools.hpp"
+#include "simulation/output/whole_file.hpp"
 
 namespace mudline {
 
@@ -62,40 +63,29 @@ void FieldIndex::append(const xdmf::Step& step) {
   ++steps;
 }
 
-void FieldIndex::write_index(const std::string& to) const {
-  const auto file = h5::create_file(MPI_COMM_SELF, to);
-  h5::set_attribute(file, "format", std::string(format_name));
-  h5::set_attribute(file, "format version", format_version);
-  h5::set_attribute(file, "geometry", geometry);
-  h5::set_attribute(file, "nodes", model.nodes);
-  h5::set_attribute(file, "elements", model.elements);
-  h5::set_attribute(file, "topology length", model.topology_length);
-  h5::link_to_file(file, "mesh", model.folder + "/mesh.h5", "/mesh");
-  const auto texts = h5::create_group(file, "metadata"), bodies = h5::create_group(file, "bodies"),
-             links = h5::create_group(file, "steps");
-  for (const auto& [link, text] : metadata) h5::write_text(texts, link, text, 0);
-  for (const auto& [link, contour] : contours) {
-    const auto body = h5::create_group(bodies, link);
-    h5::set_attribute(body, "name", model.bodies.at(link).name);
-    std::vector<double> points;
-    for (const auto& point : contour) points.insert(points.end(), point.begin(), point.end());
-    h5::write(body, "contour", points, {contour.size(), 2, 0, contour.size()});
-  }
-  for (std::size_t k = 0; k < steps; ++k)
-    h5::link_to_file(links, step_name(k), model.folder + "/" + step_name(k) + ".h5", "/");
-  h5::flush(file, to);
-}
-
 std::string FieldIndex::write() const {
   if (!writer_) return "";
-  const std::string temporary = path() + ".part";
-  try {
-    write_index(temporary);
-  } catch (const std::runtime_error& failure) {
-    return failure.what();
-  }
+  std::string error = write_whole(MPI_COMM_SELF, path(), [this](hid_t file) {
+    h5::set_attribute(file, "format", std::string(format_name));
+    h5::set_attribute(file, "format version", format_version);
+    h5::set_attribute(file, "geometry", geometry);
+    h5::set_attribute(file, "nodes", model.nodes);
+    h5::set_attribute(file, "elements", model.elements);
+    h5::set_attribute(file, "topology length", model.topology_length);
+    h5::link_to_file(file, "mesh", model.path("mesh"), "/mesh");
+    const auto texts = h5::create_group(file, "metadata"), bodies = h5::create_group(file, "bodies"),
+               links = h5::create_group(file, "steps");
+    for (const auto& [link, text] : metadata) h5::write_text(texts, link, text, 0);
+    for (const auto& [link, contour] : contours) {
+      const auto body = h5::create_group(bodies, link);
+      h5::set_attribute(body, "name", model.bodies.at(link).name);
+      std::vector<double> points;
+      for (const auto& point : contour) points.insert(points.end(), point.begin(), point.end());
+      h5::write(body, "contour", points, {contour.size(), 2, 0, contour.size()});
+    }
+    for (std::size_t k = 0; k < steps; ++k) h5::link_to_file(links, step_name(k), model.path(step_name(k)), "/");
+  });
   // The steps must exist for whoever reads of them, in whichever of the two files.
-  std::string error = rename_file(temporary, path());
   std::error_code ignored;
   if (error.empty() && steps > 0) error = write_atomically(stem + ".xdmf", xdmf::document(grids_));
   if (steps == 0) std::filesystem::remove(stem + ".xdmf", ignored);

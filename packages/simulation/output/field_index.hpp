@@ -45,8 +45,6 @@ struct FieldIndex {
   std::size_t steps = 0;
 
  private:
-  void write_index(const std::string& to) const;
-
   bool writer_;
   std::string grids_;  // the writer's: the XML of the steps so far
 };

@@ -10,4 +10,5 @@ set(simulation_output_sources
   output/hdf5_tools.cpp
   output/history_file.cpp
   output/id_order.cpp
+  output/whole_file.cpp
   output/xdmf.cpp)

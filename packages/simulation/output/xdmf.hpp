@@ -31,6 +31,8 @@ struct Model {
   std::string folder;  // that holds mesh.h5 and the files of the steps, beside the XDMF file
   long long nodes, elements, topology_length;
   std::map<std::string, Body> bodies;  // by link name
+  /// Of a file in the folder, as seen from beside the folder.
+  std::string path(const std::string& file) const { return folder + "/" + file + ".h5"; }
 };
 
 /// The XML of one step.

@@ -103,7 +103,6 @@ class EnergyOfImpacts(MudlineCase):
             if os.environ.get("MUDLINE_SHOW_ERRORS"):
                 print(f"per cent lost, {resolution} rad per step: " + " | ".join(row))
 
-
     def test_damped_restitution(self):
         """Hunt and Crossley: m v dv/dx = -k x (1 + c v) between touch and leave, so v/c - ln(1 + c v)/c^2 is the same at both."""
         ground = self.write("ground.xml", self.GROUND)
