@@ -1,7 +1,5 @@
 #pragma once
 
-#include <mpi.h>
-
 #include <string>
 #include <vector>
 
@@ -27,6 +25,8 @@ struct PointCommand {
   std::string png;           // picture of all tests; "" for none
 };
 
+/// In MPI_COMM_WORLD; 0 where the command does without MPI.
+int rank();
 /// Rank 0 reads the files, every rank gets the text and the settings.
 Deck read_deck(const DeckOptions& options);
 /// What results are called by default: after the first deck's file.

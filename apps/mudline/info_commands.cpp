@@ -17,12 +17,6 @@ namespace mudline::cli {
 
 namespace {
 
-bool root() {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  return rank == 0;
-}
-
 /// All documentation, with a plugin's if one is named.
 std::vector<EntryDoc> documentation(const std::string& plugin) {
   Registries registries;
@@ -37,6 +31,13 @@ std::vector<EntryDoc> documentation(const std::string& plugin) {
 
 }  // namespace
 
+int rank() {
+  int running = 0, result = 0;
+  MPI_Initialized(&running);
+  if (running != 0) MPI_Comm_rank(MPI_COMM_WORLD, &result);
+  return result;
+}
+
 int list(const std::string& kind, bool markdown_wanted, bool xsd_wanted, const std::string& plugin) {
   const std::vector<EntryDoc> docs = documentation(plugin);
   std::vector<std::string> kinds;
@@ -45,7 +46,7 @@ int list(const std::string& kind, bool markdown_wanted, bool xsd_wanted, const s
   const std::string wanted = kind == "material" ? "skeleton" : kind;
   if (!wanted.empty() && std::find(kinds.begin(), kinds.end(), wanted) == kinds.end())
     throw InputError("unknown kind '" + kind + "'" + suggestion(kind, kinds));
-  if (!root()) return 0;
+  if (rank() != 0) return 0;
   if (xsd_wanted) {
     std::cout << xsd(docs);
     return 0;
@@ -71,7 +72,7 @@ int explain(const std::string& name, const std::string& plugin) {
   for (const EntryDoc& entry : docs) {
     names.push_back(entry.name);
     if (entry.name != name) continue;
-    if (root()) std::cout << (found ? "\n" : "") << mudline::explain(entry);
+    if (rank() == 0) std::cout << (found ? "\n" : "") << mudline::explain(entry);
     found = true;
   }
   if (!found) throw InputError("nothing is called '" + name + "'" + suggestion(name, names));
@@ -104,7 +105,7 @@ std::vector<char*> argv_of(std::vector<std::string>& command) {
 }
 
 int become_script(const std::string& name, const std::vector<std::string>& arguments) {
-  if (!root()) return 0;
+  if (rank() != 0) return 0;
   std::vector<std::string> command = script_command(name, arguments);
   // a script that runs decks starts the same program
   setenv("MUDLINE_PROGRAM", std::filesystem::read_symlink("/proc/self/exe").c_str(), 0);
@@ -114,7 +115,7 @@ int become_script(const std::string& name, const std::vector<std::string>& argum
 }
 
 int version() {
-  if (!root()) return 0;
+  if (rank() != 0) return 0;
   std::cout << "mudline " << MUDLINE_VERSION << "\n"
             << "plugins: " << MUDLINE_ABI << "\n"
             << "gmsh:    " <<

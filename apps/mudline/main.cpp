@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <memory>
 
 #include "commands.hpp"
 #include "core/errors.hpp"
@@ -39,6 +40,15 @@ std::string last_line(const std::string& text) {
     line.clear();
   }
   return best;
+}
+
+/// Commands that read no deck do without MPI, whose start takes most of a second, unless a launcher started several of them.
+bool needs_mpi(const std::vector<std::string>& words) {
+  for (const char* launched : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(launched) != nullptr) return true;
+  const auto given = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+  if (given("--help") || given("-h")) return false;
+  return given("run") || given("check") || given("point");
 }
 
 /// A misspelt command gets a suggestion; the library would only say that a command is missing.
@@ -129,9 +139,7 @@ int dispatch(int argc, char** argv, bool root) {
     std::cerr << "error: " << last_line(error.what()) << " (see mudline --help)" << std::endl;
     return 2;
   }
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  log::configure(rank, quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);
+  log::configure(cli::rank(), quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);
   if (*run_command) return cli::run(run);
   if (*point_command) return cli::point(point);
   if (*check_command) return cli::check(check);
@@ -147,12 +155,14 @@ int dispatch(int argc, char** argv, bool root) {
 int main(int argc, char** argv) {
   keep_blas_serial();
   setenv("HWLOC_HIDE_ERRORS", "2", 0);  // in a container without /sys MPI's hwloc prints a line of its own in every run
-  // The command line is ours: Kokkos would answer --help with its own options.
-  int own_count = 1;
-  Tpetra::ScopeGuard scope(&own_count, &argv);
-  int rank = 0, ranks = 1;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  std::unique_ptr<Tpetra::ScopeGuard> scope;
+  int ranks = 1;
+  if (needs_mpi({argv + 1, argv + argc})) {
+    int own_count = 1;  // the command line is ours: Kokkos would answer --help with its own options
+    scope = std::make_unique<Tpetra::ScopeGuard>(&own_count, &argv);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  }
+  const int rank = cli::rank();
   try {
     return dispatch(argc, argv, rank == 0);
   } catch (const mudline::InputError& error) {

@@ -1,4 +1,3 @@
-#include <mpi.h>
 
 #include <iostream>
 
@@ -110,17 +109,15 @@ int print_template(const std::string& name) {
   Registries registries;
   register_all(registries);
   const std::vector<EntryDoc> docs = document_all(registries);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (name == "biot" || name == "solid") {
-    if (rank == 0) std::cout << deck_of(name);
+    if (rank() == 0) std::cout << deck_of(name);
     return 0;
   }
   std::vector<std::string> names;
   for (const EntryDoc& entry : docs) {
     names.push_back(entry.name);
     if (entry.name != name) continue;
-    if (rank == 0) std::cout << xml_template(entry);
+    if (rank() == 0) std::cout << xml_template(entry);
     return 0;
   }
   throw InputError("nothing is called '" + name + "'" + suggestion(name, names));

@@ -204,8 +204,11 @@ void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to)
   const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new);
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
-    for (const NodalView& values : {to.value, to.rate, to.acceleration})
-      mesh_.scatter(space_, f, nodal.apply(mesh_.gather(space_, f, values), space_.field(f).components, space_.field(f).support), values);
+    for (const NodalView& values : {to.value, to.rate, to.acceleration}) {
+      // Beside a body the displacement jumps: the soil on its wall came from the surface.
+      const bool jumps = f == soil_.displacement && values.data() == to.value.data();
+      mesh_.scatter(space_, f, nodal.apply(mesh_.gather(space_, f, values), space_.field(f).components, space_.field(f).support, jumps), values);
+    }
   }
 }
 

@@ -64,7 +64,7 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
     }
 }
 
-std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support) const {
+std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support, bool limited) const {
   std::vector<double> now = old;
   double N[9], dN[18];
   for (int node = 0; node < mesh_.num_nodes(); ++node) {
@@ -84,9 +84,14 @@ std::vector<double> NodalRemap::apply(const std::vector<double>& old, int compon
       from = element.nodes.data();
     }
     for (int c = 0; c < components; ++c) {
-      double sum = 0;
-      for (int a = 0; a < count; ++a) sum += N[a] * old[components * from[a] + c];
-      now[components * node + c] = sum;
+      double sum = 0, least = 1e300, most = -1e300;
+      for (int a = 0; a < count; ++a) {
+        const double value = old[components * from[a] + c];
+        sum += N[a] * value;
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+      now[components * node + c] = limited ? std::clamp(sum, least, most) : sum;
     }
   }
   return now;

@@ -12,8 +12,10 @@ namespace mudline {
 class NodalRemap {
  public:
   NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old, const Positions& x_new);
-  /// `support`: which nodes carry the field; (node, component) in and out.
-  std::vector<double> apply(const std::vector<double>& old, int components, Support support) const;
+  /// `support`: which nodes carry the field; (node, component) in and out. `limited`: no value beyond those it is made of, for
+  /// fields that jump from one node to the next, where quadratic shape functions overshoot remap by remap; smooth fields lose
+  /// their peaks by it.
+  std::vector<double> apply(const std::vector<double>& old, int components, Support support, bool limited = false) const;
 
  private:
   struct Place {

@@ -234,5 +234,28 @@ TEST(NodalRemap, QuadraticFieldsSurviveOnStraightElementsAndTheBoundaryKeepsItsO
   EXPECT_LT(worst(remap.apply(old, 1, Support::all_nodes), exact), 1e-12);
 }
 
+TEST(NodalRemap, AFieldThatJumpsKeepsItsRangeWhenLimited) {
+  const auto mesh = box(CellShape::tri6, 6);
+  const WholeMesh whole(*mesh);
+  const Positions x = whole.gather(mesh->coordinates());
+  const NodalRemap remap(whole, {}, x, swirled(x, 0.03, 1.0));
+  std::vector<double> step, linear, there;
+  const auto plane = [](const std::array<double, 2>& p) { return 2 * p[0] - p[1]; };
+  for (int node = 0; node < whole.num_nodes(); ++node) {
+    step.push_back(x[node][0] < 0.4 ? -8.0 : 0.0);
+    linear.push_back(plane(x[node]));
+    there.push_back(plane(swirled(x, 0.03, 1.0)[node]));
+  }
+  std::vector<double> free = step, limited = step;
+  for (int k = 0; k < 50; ++k) {
+    free = remap.apply(free, 1, Support::all_nodes);
+    limited = remap.apply(limited, 1, Support::all_nodes, true);
+  }
+  EXPECT_GT(*std::max_element(free.begin(), free.end()), 0.5);  // what the limit is for
+  EXPECT_EQ(*std::max_element(limited.begin(), limited.end()), 0.0);
+  EXPECT_EQ(*std::min_element(limited.begin(), limited.end()), -8.0);
+  EXPECT_LT(worst(remap.apply(linear, 1, Support::all_nodes, true), there), 1e-12);
+}
+
 }  // namespace
 }  // namespace mudline
