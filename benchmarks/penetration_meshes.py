@@ -55,7 +55,7 @@ class Run:
         step = self.file["steps"][max(self.file["steps"])]
         x = step["coordinates"][:, :2] / radius
         corners = self.file["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int)
-        axes.triplot(x[:, 0], x[:, 1], corners, lw=0.4, color="0.35")
+        axes.triplot(x[:, 0], x[:, 1], corners, lw=0.5, color="0.3")
         contour = step[f"bodies/{self.body}/coordinates"][:, :2] / radius
         axes.fill(contour[:, 0], contour[:, 1], color="C0", alpha=0.3, lw=0)
         axes.set_aspect("equal")
@@ -74,7 +74,7 @@ def main():
         y = run.history[f"body/{run.body}/position y"][-1] / (0.5 * run.diameter)
         run.draw(mudline, -1.2, 2)
         run.draw(tip, y + 1.2, 2)
-        mudline.set_title(run.label.replace("cone in clay, ", ""), fontsize=10)
+        mudline.set_title(run.label.split(", ")[1], fontsize=10)
         tip.set_xlabel("radius / that of the cone")
     panels[0, 0].set_ylabel("height / radius of the cone: mudline")
     panels[1, 0].set_ylabel("tip")

@@ -83,10 +83,7 @@ class SweepDeck:
     def settings_of(self, index):
         """["path=value", ...] of one case."""
         values = self.case(index)
-        result = []
-        for path, formula in self.settings.items():
-            result.append(f"{path}={Formula(formula, f'{self.path}: settings/{path}').value(values):.12g}")
-        return result
+        return [f"{path}={Formula(formula, f'{self.path}: settings/{path}').setting(values)}" for path, formula in self.settings.items()]
 
 
 OPERATORS = {
@@ -120,8 +117,17 @@ class Formula:
             raise SweepError(f"{where}: '{text}' is no formula") from None
 
     def value(self, variables, columns=None):
+        return self._checked(self.tree, variables, columns)
+
+    def setting(self, variables):
+        """As a deck has it: a number, or an array where the formula is {a, b}."""
+        if isinstance(self.tree, ast.Set):
+            return "{" + ", ".join(f"{self._checked(entry, variables):.12g}" for entry in self.tree.elts) + "}"
+        return f"{self.value(variables):.12g}"
+
+    def _checked(self, tree, variables, columns=None):
         try:
-            return self._value(self.tree, {**variables, "pi": math.pi}, columns)
+            return self._value(tree, {**variables, "pi": math.pi}, columns)
         except (ZeroDivisionError, ValueError, OverflowError) as error:
             raise SweepError(f"{self.where}: {error}") from None
 

@@ -47,6 +47,14 @@ class Formulas(unittest.TestCase):
             with self.subTest(text), self.assertRaisesRegex(SweepError, message):
                 Formula(text, "here").value({}, columns)
 
+    def test_settings_are_numbers_or_arrays(self):
+        self.assertEqual(Formula("2 * v", "here").setting({"v": 1.5}), "3")
+        self.assertEqual(Formula("{0, -v, min(v, 1)}", "here").setting({"v": 1.5}), "{0, -1.5, 1}")
+        with self.assertRaisesRegex(SweepError, "did you mean 'v'"):
+            Formula("{0, -vv}", "here").setting({"v": 1.5})
+        with self.assertRaisesRegex(SweepError, "not allowed"):
+            Formula("{0, v}", "here").value({"v": 1.5})
+
     def test_what_is_refused(self):
         for text, message in (
             ("velocty", "did you mean 'velocity'"),
