@@ -28,7 +28,7 @@ DECKS = {
     "pile_sand": ("pile/sand.xml", 0.4, "pile in sand"),
     "torpedo_tresca": ("torpedo/tresca.xml", 1.07, "torpedo, Tresca clay"),
     "torpedo_clay": ("torpedo/clay.xml", 1.07, "torpedo, Modified Cam Clay"),
-    "penetrometer": ("free_fall_penetrometer/tresca.xml", CONE, "free-falling penetrometer"),
+    "penetrometer": ("free_fall_penetrometer/tresca.xml", 0.04, "free-falling penetrometer"),
 }
 MESHES = ("cone", "cone_deep", "cone_tube")
 

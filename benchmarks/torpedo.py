@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Torpedo anchors against a model of one body, and how fast their pore pressures dissipate: figure and table.
+"""Torpedo anchors against a model of one body, how fast their pore pressures dissipate, and a picture of one: figures and table.
 
-    torpedo.py FALLS CLAY FIGURE.png     FALLS: folder of `mudline sweep inputs/torpedo/impact_velocity.xml`, CLAY: results of inputs/torpedo/clay.xml
-                                         without ending
+    torpedo.py FALLS CLAY FIGURE.png PICTURE.png     FALLS: folder of `mudline sweep inputs/torpedo/impact_velocity.xml`, CLAY: results of
+                                                     inputs/torpedo/clay.xml without ending
 """
 import pathlib
 import sys
@@ -39,8 +39,8 @@ def rate_true(speed, strength):
 RATES = {"no rate effect": rate_none, "power law, as the deck": rate_power, "True's": rate_true}
 
 
-def one_body(speed, rate, start=0.0, alpha=0.4, factor=12.0, drag=0.63):
-    """Depth of the tip and velocity, of a body that clay of 5 kPa + 2 kPa/m stops (True 1976): end bearing, friction on the buried shaft,
+def one_body(speed, rate, start=0.0, alpha=0.4, factor=12.0, drag=0.63, with_time=False):
+    """Depth of the tip and velocity (time and velocity), of a body that clay of 5 kPa + 2 kPa/m stops (True 1976): end bearing, friction on the buried shaft,
     drag of the soil; weight in water, buoyancy of the displaced soil."""
 
     def slope(_, state):
@@ -55,7 +55,14 @@ def one_body(speed, rate, start=0.0, alpha=0.4, factor=12.0, drag=0.63):
         return state[1]
 
     stops.terminal, stops.direction = True, -1
-    return solve_ivp(slope, (0, 60), [start, speed], events=stops, rtol=1e-8, atol=1e-8, max_step=0.02).y
+    solution = solve_ivp(slope, (0, 60), [start, speed], events=stops, rtol=1e-8, atol=1e-8, max_step=0.02)
+    return (solution.t, solution.y[1]) if with_time else solution.y
+
+
+def even_deceleration(time, velocity):
+    """At sixty even moments."""
+    even = np.linspace(time[0], time[-1], 60)
+    return even, -np.gradient(np.interp(even, time, velocity), even)
 
 
 def fall(history):
@@ -63,9 +70,8 @@ def fall(history):
     time, depth, velocity = history.time, -history["body/anchor/position y"], -history["body/anchor/velocity y"]
     moving = (time > 0) & (depth <= depth.max()) & (np.arange(len(time)) <= np.argmax(depth))
     time, depth, velocity = time[moving], depth[moving], velocity[moving]
-    even = np.linspace(time[0], time[-1], 60)
-    smooth = np.interp(even, time, velocity)
-    return depth, velocity, np.interp(even, time, depth), -np.gradient(smooth, even)
+    even, deceleration = even_deceleration(time, velocity)
+    return depth, velocity, np.interp(even, time, depth), deceleration
 
 
 def dissipation(file, history):
@@ -88,10 +94,40 @@ def dissipation(file, history):
     return np.array(times), np.array(means) / max(means)
 
 
+def draw(file, history, picture):
+    """Excess pore pressure at three depths, velocity and resistance over depth."""
+    figure, axes = plt.subplots(1, 5, figsize=(12.5, 5.6), sharey=True, layout="constrained", gridspec_kw=dict(width_ratios=(1, 1, 1, 1.4, 1.4)))
+    names = sorted(file["steps"])
+    tips = np.array([file["steps"][name]["bodies/anchor/coordinates"][:, 1].min() for name in names])
+    for panel, depth in zip(axes, (7.0, 18.0, -tips.min())):
+        step = file["steps"][names[int(np.argmin(np.abs(tips + depth)))]]
+        x, excess = step["coordinates"][:, :2], step["nodal/excess_pore_pressure"][()] * 1e-3
+        corners = file["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int)
+        colours = panel.tripcolor(x[:, 0], x[:, 1], corners, excess, shading="gouraud", vmin=-50, vmax=400, cmap="RdYlBu_r")
+        panel.triplot(x[:, 0], x[:, 1], corners, lw=0.25, color="k")
+        contour = step["bodies/anchor/coordinates"][:, :2]
+        panel.fill(contour[:, 0], contour[:, 1], color="0.7", ec="k", lw=1)
+        panel.set(xlim=(0, 7), xlabel="r [m]", title=f"{step.attrs['time']:.2f} s")
+    figure.colorbar(colours, ax=list(axes), location="bottom", shrink=0.35, anchor=(0.1, 0), label="excess pore pressure [kPa]")
+    end = np.argmin(history["body/anchor/position y"]) + 1
+    depth = -history["body/anchor/position y"][:end]
+    deep = depth > depth[0] + 0.5  # without the first touch
+    axes[3].plot(-history["body/anchor/velocity y"][:end][deep], -depth[deep], "k")
+    axes[3].set_xlabel("velocity [m/s]")
+    axes[4].plot(history["contact/anchor/reaction y"][:end][deep] * 1e-3, -depth[deep], "k", label="resistance")
+    axes[4].plot(history["contact/anchor/friction y"][:end][deep] * 1e-3, -depth[deep], "r", label="of it friction")
+    axes[4].set_xlabel("force [kN]")
+    axes[4].legend(fontsize=8)
+    axes[0].set(ylim=(1.05 * tips.min(), 5), ylabel="height [m]")
+    for panel in axes[3:]:
+        panel.grid(alpha=0.3)
+    plt.savefig(picture, dpi=80, bbox_inches="tight")
+
+
 def main():
-    folder, stem, figure = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-    _, axes = plt.subplots(1, 4, figsize=(15, 4.4))
-    print("impact [m/s]  depth [m]  one body: no rate, power law, True   mean deceleration while it slows down [m/s2]  its spread")
+    folder, stem, figure, picture = pathlib.Path(sys.argv[1]), *sys.argv[2:5]
+    falls, axes = plt.subplots(1, 4, figsize=(15, 4.4))
+    print("impact [m/s]  depth [m]  one body: no rate, power law, True   mean deceleration while it slows down [m/s2]  its spread  that of one body  energy error / first kinetic energy")
     depths = []
     for i, speed in enumerate(SPEEDS):
         history = History(folder / f"{i + 1:02d}" / "impact_velocity.csv")
@@ -103,7 +139,10 @@ def main():
         stops = [one_body(speed, rate)[0][-1] for rate in RATES.values()]
         depths.append([depth[-1]] + stops)
         values = deceleration[slowing]
-        print(f"{speed:12} {depth[-1]:10.1f}  {stops[0]:8.1f} {stops[1]:8.1f} {stops[2]:8.1f} {values.mean():24.2f} {values.std() / values.mean():12.2f}")
+        _, model = even_deceleration(*one_body(speed, rate_power, with_time=True))
+        model = model[model > 0]
+        print(f"{speed:12} {depth[-1]:10.1f}  {stops[0]:8.1f} {stops[1]:8.1f} {stops[2]:8.1f} {values.mean():24.2f} {values.std() / values.mean():12.2f} {model.std() / model.mean():12.2f}"
+              f"{np.abs(history['balance/energy/error']).max() / (0.5 * MASS * speed ** 2):20.1e}")
     for panel, label in zip(axes, ("velocity [m/s]", "deceleration [m/s2]")):
         panel.invert_yaxis()
         panel.set_xlabel(label)
@@ -117,14 +156,16 @@ def main():
     axes[2].set(xlabel="impact velocity [m/s]", ylabel="final depth of the tip [m]")
     axes[2].legend(fontsize=8)
     with h5py.File(stem + ".h5", "r") as file:
-        times, share = dissipation(file, History(stem + ".csv"))
+        clay = History(stem + ".csv")
+        times, share = dissipation(file, clay)
+        draw(file, clay, picture)
     axes[3].semilogx(np.maximum(times, 1) / DAY, share, "k.-")
     axes[3].set(xlabel="time since rest [days]", ylabel="mean excess pressure within a diameter of the shaft, over its largest", ylim=(0, 1.05))
     axes[3].yaxis.label.set_size(8)
     tenth = np.interp(-0.1, -share[np.argmax(share):], times[np.argmax(share):])
     print(f"clay.xml: 90 % dissipated within one diameter after {tenth / DAY:.0f} days")
-    plt.tight_layout()
-    plt.savefig(figure, dpi=80)
+    falls.tight_layout()
+    falls.savefig(figure, dpi=80)
 
 
 if __name__ == "__main__":
