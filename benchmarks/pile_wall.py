@@ -17,29 +17,15 @@ import matplotlib.pyplot as plt  # noqa: E402
 for folder in ("support", "verification"):
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / folder))
 from mudline_case import History  # noqa: E402
-from references.cavity import CamClayRates, Undrained  # noqa: E402
+from pile_in_clay import CLAY, CONDUCTIVITY, GAMMA_WATER, K0, OCR, RADIUS, START, cavity, vertical  # noqa: E402
 from references.strain_path import SimplePile  # noqa: E402
 
-# the deck's numbers, in m, s, kPa
-RADIUS, MID, CLAY = 0.2, 1.6, dict(M=1.0, slope=0.2, swelling=0.04, nu=0.3, v0=2.3)
-K0, OCR, SURCHARGE, GAMMA, GAMMA_WATER, CONDUCTIVITY = 0.6, 2.0, 10.0, 1700 * 9.81e-3 / 2.3, 9.81, 1e-9
-PUSH = 3.21
-START = (K0, K0, 1.0)  # all stresses of both solutions grow in proportion to this
-
-
-def vertical(depth):
-    return SURCHARGE + GAMMA * depth
-
-
-def cavity():
-    """Total radial stress beyond hydrostatic and excess pore pressure at the wall, over the vertical effective stress."""
-    solution = Undrained(CamClayRates(**CLAY, start=START, ocr=OCR), 1, 300.0)
-    stress, total = solution.at(290.0)[:2]
-    return total, total - stress[0]
+MID = 1.6  # [m]
+PUSH = 3.21  # [s]
 
 
 def strain_path():
-    """The same for the simple pile."""
+    """Total radial stress beyond hydrostatic and excess pore pressure on the wall of the simple pile, over the vertical effective stress."""
     total, _, excess = SimplePile(**CLAY, start=START, ocr=OCR).wall()
     return total, excess
 

@@ -1,39 +1,34 @@
 #!/usr/bin/env python3
-"""Stresses and excess pore pressure on the wall of the tapered pile against undrained expansion of a cylindrical cavity: table and figure.
+"""Stresses and excess pore pressure on the wall of the tapered pile against undrained expansion of a cylindrical cavity: tables and figure.
 
     tapered_pile.py RESULTS/tapered FIGURE.png     after `mudline run inputs/pile/tapered.xml`: its results without ending
 """
+import pathlib
 import sys
 
 import h5py
-import matplotlib.pyplot as plt
+import matplotlib
 import numpy as np
 
-from pile_wall import GAMMA_WATER, RADIUS, SURCHARGE, cavity, vertical
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
 
+for folder in ("support", "verification"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / folder))
+from pile_in_clay import RADIUS, at_half_height, shares_of_cavity, wall  # noqa: E402
 
-def wall(file):
-    """Depth, radius, total radial stress beyond hydrostatic, effective radial stress, excess pressure at the nodes that touch the pile, from the tip up."""
-    step = file["steps"][max(file["steps"])]
-    x = step["coordinates"][:, :2]
-    cells = file["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int)
-    contact, excess = step["nodal/contact_pressure_pile"][()] * 1e-3, step["nodal/excess_pore_pressure"][()] * 1e-3
-    radial = -step["cell/effective_stress"][:, 0] * 1e-3
-    touching = sorted((i for i in np.unique(cells) if contact[i] > 0), key=lambda i: x[i, 1])
-    # the surcharge presses on the soil beside and under the pile like a heavy fluid, apart from the contact
-    return np.array([(-x[i, 1], x[i, 0], contact[i] + SURCHARGE + GAMMA_WATER * x[i, 1], radial[(cells == i).any(axis=1)].mean(), excess[i]) for i in touching]).T
+TAPER_IN = 2.4  # [m] depth of the tip from which the taper is in the ground
 
 
 def main():
-    total_cavity, excess_cavity = cavity()
     with h5py.File(sys.argv[1] + ".h5", "r") as file:
-        depth, radius, total, effective, excess = wall(file)
-    scale = vertical(depth)
-    shares = {
-        "total radial stress, from the contact": total / scale / total_cavity,
-        "effective radial stress": effective / scale / (total_cavity - excess_cavity),
-        "excess pore pressure": excess / scale / excess_cavity,
-    }
+        print("at half the taper's height\ntip [m]  total  effective  excess")
+        for name in sorted(file["steps"]):
+            depth, radius, *stresses = wall(file, file["steps"][name])
+            if len(depth) and depth.max() > TAPER_IN:
+                middle = [at_half_height(radius, share) for share in shares_of_cavity(depth, *stresses).values()]
+                print(f"{depth.max():7.2f}" + "".join(f"{value:8.3f}" for value in middle))
+    shares = shares_of_cavity(depth, *stresses)
     print("depth [m]  radius / that of the shaft  " + "  ".join(shares))
     for row in zip(depth, radius / RADIUS, *shares.values()):
         print("".join(f"{value:10.2f}" for value in row))
