@@ -9,8 +9,7 @@ from mudline_case import ROOT, MudlineCase
 from pile_in_clay import at_half_height, shares_of_cavity, wall
 
 SETTINGS = ("mesh/parameters/fine=0.01", "mesh/parameters/coarse=1.5", "mesh/parameters/depth=6.0", "mesh motion/boundary/growth=0.12",
-            "mesh motion/boundary/size near focus=0.03", "mesh motion/boundary/near distance=0.24", "stages/push/duration=2.5",
-            "stages/push/time step/maximum=12e-3", "output/field interval=0.5")
+            "mesh motion/boundary/size near focus=0.03", "mesh motion/boundary/near distance=0.24", "stages/push/duration=2.5", "output/field interval=0.5")
 # [-] the mesh's share: the deck's own finer one has total stresses within 4 % and excess pressures within 10 %
 ALLOWED = {"total radial stress, from the contact": 0.06, "effective radial stress": 0.06, "excess pore pressure": 0.1}
 
