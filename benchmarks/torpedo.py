@@ -20,8 +20,9 @@ from mudline_case import History  # noqa: E402
 
 MASS, DIAMETER, LENGTH = 98e3, 1.07, 15.0
 SECTION = np.pi * DIAMETER ** 2 / 4
+BEARING, ADHESION, DRAG = 12.0, 0.4, 0.63  # of the model
 SPEEDS = (5, 10, 15, 20, 25)
-DAY, YEAR = 86400.0, 365.25 * 86400.0
+DAY = 86400.0
 
 
 def rate_none(speed, strength):
@@ -39,24 +40,24 @@ def rate_true(speed, strength):
 RATES = {"no rate effect": rate_none, "power law, as the deck": rate_power, "True's": rate_true}
 
 
-def one_body(speed, rate, start=0.0, alpha=0.4, factor=12.0, drag=0.63, with_time=False):
-    """Depth of the tip and velocity (time and velocity), of a body that clay of 5 kPa + 2 kPa/m stops (True 1976): end bearing, friction on the buried shaft,
+def one_body(speed, rate):
+    """Time, depth of the tip and velocity of a body that clay of 5 kPa + 2 kPa/m stops (True 1976): end bearing, friction on the buried shaft,
     drag of the soil; weight in water, buoyancy of the displaced soil."""
 
     def slope(_, state):
         z, v = state
         buried, top = min(z, LENGTH), max(z - LENGTH, 0.0)
         at_tip, mean = 5e3 + 2e3 * z, 5e3 + 1e3 * (z + top)
-        resistance = rate(v, at_tip) * factor * at_tip * SECTION + rate(v, mean) * alpha * mean * np.pi * DIAMETER * buried
+        resistance = rate(v, at_tip) * BEARING * at_tip * SECTION + rate(v, mean) * ADHESION * mean * np.pi * DIAMETER * buried
         weight = 9.81 * (MASS - 1025 * SECTION * LENGTH) - 6e3 * SECTION * buried
-        return [v, (weight - resistance - 0.5 * 1600 * drag * SECTION * v * abs(v)) / MASS]
+        return [v, (weight - resistance - 0.5 * 1600 * DRAG * SECTION * v * abs(v)) / MASS]
 
     def stops(_, state):
         return state[1]
 
     stops.terminal, stops.direction = True, -1
-    solution = solve_ivp(slope, (0, 60), [start, speed], events=stops, rtol=1e-8, atol=1e-8, max_step=0.02)
-    return (solution.t, solution.y[1]) if with_time else solution.y
+    solution = solve_ivp(slope, (0, 60), [0.0, speed], events=stops, rtol=1e-8, atol=1e-8, max_step=0.02)
+    return solution.t, *solution.y
 
 
 def even_deceleration(time, velocity):
@@ -68,7 +69,7 @@ def even_deceleration(time, velocity):
 def fall(history):
     """Depth of the tip, velocity and deceleration down to the first rest, the impact's first metre left out."""
     time, depth, velocity = history.time, -history["body/anchor/position y"], -history["body/anchor/velocity y"]
-    moving = (time > 0) & (depth <= depth.max()) & (np.arange(len(time)) <= np.argmax(depth))
+    moving = (time > 0) & (np.arange(len(time)) <= np.argmax(depth))
     time, depth, velocity = time[moving], depth[moving], velocity[moving]
     even, deceleration = even_deceleration(time, velocity)
     return depth, velocity, np.interp(even, time, depth), deceleration
@@ -76,9 +77,8 @@ def fall(history):
 
 def dissipation(file, history):
     """Time since rest and the mean excess pressure within one diameter of the shaft's middle, over its largest."""
-    rest = history.time[np.argmax(-history["body/anchor/position y"])]
-    tip = np.max(-history["body/anchor/position y"])
-    middle = tip - 0.5 * LENGTH
+    depth = -history["body/anchor/position y"]
+    rest, middle = history.time[np.argmax(depth)], depth.max() - 0.5 * LENGTH
     times, means = [], []
     for name in sorted(file["steps"]):
         step = file["steps"][name]
@@ -121,7 +121,7 @@ def draw(file, history, picture):
     axes[0].set(ylim=(1.05 * tips.min(), 5), ylabel="height [m]")
     for panel in axes[3:]:
         panel.grid(alpha=0.3)
-    plt.savefig(picture, dpi=80, bbox_inches="tight")
+    figure.savefig(picture, dpi=80, bbox_inches="tight")
 
 
 def main():
@@ -133,14 +133,14 @@ def main():
         history = History(folder / f"{i + 1:02d}" / "impact_velocity.csv")
         depth, velocity, at, deceleration = fall(history)
         axes[0].plot(velocity, depth, f"C{i}", label=f"{speed} m/s")
-        axes[0].plot(*one_body(speed, rate_power)[::-1], f"C{i}--", lw=0.8)
+        models = [one_body(speed, rate) for rate in RATES.values()]
+        model_time, model_depth, model_velocity = models[list(RATES.values()).index(rate_power)]
+        axes[0].plot(model_velocity, model_depth, f"C{i}--", lw=0.8)
         axes[1].plot(deceleration, at, f"C{i}", label=f"{speed} m/s")
-        slowing = deceleration > 0
-        stops = [one_body(speed, rate)[0][-1] for rate in RATES.values()]
+        stops = [z[-1] for _, z, _ in models]
         depths.append([depth[-1]] + stops)
-        values = deceleration[slowing]
-        _, model = even_deceleration(*one_body(speed, rate_power, with_time=True))
-        model = model[model > 0]
+        _, model = even_deceleration(model_time, model_velocity)
+        values, model = (a[a > 0] for a in (deceleration, model))  # while it slows down
         print(f"{speed:12} {depth[-1]:10.1f}  {stops[0]:8.1f} {stops[1]:8.1f} {stops[2]:8.1f} {values.mean():24.2f} {values.std() / values.mean():12.2f} {model.std() / model.mean():12.2f}"
               f"{np.abs(history['balance/energy/error']).max() / (0.5 * MASS * speed ** 2):20.1e}")
     for panel, label in zip(axes, ("velocity [m/s]", "deceleration [m/s2]")):
@@ -162,7 +162,8 @@ def main():
         draw(file, clay, picture)
     axes[3].semilogx(np.maximum(times, 1) / DAY, share, "k.-")
     axes[3].set(xlabel="time since rest [days]", ylabel="excess pressure near the shaft / its largest", ylim=(0, 1.05))
-    tenth = np.interp(-0.1, -share[np.argmax(share):], times[np.argmax(share):])
+    falling = np.argmax(share)
+    tenth = np.interp(-0.1, -share[falling:], times[falling:])
     print(f"clay.xml: 90 % dissipated within one diameter after {tenth / DAY:.0f} days")
     falls.tight_layout()
     falls.savefig(figure, dpi=80)

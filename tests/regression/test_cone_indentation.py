@@ -5,7 +5,7 @@ import unittest
 import h5py
 import numpy as np
 
-from mudline_case import ROOT, MudlineCase
+from mudline_case import ROOT, SharedRun
 
 DECK = os.path.join(ROOT, "inputs", "penetration", "cone_indentation.xml")
 PUSH = 0.015  # [s]
@@ -20,18 +20,17 @@ def centres(file, coordinates):
     return coordinates[topology[:, 1:4]].mean(axis=1)
 
 
-class ConeIndentation(MudlineCase):
+class ConeIndentation(SharedRun):
     @classmethod
     def setUpClass(cls):
-        cls.shared = MudlineCase()
-        cls.shared.setUp()
-        cls.history = cls.shared.run_deck(DECK, ["stages/push/duration=%g" % PUSH], timeout=380)
+        super().setUpClass()
+        cls.run_once([DECK], ["stages/push/duration=%g" % PUSH])
         cls.file = h5py.File(os.path.join(cls.shared.folder, "results", "cone_indentation.h5"), "r")
 
     @classmethod
     def tearDownClass(cls):
         cls.file.close()
-        cls.shared.tearDown()
+        super().tearDownClass()
 
     def test_geostatic_stresses_are_the_k0_profile(self):
         step = self.file["steps"][sorted(self.file["steps"])[1]]

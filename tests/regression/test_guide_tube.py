@@ -1,31 +1,21 @@
 """The cone on its guide tube, from the surface to one and a half of its radii: the tube's soil opens without loss of quality and goes nowhere."""
 import os
-import re
 import unittest
 
 import numpy as np
 
-from mudline_case import ROOT, History, MudlineCase, program
+from mudline_case import ROOT, SharedRun
 
 RADIUS, TUBE, SPEED, STRENGTH = 0.01785, 0.001785, 0.02, 10e3
 OFFSET = 0.0012  # [m] the cone starts above the mudline
 DEEP = 1.5  # radii
 
 
-class GuideTube(MudlineCase):
+class GuideTube(SharedRun):
     @classmethod
     def setUpClass(cls):
-        cls.shared = MudlineCase()
-        cls.shared.setUp()
-        deck = os.path.join(ROOT, "inputs", "cpt", "guide_tube.xml")
-        done = program(["run", deck, "--set", f"stages/push/duration={DEEP * RADIUS / SPEED}"], folder=cls.shared.folder, timeout=380)
-        assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
-        cls.steps, cls.rejected = map(int, re.search(r"done: (\d+) steps, (\d+) rejected", done.stdout).groups())
-        cls.history = History(os.path.join(cls.shared.folder, "results", "guide_tube.csv"))
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.shared.tearDown()
+        super().setUpClass()
+        cls.run_once([os.path.join(ROOT, "inputs", "cpt", "guide_tube.xml")], [f"stages/push/duration={DEEP * RADIUS / SPEED}"])
 
     def test_steps_are_easy_and_the_mesh_stays_good(self):
         self.assertLessEqual(self.rejected, 0.05 * self.steps)

@@ -1,22 +1,20 @@
 """The pile deck, its push shortened to three eighths of a diameter: from the surface, the mesh moving against the clay."""
 import os
-import re
 import unittest
 
 import h5py
 import numpy as np
 
-from mudline_case import ROOT, History, MudlineCase, program
+from mudline_case import ROOT, SharedRun
 
 DECK = os.path.join(ROOT, "inputs", "pile", "clay.xml")
 PUSH, DIAMETER = 0.16, 0.4
 
 
-class Pile(MudlineCase):
+class Pile(SharedRun):
     @classmethod
     def setUpClass(cls):
-        cls.shared = MudlineCase()
-        cls.shared.setUp()
+        super().setUpClass()
         overlay = ('<ParameterList name="short"><ParameterList name="stages"><ParameterList name="set-up">'
                    '<Parameter name="duration" type="double" value="1e6"/><ParameterList name="time step">'
                    '<Parameter name="maximum" type="double" value="1e6"/></ParameterList></ParameterList>'
@@ -24,17 +22,14 @@ class Pile(MudlineCase):
                    '<ParameterList name="pull-out"><Parameter name="duration" type="double" value="0.8"/></ParameterList>'
                    '</ParameterList></ParameterList>')
         short = cls.shared.write("short.xml", overlay)
-        done = program(["run", DECK, short, "--set", f"stages/push/duration={PUSH}"], folder=cls.shared.folder, timeout=380)
-        assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
-        cls.steps, cls.rejected = map(int, re.search(r"done: (\d+) steps, (\d+) rejected", done.stdout).groups())
-        cls.history = History(os.path.join(cls.shared.folder, "results", "clay.csv"))
+        cls.run_once([DECK, short], [f"stages/push/duration={PUSH}"])
         cls.file = h5py.File(os.path.join(cls.shared.folder, "results", "clay.h5"), "r")
         cls.pushing = (cls.history.time > 0) & (cls.history.time <= PUSH * (1 + 1e-9))
 
     @classmethod
     def tearDownClass(cls):
         cls.file.close()
-        cls.shared.tearDown()
+        super().tearDownClass()
 
     def test_steps_are_easy(self):
         self.assertLessEqual(self.rejected, 0.05 * self.steps)

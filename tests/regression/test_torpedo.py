@@ -1,30 +1,21 @@
 """The torpedo deck's first metres on a coarser mesh: 98 t at 20 m/s, the mesh moving against the clay."""
 import os
-import re
 import unittest
 
 import numpy as np
 
-from mudline_case import ROOT, History, MudlineCase, program
+from mudline_case import ROOT, SharedRun
 
 DECK = os.path.join(ROOT, "inputs", "torpedo", "tresca.xml")
 MASS, DIAMETER, TIP, SPEED = 98e3, 1.07, 2.14, 20.0
 
 
-class Torpedo(MudlineCase):
+class Torpedo(SharedRun):
     @classmethod
     def setUpClass(cls):
-        cls.shared = MudlineCase()
-        cls.shared.setUp()
+        super().setUpClass()
         settings = ("mesh/parameters/fine=0.1", "mesh/parameters/coarse=2.5", "mesh/parameters/depth=20", "mesh/parameters/width=8", "stages/penetration/duration=0.15")
-        done = program(["run", DECK] + [word for setting in settings for word in ("--set", setting)], folder=cls.shared.folder, timeout=280)
-        assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
-        cls.steps, cls.rejected = map(int, re.search(r"done: (\d+) steps, (\d+) rejected", done.stdout).groups())
-        cls.history = History(os.path.join(cls.shared.folder, "results", "tresca.csv"))
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.shared.tearDown()
+        cls.run_once([DECK], settings, timeout=280)
 
     def test_steps_are_easy_and_the_mesh_stays_good(self):
         self.assertLessEqual(self.rejected, 0.05 * self.steps)

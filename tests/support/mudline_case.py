@@ -86,6 +86,29 @@ class MudlineCase(unittest.TestCase):
         return {os.path.basename(file)[len(stem) + 1:-4]: History(os.path.join(self.folder, file)) for file in files}
 
 
+class SharedRun(MudlineCase):
+    """Tests of one run: a subclass's setUpClass calls this one's, then run_once. shared: a case with the run's folder."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = MudlineCase()
+        cls.shared.setUp()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.shared.tearDown()
+
+    @classmethod
+    def run_once(cls, decks, settings=(), timeout=380):
+        """Sets history, and steps and rejected as the program counts them."""
+        arguments = ["run"] + list(decks) + [word for setting in settings for word in ("--set", setting)]
+        done = program(arguments, folder=cls.shared.folder, timeout=timeout)
+        assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
+        cls.steps, cls.rejected = map(int, re.search(r"done: (\d+) steps, (\d+) rejected", done.stdout).groups())
+        stem = os.path.splitext(os.path.basename(decks[0]))[0]
+        cls.history = History(os.path.join(cls.shared.folder, "results", stem + ".csv"))
+
+
 def point_deck(skeleton, tests, void_ratio=1.0, extra=""):
     """A deck for `mudline point`: `skeleton` and each of `tests` {name: {...}} as nested dictionaries of numbers and texts."""
     material = {"void ratio": void_ratio, "skeleton": skeleton}

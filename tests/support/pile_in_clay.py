@@ -1,4 +1,6 @@
 """The clay of inputs/pile/clay.xml in numbers (m, s, kPa), the cavity that a pile opens in it, and what a run finds on the pile's wall."""
+import functools
+
 import numpy as np
 
 from references.cavity import CamClayRates, Undrained
@@ -14,6 +16,7 @@ def vertical(depth):
     return SURCHARGE + GAMMA * depth
 
 
+@functools.cache
 def cavity():
     """Undrained cylindrical cavity from nothing: total radial stress beyond hydrostatic and excess pore pressure at the wall, over the vertical
     effective stress."""
