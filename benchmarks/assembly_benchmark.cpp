@@ -13,19 +13,26 @@ using namespace mudline::testing;
 
 std::string deck(const std::string& cell, bool cam_clay) {
   const std::string skeleton =
-      cam_clay ? list("skeleton", text("type", "modified cam clay") + number("critical stress ratio", 1.0) + number("compression slope", 0.2) +
-                                      number("swelling slope", 0.04) + number("Poisson's ratio", 0.3))
-               : list("skeleton", text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
-  return list("deck",
-              list("mesh", text("type", "box") + text("geometry", "axisymmetric") + text("cell", cell) + par("cells", "Array(double)", "{30, 20}") +
-                               par("upper", "Array(double)", "{3.0, 2.0}")) +
-                  list("materials", list("soil", number("void ratio", 1.3) + skeleton + list("fluid", text("type", "water")) +
-                                                     list("permeability", text("type", "constant") + number("hydraulic conductivity", 1e-8)))) +
-                  list("physics", list("ground", text("type", "biot") + list("initial state", text("type", "uniform") + number("effective stress xx", 1e5) +
-                                                                                                  number("effective stress yy", 1e5) +
-                                                                                                  number("effective stress zz", 1e5)))) +
-                  list("boundary conditions", list("base", text("type", "fixed") + text("set", "bottom"))) +
-                  list("stages", list("shake", text("type", "dynamic") + number("duration", 1.0) + list("time step", number("initial", 1e-3)))));
+      cam_clay ? list("skeleton", text("type", "modified cam clay") + number("critical stress ratio", 1.0) +
+                                      number("compression slope", 0.2) + number("swelling slope", 0.04) +
+                                      number("Poisson's ratio", 0.3))
+               : list("skeleton",
+                      text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
+  return list(
+      "deck",
+      list("mesh", text("type", "box") + text("geometry", "axisymmetric") + text("cell", cell) +
+                       par("cells", "Array(double)", "{30, 20}") + par("upper", "Array(double)", "{3.0, 2.0}")) +
+          list("materials", list("soil", number("void ratio", 1.3) + skeleton + list("fluid", text("type", "water")) +
+                                             list("permeability",
+                                                  text("type", "constant") + number("hydraulic conductivity", 1e-8)))) +
+          list("physics",
+               list("ground", text("type", "biot") +
+                                  list("initial state", text("type", "uniform") + number("effective stress xx", 1e5) +
+                                                            number("effective stress yy", 1e5) +
+                                                            number("effective stress zz", 1e5)))) +
+          list("boundary conditions", list("base", text("type", "fixed") + text("set", "bottom"))) +
+          list("stages", list("shake", text("type", "dynamic") + number("duration", 1.0) +
+                                           list("time step", number("initial", 1e-3)))));
 }
 
 void assemble(benchmark::State& state, const std::string& cell, bool cam_clay, bool jacobian) {
@@ -37,7 +44,9 @@ void assemble(benchmark::State& state, const std::string& cell, bool cam_clay, b
   StepRequest request;
   request.dt = 1e-3;
   request.scheme = stage.scheme(0);
-  request.prescribe = [&](double a, double b, const State& committed, Constraints& to) { model.prescribe(stage, a, b, committed, to); };
+  request.prescribe = [&](double a, double b, const State& committed, Constraints& to) {
+    model.prescribe(stage, a, b, committed, to);
+  };
   Vector x = stepper.begin(request, StepTolerances()), f(stepper.map());
   {
     // strain increments of about 1e-3: most clay points yield
@@ -45,7 +54,8 @@ void assemble(benchmark::State& state, const std::string& cell, bool cam_clay, b
     std::uniform_real_distribution<double> uniform(-1, 1);
     auto data = x.getLocalViewHost(Tpetra::Access::ReadWrite);
     for (int i = 0; i < model.space().dofs()->num_owned_dofs(); ++i)
-      if (!stepper.constraints().mask(i)) data(i, 0) += uniform(random) * (model.space().dofs()->field_of(i) == 0 ? 2e-5 : 100.0);
+      if (!stepper.constraints().mask(i))
+        data(i, 0) += uniform(random) * (model.space().dofs()->field_of(i) == 0 ? 2e-5 : 100.0);
   }
   if (!stepper.residual(x, f)) state.SkipWithError("the residual failed");
   for (auto _ : state) {
@@ -54,8 +64,9 @@ void assemble(benchmark::State& state, const std::string& cell, bool cam_clay, b
     else
       stepper.residual(x, f);
   }
-  state.counters["us per element"] = benchmark::Counter(static_cast<double>(model.mesh().num_global_elements()) * 1e-6,
-                                                        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["us per element"] =
+      benchmark::Counter(static_cast<double>(model.mesh().num_global_elements()) * 1e-6,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 }  // namespace
@@ -66,8 +77,9 @@ int main(int argc, char** argv) {
   for (const std::string cell : {"tri6", "quad9"})
     for (bool clay : {false, true})
       for (bool jacobian : {false, true})
-        benchmark::RegisterBenchmark((cell + (clay ? "/cam clay" : "/elastic") + (jacobian ? "/jacobian" : "/residual")).c_str(),
-                                     [=](benchmark::State& state) { assemble(state, cell, clay, jacobian); })
+        benchmark::RegisterBenchmark(
+            (cell + (clay ? "/cam clay" : "/elastic") + (jacobian ? "/jacobian" : "/residual")).c_str(),
+            [=](benchmark::State& state) { assemble(state, cell, clay, jacobian); })
             ->Unit(benchmark::kMillisecond);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

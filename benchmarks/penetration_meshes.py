@@ -47,7 +47,7 @@ class Run:
         """Depth over diameter and smallest scaled Jacobian, while the body goes down."""
         y = self.history[f"body/{self.body}/position y"]
         end = np.argmin(y) + 1
-        return -y[:end] / self.diameter, self.history["mesh motion/quality"][:end]
+        return -y[:end] / self.diameter, self.history["mesh/quality"][:end]
 
     def draw(self, axes, centre, half):
         """The mesh of the last output and the body's contour in the square about `centre`; lengths over the body's radius."""

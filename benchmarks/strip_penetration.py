@@ -32,7 +32,7 @@ def run(program, name, settings, folder):
         subprocess.run([program, "run", "-q", DECK, "--set", f"output/name={name}"] + settings, cwd=folder, check=name == "ale")
     history = History(table)
     return (-history["body/footing/displacement y"] / (2 * HALF_WIDTH), history["contact/footing/tip reaction y"] / (HALF_WIDTH * STRENGTH),
-            history["mesh motion/quality"])
+            history["mesh/quality"])
 
 
 def main():

@@ -10,13 +10,14 @@ import sys
 import h5py
 import matplotlib
 import numpy as np
-from scipy.integrate import solve_ivp
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+for folder in ("support", "verification"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / folder))
 from mudline_case import History  # noqa: E402
+from references import falling_body  # noqa: E402
 
 MASS, DIAMETER, LENGTH = 98e3, 1.07, 15.0
 SECTION = np.pi * DIAMETER ** 2 / 4
@@ -44,20 +45,14 @@ def one_body(speed, rate):
     """Time, depth of the tip and velocity of a body that clay of 5 kPa + 2 kPa/m stops (True 1976): end bearing, friction on the buried shaft,
     drag of the soil; weight in water, buoyancy of the displaced soil."""
 
-    def slope(_, state):
-        z, v = state
+    def force(z, v):
         buried, top = min(z, LENGTH), max(z - LENGTH, 0.0)
         at_tip, mean = 5e3 + 2e3 * z, 5e3 + 1e3 * (z + top)
         resistance = rate(v, at_tip) * BEARING * at_tip * SECTION + rate(v, mean) * ADHESION * mean * np.pi * DIAMETER * buried
         weight = 9.81 * (MASS - 1025 * SECTION * LENGTH) - 6e3 * SECTION * buried
-        return [v, (weight - resistance - 0.5 * 1600 * DRAG * SECTION * v * abs(v)) / MASS]
+        return weight - resistance - 0.5 * 1600 * DRAG * SECTION * v * abs(v)
 
-    def stops(_, state):
-        return state[1]
-
-    stops.terminal, stops.direction = True, -1
-    solution = solve_ivp(slope, (0, 60), [0.0, speed], events=stops, rtol=1e-8, atol=1e-8, max_step=0.02)
-    return solution.t, *solution.y
+    return falling_body.stopped(0.0, speed, MASS, force)
 
 
 def even_deceleration(time, velocity):

@@ -9,14 +9,21 @@ namespace mudline::cli {
 
 /// Options that several commands share.
 struct DeckOptions {
-  std::vector<std::string> decks;   // base deck and overlays
+  std::vector<std::string> decks;     // base deck and overlays
   std::vector<std::string> settings;  // --set path=value
 };
 
 struct RunCommand {
   DeckOptions deck;
   bool restart = false;
+  bool accept_changes = false;
+  bool overwrite = false;
   int steps = 0;
+};
+
+struct CheckCommand {
+  DeckOptions deck;
+  bool each = false;  // every file is a deck of its own, not an overlay of the first
 };
 
 struct PointCommand {
@@ -31,6 +38,9 @@ int rank();
 Deck read_deck(const DeckOptions& options);
 /// What results are called by default: after the first deck's file.
 std::string result_name(const DeckOptions& options);
+/// InputError for a function that no entry of the deck names; not where overlays or settings may have replaced the
+/// entry.
+void refuse_unused_functions(const Section& root);
 /// A deck for `mudline point` alone: tests, but nothing to mesh.
 bool is_point_deck(const Deck& deck);
 /// The command line of a Python script of ours, "report" or "sweep".
@@ -40,7 +50,7 @@ std::vector<char*> argv_of(std::vector<std::string>& command);
 
 // Each returns the program's exit code; all collective over MPI_COMM_WORLD.
 int run(const RunCommand& command);
-int check(const DeckOptions& deck);
+int check(const CheckCommand& command);
 int point(const PointCommand& command);
 int check_point(const Deck& deck, const std::string& name);
 int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);

@@ -1,7 +1,7 @@
-#include <Teuchos_ParameterList.hpp>
 #include <Trilinos_version.h>
 #include <mpi.h>
 #include <unistd.h>
+#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -60,7 +60,10 @@ int list(const std::string& kind, bool markdown_wanted, bool xsd_wanted, const s
     if (!wanted.empty() && k != wanted) continue;
     std::cout << k << "\n";
     for (const EntryDoc& entry : docs)
-      if (entry.kind == k) std::cout << "  " << entry.name << std::string(std::max<std::size_t>(2, 26 - std::min<std::size_t>(24, entry.name.size())), ' ') << entry.summary << "\n";
+      if (entry.kind == k)
+        std::cout << "  " << entry.name
+                  << std::string(std::max<std::size_t>(2, 26 - std::min<std::size_t>(24, entry.name.size())), ' ')
+                  << entry.summary << "\n";
   }
   return 0;
 }
@@ -90,7 +93,8 @@ std::vector<std::string> script_command(const std::string& name, const std::vect
   for (const std::string& place : places) {
     const std::string script = place + "/" + file;
     if (!std::filesystem::exists(script)) continue;
-    std::vector<std::string> command{std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3", script};
+    std::vector<std::string> command{std::filesystem::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3",
+                                     script};
     command.insert(command.end(), arguments.begin(), arguments.end());
     return command;
   }
@@ -118,7 +122,8 @@ int version() {
   if (rank() != 0) return 0;
   std::cout << "mudline " << MUDLINE_VERSION << "\n"
             << "plugins: " << MUDLINE_ABI << "\n"
-            << "gmsh:    " <<
+            << "gmsh:    "
+            <<
 #ifdef MUDLINE_HAVE_GMSH
       "yes"
 #else

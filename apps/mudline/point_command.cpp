@@ -9,7 +9,9 @@
 #include <iostream>
 
 #include "commands.hpp"
+#include "core/guarded.hpp"
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "materials/conformance/conformance.hpp"
 #include "physics/soil.hpp"
 #include "simulation/model.hpp"
@@ -73,7 +75,7 @@ void read_tests(PointDeck& d) {
   tests.allow_parameters({});
   for (const std::string& name : tests.section_names()) {
     const Section section = tests.section(name);
-    NamedTest test{name, d.registries.point_tests.create(section)};
+    NamedTest test{name, create_guarded(d.registries.point_tests, section)};
     for (const NamedTest& other : d.tests)
       if (d.path(other) == d.path(test))
         section.fail("its results would have the name of those of '" + other.name + "': " + d.path(test));
@@ -112,6 +114,7 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
     else if (!unused.empty())
       d->root->fail("unknown parameter", unused.front());
   }
+  if (idle.empty()) refuse_unused_functions(*d->root);
   if (!idle.empty()) log::info("not needed here and not read: " + join(idle));
   return d;
 }
@@ -195,12 +198,9 @@ int point(const PointCommand& command) {
     files.push_back(file.path());
     log::info(summary(test.name, outcome, file.path()));
     if (!outcome.complete) {
-      char line[300];
-      std::snprintf(
-          line, sizeof line,
-          "test '%s' ends early, at t = %g s: the law finds no state that follows, however small the increment",
-          test.name.c_str(), outcome.time);
-      log::warn(line);
+      log::warn("test '" + test.name + "' ends early, at t = " + number_text(outcome.time) +
+                " s: the law finds no state that follows, however small the increment" +
+                (outcome.failure.empty() ? "" : "; " + outcome.failure));
       complete = false;
     }
   }

@@ -1,11 +1,13 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "commands.hpp"
+#include "core/entry.hpp"
 #include "core/errors.hpp"
 
 namespace mudline::cli {
@@ -34,6 +36,15 @@ std::string read_everywhere(const Comm& comm, const std::string& path) {
   return text;
 }
 
+/// True where a parameter of the section, or below it, comes from another file than `source`, or from --set.
+bool has_entries_apart(const Section& section, const std::string& source) {
+  for (const std::string& name : section.parameter_names())
+    if (apart(section.source(name), source)) return true;
+  for (const std::string& name : section.section_names())
+    if (has_entries_apart(section.section(name), source)) return true;
+  return false;
+}
+
 }  // namespace
 
 Deck read_deck(const DeckOptions& options) {
@@ -44,7 +55,20 @@ Deck read_deck(const DeckOptions& options) {
   return deck;
 }
 
-std::string result_name(const DeckOptions& options) { return std::filesystem::path(options.decks.front()).stem().string(); }
+std::string result_name(const DeckOptions& options) {
+  return std::filesystem::path(options.decks.front()).stem().string();
+}
+
+void refuse_unused_functions(const Section& root) {
+  const std::vector<std::string> sections = root.section_names();
+  const Section functions = root.section("functions");
+  for (const std::string& name : root.functions().names())
+    if (!has_entries_apart(root, functions.source(name)) &&
+        std::none_of(sections.begin(), sections.end(), [&](const std::string& section) {
+          return section != "functions" && mentions(root.section(section).list(), name);
+        }))
+      functions.fail("no entry names this function", name);
+}
 
 bool is_point_deck(const Deck& deck) { return deck.list().isSublist("tests") && !deck.list().isSublist("mesh"); }
 

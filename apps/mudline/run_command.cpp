@@ -1,12 +1,16 @@
 #include <Tpetra_Core.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <iostream>
 
 #include "commands.hpp"
 #include "core/deck.hpp"
+#include "core/errors.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
+#include "simulation/plausibility.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/run.hpp"
 
@@ -21,10 +25,11 @@ struct Loaded {
   std::unique_ptr<Section> root;
   std::unique_ptr<Model> model;
   OutputSettings output;
+  std::unique_ptr<Plausibility> plausibility;
 };
 
-/// The nearest node of a probe far away would tell nothing of where the author looks. A point of a body may come into the
-/// soil later.
+/// The nearest node of a probe far away would tell nothing of where the author looks. A point of a body may come into
+/// the soil later.
 void check_probes(const Loaded& loaded) {
   const auto box = loaded.model->mesh().bounds();
   const double slack = 1e-6 * std::max(box[1] - box[0], box[3] - box[2]);
@@ -33,8 +38,10 @@ void check_probes(const Loaded& loaded) {
     for (int i = 0; probe.moves_with.empty() && i < 2; ++i)
       if (at[i] < box[2 * i] - slack || at[i] > box[2 * i + 1] + slack)
         loaded.root->section("output").section("probes").fail(
-            std::string(i == 0 ? "x" : "y") + " = " + number_text(at[i]) + " lies outside the mesh, which reaches from " +
-                number_text(box[2 * i]) + " to " + number_text(box[2 * i + 1]), probe.name);
+            std::string(i == 0 ? "x" : "y") + " = " + number_text(at[i]) +
+                " lies outside the mesh, which reaches from " + number_text(box[2 * i]) + " to " +
+                number_text(box[2 * i + 1]),
+            probe.name);
   }
 }
 
@@ -47,22 +54,29 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name) {
   if (loaded->root->has_section("tests"))
     loaded->root->fail("tests of material points are no part of a run; `mudline point` runs them", "tests");
   loaded->root->allow_parameters({});
-  loaded->root->allow_sections(deck_sections());
+  std::vector<std::string> known = deck_sections();
+  known.push_back("tests");
+  loaded->root->allow_sections(known);
   load_plugins(loaded->root->section("plugins"), loaded->registries);
-  loaded->output = OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
+  loaded->output =
+      OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries);
+  loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
+  refuse_unused_functions(*loaded->root);
   check_probes(*loaded);
   return loaded;
 }
 
 void describe(const Model& model) {
   const auto& dofs = *model.space().dofs();
-  std::string text = std::to_string(model.mesh().num_global_elements()) + " elements, " + std::to_string(model.mesh().num_global_nodes()) +
-                     " nodes, " + std::to_string(dofs.owned()->getGlobalNumElements()) + " unknowns (";
+  std::string text = std::to_string(model.mesh().num_global_elements()) + " elements, " +
+                     std::to_string(model.mesh().num_global_nodes()) + " nodes, " +
+                     std::to_string(dofs.owned()->getGlobalNumElements()) + " unknowns (";
   for (int f = 0; f < dofs.num_fields(); ++f) text += (f ? ", " : "") + dofs.field(f).name;
-  log::info(text + ") on " + std::to_string(dofs.comm()->getSize()) + (dofs.comm()->getSize() == 1 ? " rank" : " ranks"));
+  log::info(text + ") on " + std::to_string(dofs.comm()->getSize()) +
+            (dofs.comm()->getSize() == 1 ? " rank" : " ranks"));
 }
 
 }  // namespace
@@ -70,26 +84,56 @@ void describe(const Model& model) {
 int run(const RunCommand& command) {
   const auto loaded = load(read_deck(command.deck), result_name(command.deck));
   describe(*loaded->model);
+  loaded->plausibility->print();
   // before the run, so that a wrong place is an error of the deck
   agree(*loaded->model->mesh().comm(), [&] { loaded->output.make_folder(loaded->root->section("output")); });
   catch_signals();
   RunOptions options;
   options.restart = command.restart;
+  options.accept_changes = command.accept_changes;
+  options.overwrite = command.overwrite;
   options.maximum_steps = command.steps;
-  Run run(*loaded->model, loaded->output, loaded->deck.to_xml(), options);
+  const Origin origin{loaded->deck.to_xml(),
+                      std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
+                      std::string("mudline ") + MUDLINE_VERSION};
+  Run run(*loaded->model, loaded->output, origin, options);
   return static_cast<int>(run.execute());
 }
 
-int check(const DeckOptions& options) {
+namespace {
+
+int check_one(const DeckOptions& options) {
   const Deck deck = read_deck(options);
   if (is_point_deck(deck)) return check_point(deck, result_name(options));
   const auto loaded = load(deck, result_name(options));
   describe(*loaded->model);
+  loaded->plausibility->print();
   std::string stages;
   for (const auto& stage : loaded->model->stages()) stages += (stages.empty() ? "" : ", ") + stage->name;
   log::info("stages: " + stages);
   log::info("the deck is valid");
   return 0;
 }
+
+/// One line per deck, whatever is wrong with it; 2 when something is.
+int check_each(const DeckOptions& options) {
+  int code = 0;
+  log::configure(rank(), log::Level::quiet);
+  for (const std::string& path : options.decks) {
+    std::string answer = path + ": the deck is valid";
+    try {
+      check_one({{path}, options.settings});
+    } catch (const InputError& error) {
+      answer = std::string("error: ") + error.what();
+      code = 2;
+    }
+    if (rank() == 0) std::cout << answer << std::endl;
+  }
+  return code;
+}
+
+}  // namespace
+
+int check(const CheckCommand& command) { return command.each ? check_each(command.deck) : check_one(command.deck); }
 
 }  // namespace mudline::cli

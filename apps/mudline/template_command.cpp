@@ -8,9 +8,11 @@ namespace mudline::cli {
 
 namespace {
 
-// A whole deck that runs: a column under load. %S% lines are for saturated soil only, %D% ones for a single-phase solid.
-constexpr const char* column_deck = R"deck(<!-- A column under load, to be turned into your own model. Units are SI. `mudline list` names what a "type" may be,
-     `mudline explain TYPE` its parameters, `mudline template TYPE` a section to copy from. -->
+// A whole deck that runs: a column under load. %S% lines are for saturated soil only, %D% ones for a single-phase
+// solid.
+constexpr const char* column_deck =
+    R"deck(<!-- A column under load, to be turned into your own model. Units are SI. `mudline list` names what a "type"
+     may be, `mudline explain TYPE` its parameters, `mudline template TYPE` a section to copy from. -->
 <ParameterList name="deck">
   <ParameterList name="mesh">
     <Parameter name="type" type="string" value="box"/>                    <!-- or gmsh: a .geo or .msh file -->
@@ -20,7 +22,7 @@ constexpr const char* column_deck = R"deck(<!-- A column under load, to be turne
     <Parameter name="upper" type="Array(double)" value="{1.0, 10.0}"/>    <!-- sides: left right bottom top -->
   </ParameterList>
   <ParameterList name="materials">
-    <ParameterList name="soil">                                           <!-- any name; "regions" picks mesh regions -->
+    <ParameterList name="soil">                                       <!-- any name; "regions" picks mesh regions -->
 %S%      <Parameter name="void ratio" type="double" value="0.8"/>
 %S%      <Parameter name="grain density" type="double" value="2700"/>
 %D%      <Parameter name="density" type="double" value="2000"/>
@@ -66,7 +68,7 @@ constexpr const char* column_deck = R"deck(<!-- A column under load, to be turne
     <ParameterList name="load">
       <Parameter name="type" type="string" value="pressure"/>
       <Parameter name="set" type="string" value="top"/>
-      <Parameter name="value" type="string" value="1e4*min(t, 1)"/>       <!-- a number, a formula, or a function's name -->
+      <Parameter name="value" type="string" value="1e4*min(t, 1)"/>   <!-- a number, a formula, or a function's name -->
     </ParameterList>
   </ParameterList>
   <ParameterList name="stages">

@@ -6,6 +6,8 @@
 
 #include "ale/conservation.hpp"
 #include "ale/quality.hpp"
+#include "core/guarded.hpp"
+#include "discretisation/mesh_quality.hpp"
 
 namespace mudline {
 
@@ -21,11 +23,17 @@ std::string number(double value) {
 
 void AleParameters::parameters(Parameters& p) {
   p.add("every", every, "-", closed(1, 1000000), "the mesh is moved after every so many steps");
-  p.add("when quality below", quality_below, "-", positive(), "and only when its smallest scaled Jacobian is below this; above 1: always");
-  p.add("lowest quality", lowest_quality, "-", open(0, 1), "a motion to a smaller scaled Jacobian than this, and than before, is refused and the step cut");
-  p.add("mass tolerance", mass_tolerance, "-", positive(), "a remap that changes the mass of grains or water by more than this share is refused and the step cut");
-  p.add("largest motion", largest_motion, "-", positive(), "a motion by more than this share of an element's size is made and remapped in parts");
-  p.add("conserve mass", conserve, "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the grains that a remap changes");
+  p.add("when quality below", quality_below, "-", positive(),
+        "and only when its smallest scaled Jacobian is below this; above 1: always");
+  p.add("lowest quality", lowest_quality, "-", open(0, 1),
+        "a motion to a smaller scaled Jacobian than this, and than before, is refused and the step cut");
+  p.add("mass tolerance", mass_tolerance, "-", positive(),
+        "a remap that changes the mass of grains or water by more than this share is refused and the step cut");
+  p.add("largest motion", largest_motion, "-", positive(),
+        "a motion by more than this share of an element's size is made and remapped in parts");
+  p.add("conserve mass", conserve,
+        "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the "
+        "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
   p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
@@ -35,13 +43,17 @@ void Ale::document(Parameters& p) { AleParameters().parameters(p); }
 
 Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
          const Section& section, const MeshMotionRegistries& registries)
-    : space_(space), soil_(soil), mesh_(space.mesh()), source_(mesh_.gather(space.mesh().coordinates())), corners_(mesh_, {}) {
+    : space_(space),
+      soil_(soil),
+      mesh_(space.mesh()),
+      source_(mesh_.gather(space.mesh().coordinates())),
+      corners_(mesh_, {}) {
   section.allow_sections({"interior", "boundary", "remap"});
   Parameters p(section);
   deck_.parameters(p);
   p.finish();
-  interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
-  remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
+  interior_ = create_guarded(registries.motions, section.section_of_type("interior", "optimisation"));
+  remap_ = create_guarded(registries.remaps, section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"));
   corners_ = CornerTriangles(mesh_, deck_.boundary.paths());
   corners_.add_tangents(source_, source_);
@@ -56,7 +68,7 @@ bool Ale::due(int step, const State& committed) const {
   return step % deck_.every == 0 && (deck_.quality_below > 1 || quality(committed) < deck_.quality_below);
 }
 
-double Ale::quality(const State& state) const { return lowest_quality(mesh_, mesh_.gather(state.coordinates)); }
+double Ale::quality(const State& state) const { return mesh_quality(mesh_.mesh(), state.coordinates).lowest; }
 
 bool Ale::folded(const Positions& x) const {
   for (const auto& t : corners_.triangles)
@@ -86,7 +98,8 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
   }
 }
 
-std::string Ale::new_positions(const Positions& x_old, const State& state, const Constraints& constraints, Positions& x) const {
+std::string Ale::new_positions(const Positions& x_old, const State& state, const Constraints& constraints,
+                               Positions& x) const {
   Positions boundary = deck_.boundary.move(x_old, state);
   Positions before = x_old;
   corners_.add_tangents(x_old, before);
@@ -97,7 +110,8 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
     const double share = done + part;
     for (int node = 0; node < mesh_.num_nodes(); ++node) {
       if (!on_path_[node]) continue;
-      for (int d = 0; share < 1 && d < 2; ++d) curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
+      for (int d = 0; share < 1 && d < 2; ++d)
+        curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
       next[node] = curve[node];
     }
     corners_.add_tangents(curve, next);
@@ -135,7 +149,8 @@ void Ale::keep_volume(const Positions& x_old, const State& state, const Constrai
   const auto matters = [&](double part) { return std::abs(part) > 1e-14 * volume; };
   double part = missing();
   if (!matters(part)) return;
-  const FreeBoundary free(mesh_, soil_, deck_.boundary.freedom(x, state), prescribed(soil_.displacement, constraints), x);
+  const FreeBoundary free(mesh_, soil_, deck_.boundary.freedom(x, state), prescribed(soil_.displacement, constraints),
+                          x);
   if (!(free.area > 0)) return;
   for (int k = 0; k < 4 && matters(part); ++k, part = missing()) {
     for (const auto& mover : free.movers)
@@ -194,7 +209,9 @@ double Ale::carry_points(StateStore& store, const Positions& x_old, const Positi
       for (int e = 0; e < b.elements; ++e)
         for (int q = 0; q < b.points; ++q)
           rows(e * b.points + q, c) =
-              now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) * columns + column];
+              now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) *
+                      columns +
+                  column];
     });
   }
   return restored;
@@ -207,7 +224,10 @@ void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to)
     for (const NodalView& values : {to.value, to.rate, to.acceleration}) {
       // Beside a body the displacement jumps: the soil on its wall came from the surface.
       const bool jumps = f == soil_.displacement && values.data() == to.value.data();
-      mesh_.scatter(space_, f, nodal.apply(mesh_.gather(space_, f, values), space_.field(f).components, space_.field(f).support, jumps), values);
+      mesh_.scatter(
+          space_, f,
+          nodal.apply(mesh_.gather(space_, f, values), space_.field(f).components, space_.field(f).support, jumps),
+          values);
     }
   }
 }
@@ -241,7 +261,8 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   // a mesh that was no better is not made worse by moving it
   if (receipt.quality < std::min(deck_.lowest_quality, 0.9 * receipt.quality_before)) {
     const auto& at = x_new[mesh_.elements()[worst].nodes[0]];
-    receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at (" + number(at[0]) + ", " + number(at[1]) + ")";
+    receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at (" + number(at[0]) +
+                   ", " + number(at[1]) + ")";
     return receipt;
   }
   receipt.largest_motion = largest_motion(x_old, x_new);
@@ -265,9 +286,11 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   receipt.after = take_inventory(soil_, moved);
   const auto changed = [&](double share) { return std::abs(share) > deck_.mass_tolerance; };
   const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
-  const double solid = share(receipt.before.solid, receipt.after.solid), water = share(receipt.before.water, receipt.after.water);
+  const double solid = share(receipt.before.solid, receipt.after.solid),
+               water = share(receipt.before.water, receipt.after.water);
   if (changed(solid) || changed(receipt.restored_solid))
-    receipt.veto = "the remap changes the mass of grains by a share of " + number(changed(solid) ? solid : -receipt.restored_solid);
+    receipt.veto = "the remap changes the mass of grains by a share of " +
+                   number(changed(solid) ? solid : -receipt.restored_solid);
   else if (changed(water))
     receipt.veto = "the remap changes the pore water by a share of " + number(water);
   if (!receipt.veto.empty()) return receipt;

@@ -31,17 +31,17 @@ struct AleParameters {
 /// What a relocation of the mesh did, or would have done.
 struct MeshReceipt {
   bool moved = false;
-  std::string veto;             // why it was not made; empty: it was
+  std::string veto;                        // why it was not made; empty: it was
   double quality_before = 1, quality = 1;  // smallest scaled Jacobian [-]
-  double largest_motion = 0;    // [-] of the element's size: Courant number
-  double restored_solid = 0;    // share of the grains that the transfer lost and conservation put back [-]
-  double yield_drift = 0;       // [-] share of the stress that the laws took back to their yield surfaces afterwards
+  double largest_motion = 0;               // [-] of the element's size: Courant number
+  double restored_solid = 0;               // share of the grains that the transfer lost and conservation put back [-]
+  double yield_drift = 0;  // [-] share of the stress that the laws took back to their yield surfaces afterwards
   Inventory before, after;
 };
 
 /// Relocation of the mesh under a committed state (arbitrary Lagrangian-Eulerian, operator split): boundary nodes slide
-/// along the deformed boundary, the interior follows, state variables and nodal fields are carried over; the topology is
-/// kept. A transaction of its own: a vetoed relocation leaves the state untouched.
+/// along the deformed boundary, the interior follows, state variables and nodal fields are carried over; the topology
+/// is kept. A transaction of its own: a vetoed relocation leaves the state untouched.
 class Ale {
  public:
   /// Reads "mesh motion". InputError. Collective.
@@ -51,21 +51,22 @@ class Ale {
 
   /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
   bool due(int step, const State& committed) const;
-  /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and lets it be
-  /// taken over (Term::adopt). `constraints`: those of the step that ended. Collective.
+  /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and lets it
+  /// be taken over (Term::adopt). `constraints`: those of the step that ended. Collective.
   MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;
   /// Of the deck: motions to less than this, and than before, are refused.
-  double accepted_quality() const { return deck_.lowest_quality; }
 
  private:
   /// New positions of all nodes; a reason when there are none.
-  std::string new_positions(const Positions& x_old, const State& state, const Constraints& constraints, Positions& x) const;
+  std::string new_positions(const Positions& x_old, const State& state, const Constraints& constraints,
+                            Positions& x) const;
   /// (node, component) 1 where a field's value is prescribed.
   std::vector<double> prescribed(int field, const Constraints& constraints) const;
   /// Lets the free boundary give way until the soil has the volume that it had at x_old.
-  void keep_volume(const Positions& x_old, const State& state, const Constraints& constraints, Positions& boundary, Positions& x) const;
+  void keep_volume(const Positions& x_old, const State& state, const Constraints& constraints, Positions& boundary,
+                   Positions& x) const;
   double largest_motion(const Positions& x_old, const Positions& x_new) const;
   bool folded(const Positions& x) const;
   void place_middles(const Positions& boundary, Positions& x) const;

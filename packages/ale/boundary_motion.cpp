@@ -19,11 +19,15 @@ std::vector<std::array<double, 2>> places(const MeshPath& path, const Positions&
 
 void BoundaryMotion::parameters(Parameters& p) {
   p.add("corners", corners_, "point sets whose nodes stay material points, besides the corners of the mesh");
-  p.add("corner angle [deg]", corner_angle_, "-", open(0, 180), "a boundary that turns by more in the source's mesh, and does not lie on a body there, has a corner");
+  p.add("corner angle [deg]", corner_angle_, "-", open(0, 180),
+        "a boundary that turns by more in the source's mesh, and does not lie on a body there, has a corner");
   p.add("material sides", material_sides_, "side sets whose nodes do not slide");
-  p.add("largest slide", largest_slide_, "-", half_open(0, 0.5), "a node slides at most by this share of the side that it moves along at once");
-  p.add("focus", focus_, "body whose reference point the finest sides travel with; empty: the source's spacing everywhere");
-  p.add("size near focus", near_size_, "m", non_negative(), "length of the sides near the focus; only its ratio to the growth counts");
+  p.add("largest slide", largest_slide_, "-", half_open(0, 0.5),
+        "a node slides at most by this share of the side that it moves along at once");
+  p.add("focus", focus_,
+        "body whose reference point the finest sides travel with; empty: the source's spacing everywhere");
+  p.add("size near focus", near_size_, "m", non_negative(),
+        "length of the sides near the focus; only its ratio to the growth counts");
   p.add("near distance", near_distance_, "m", non_negative(), "distance from the focus up to which that size holds");
   p.add("growth", growth_, "-", non_negative(), "increase of the size per distance beyond");
 }
@@ -53,12 +57,14 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
     focus = bodies.at(focus_)->initial_position();
   }
-  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180, [&](int node) { return starts_on_body(source[node]); });
+  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180,
+                      [&](int node) { return starts_on_body(source[node]); });
   for (const MeshPath& path : paths_) {
     const PathCurve curve(places(path, source));
     const CurveMeasure measure(curve, size_field(focus));
     std::vector<double> shares;
-    for (int v = 0; v < path.num_vertices(); ++v) shares.push_back(measure.at(curve.parameter(v * path.stride)) / measure.total());
+    for (int v = 0; v < path.num_vertices(); ++v)
+      shares.push_back(measure.at(curve.parameter(v * path.stride)) / measure.total());
     shares_.push_back(shares);
     bool slides = path.num_vertices() > 2;
     for (const std::string& name : material_sides_) slides = slides && !path.sets.count(name);
@@ -99,7 +105,8 @@ std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& sta
     for (std::size_t i = 1; i + 1 < path.nodes.size(); ++i) {
       const auto &before = x[path.nodes[i - 1]], &after = x[path.nodes[i + 1]];
       const double sides = path.stride * std::hypot(after[0] - before[0], after[1] - before[1]);
-      result[path.nodes[i]] = bodies_.empty() ? 1.0 : std::clamp(foot(state, x[path.nodes[i]])->gap / sides - 1, 0.0, 1.0);
+      result[path.nodes[i]] =
+          bodies_.empty() ? 1.0 : std::clamp(foot(state, x[path.nodes[i]])->gap / sides - 1, 0.0, 1.0);
     }
   }
   return result;
@@ -119,7 +126,8 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
     const double before = old - curve.parameter(i - stride), after = curve.parameter(i + stride) - old;
     const double slide = measure.place(shares_[p][v] * measure.total()) - old;
     // what rounding alone moves stays where it is; a squeezed side may be left at once, whatever its own length
-    if (std::abs(slide) > 1e-9 * std::min(before, after)) s[i] = old + std::clamp(slide, -largest_slide_ * before, largest_slide_ * after);
+    if (std::abs(slide) > 1e-9 * std::min(before, after))
+      s[i] = old + std::clamp(slide, -largest_slide_ * before, largest_slide_ * after);
   }
   for (int i = 1; stride == 2 && i < last; i += 2) {
     s[i] = 0.5 * (s[i - 1] + s[i + 1]);

@@ -11,23 +11,24 @@
 
 namespace mudline {
 
-/// Slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each side keeps its
-/// share of the path, measured in sides of a wanted size that is uniform, or finer near a point that travels with a body:
-/// size = near + growth (distance - near distance). The shares are those of the source's mesh, so that a boundary at rest
-/// stays as it is. Where the boundary touches a body, nodes keep the gap that was at their new place, so that contact
-/// pressures are not disturbed.
+/// Slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each side keeps
+/// its share of the path, measured in sides of a wanted size that is uniform, or finer near a point that travels with a
+/// body: size = near + growth (distance - near distance). The shares are those of the source's mesh, so that a boundary
+/// at rest stays as it is. Where the boundary touches a body, nodes keep the gap that was at their new place, so that
+/// contact pressures are not disturbed.
 class BoundaryMotion {
  public:
   void parameters(Parameters& p);
-  /// Finds paths and shares. InputError for unknown bodies and sets. Collective only in its errors: the same everywhere.
-  void bind(const WholeMesh& mesh, const Positions& source, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
-            const Section& section);
+  /// Finds paths and shares. InputError for unknown bodies and sets. Collective only in its errors: the same
+  /// everywhere.
+  void bind(const WholeMesh& mesh, const Positions& source,
+            const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section);
 
   /// New positions of the nodes on paths, middle nodes among them; the others as in `x`.
   Positions move(const Positions& x, const State& state) const;
   const std::vector<MeshPath>& paths() const { return paths_; }
-  /// (node) how freely a node of the mesh's outer boundary may give way, 0 to 1: all where it slides and is at least twice
-  /// as far from every body as the sides beside it are long, not at all where it is as near as one of them.
+  /// (node) how freely a node of the mesh's outer boundary may give way, 0 to 1: all where it slides and is at least
+  /// twice as far from every body as the sides beside it are long, not at all where it is as near as one of them.
   std::vector<double> freedom(const Positions& x, const State& state) const;
 
  private:

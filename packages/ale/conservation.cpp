@@ -31,17 +31,20 @@ double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x) 
   double sum = 0;
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block))
-      for (int q = 0; q < block.points; ++q) sum += PointMap(mesh.elements()[e], block, q, x, soil.axisymmetric).volume();
+      for (int q = 0; q < block.points; ++q)
+        sum += PointMap(mesh.elements()[e], block, q, x, soil.axisymmetric).volume();
   return sum;
 }
 
-FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom, const std::vector<double>& held,
-                           const Positions& x) {
+FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+                           const std::vector<double>& held, const Positions& x) {
   std::vector<std::array<double, 2>> gradient(mesh.num_nodes(), {0, 0});  // of the volume
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block)) {
       const auto& element = mesh.elements()[e];
-      if (std::none_of(element.nodes.begin(), element.nodes.begin() + block.u.nodes, [&](int node) { return freedom[node] > 0; })) continue;
+      if (std::none_of(element.nodes.begin(), element.nodes.begin() + block.u.nodes,
+                       [&](int node) { return freedom[node] > 0; }))
+        continue;
       for (int q = 0; q < block.points; ++q) {
         const PointMap at(element, block, q, x, soil.axisymmetric);
         for (int a = 0; a < block.u.nodes; ++a) {
@@ -85,7 +88,8 @@ double restore_grains(const PointTransfer& t, bool axisymmetric, int column) {
       const PointMap old(element, t.block, q, t.x_old, axisymmetric), now(element, t.block, q, t.x_new, axisymmetric);
       before += old.volume() / (1 + t.old[row * t.columns + column]);
       after += now.volume() / (1 + t.now[row * t.columns + column]);
-      const auto from = Recovery::position(element, t.block, q, t.x_old), to = Recovery::position(element, t.block, q, t.x_new);
+      const auto from = Recovery::position(element, t.block, q, t.x_old),
+                 to = Recovery::position(element, t.block, q, t.x_new);
       weight[row] = std::min(1.0, std::hypot(to[0] - from[0], to[1] - from[1]) / std::sqrt(std::abs(old.det)));
       moved += weight[row] * now.volume();
     }

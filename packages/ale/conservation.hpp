@@ -19,13 +19,13 @@ struct FreeBoundary {
   double area = 0;  // change of volume per common distance [m2]
 
   /// `freedom`: (node) 0 to 1; `held`: (node, component) nonzero where the displacement is prescribed.
-  FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom, const std::vector<double>& held,
-               const Positions& x);
+  FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+               const std::vector<double>& held, const Positions& x);
 };
 
-/// Makes up for the mass of grains that a transfer lost: the dry density 1/(1+e) of every point changes in proportion to how
-/// far the point moved, by one factor for the block. Points at rest keep theirs. Returns the share of the grains that was
-/// missing [-]; 0 where nothing moved. `column`: that of the void ratio.
+/// Makes up for the mass of grains that a transfer lost: the dry density 1/(1+e) of every point changes in proportion
+/// to how far the point moved, by one factor for the block. Points at rest keep theirs. Returns the share of the grains
+/// that was missing [-]; 0 where nothing moved. `column`: that of the void ratio.
 double restore_grains(const PointTransfer& transfer, bool axisymmetric, int column);
 
 }  // namespace mudline

@@ -23,7 +23,8 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
   for (int e : t.mesh.block_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     bool moved = false;
-    for (int a = 0; a < num_nodes(element.shape); ++a) moved = moved || t.x_new[element.nodes[a]] != t.x_old[element.nodes[a]];
+    for (int a = 0; a < num_nodes(element.shape); ++a)
+      moved = moved || t.x_new[element.nodes[a]] != t.x_old[element.nodes[a]];
     if (!moved) continue;
     double area2 = 0;
     const int corners = num_corners(element.shape);
@@ -33,7 +34,8 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
     }
     const double size = std::sqrt(std::abs(corners == 3 ? area2 : 0.5 * area2));
     for (int q = 0; q < t.block.points; ++q) {
-      const auto from = Recovery::position(element, t.block, q, t.x_old), to = Recovery::position(element, t.block, q, t.x_new);
+      const auto from = Recovery::position(element, t.block, q, t.x_old),
+                 to = Recovery::position(element, t.block, q, t.x_new);
       const MeshPlace place = locator.find(to, e);
       const double courant = std::min(1.0, std::hypot(to[0] - from[0], to[1] - from[1]) / (0.5 * size));
       const double own = scheme_ == Scheme::upwind ? 1 - courant : 1.0;

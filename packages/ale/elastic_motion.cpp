@@ -69,7 +69,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 void ElasticMotion::parameters(Parameters& p) {
   p.choice("from", from_, {{"source", From::source}, {"present", From::present}},
-           "mesh whose displacement is sought: the one that was made, which leaves no trace of the path, or the present one");
+           "mesh whose displacement is sought: the one that was made, which leaves no trace of the path, or the "
+           "present one");
   p.add("Poisson's ratio", poisson_, "-", half_open(0, 0.5), "of the fictitious elastic body");
 }
 
@@ -106,7 +107,8 @@ void ElasticMotion::move(const InteriorMesh& mesh, Positions& x) const {
 
 void ArtificialMotion::parameters(Parameters& p) {
   ElasticMotion::parameters(p);
-  p.add("amplitude", amplitude_, "-", closed(0, 0.25), "of the swing, as a share of the smallest side at the vertex in the source's mesh");
+  p.add("amplitude", amplitude_, "-", closed(0, 0.25),
+        "of the swing, as a share of the smallest side at the vertex in the source's mesh");
   p.required("period", period_, "s", positive(), "of the swing");
 }
 
@@ -119,8 +121,10 @@ void ArtificialMotion::move(const InteriorMesh& mesh, Positions& x) const {
     for (int t : mesh.corners.at_node[node])
       for (int k : mesh.corners.triangles[t])
         if (k != static_cast<int>(node))
-          side = std::min(side, std::hypot(mesh.source[k][0] - mesh.source[node][0], mesh.source[k][1] - mesh.source[node][1]));
-    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_), direction = 2.4 * static_cast<double>(node);
+          side = std::min(
+              side, std::hypot(mesh.source[k][0] - mesh.source[node][0], mesh.source[k][1] - mesh.source[node][1]));
+    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_),
+                 direction = 2.4 * static_cast<double>(node);
     x[node][0] += swing * std::cos(direction);
     x[node][1] += swing * std::sin(direction);
   }

@@ -41,7 +41,8 @@ void CornerTriangles::add_tangents(const Positions& curve, Positions& x) const {
   x.resize(nodes_ + tangents_.size());
   for (std::size_t i = 0; i < tangents_.size(); ++i)
     for (int d = 0; d < 2; ++d)  // derivative of the quadratic side at its end, over a reference length of 1
-      x[nodes_ + i][d] = 4 * curve[tangents_[i].middle][d] - 2 * curve[tangents_[i].at][d] - curve[tangents_[i].other][d];
+      x[nodes_ + i][d] =
+          4 * curve[tangents_[i].middle][d] - 2 * curve[tangents_[i].at][d] - curve[tangents_[i].other][d];
 }
 
 double twice_area(const std::array<int, 3>& t, const Positions& x) {
@@ -50,7 +51,8 @@ double twice_area(const std::array<int, 3>& t, const Positions& x) {
 
 void SweepLimits::parameters(Parameters& p) {
   p.add("sweeps", sweeps, "-", closed(1, 100000), "largest number of passes over the vertices");
-  p.add("sweep tolerance", tolerance, "-", positive(), "passes end when no vertex moves by more than this share of its elements' size");
+  p.add("sweep tolerance", tolerance, "-", positive(),
+        "passes end when no vertex moves by more than this share of its elements' size");
 }
 
 void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
@@ -72,7 +74,8 @@ void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
       double size = 0;
       for (int other : neighbours[node])
         for (int d = 0; d < 2; ++d) mean[d] += x[other][d] / neighbours[node].size();
-      for (int other : neighbours[node]) size = std::max(size, std::hypot(x[other][0] - mean[0], x[other][1] - mean[1]));
+      for (int other : neighbours[node])
+        size = std::max(size, std::hypot(x[other][0] - mean[0], x[other][1] - mean[1]));
       largest = std::max(largest, std::hypot(mean[0] - x[node][0], mean[1] - x[node][1]) / size);
       x[node] = mean;
     }
@@ -84,7 +87,8 @@ void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
   registry.add<WinslowMotion>("Winslow", "harmonic map back to the source's mesh, never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
-  registry.add<ArtificialMotion>("artificial", "elastic, and a swing of every vertex: shows what the remap does to a solution");
+  registry.add<ArtificialMotion>("artificial",
+                                 "elastic, and a swing of every vertex: shows what the remap does to a solution");
   registry.add<LaplaceMotion>("Laplace", "every vertex at the mean of its neighbours");
 }
 

@@ -58,8 +58,9 @@ struct SweepLimits {
 };
 
 /// Vertex by vertex, lowers the sum of squared inverse mean ratios of the triangles around it (Knupp 2001; Freitag &
-/// Knupp 2002), mu = |T|^2 / (2 det T), T the map from the ideal triangle: 1 at best, infinite for a flat triangle, so that
-/// no element ever folds. The ideal is the equilateral triangle or the triangle of the source's mesh; size is free.
+/// Knupp 2002), mu = |T|^2 / (2 det T), T the map from the ideal triangle: 1 at best, infinite for a flat triangle, so
+/// that no element ever folds. The ideal is the equilateral triangle or the triangle of the source's mesh; size is
+/// free.
 class OptimisationMotion : public InteriorMotion {
  public:
   void parameters(Parameters& p);
@@ -71,8 +72,9 @@ class OptimisationMotion : public InteriorMotion {
   SweepLimits limits_;
 };
 
-/// The map from the source's mesh is harmonic in the inverse direction (Winslow 1967): vertex by vertex, lowers its Dirichlet
-/// energy, the sum of mu weighted by the areas of the source's triangles. As smooth as Laplace's, and no element folds.
+/// The map from the source's mesh is harmonic in the inverse direction (Winslow 1967): vertex by vertex, lowers its
+/// Dirichlet energy, the sum of mu weighted by the areas of the source's triangles. As smooth as Laplace's, and no
+/// element folds.
 class WinslowMotion : public InteriorMotion {
  public:
   void parameters(Parameters& p) { limits_.parameters(p); }
@@ -93,8 +95,8 @@ class LaplaceMotion : public InteriorMotion {
 };
 
 /// Elastic re-analysis (Nazem, Sheng & Carter 2006): the mesh as a plane elastic body whose boundary is displaced, from
-/// the source's mesh or from the present one; the stiffness of a triangle is inverse to its area, so that small elements
-/// survive.
+/// the source's mesh or from the present one; the stiffness of a triangle is inverse to its area, so that small
+/// elements survive.
 class ElasticMotion : public InteriorMotion {
  public:
   void parameters(Parameters& p);
@@ -106,8 +108,8 @@ class ElasticMotion : public InteriorMotion {
   double poisson_ = 0.3;
 };
 
-/// The elastic motion, and on top a swing of every vertex about its place by a share of the smallest side around it: no use
-/// but to show what the remap does to a solution.
+/// The elastic motion, and on top a swing of every vertex about its place by a share of the smallest side around it: no
+/// use but to show what the remap does to a solution.
 class ArtificialMotion : public ElasticMotion {
  public:
   void parameters(Parameters& p);

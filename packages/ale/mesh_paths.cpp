@@ -101,8 +101,9 @@ class Splitter {
 
 }  // namespace
 
-std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
-                                 double corner_angle, const std::function<bool(int node)>& on_body) {
+std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source,
+                                 const std::vector<std::string>& corners, double corner_angle,
+                                 const std::function<bool(int node)>& on_body) {
   return Splitter(mesh, source, corners, corner_angle, on_body).paths();
 }
 

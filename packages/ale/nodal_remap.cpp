@@ -10,9 +10,10 @@ namespace mudline {
 namespace {
 
 /// Place on a side, in [-1, 1], nearest to x, and its distance.
-std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const std::array<double, 2>& x) {
+std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
+                                          const std::array<double, 2>& x) {
   const int count = nodes[2] >= 0 ? 3 : 2;
-  const auto offset = [&](double xi, double (&r)[2], double (&t)[2]) {
+  const auto offset = [&](double xi, double(&r)[2], double(&t)[2]) {
     double N[3], dN[3];
     evaluate_line(count, xi, N, dN);
     for (int d = 0; d < 2; ++d) {
@@ -37,7 +38,8 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
 
 }  // namespace
 
-NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old, const Positions& x_new)
+NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
+                       const Positions& x_new)
     : mesh_(mesh), places_(x_old.size()) {
   const PointLocator locator(mesh, x_old);
   for (int node = 0; node < mesh.num_nodes(); ++node) {
@@ -52,7 +54,8 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
       if (place.element < 0) continue;
       double least = 1e300;
       // a node slides less than one side
-      const int first = std::max(0, (i / path.stride - 2) * path.stride), last = static_cast<int>(path.nodes.size()) - 1;
+      const int first = std::max(0, (i / path.stride - 2) * path.stride),
+                last = static_cast<int>(path.nodes.size()) - 1;
       for (int k = first; k + path.stride <= std::min(last, i + 3 * path.stride); k += path.stride) {
         const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};
         const auto [xi, distance] = nearest_on_side(nodes, x_old, x_new[path.nodes[i]]);
@@ -64,7 +67,8 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
     }
 }
 
-std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support, bool limited) const {
+std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support,
+                                      bool limited) const {
   std::vector<double> now = old;
   double N[9], dN[18];
   for (int node = 0; node < mesh_.num_nodes(); ++node) {

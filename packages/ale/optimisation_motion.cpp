@@ -53,14 +53,16 @@ struct PatchObjective {
     double dmu[2], hmu[3];
     for (int i = 0; i < 2; ++i) dmu[i] = (dn[i] - 2 * mu * dd[i]) / (2 * det);
     const auto second = [&](int i, int j) {
-      return ((i == j ? ddn : 0.0) - (dn[i] * dd[j] + dd[i] * dn[j]) / det) / (2 * det) + n * dd[i] * dd[j] / (det * det * det);
+      return ((i == j ? ddn : 0.0) - (dn[i] * dd[j] + dd[i] * dn[j]) / det) / (2 * det) +
+             n * dd[i] * dd[j] / (det * det * det);
     };
     hmu[0] = second(0, 0);
     hmu[1] = second(0, 1);
     hmu[2] = second(1, 1);
     // f(mu) with its first and second derivative
     const bool squared = measure == Measure::mean_ratio_squared;
-    const double f = goal.weight * (squared ? mu * mu : mu), f1 = goal.weight * (squared ? 2 * mu : 1), f2 = squared ? 2 * goal.weight : 0;
+    const double f = goal.weight * (squared ? mu * mu : mu), f1 = goal.weight * (squared ? 2 * mu : 1),
+                 f2 = squared ? 2 * goal.weight : 0;
     value += f;
     for (int i = 0; i < 2; ++i) gradient[i] += f1 * dmu[i];
     hessian[0] += f1 * hmu[0] + f2 * dmu[0] * dmu[0];
@@ -70,7 +72,8 @@ struct PatchObjective {
 };
 
 /// Newton's method for one vertex after the other, in alternating direction, until none moves much.
-void descend(const InteriorMesh& mesh, const std::vector<Goal>& goals, Measure measure, const SweepLimits& limits, Positions& x) {
+void descend(const InteriorMesh& mesh, const std::vector<Goal>& goals, Measure measure, const SweepLimits& limits,
+             Positions& x) {
   const auto& triangles = mesh.corners.triangles;
   const auto objective = [&](int node) {
     PatchObjective result{measure};

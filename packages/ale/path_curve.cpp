@@ -40,7 +40,8 @@ std::array<double, 2> PathCurve::at(double s) const {
   const double start = (1 + 2 * t) * (1 - t) * (1 - t), end = t * t * (3 - 2 * t);
   std::array<double, 2> x;
   for (int d = 0; d < 2; ++d)
-    x[d] = start * points_[k][d] + end * points_[k + 1][d] + h * t * (1 - t) * ((1 - t) * slopes_[k][d] - t * slopes_[k + 1][d]);
+    x[d] = start * points_[k][d] + end * points_[k + 1][d] +
+           h * t * (1 - t) * ((1 - t) * slopes_[k][d] - t * slopes_[k + 1][d]);
   return x;
 }
 
@@ -70,7 +71,8 @@ double CurveMeasure::at(double s) const {
 
 double CurveMeasure::place(double measure) const {
   const int last = static_cast<int>(sum_.size()) - 2;
-  const int k = std::clamp(static_cast<int>(std::upper_bound(sum_.begin(), sum_.end(), measure) - sum_.begin()) - 1, 0, last);
+  const int k =
+      std::clamp(static_cast<int>(std::upper_bound(sum_.begin(), sum_.end(), measure) - sum_.begin()) - 1, 0, last);
   return step_ * (k + (measure - sum_[k]) / (sum_[k + 1] - sum_[k]));
 }
 

@@ -13,8 +13,8 @@ struct MeshPlace {
 };
 
 /// Finds points in a mesh by walking from a guess to the neighbour in whose direction the point lies; exact on curved
-/// elements. Does not leave the guess's block: materials do not mix. A point outside, beyond a curved boundary, gets the
-/// boundary element next to it with reference coordinates outside the cell.
+/// elements. Does not leave the guess's block: materials do not mix. A point outside, beyond a curved boundary, gets
+/// the boundary element next to it with reference coordinates outside the cell.
 class PointLocator {
  public:
   PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}

@@ -8,7 +8,7 @@ namespace mudline {
 
 namespace {
 
-constexpr int terms = 6;  // of a quadratic polynomial
+constexpr int terms = 6;                  // of a quadratic polynomial
 constexpr std::size_t enough_points = 9;  // for a fit that does not follow noise
 
 struct Patch {
@@ -28,8 +28,8 @@ struct Patch {
   }
 };
 
-/// Solves the normal equations for all columns. A direction that the points do not resolve (they lie on a conic) is left
-/// out: its coefficient is zero.
+/// Solves the normal equations for all columns. A direction that the points do not resolve (they lie on a conic) is
+/// left out: its coefficient is zero.
 void solve_normal(double (&a)[terms][terms], std::vector<double>& b) {
   double diagonal[terms];
   for (int k = 0; k < terms; ++k) diagonal[k] = a[k][k];
@@ -53,15 +53,21 @@ void solve_normal(double (&a)[terms][terms], std::vector<double>& b) {
 
 }  // namespace
 
-std::array<double, 2> Recovery::position(const WholeMesh::Element& element, const SoilBlock& block, int point, const Positions& x) {
+std::array<double, 2> Recovery::position(const WholeMesh::Element& element, const SoilBlock& block, int point,
+                                         const Positions& x) {
   std::array<double, 2> result{};
   for (int a = 0; a < block.u.nodes; ++a)
     for (int d = 0; d < 2; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
   return result;
 }
 
-Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, const std::vector<double>& table, int columns)
-    : mesh_(mesh), block_(block), table_(table), columns_(columns), nodal_(static_cast<std::size_t>(mesh.num_nodes()) * columns, 0.0) {
+Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, const std::vector<double>& table,
+                   int columns)
+    : mesh_(mesh),
+      block_(block),
+      table_(table),
+      columns_(columns),
+      nodal_(static_cast<std::size_t>(mesh.num_nodes()) * columns, 0.0) {
   std::map<int, std::set<int>> around;  // elements at a vertex
   for (int e : mesh.block_elements(block.block))
     for (int a = 0; a < num_corners(block.shape); ++a) around[mesh.elements()[e].nodes[a]].insert(e);
@@ -107,7 +113,8 @@ Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const Position
         double sum = 0;
         int share = 0;
         for (int b = 0; b < corners; ++b) {
-          const bool end = a < 2 * corners ? b == a - corners || b == (a - corners + 1) % corners : true;  // the centre: all
+          const bool end =
+              a < 2 * corners ? b == a - corners || b == (a - corners + 1) % corners : true;  // the centre: all
           if (!end) continue;
           sum += patches.at(n[b]).at(x[n[a]], c);
           ++share;
@@ -153,14 +160,16 @@ double Recovery::at(const MeshPlace& place, int column) const {
   const auto& element = mesh_.elements()[place.element];
   double N[9], dN[18], sum = 0;
   evaluate_shape(element.shape, place.xi, N, dN);
-  for (int a = 0; a < num_nodes(element.shape); ++a) sum += N[a] * nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column];
+  for (int a = 0; a < num_nodes(element.shape); ++a)
+    sum += N[a] * nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column];
   return sum;
 }
 
 double Recovery::at_point(int e, int point, int column) const {
   const auto& element = mesh_.elements()[e];
   double sum = 0;
-  for (int a = 0; a < block_.u.nodes; ++a) sum += block_.u.N(point, a) * nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column];
+  for (int a = 0; a < block_.u.nodes; ++a)
+    sum += block_.u.N(point, a) * nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column];
   return sum;
 }
 
@@ -172,7 +181,8 @@ void Recovery::widen_range(int e, int column, double& low, double& high) const {
   };
   for (int q = 0; q < block_.points; ++q)
     take(table_[static_cast<std::size_t>(mesh_.first_row(e, block_.points) + q) * columns_ + column]);
-  for (int a = 0; a < num_nodes(element.shape); ++a) take(bounded_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column]);
+  for (int a = 0; a < num_nodes(element.shape); ++a)
+    take(bounded_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column]);
 }
 
 }  // namespace mudline

@@ -28,10 +28,10 @@ class Remap {
   virtual void transfer(const PointTransfer& transfer) const = 0;
 };
 
-/// The convection formula f + (x_new - x_old) . grad f with the gradient of the recovered field f*, taken along the way:
-/// f_new = f + f*(x_new) - f*(x_old). Upwind: the further a point moves, in half element sizes, the more of f* itself and
-/// the less of the point's own deviation from it is taken. Limited: no new extremum over the elements the point leaves and
-/// enters. Exact for linear fields.
+/// The convection formula f + (x_new - x_old) . grad f with the gradient of the recovered field f*, taken along the
+/// way: f_new = f + f*(x_new) - f*(x_old). Upwind: the further a point moves, in half element sizes, the more of f*
+/// itself and the less of the point's own deviation from it is taken. Limited: no new extremum over the elements the
+/// point leaves and enters. Exact for linear fields.
 class ConvectionRemap : public Remap {
  public:
   enum class Scheme { upwind, incremental };

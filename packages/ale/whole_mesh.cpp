@@ -12,14 +12,16 @@ namespace {
 template <class T>
 std::vector<T> merge(const Mesh& mesh, const std::vector<T>& mine) {
   std::vector<T> all(mine.size());
-  if (!mine.empty()) Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  if (!mine.empty())
+    Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
   return all;
 }
 
 template <class T>
 std::vector<T> merge_flags(const Mesh& mesh, const std::vector<T>& mine) {
   std::vector<T> all(mine.size());
-  if (!mine.empty()) Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  if (!mine.empty())
+    Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
   return all;
 }
 
@@ -41,7 +43,8 @@ WholeMesh::WholeMesh(const Mesh& mesh) : mesh_(mesh) {
       int* row = &table[block.global_ids[e] * width];
       row[0] = static_cast<int>(b);
       row[1] = static_cast<int>(block.shape);
-      for (int a = 0; a < mudline::num_nodes(block.shape); ++a) row[2 + a] = static_cast<int>(mesh.node_ids()[block.nodes(e, a)]);
+      for (int a = 0; a < mudline::num_nodes(block.shape); ++a)
+        row[2 + a] = static_cast<int>(mesh.node_ids()[block.nodes(e, a)]);
     }
   }
   table = merge(mesh, table);

@@ -43,7 +43,8 @@ class WholeMesh {
   /// This rank's nodes, owned and ghost.
   void scatter(const Positions& from, const CoordinateView& to) const;
 
-  /// One value per owned dof of a field as (node, component) of the whole mesh; nodes without the field hold 0. Collective.
+  /// One value per owned dof of a field as (node, component) of the whole mesh; nodes without the field hold 0.
+  /// Collective.
   std::vector<double> gather(const Space& space, int field, const ConstNodalView& values) const;
   void scatter(const Space& space, int field, const std::vector<double>& from, const NodalView& to) const;
 

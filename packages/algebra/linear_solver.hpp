@@ -62,7 +62,8 @@ class LinearSolver {
     reset();
     return {};
   }
-  /// Takes up what memory() gave. `matrix` has the graph of the matrices to come; its values may be overwritten. Collective.
+  /// Takes up what memory() gave. `matrix` has the graph of the matrices to come; its values may be overwritten.
+  /// Collective.
   virtual void restore(RCP<CrsMatrix> matrix, const std::vector<double>& memory) {}
 };
 

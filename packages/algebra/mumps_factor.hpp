@@ -12,8 +12,8 @@ namespace mudline {
 class MumpsFactor {
  public:
   /// Takes the graph of `matrix`, whose global ids are 0 .. N-1, and orders it (once per graph). On several ranks MUMPS
-  /// adds up in the order in which messages arrive, so the last digits differ from run to run; with `one_process` rank 0
-  /// factors and solves alone, and they do not.
+  /// adds up in the order in which messages arrive, so the last digits differ from run to run; with `one_process` rank
+  /// 0 factors and solves alone, and they do not.
   MumpsFactor(const CrsMatrix& matrix, bool one_process);
   ~MumpsFactor();
   MumpsFactor(const MumpsFactor&) = delete;

@@ -20,7 +20,8 @@ constexpr int longest_wait = 15;
 /// The factors of one graph as an operator, the preconditioner of the reuse path.
 class FactorOperator : public Operator {
  public:
-  FactorOperator(const CrsMatrix& matrix, bool one_process) : graph_(matrix.getCrsGraph()), factor_(matrix, one_process) {}
+  FactorOperator(const CrsMatrix& matrix, bool one_process)
+      : graph_(matrix.getCrsGraph()), factor_(matrix, one_process) {}
   bool fits(const CrsMatrix& matrix) const { return graph_ == matrix.getCrsGraph(); }
   std::string factor(const CrsMatrix& matrix) { return factor_.factor(matrix); }
   RCP<const Map> getDomainMap() const override { return graph_->getRowMap(); }
@@ -42,7 +43,8 @@ void MumpsSolver::parameters(Parameters& p) {
       "reuse iterations", reuse_iterations_, "-", closed(1, 100),
       "Iterations with an old factorisation after which the matrix is factored anew; a factorisation costs about ten");
   p.add("reproducible", reproducible_,
-        "On several ranks, factor on the first alone, so that a repeated run gives the same bits; false: on all ranks, which is "
+        "On several ranks, factor on the first alone, so that a repeated run gives the same bits; false: on all ranks, "
+        "which is "
         "faster for large problems but differs in the last digits from run to run");
 }
 
@@ -77,7 +79,8 @@ std::string MumpsSolver::factor() {
 
 std::vector<double> MumpsSolver::memory() {
   if (!factored_ || !(reuse_ || current_)) return {};
-  std::vector<double> memory{static_cast<double>(wait_), static_cast<double>(skip_), helped_ ? 1.0 : 0.0, current_ ? 1.0 : 0.0};
+  std::vector<double> memory{static_cast<double>(wait_), static_cast<double>(skip_), helped_ ? 1.0 : 0.0,
+                             current_ ? 1.0 : 0.0};
   memory.insert(memory.end(), factored_values_.begin(), factored_values_.end());
   return memory;
 }
@@ -85,7 +88,8 @@ std::vector<double> MumpsSolver::memory() {
 void MumpsSolver::restore(RCP<CrsMatrix> matrix, const std::vector<double>& memory) {
   {
     auto values = matrix->getLocalMatrixHost().values;
-    if (memory.size() != values.extent(0) + 4) throw std::logic_error("the direct solver's memory does not fit the matrix");
+    if (memory.size() != values.extent(0) + 4)
+      throw std::logic_error("the direct solver's memory does not fit the matrix");
     for (std::size_t i = 0; i < values.extent(0); ++i) values(i) = memory[i + 4];
   }
   matrix_ = matrix;

@@ -26,7 +26,8 @@ std::vector<int> BoxSearch::near(const Corners& around, double distance) const {
   const auto& [low, high] = around;
   std::vector<int> result;
   const double from = low[along_] - distance - longest_, to = high[along_] + distance;
-  auto box = std::lower_bound(boxes_.begin(), boxes_.end(), from, [this](const Box& b, double v) { return b.low[along_] < v; });
+  auto box = std::lower_bound(boxes_.begin(), boxes_.end(), from,
+                              [this](const Box& b, double v) { return b.low[along_] < v; });
   for (; box != boxes_.end() && box->low[along_] <= to; ++box) {
     bool apart = false;
     for (int i = 0; i < 2; ++i) apart = apart || box->low[i] > high[i] + distance || box->high[i] < low[i] - distance;

@@ -22,7 +22,7 @@ class BoxSearch {
   };
   std::vector<Box> boxes_;  // by low[along_]
   int along_ = 0;
-  double longest_ = 0;      // [m] extent of a box in that direction
+  double longest_ = 0;  // [m] extent of a box in that direction
 };
 
 }  // namespace mudline

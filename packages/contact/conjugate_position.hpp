@@ -6,8 +6,8 @@
 
 namespace mudline {
 
-/// Coordinates of the nodes moved on by `ahead` (by overlap dof, [m]; empty: x itself), see StepView::ahead_end: where gaps are
-/// measured in dynamic steps by contacts that conserve energy.
+/// Coordinates of the nodes moved on by `ahead` (by overlap dof, [m]; empty: x itself), see StepView::ahead_end: where
+/// gaps are measured in dynamic steps by contacts that conserve energy.
 ConstCoordinateView moved_ahead(const Space& space, const ConstCoordinateView& x, const ConstNodalView& ahead);
 
 /// The same of a body, which moves on with its velocity where its motion is prescribed; `lead` [s].

@@ -23,11 +23,20 @@ struct ContactContext {
   std::function<double(int block, int element)> stiffness;
 };
 
-/// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact type is
-/// constructible from a ContactContext, reads its parameters, and binds to sets and bodies in check(); all collective,
-/// every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
+/// What a contact presses together: the sides of one surface, and a body or the sides of another surface.
+struct ContactPartners {
+  std::string surface;
+  std::string opposite;             // side set; empty: a body
+  const RigidBody* body = nullptr;  // null: two surfaces
+  bool shear = false;               // friction may hold what lies along the surface
+};
+
+/// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact
+/// type is constructible from a ContactContext, reads its parameters, and binds to sets and bodies in check(); all
+/// collective, every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
 class Contact : public Term {
  public:
+  virtual ContactPartners partners() const = 0;
   /// Normal pressure [Pa] on the soil, compression positive, by local node (owned and ghost), averaged from the contact
   /// points around; 0 off the surface. For output. Collective.
   virtual std::vector<double> nodal_pressure(const State& state) const = 0;

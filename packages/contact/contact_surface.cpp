@@ -28,7 +28,8 @@ double chord(const ConstCoordinateView& x, const SurfaceSide& side) {
 
 }  // namespace
 
-ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures, const BodyUnknowns& body)
+ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures,
+                               const BodyUnknowns& body)
     : mesh_(space.mesh()), exchange_(mesh_), body_unknowns_(body.count) {
   int rows[2] = {0, 0};
   for (const Side& side : mesh_.side_sets().at(side_set)) {
@@ -56,7 +57,18 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
   }
   const long long local = static_cast<long long>(sides_.size());
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_SUM, local, Teuchos::outArg(num_global_sides_));
-  sides_at_node_ = count_sides(std::vector<char>(sides_.size(), 1));
+}
+
+std::vector<long long> ContactSurface::row_ids(const std::function<int(std::size_t side)>& rows) const {
+  constexpr long long most_rows = 64;
+  std::vector<long long> ids;
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    // an element has one side that begins at this node
+    const long long element = mesh_.blocks()[sides_[s].block].global_ids[sides_[s].element];
+    const long long side = element * mesh_.num_global_nodes() + mesh_.node_ids()[sides_[s].node[0]];
+    for (int row = 0; row < rows(s); ++row) ids.push_back(side * most_rows + row);
+  }
+  return ids;
 }
 
 double ContactSurface::shortest(const ConstCoordinateView& x) const {
@@ -71,23 +83,6 @@ double ContactSurface::longest(const ConstCoordinateView& x) const {
   for (const SurfaceSide& side : sides_) local = std::max(local, chord(x, side));
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MAX, local, Teuchos::outArg(global));
   return global;
-}
-
-std::vector<double> ContactSurface::count_sides(const std::vector<char>& side_flags) const {
-  std::vector<double> count(mesh_.num_nodes(), 0.0);
-  for (std::size_t s = 0; s < sides_.size(); ++s)
-    if (side_flags[s])
-      for (int a = 0; a < sides_[s].count; ++a) count[sides_[s].node[a]] += 1;
-  exchange_.sum_shared(count);
-  return count;
-}
-
-std::vector<char> ContactSurface::enclosed(const std::vector<char>& side_flags) const {
-  const std::vector<double> flagged = count_sides(side_flags);
-  std::vector<char> result(flagged.size(), 0);
-  for (std::size_t node = 0; node < flagged.size(); ++node)
-    result[node] = sides_at_node_[node] > 0 && flagged[node] == sides_at_node_[node];
-  return result;
 }
 
 std::vector<double> ContactSurface::mean(std::vector<double> weighted, std::vector<double> weights) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,24 +33,25 @@ class ContactSurface {
   /// Dofs of the sides with `count` nodes: (row, displacements node after node, then pore pressures, then the body's).
   const ElementDofs& dofs(int count) const { return dofs_[count - 2]; }
   /// How many of the first nodes of a side with `count` nodes have their pore pressure in its dofs.
-  int pressure_nodes(int count) const { return static_cast<int>(dofs_[count - 2].extent(1)) - 2 * count - body_unknowns_; }
+  int pressure_nodes(int count) const {
+    return static_cast<int>(dofs_[count - 2].extent(1)) - 2 * count - body_unknowns_;
+  }
+
+  /// Ids of rows that follow side after side, as many as `rows` says of each (less than 64); see ArrayInfo.
+  std::vector<long long> row_ids(const std::function<int(std::size_t side)>& rows) const;
 
   /// Shortest and longest distance between the corners of a side [m], over all ranks. Collective.
   double shortest(const ConstCoordinateView& x) const;
   double longest(const ConstCoordinateView& x) const;
 
-  /// By local node (owned and ghost): 1 for a node all of whose sides, on every rank, have a nonzero flag. Collective.
-  std::vector<char> enclosed(const std::vector<char>& side_flags) const;
   /// By local node: weighted mean over all ranks of values that were summed with their weights. Collective.
   std::vector<double> mean(std::vector<double> weighted, std::vector<double> weights) const;
 
  private:
-  std::vector<double> count_sides(const std::vector<char>& side_flags) const;
   const Mesh& mesh_;
   NodalExchange exchange_;
   std::vector<SurfaceSide> sides_;
   ElementDofs dofs_[2];
-  std::vector<double> sides_at_node_;
   long long num_global_sides_ = 0;
   int body_unknowns_ = 0;
 };

@@ -24,7 +24,10 @@ PlanePoint place(int node, const ConstCoordinateView& x) { return {x(node, 0), x
 
 }  // namespace
 
-SideShifts::SideShifts(const std::vector<PlanePoint>& from, const std::vector<PlanePoint>& to, const PlanePoint& chord) { measure(from, to, chord); }
+SideShifts::SideShifts(const std::vector<PlanePoint>& from, const std::vector<PlanePoint>& to,
+                       const PlanePoint& chord) {
+  measure(from, to, chord);
+}
 
 SideShifts::SideShifts(const SurfaceSide& side, const ConstCoordinateView& from, const ConstCoordinateView& to) {
   std::vector<PlanePoint> before, after;
@@ -35,7 +38,8 @@ SideShifts::SideShifts(const SurfaceSide& side, const ConstCoordinateView& from,
   measure(before, after, {before[1][0] - before[0][0], before[1][1] - before[0][1]});
 }
 
-void SideShifts::measure(const std::vector<PlanePoint>& from, const std::vector<PlanePoint>& to, const PlanePoint& chord) {
+void SideShifts::measure(const std::vector<PlanePoint>& from, const std::vector<PlanePoint>& to,
+                         const PlanePoint& chord) {
   const double length = std::hypot(chord[0], chord[1]);
   const PlanePoint along{chord[0] / length, chord[1] / length};
   for (std::size_t c = 0; c < from.size(); ++c) {

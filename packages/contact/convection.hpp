@@ -6,8 +6,8 @@
 
 namespace mudline {
 
-/// How far points of a side were moved along it under the material (ALE), and what becomes of a history that they carry:
-/// f + (s_new - s_old) df/ds with the slope of f along the side.
+/// How far points of a side were moved along it under the material (ALE), and what becomes of a history that they
+/// carry: f + (s_new - s_old) df/ds with the slope of f along the side.
 class SideShifts {
  public:
   /// Points that were at `from` and are at `to` [m]; `along` the side.

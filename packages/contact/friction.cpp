@@ -22,7 +22,8 @@ void CoulombFriction::parameters(Parameters& p) {
   p.required("coefficient", coefficient_, "-", non_negative(),
              "Friction coefficient: tangent of the interface's angle");
   p.add("kinetic coefficient", kinetic_, "-", non_negative(),
-        "Friction coefficient at high speed, approached exponentially by 'decay speed'; absent: the coefficient at all speeds");
+        "Friction coefficient at high speed, approached exponentially by 'decay speed'; absent: the coefficient at all "
+        "speeds");
   p.add("decay speed", decay_speed_, "m/s", non_negative(),
         "Speed along the surface at which 1/e of the difference between coefficient and kinetic coefficient is left");
   p.add("adhesion", adhesion_, "Pa", non_negative(), "Shear strength of a touching surface without normal traction");
@@ -34,7 +35,8 @@ void CoulombFriction::parameters(Parameters& p) {
 
 void CoulombFriction::check(const Section& section) const {
   const bool kinetic = section.has_parameter("kinetic coefficient"), speed = section.has_parameter("decay speed");
-  if (kinetic && !(decay_speed_ > 0)) section.fail("a kinetic coefficient needs a decay speed greater than 0 m/s", "decay speed");
+  if (kinetic && !(decay_speed_ > 0))
+    section.fail("a kinetic coefficient needs a decay speed greater than 0 m/s", "decay speed");
   if (speed && !kinetic) section.fail("has a meaning only together with a 'kinetic coefficient'", "decay speed");
 }
 

@@ -16,8 +16,8 @@ struct FrictionPoint {
 
 /// Largest shear stress that an interface carries.
 struct ShearStrength {
-  double value;  // [Pa] >= 0
-  double slope;  // [-] d value / d normal
+  double value;           // [Pa] >= 0
+  double slope;           // [-] d value / d normal
   double rate_slope = 0;  // [Pa s/m] d value / d rate
 };
 
@@ -42,8 +42,8 @@ class Friction {
   Traction traction_ = Traction::effective;
 };
 
-/// strength = adhesion + coefficient <normal>, at most the cap. With a kinetic coefficient the coefficient follows the speed,
-/// kinetic + (coefficient - kinetic) exp(-rate / decay speed).
+/// strength = adhesion + coefficient <normal>, at most the cap. With a kinetic coefficient the coefficient follows the
+/// speed, kinetic + (coefficient - kinetic) exp(-rate / decay speed).
 class CoulombFriction : public Friction {
  public:
   void parameters(Parameters& p);

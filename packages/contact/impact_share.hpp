@@ -2,9 +2,10 @@
 
 namespace mudline {
 
-/// Share of its penalty force that a contact point exerts on the mean over a dynamic step, as if the gap changed linearly. Without damping
-/// share * force * change of gap is the energy that the spring stores or gives back (a discrete gradient), however long the step; with
-/// it more is taken and less given back. Gaps are those of the conjugate positions, see StepView::ahead_end.
+/// Share of its penalty force that a contact point exerts on the mean over a dynamic step, as if the gap changed
+/// linearly. Without damping share * force * change of gap is the energy that the spring stores or gives back (a
+/// discrete gradient), however long the step; with it more is taken and less given back. Gaps are those of the
+/// conjugate positions, see StepView::ahead_end.
 struct ImpactShare {
   double value, slope;  // slope: by the gap at the end [1/m]
 };

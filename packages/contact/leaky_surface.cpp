@@ -8,8 +8,12 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 }
 
-LeakySurface::LeakySurface(const Space& space, const ContactSurface& surface, double conductance, const Function& outside)
-    : surface_(surface), conductance_(conductance), outside_(outside), axisymmetric_(space.mesh().geometry() == Geometry::axisymmetric),
+LeakySurface::LeakySurface(const Space& space, const ContactSurface& surface, double conductance,
+                           const Function& outside)
+    : surface_(surface),
+      conductance_(conductance),
+      outside_(outside),
+      axisymmetric_(space.mesh().geometry() == Geometry::axisymmetric),
       field_(space.find("pore pressure")) {
   const bool vertices = space.field(field_).support == Support::vertices;
   for (int count = 2; count <= 3; ++count) {
@@ -40,7 +44,8 @@ LeakySurface::SideMatrix LeakySurface::side_matrix(const SurfaceSide& side, cons
         x[i] += N[a] * view.x_old(side.node[a], i);
         along[i] += dN[a] * view.x_old(side.node[a], i);
       }
-    const double weight = conductance_ * rule.weights[q] * std::hypot(along[0], along[1]) * (axisymmetric_ ? 2 * pi * x[0] : 1.0);
+    const double weight =
+        conductance_ * rule.weights[q] * std::hypot(along[0], along[1]) * (axisymmetric_ ? 2 * pi * x[0] : 1.0);
     const double outside = outside_(view.balance.time, {x[0], x[1], 0});
     for (int a = 0; a < nodes; ++a) {
       result.outside[a] += weight * P[a] * outside;
@@ -58,8 +63,9 @@ void LeakySurface::add(const StepView& view, const ResidualView& f) const {
     const ElementDofs& dofs = dofs_[side.count - 2];
     const SideMatrix m = side_matrix(side, view);
     for (std::size_t a = 0; a < dofs.extent(1); ++a) {
-      f(dofs(side.row, a)) -= m.outside[a];
-      for (std::size_t b = 0; b < dofs.extent(1); ++b) f(dofs(side.row, a)) += m.k[a][b] * view.value(dofs(side.row, b));
+      double out = -m.outside[a];
+      for (std::size_t b = 0; b < dofs.extent(1); ++b) out += m.k[a][b] * view.value(dofs(side.row, b));
+      f.add(dofs(side.row, a), out);
     }
   }
 }

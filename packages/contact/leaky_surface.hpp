@@ -8,8 +8,8 @@
 
 namespace mudline {
 
-/// Water that leaves through a surface under a permeable body: R_p += int Np q ds, q = conductance (p - outside) [m/s], with
-/// the pore pressure at the level of the mass balance and the sides' lengths at the start of the step.
+/// Water that leaves through a surface under a permeable body: R_p += int Np q ds, q = conductance (p - outside) [m/s],
+/// with the pore pressure at the level of the mass balance and the sides' lengths at the start of the step.
 class LeakySurface {
  public:
   /// conductance [m/(Pa s)]; outside [Pa], a function of time and place.
@@ -23,7 +23,8 @@ class LeakySurface {
   void jacobian(const StepView& view, Assembler& assembler) const;
 
  private:
-  /// Matrix of one side: integral of the pressures' shapes [m2/(Pa s)], and the flux of the outside pressure [m3/s] by node.
+  /// Matrix of one side: integral of the pressures' shapes [m2/(Pa s)], and the flux of the outside pressure [m3/s] by
+  /// node.
   struct SideMatrix {
     double k[3][3], outside[3];
   };

@@ -41,9 +41,11 @@ std::vector<NodeChain> node_chains(const std::vector<MasterSurface::MasterSide>&
   return result;
 }
 
-std::vector<NodeChain> cut_at_corners(const std::vector<NodeChain>& chains, double angle, const ConstCoordinateView& x) {
+std::vector<NodeChain> cut_at_corners(const std::vector<NodeChain>& chains, double angle,
+                                      const ConstCoordinateView& x) {
   const auto turns = [&](int before, int at, int after) {
-    const double a[2] = {x(at, 0) - x(before, 0), x(at, 1) - x(before, 1)}, b[2] = {x(after, 0) - x(at, 0), x(after, 1) - x(at, 1)};
+    const double a[2] = {x(at, 0) - x(before, 0), x(at, 1) - x(before, 1)},
+                 b[2] = {x(after, 0) - x(at, 0), x(after, 1) - x(at, 1)};
     return std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])) > angle;
   };
   std::vector<NodeChain> result;

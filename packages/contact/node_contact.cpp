@@ -10,14 +10,24 @@ namespace column = node_column;
 
 void NodeParameters::parameters(Parameters& p) {
   TwoSurfaceParameters::parameters(p);
-  p.choice("master surface", drawing, {{"hermite", Drawing::hermite}, {"bezier", Drawing::bezier}, {"linear", Drawing::linear}, {"sides", Drawing::sides}},
-           "How the master is drawn over its nodes: hermite: smooth (C1) through them; bezier: smooth, from the middle between two nodes to the "
-           "next, with the node as control point; linear: straight from node to node; sides: the elements' own sides, straight or parabolic");
+  p.choice("master surface", drawing,
+           {{"hermite", Drawing::hermite},
+            {"bezier", Drawing::bezier},
+            {"linear", Drawing::linear},
+            {"sides", Drawing::sides}},
+           "How the master is drawn over its nodes: hermite: smooth (C1) through them; bezier: smooth, from the middle "
+           "between two nodes to the "
+           "next, with the node as control point; linear: straight from node to node; sides: the elements' own sides, "
+           "straight or parabolic");
   p.add("corner angle [deg]", corner_angle, "deg", Range{0, 180, true, false},
-        "Where straight lines between the master's nodes turn by more than this at the start, it has a corner, which stays one");
-  p.add("overhang", overhang, "-", non_negative(), "An open end of the master goes on for this fraction of its last piece");
+        "Where straight lines between the master's nodes turn by more than this at the start, it has a corner, which "
+        "stays one");
+  p.add("overhang", overhang, "-", non_negative(),
+        "An open end of the master goes on for this fraction of its last piece");
   active_set.parameters(p);
-  p.add("two-pass", two_pass, "The master's nodes look for the slave too, and each pass has half of the forces; with 'enforcement' = penalty");
+  p.add(
+      "two-pass", two_pass,
+      "The master's nodes look for the slave too, and each pass has half of the forces; with 'enforcement' = penalty");
   p.choice("impact", impact, {{"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
            "Dynamic steps, 'enforcement' = penalty: nodes exert the share of their force that does the work of "
            "the penalty spring (no impact adds energy), or what the integrator interpolates");
@@ -42,24 +52,34 @@ void NodeContact::check(const Section& section) {
   deck_.check(section, deck_.active_set.outer());
   deck_.active_set.check(section);
   if (deck_.active_set.outer() && section.has_parameter("impact") && deck_.impact == NodeParameters::Impact::conserving)
-    section.fail("conserving is for 'active set' = in newton: a node in tension has no share; allowed with outer loop: interpolated", "impact");
+    section.fail(
+        "conserving is for 'active set' = in newton: a node in tension has no share; allowed with outer loop: "
+        "interpolated",
+        "impact");
   if (deck_.active_set.outer() && deck_.two_pass)
-    section.fail("the two passes would not know of each other's sets; allowed with 'two-pass': in newton", "active set");
+    section.fail("the two passes would not know of each other's sets; allowed with 'two-pass': in newton",
+                 "active set");
   if (deck_.two_pass && deck_.augmented())
-    section.fail("two passes have more multipliers than the surfaces have freedom; allowed with 'two-pass': penalty", "enforcement");
+    section.fail("two passes have more multipliers than the surfaces have freedom; allowed with 'two-pass': penalty",
+                 "enforcement");
   if (deck_.augmented() && section.has_parameter("impact"))
-    section.fail("has a meaning only with 'enforcement' = penalty: its shares are those of the penalty spring's energy", "impact");
-  if ((deck_.drawing == Drawing::linear || deck_.drawing == Drawing::sides) && section.has_parameter("corner angle [deg]"))
-    section.fail("has a meaning only with a smooth 'master surface'; allowed with it: hermite, bezier", "corner angle [deg]");
+    section.fail("has a meaning only with 'enforcement' = penalty: its shares are those of the penalty spring's energy",
+                 "impact");
+  if ((deck_.drawing == Drawing::linear || deck_.drawing == Drawing::sides) &&
+      section.has_parameter("corner angle [deg]"))
+    section.fail("has a meaning only with a smooth 'master surface'; allowed with it: hermite, bezier",
+                 "corner angle [deg]");
   friction_ = friction_of_two(context_, section);
-  passes_.push_back(std::make_unique<NodePass>(NodePassSettings{&context_, &deck_, friction_.get(), deck_.two_pass ? 0.5 : 1.0, name() + "/"},
-                                               deck_.slave, deck_.master));
+  passes_.push_back(std::make_unique<NodePass>(
+      NodePassSettings{&context_, &deck_, friction_.get(), deck_.two_pass ? 0.5 : 1.0, name() + "/"}, deck_.slave,
+      deck_.master));
   if (deck_.two_pass)
-    passes_.push_back(std::make_unique<NodePass>(NodePassSettings{&context_, &deck_, friction_.get(), 0.5, name() + "/second "}, deck_.master,
-                                                 deck_.slave));
+    passes_.push_back(std::make_unique<NodePass>(
+        NodePassSettings{&context_, &deck_, friction_.get(), 0.5, name() + "/second "}, deck_.master, deck_.slave));
   const ContactSurface& slave = passes_[0]->slave();
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * slave.shortest(mesh.coordinates());
-  check_overlap_of_two(slave, section, deck_.slave, passes_[0]->least_gap(4 * slave.longest(mesh.coordinates()), mesh.coordinates()));
+  check_overlap_of_two(slave, section, deck_.slave,
+                       passes_[0]->least_gap(4 * slave.longest(mesh.coordinates()), mesh.coordinates()));
 }
 
 void NodeContact::declare_state(StateStore& store) {
@@ -89,12 +109,6 @@ void NodeContact::correction(const StepView&, const ResidualView& f) {
   for (auto& pass : passes_) pass->correction(f);
 }
 
-double NodeContact::magnitude_squared(int field) const {
-  double sum = 0;
-  for (const auto& pass : passes_) sum += field == displacement_ ? pass->magnitude_squared() : 0.0;
-  return sum;
-}
-
 void NodeContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
   for (auto& pass : passes_) pass->jacobian(view, assembler, weight);
 }
@@ -106,13 +120,16 @@ Augmentation NodeContact::augment(const StepView& view, int count) {
     count -= passes_[0]->active_set().updates(trial);
   }
   if (!deck_.augmented()) return {};
-  const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, passes_[0]->misfit(trial), count, *context_.space.mesh().comm());
+  const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, passes_[0]->misfit(trial), count,
+                                       *context_.space.mesh().comm());
   if (end) return *end;
   passes_[0]->augment(trial);
   return {true, ""};
 }
 
-std::string NodeContact::hint(const StepView&) const { return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_); }
+std::string NodeContact::hint(const StepView&) const {
+  return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
+}
 
 void NodeContact::histories(const StepView& view, std::map<std::string, double>& values) {
   const State& state = *view.committed;
@@ -130,7 +147,7 @@ void NodeContact::histories(const StepView& view, std::map<std::string, double>&
   const Comm& comm = *context_.space.mesh().comm();
   const SlaveSums all = report_slave(comm, name(), deck_, here, values);
   if (deck_.augmented()) {
-    const auto [gap, stretch] = passes_[0]->misfit(state).largest(comm);
+    const auto [gap, stretch, spring] = passes_[0]->misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;
     if (friction_) values[name() + "/stretch [m]"] = stretch;
   }

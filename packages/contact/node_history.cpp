@@ -14,7 +14,8 @@ bool NodePass::sticks(const State& state, int row) const {
   return settings_.friction && points(row, column::pressure) > 0 && points(row, column::slides) == 0;
 }
 
-std::optional<Augmentation> NodePass::update_active_set(const State& trial, const std::string& contact, double gap_tolerance) const {
+std::optional<Augmentation> NodePass::update_active_set(const State& trial, const std::string& contact,
+                                                        double gap_tolerance) const {
   const auto pressed = [&](int row) {
     if (!(rows_[row].area > 0)) return capture_;
     return trial.arrays[points_](row, column::gap) - trial.arrays[multipliers_](row, 0) / penalty(trial, row);
@@ -26,16 +27,23 @@ Misfit NodePass::misfit(const State& state) const {
   const int nodes = mesh_.num_nodes();
   std::vector<double> normal(nodes, 0.0), shear(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
   const PointView &points = state.arrays[points_], &multipliers = state.arrays[multipliers_];
+  double spring = 0;
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
     const int node = rows_[row].node;
     const double length = rows_[row].length;
+    spring = std::max(spring, points(row, column::pressure) / penalty(state, row));
     normal[node] += length * (points(row, column::pressure) - multipliers(row, 0));
     if (sticks(state, row)) shear[node] += length * (points(row, column::shear) - multipliers(row, 1));
     lengths[node] += length;
     stiffnesses[node] += length * penalty(state, row);
   }
-  return {slave_, std::move(normal), std::move(shear), std::move(lengths), std::move(stiffnesses),
-          settings_.friction ? settings_.friction->tangential_factor() : 0.0};
+  return {slave_,
+          std::move(normal),
+          std::move(shear),
+          std::move(lengths),
+          std::move(stiffnesses),
+          settings_.friction ? settings_.friction->tangential_factor() : 0.0,
+          spring};
 }
 
 void NodePass::augment(const State& trial) const {
@@ -51,8 +59,9 @@ void NodePass::relocate(const ConstCoordinateView& x_old, State& committed) cons
   std::size_t first = 0;
   for (const SurfaceSide& side : slave_.sides()) {
     const SideShifts shifts(side, x_old, committed.coordinates);
-    for (const auto& [array, c] : {std::pair{points_, static_cast<int>(column::shear)}, std::pair{points_, static_cast<int>(column::slip)},
-                                   std::pair{multipliers_, 0}, std::pair{multipliers_, 1}})
+    for (const auto& [array, c] :
+         {std::pair{points_, static_cast<int>(column::shear)}, std::pair{points_, static_cast<int>(column::slip)},
+          std::pair{multipliers_, 0}, std::pair{multipliers_, 1}})
       shifts.convect(committed.arrays[array], static_cast<int>(first), c);
     for (int a = 0; a < side.count; ++a) {
       double& normal = committed.arrays[multipliers_](first + a, 0);
@@ -62,7 +71,9 @@ void NodePass::relocate(const ConstCoordinateView& x_old, State& committed) cons
   }
 }
 
-void NodePass::adopt(const State& evaluated, State& committed) const { Kokkos::deep_copy(committed.arrays[points_], evaluated.arrays[points_]); }
+void NodePass::adopt(const State& evaluated, State& committed) const {
+  Kokkos::deep_copy(committed.arrays[points_], evaluated.arrays[points_]);
+}
 
 double NodePass::sum(const State& state, int c) const {
   double result = 0;
@@ -75,7 +86,8 @@ double NodePass::damping_heat(const State& state) const { return damping_ < 0 ? 
 double NodePass::deepest(const State& state) const {
   double result = 0;
   for (std::size_t row = 0; row < rows_.size(); ++row)
-    if (state.arrays[points_](row, column::pressure) > 0) result = std::max(result, -state.arrays[points_](row, column::gap));
+    if (state.arrays[points_](row, column::pressure) > 0)
+      result = std::max(result, -state.arrays[points_](row, column::gap));
   return result;
 }
 

@@ -16,12 +16,18 @@ constexpr int quadrature_degree = 5;  // of tributary areas: exact on parabolic 
 }  // namespace
 
 NodePass::NodePass(const NodePassSettings& settings, const std::string& slave, const std::string& master)
-    : settings_(settings), mesh_(settings.context->space.mesh()), slave_(settings.context->space, slave, false, BodyUnknowns()), sides_(mesh_, master),
-      surface_(sides_.sides(), settings.deck->drawing, settings.deck->corner_angle * pi / 180, settings.deck->overhang, mesh_.coordinates()),
-      displacement_(settings.context->space.find("displacement")), axisymmetric_(mesh_.geometry() == Geometry::axisymmetric) {
+    : settings_(settings),
+      mesh_(settings.context->space.mesh()),
+      slave_(settings.context->space, slave, false, BodyUnknowns()),
+      sides_(mesh_, master),
+      surface_(sides_.sides(), settings.deck->drawing, settings.deck->corner_angle * pi / 180, settings.deck->overhang,
+               mesh_.coordinates()),
+      displacement_(settings.context->space.find("displacement")),
+      axisymmetric_(mesh_.geometry() == Geometry::axisymmetric) {
   for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(ContactPoints::nodes, nodes, quadrature_degree);
   for (std::size_t s = 0; s < slave_.sides().size(); ++s)
-    for (int a = 0; a < slave_.sides()[s].count; ++a) rows_.push_back({static_cast<int>(s), slave_.sides()[s].node[a], 0, 0, {}, {}});
+    for (int a = 0; a < slave_.sides()[s].count; ++a)
+      rows_.push_back({static_cast<int>(s), slave_.sides()[s].node[a], 0, 0, {}, {}});
   measure(mesh_.coordinates());
   capture_ = slave_.longest(mesh_.coordinates());
 }
@@ -29,24 +35,30 @@ NodePass::NodePass(const NodePassSettings& settings, const std::string& slave, c
 void NodePass::declare_state(StateStore& store) {
   const int rows = static_cast<int>(rows_.size());
   ArrayInfo points, penalties;
+  points.ids = slave_.row_ids([this](std::size_t s) { return slave_.sides()[s].count; });
+  penalties.ids = slave_.row_ids([](std::size_t) { return 1; });
+  const std::vector<long long> ids = points.ids;
   points.name = settings_.prefix + "points";
-  points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"},  {"slides", 1, "-"}, {"force x", 1, "N"}, {"force y", 1, "N"},
-                      {"area", 1, "m2"},   {"length", 1, "m"},    {"slip", 1, "m"},    {"heat", 1, "J"},   {"piece", 1, "-"},   {"eta", 1, "-"}};
+  points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"slides", 1, "-"},
+                      {"force x", 1, "N"}, {"force y", 1, "N"},   {"area", 1, "m2"},  {"length", 1, "m"},
+                      {"slip", 1, "m"},    {"heat", 1, "J"},      {"piece", 1, "-"},  {"eta", 1, "-"}};
   points_ = store.declare(std::move(points), rows);
   penalties.name = settings_.prefix + "penalty";
   penalties.variables = {{"penalty", 1, "Pa/m"}};
   penalties_ = store.declare(std::move(penalties), static_cast<int>(slave_.sides().size()));
   ArrayInfo multipliers;
   multipliers.name = settings_.prefix + "multipliers";
+  multipliers.ids = ids;
   multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
   multipliers_ = store.declare(std::move(multipliers), rows);
   if (settings_.deck->damping > 0) {
     ArrayInfo damping;
     damping.name = settings_.prefix + "damping";
+    damping.shares = true;
     damping.variables = {{"heat", 1, "J"}};
     damping_ = store.declare(std::move(damping), 1);
   }
-  if (settings_.deck->active_set.outer()) active_set_.declare_state(store, settings_.prefix, rows);
+  if (settings_.deck->active_set.outer()) active_set_.declare_state(store, settings_.prefix, ids);
 }
 
 int NodePass::place(int row, int piece) const {
@@ -55,7 +67,8 @@ int NodePass::place(int row, int piece) const {
 }
 
 void NodePass::sparsity(Assembler& assembler) {
-  // every node and piece within reach have their place from the start: the graph, and with it the order of all sums, never changes
+  // every node and piece within reach have their place from the start: the graph, and with it the order of all sums,
+  // never changes
   const auto& x = mesh_.coordinates();
   const auto& first = settings_.context->space.node_dof(displacement_);
   const double distance = settings_.deck->reach > 0 ? settings_.deck->reach : 1e300;
@@ -69,7 +82,8 @@ void NodePass::sparsity(Assembler& assembler) {
   for (std::size_t p = 0; p < places.size(); ++p)
     for (int i = 0; i < 2; ++i) {
       table(p, i) = first(rows_[places[p].first].node) + i;
-      for (int j = 0; j < max_piece_nodes; ++j) table(p, 2 + 2 * j + i) = first(surface_.pieces()[places[p].second].node[j]) + i;
+      for (int j = 0; j < max_piece_nodes; ++j)
+        table(p, 2 + 2 * j + i) = first(surface_.pieces()[places[p].second].node[j]) + i;
     }
   dofs_ = table;
   group_ = assembler.add_group(dofs_);
@@ -104,7 +118,8 @@ void NodePass::begin(const StepView& view) {
   const double longest = slave_.longest(view.x_old);
   capture_ = settings_.deck->capture_distance > 0 ? settings_.deck->capture_distance : longest;
   touch_ = 1e-9 * longest;
-  for (Row& row : rows_) row.candidates = surface_.near({view.x_old(row.node, 0), view.x_old(row.node, 1)}, 2 * capture_);
+  for (Row& row : rows_)
+    row.candidates = surface_.near({view.x_old(row.node, 0), view.x_old(row.node, 1)}, 2 * capture_);
   if (active_set_.used()) start_active_set(view);
 }
 
@@ -125,7 +140,9 @@ void NodePass::start_active_set(const StepView& view) const {
 
 bool NodePass::look(int row, const ConstCoordinateView& x, double capture, Seen& seen) const {
   const Row& at = rows_[row];
-  if (!(at.area > 0) || !surface_.find_foot(at.candidates, {x(at.node, 0), x(at.node, 1)}, at.facing, capture, x, seen.piece, seen.foot)) return false;
+  if (!(at.area > 0) ||
+      !surface_.find_foot(at.candidates, {x(at.node, 0), x(at.node, 1)}, at.facing, capture, x, seen.piece, seen.foot))
+    return false;
   seen.place = place(row, seen.piece);
   return true;
 }
@@ -135,7 +152,8 @@ NodeCoordinates NodePass::coordinates(int row, int piece, const ConstCoordinateV
 }
 
 bool NodePass::conserves(const StepView& view) const {
-  return view.inertia && view.sensitivity[displacement_].value > 0 && !settings_.deck->augmented() && !active_set_.used() && settings_.deck->impact == NodeParameters::Impact::conserving;
+  return view.inertia && view.sensitivity[displacement_].value > 0 && !settings_.deck->augmented() &&
+         !active_set_.used() && settings_.deck->impact == NodeParameters::Impact::conserving;
 }
 
 NodePass::Positions NodePass::positions(const StepView& view) const {
@@ -173,7 +191,9 @@ NodeLaw NodePass::law(const StepView& view, int row) const {
 
 void NodePass::write_away(const StepView& view, int row) const {
   const PointView &rows = view.trial->arrays[points_], &old = view.committed->arrays[points_];
-  for (int c : {column::pressure, column::shear, column::slides, column::force_x, column::force_y, column::area, column::eta}) rows(row, c) = 0;
+  for (int c :
+       {column::pressure, column::shear, column::slides, column::force_x, column::force_y, column::area, column::eta})
+    rows(row, c) = 0;
   rows(row, column::gap) = capture_;
   rows(row, column::length) = rows_[row].length;
   rows(row, column::slip) = old(row, column::slip);
@@ -192,7 +212,6 @@ void NodePass::old_force(const State& committed, int row, const SurfacePiece& pi
 }
 
 int NodePass::residual(const StepView& view, const ResidualView& f) {
-  magnitude_ = 0;
   correction_.clear();
   int failures = 0;
   const PointView &points = view.trial->arrays[points_], &old = view.committed->arrays[points_];
@@ -209,17 +228,18 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
     }
     const NodeLaw acting = law(view, row);
     const SurfacePiece& piece = surface_.pieces()[seen.piece];
-    node_force(acting, piece, seen.foot, coordinates(row, seen.piece, at.old), coordinates(row, seen.piece, at.end), false, force);
+    node_force(acting, piece, seen.foot, coordinates(row, seen.piece, at.old), coordinates(row, seen.piece, at.end),
+               false, force);
     if (force.presses && seen.place < 0) ++failures;
     if (seen.place < 0) force = {};
     for (int a = 0; a < node_dofs && force.presses; ++a) {
       const int dof = dofs_(seen.place, a);
-      f(dof) -= force.f[a];
-      magnitude_ += force.f[a] * force.f[a];
+      f.add(dof, -force.f[a]);
       if (force.share != 1) correction_.emplace_back(dof, (1 - alpha) * (force.share - 1) * force.f[a]);
     }
     add_old_share(view, row, force.gap);
-    for (int a = 0; a < node_dofs && force.damped != 0; ++a) correction_.emplace_back(dofs_(seen.place, a), force.damping[a]);
+    for (int a = 0; a < node_dofs && force.damped != 0; ++a)
+      correction_.emplace_back(dofs_(seen.place, a), force.damping[a]);
     damped += force.damped;
     const double area = acting.area;
     points(row, column::gap) = force.gap;
@@ -246,36 +266,42 @@ void NodePass::add_old_share(const StepView& view, int row, double gap) {
   if (there < 0) return;
   double before[node_dofs];
   old_force(*view.committed, row, surface_.pieces()[was], before);
-  const double factor = start_share(old(row, column::gap), gap, view.damping).value - (1 - view.sensitivity[displacement_].value);
+  const double factor =
+      start_share(old(row, column::gap), gap, view.damping).value - (1 - view.sensitivity[displacement_].value);
   for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(there, a), factor * before[a]);
 }
 
 void NodePass::correction(const ResidualView& f) const {
-  for (const auto& [dof, share] : correction_) f(dof) -= share;
+  for (const auto& [dof, share] : correction_) f.add(dof, -share);
 }
 
 void NodePass::jacobian(const StepView& view, Assembler& assembler, double weight) {
   const MatrixScatter to = assembler.scatter(group_);
   const PointView& old = view.committed->arrays[points_];
   const bool conserving = conserves(view);
-  const double end_weight = view.sensitivity[displacement_].value, moved = conserving ? view.sensitivity[displacement_].conjugate : 1.0;
+  const double end_weight = view.sensitivity[displacement_].value,
+               moved = conserving ? view.sensitivity[displacement_].conjugate : 1.0;
   NodeForce force;
   const Positions at = positions(view);
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
     Seen seen;
     if (!look(row, at.end, capture_, seen) || seen.place < 0) continue;
     const SurfacePiece& piece = surface_.pieces()[seen.piece];
-    node_force(law(view, row), piece, seen.foot, coordinates(row, seen.piece, at.old), coordinates(row, seen.piece, at.end), true, force);
+    node_force(law(view, row), piece, seen.foot, coordinates(row, seen.piece, at.old),
+               coordinates(row, seen.piece, at.end), true, force);
     if (force.presses || force.damped != 0)
       for (int a = 0; a < node_dofs; ++a)
         for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * moved * force.k[a][b]);
-    const double slope = conserving && old(row, column::pressure) > 0 ? start_share(old(row, column::gap), force.gap, view.damping).slope : 0.0;
+    const double slope = conserving && old(row, column::pressure) > 0
+                             ? start_share(old(row, column::gap), force.gap, view.damping).slope
+                             : 0.0;
     // across two pieces the matrix has no place for the change of a leaving force
     if (slope == 0 || static_cast<int>(old(row, column::piece)) != seen.piece) continue;
     double before[node_dofs];
     old_force(*view.committed, row, piece, before);
     for (int a = 0; a < node_dofs; ++a)
-      for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * moved * slope / end_weight * before[a] * force.gap_slope[b]);
+      for (int b = 0; b < node_dofs; ++b)
+        to.add(seen.place, a, b, -weight * moved * slope / end_weight * before[a] * force.gap_slope[b]);
   }
 }
 

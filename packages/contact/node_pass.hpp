@@ -22,11 +22,13 @@ struct NodePassSettings {
   std::string prefix;        // of its state arrays
 };
 
-/// The nodes of one surface against another one, drawn over its nodes. Rows: the nodes of each slave side, with their tributary
-/// area of that side, so that a node between two sides has two rows; a rank has the rows of its sides.
+/// The nodes of one surface against another one, drawn over its nodes. Rows: the nodes of each slave side, with their
+/// tributary area of that side, so that a node between two sides has two rows; a rank has the rows of its sides.
 ///
-/// State arrays, a row each: "<prefix>points", see node_column; "<prefix>multipliers" (normal and shear, augmented Lagrangian);
-/// "<prefix>active set" (see ActiveSet), "<prefix>penalty" (a row per side, frozen when the contact first starts a step),
+/// State arrays, a row each: "<prefix>points", see node_column; "<prefix>multipliers" (normal and shear, augmented
+/// Lagrangian);
+/// "<prefix>active set" (see ActiveSet), "<prefix>penalty" (a row per side, frozen when the contact first starts a
+/// step),
 /// "<prefix>damping" (with damping, one row: its heat so far).
 class NodePass {
  public:
@@ -42,11 +44,11 @@ class NodePass {
   /// Adds to f; returns the number of nodes that touch where the matrix has no place.
   int residual(const StepView& view, const ResidualView& f);
   void correction(const ResidualView& f) const;
-  double magnitude_squared() const { return magnitude_; }
   void jacobian(const StepView& view, Assembler& assembler, double weight);
 
   const ActiveSet& active_set() const { return active_set_; }
-  std::optional<Augmentation> update_active_set(const State& trial, const std::string& contact, double gap_tolerance) const;
+  std::optional<Augmentation> update_active_set(const State& trial, const std::string& contact,
+                                                double gap_tolerance) const;
   Misfit misfit(const State& state) const;
   /// One step of Uzawa's method.
   void augment(const State& trial) const;
@@ -64,10 +66,10 @@ class NodePass {
 
  private:
   struct Row {
-    int side, node;            // on this rank
-    double area = 0;           // [m2] tributary, at the start of the step, with the pass's share
-    double length = 0;         // [m] the same without the circumference
-    PlanePoint facing{};       // along the side
+    int side, node;       // on this rank
+    double area = 0;      // [m2] tributary, at the start of the step, with the pass's share
+    double length = 0;    // [m] the same without the circumference
+    PlanePoint facing{};  // along the side
     std::vector<int> candidates;
   };
   struct Seen {
@@ -101,12 +103,11 @@ class NodePass {
   SmoothSurface surface_;
   std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
   std::vector<Row> rows_;
-  ActiveSet active_set_;            // used with the outer loop only
+  ActiveSet active_set_;                         // used with the outer loop only
   std::unordered_map<long long, int> place_of_;  // (row, piece)
   ElementDofs dofs_;
   int group_ = -1, displacement_ = -1;
-  double capture_ = 0, touch_ = 0;  // [m] of this step
-  double magnitude_ = 0;
+  double capture_ = 0, touch_ = 0;                  // [m] of this step
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false, predicting_ = false;
   int points_ = -1, multipliers_ = -1, penalties_ = -1, damping_ = -1;  // state handles

@@ -39,7 +39,8 @@ Positions<double> plain(const NodeCoordinates& x) {
 template <class T>
 Positions<T> variables(const NodeCoordinates& x) {
   Positions<T> result{{T(x.slave[0], 0), T(x.slave[1], 1)}, {}};
-  for (int j = 0; j < max_piece_nodes; ++j) result.master[j] = {T(x.master[j][0], 2 + 2 * j), T(x.master[j][1], 3 + 2 * j)};
+  for (int j = 0; j < max_piece_nodes; ++j)
+    result.master[j] = {T(x.master[j][0], 2 + 2 * j), T(x.master[j][1], 3 + 2 * j)};
   return result;
 }
 
@@ -100,8 +101,8 @@ Geometry<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Positi
 
 /// Shear stress of a node that presses.
 template <class T>
-T shear_stress(const NodeLaw& law, const Geometry<T>& g, const SurfacePiece& piece, const Positions<T>& x, const Positions<double>& old,
-               const T& pressure, NodeForce& out) {
+T shear_stress(const NodeLaw& law, const Geometry<T>& g, const SurfacePiece& piece, const Positions<T>& x,
+               const Positions<double>& old, const T& pressure, NodeForce& out) {
   Vec<T> was_master[max_piece_nodes];
   for (int j = 0; j < max_piece_nodes; ++j) was_master[j] = {T(old.master[j].x), T(old.master[j].y)};
   const Vec<T> was{T(old.slave.x), T(old.slave.y)}, foot_was = combine(piece, g.W, was_master);
@@ -112,8 +113,8 @@ T shear_stress(const NodeLaw& law, const Geometry<T>& g, const SurfacePiece& pie
   const double stiffness = law.friction->tangential_factor() * law.penalty;
   T stress = law.shear - stiffness * travel;
   if (law.first_guess) return stress;
-  const ShearStrength strength =
-      law.friction->strength({value(pressure), {old.slave.x, old.slave.y}, law.slip, law.time, std::abs(value(travel)) / law.dt});
+  const ShearStrength strength = law.friction->strength(
+      {value(pressure), {old.slave.x, old.slave.y}, law.slip, law.time, std::abs(value(travel)) / law.dt});
   const double trial = value(stress);
   if (std::abs(trial) <= strength.value) return stress;
   const double direction = trial > 0 ? 1 : -1;
@@ -141,18 +142,19 @@ void spread(const SurfacePiece& piece, const Geometry<T>& g, const T& x, const T
 
 /// Damping of a node with this pressure, also of one that left in the step.
 template <class T>
-void add_damping(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g, const T& pressure, const StepShares& shares, Forces<T>& result,
-                 NodeForce& out) {
+void add_damping(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g, const T& pressure,
+                 const StepShares& shares, Forces<T>& result, NodeForce& out) {
   const ContactDamping viscous = contact_damping(law.viscous, law.gap_old, out.gap, law.dt);
-  const T mean = chain(g.gap, shares.start.value, shares.start.slope) * law.normal_old + chain(g.gap, shares.end.value, shares.end.slope) * pressure * law.area;
+  const T mean = chain(g.gap, shares.start.value, shares.start.slope) * law.normal_old +
+                 chain(g.gap, shares.end.value, shares.end.slope) * pressure * law.area;
   const T size = chain(g.gap, viscous.factor, viscous.slope) * mean;
   out.damped = value(size) * (law.gap_old - out.gap);
   spread(piece, g, size * g.normal.x, size * g.normal.y, result.damping);
 }
 
 template <class T>
-void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const Positions<double>& old, const Positions<T>& x,
-              Forces<T>& result, NodeForce& out) {
+void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const Positions<double>& old,
+              const Positions<T>& x, Forces<T>& result, NodeForce& out) {
   const Geometry<T> g = geometry(piece, foot, x);
   result.gap = g.gap;
   result.share = T(1.0);
@@ -164,7 +166,8 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
   if (open) pressure = T(0.0);
   if (!law.fixed && value(pressure) < 0) pressure = chain(pressure, 0.0, 1.0);
   const bool conserves = law.end_weight > 0;
-  const StepShares shares = conserves ? conserving_shares(law.gap_old, out.gap, law.damping) : interpolated_shares(law.start_weight);
+  const StepShares shares =
+      conserves ? conserving_shares(law.gap_old, out.gap, law.damping) : interpolated_shares(law.start_weight);
   if (law.viscous > 0 && (!open || law.normal_old > 0)) add_damping(law, piece, g, pressure, shares, result, out);
   if (open) return;
   out.presses = true;
@@ -173,13 +176,14 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
   if (law.friction) shear = shear_stress(law, g, piece, x, old, pressure, out);
   out.shear = value(shear);
   if (conserves) result.share = chain(g.gap, shares.end.value / law.end_weight, shares.end.slope / law.end_weight);
-  spread(piece, g, (pressure * g.normal.x + shear * g.along.x) * law.area, (pressure * g.normal.y + shear * g.along.y) * law.area, result.end);
+  spread(piece, g, (pressure * g.normal.x + shear * g.along.x) * law.area,
+         (pressure * g.normal.y + shear * g.along.y) * law.area, result.end);
 }
 
 }  // namespace
 
-void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old, const NodeCoordinates& now,
-                bool want_tangent, NodeForce& out) {
+void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
+                const NodeCoordinates& now, bool want_tangent, NodeForce& out) {
   out = {};
   if (!want_tangent) {
     Forces<double> force;

@@ -28,8 +28,8 @@ void add(const PairSums& from, PairSums& to) {
   to.deepest = std::min(to.deepest, from.deepest);
 }
 
-/// Values at the corners of the linear field whose weighted integrals over the touching part are given; the mean where that
-/// part is too short to tell a slope.
+/// Values at the corners of the linear field whose weighted integrals over the touching part are given; the mean where
+/// that part is too short to tell a slope.
 std::array<double, 2> corner_values(const double (&mass)[2][2], const double (&integrals)[2]) {
   const double whole = mass[0][0] + 2 * mass[0][1] + mass[1][1];
   if (!(whole > 0)) return {0, 0};
@@ -47,9 +47,13 @@ std::array<double, 2> corner_values(const double (&mass)[2][2], const double (&i
 void PairContact::declare_state(StateStore& store) {
   const int rows = static_cast<int>(slave_->sides().size());
   ArrayInfo sides, multipliers, penalties, heat;
+  sides.ids = multipliers.ids = slave_->row_ids([](std::size_t) { return side_multipliers; });
+  penalties.ids = slave_->row_ids([](std::size_t) { return 1; });
+  heat.shares = true;
   sides.name = name() + "/sides";
-  sides.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"deepest", 1, "m"}, {"force x", 1, "N"},
-                     {"force y", 1, "N"}, {"slides", 1, "m"},    {"area", 1, "m2"},  {"misfit", 1, "N/m"}, {"stretch", 1, "N/m"}};
+  sides.variables = {{"gap", 1, "m"},      {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"deepest", 1, "m"},
+                     {"force x", 1, "N"},  {"force y", 1, "N"},   {"slides", 1, "m"}, {"area", 1, "m2"},
+                     {"misfit", 1, "N/m"}, {"stretch", 1, "N/m"}};
   sides_ = store.declare(std::move(sides), side_multipliers * rows);
   multipliers.name = name() + "/multipliers";
   multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
@@ -63,7 +67,8 @@ void PairContact::declare_state(StateStore& store) {
 }
 
 void PairContact::sparsity(Assembler& assembler) {
-  // Every pair of sides within reach has its place from the start: the graph, and with it the order of all sums, never changes.
+  // Every pair of sides within reach has its place from the start: the graph, and with it the order of all sums, never
+  // changes.
   const auto& x = context_.space.mesh().coordinates();
   const auto& first = context_.space.node_dof(displacement_);
   const auto& sides = slave_->sides();
@@ -156,13 +161,13 @@ void PairContact::write_side(const State& trial, int slave, const PairSums& sums
     rows(row, column::force_y) = 0.5 * force[1];
     rows(row, column::slides) = 0.5 * sums.sliding;
     rows(row, column::area) = 0.5 * sums.area;
-    rows(row, column::misfit) = sums.pressure[a] - whole[a][0] * multipliers(first, 0) - whole[a][1] * multipliers(first + 1, 0);
+    rows(row, column::misfit) =
+        sums.pressure[a] - whole[a][0] * multipliers(first, 0) - whole[a][1] * multipliers(first + 1, 0);
     rows(row, column::stretch) = sums.stretch[a];
   }
 }
 
 int PairContact::residual(const StepView& view, const ResidualView& f) {
-  magnitude_ = 0;
   beyond_reach_ = false;
   int failures = 0;
   correction_.clear();
@@ -174,7 +179,8 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
     double force[2] = {0, 0};
     const PairLaw side_law = law(view, s);
     for (; pair != pairs_.end() && pair->slave == s; ++pair) {
-      if (!pair_segment(side_law, coordinates(*pair, view.x_old), coordinates(*pair, view.x_end), false, side_force)) continue;
+      if (!pair_segment(side_law, coordinates(*pair, view.x_old), coordinates(*pair, view.x_end), false, side_force))
+        continue;
       if (pair->row < 0 && side_force.sums.area > 0) {
         beyond_reach_ = true;
         ++failures;
@@ -182,8 +188,7 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
       if (pair->row < 0) continue;
       add(side_force.sums, sums);
       for (int a = 0; a < 4 * nodes_; ++a) {
-        f(dofs_(pair->row, a)) -= side_force.f[a];
-        magnitude_ += side_force.f[a] * side_force.f[a];
+        f.add(dofs_(pair->row, a), -side_force.f[a]);
         if (side_force.damping[a] != 0) correction_.emplace_back(dofs_(pair->row, a), side_force.damping[a]);
         if (a < 2 * nodes_) force[a % 2] += side_force.f[a];
       }
@@ -198,7 +203,7 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
 }
 
 void PairContact::correction(const StepView&, const ResidualView& f) {
-  for (const auto& [dof, force] : correction_) f(dof) -= force;
+  for (const auto& [dof, force] : correction_) f.add(dof, -force);
 }
 
 void PairContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
@@ -206,7 +211,8 @@ void PairContact::jacobian(const StepView& view, Assembler& assembler, double we
   PairForce force;
   for (const Pair& pair : pairs_) {
     if (pair.row < 0) continue;
-    if (!pair_segment(law(view, pair.slave), coordinates(pair, view.x_old), coordinates(pair, view.x_end), true, force)) continue;
+    if (!pair_segment(law(view, pair.slave), coordinates(pair, view.x_old), coordinates(pair, view.x_end), true, force))
+      continue;
     if (!(force.sums.area > 0) && force.sums.damped == 0) continue;
     for (int a = 0; a < 4 * nodes_; ++a)
       for (int b = 0; b < 4 * nodes_; ++b) to.add(pair.row, a, b, -weight * force.k[a][b]);

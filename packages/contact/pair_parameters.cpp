@@ -7,7 +7,8 @@ namespace mudline {
 
 void PairParameters::parameters(Parameters& p) {
   TwoSurfaceParameters::parameters(p);
-  p.add("quadrature degree", quadrature_degree, "-", closed(1, 11), "Polynomial degree that the integration over a segment is exact for");
+  p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
+        "Polynomial degree that the integration over a segment is exact for");
 }
 
 void PairContact::document(Parameters& p) {

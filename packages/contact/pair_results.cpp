@@ -27,6 +27,7 @@ std::array<std::array<double, 2>, 2> PairContact::mass(int slave, const ConstCoo
 Misfit PairContact::misfit(const State& state) const {
   const int nodes = context_.space.mesh().num_nodes();
   std::vector<double> normal(nodes, 0.0), shear(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
+  double spring = 0;
   for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
     const auto whole = mass(static_cast<int>(s), state.coordinates);
     for (int a = 0; a < side_multipliers; ++a) {
@@ -35,18 +36,26 @@ Misfit PairContact::misfit(const State& state) const {
       shear[node] += state.arrays[sides_](row, column::stretch);
       lengths[node] += whole[a][0] + whole[a][1];
       stiffnesses[node] += (whole[a][0] + whole[a][1]) * state.arrays[penalties_](s, 0);
+      spring = std::max(spring, state.arrays[sides_](row, column::pressure) / state.arrays[penalties_](s, 0));
     }
   }
-  return {*slave_, std::move(normal), std::move(shear), std::move(lengths), std::move(stiffnesses),
-          friction_ ? friction_->tangential_factor() : 0.0};
+  return {*slave_,
+          std::move(normal),
+          std::move(shear),
+          std::move(lengths),
+          std::move(stiffnesses),
+          friction_ ? friction_->tangential_factor() : 0.0,
+          spring};
 }
 
 Augmentation PairContact::augment(const StepView& view, int count) {
   if (!deck_.augmented()) return {};
   const State& trial = *view.trial;
   const Misfit rest = misfit(trial);
-  if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm())) return *end;
-  const ShapeMass masses = [&](const std::vector<double>& values, std::vector<double>& product, std::vector<double>& lengths) {
+  if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm()))
+    return *end;
+  const ShapeMass masses = [&](const std::vector<double>& values, std::vector<double>& product,
+                               std::vector<double>& lengths) {
     for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
       const auto whole = mass(static_cast<int>(s), trial.coordinates);
       const int* node = slave_->sides()[s].node;
@@ -68,7 +77,9 @@ Augmentation PairContact::augment(const StepView& view, int count) {
   return {true, ""};
 }
 
-std::string PairContact::hint(const StepView&) const { return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_); }
+std::string PairContact::hint(const StepView&) const {
+  return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
+}
 
 void PairContact::histories(const StepView& view, std::map<std::string, double>& values) {
   const State& state = *view.committed;
@@ -85,7 +96,7 @@ void PairContact::histories(const StepView& view, std::map<std::string, double>&
   }
   const Comm& comm = *context_.space.mesh().comm();
   const SlaveSums all = report_slave(comm, name(), deck_, here, values);
-  const auto [gap, stretch] = misfit(state).largest(comm);
+  const auto [gap, stretch, spring] = misfit(state).largest(comm);
   if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
   if (!friction_) return;
   if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
@@ -108,7 +119,9 @@ std::vector<double> PairContact::nodal_mean(const State& state, int column) cons
   return slave_->mean(std::move(weighted), std::move(weights));
 }
 
-std::vector<double> PairContact::nodal_pressure(const State& state) const { return nodal_mean(state, column::pressure); }
+std::vector<double> PairContact::nodal_pressure(const State& state) const {
+  return nodal_mean(state, column::pressure);
+}
 
 std::vector<double> PairContact::nodal_shear(const State& state) const {
   return friction_ ? nodal_mean(state, column::shear) : std::vector<double>();

@@ -86,7 +86,8 @@ Curve<T> curve_as(const Curve<double>& plain) {
   return result;
 }
 
-/// Newton's method on plain numbers, f(xi, slope); then the derivatives, by one step with them. False without convergence.
+/// Newton's method on plain numbers, f(xi, slope); then the derivatives, by one step with them. False without
+/// convergence.
 template <class T, class F, class G>
 bool solve(double guess, F plain, G with_derivatives, T& result) {
   double xi = guess;
@@ -108,11 +109,11 @@ bool solve(double guess, F plain, G with_derivatives, T& result) {
   return true;
 }
 
-/// Where the slave side is crossed by the line across an end of the master side: a bound of the segment, within [-1, 1].
-/// False where there is none.
+/// Where the slave side is crossed by the line across an end of the master side: a bound of the segment, within [-1,
+/// 1]. False where there is none.
 template <class T>
-bool segment_end(const Curve<double>& slave, const Curve<double>& master, const Curve<T>& slave_t, const Curve<T>& master_t, double end,
-                 T& xi) {
+bool segment_end(const Curve<double>& slave, const Curve<double>& master, const Curve<T>& slave_t,
+                 const Curve<T>& master_t, double end, T& xi) {
   const Vec<double> corner = master.point(end), along = master.slope(end);
   const double first = dot(slave.node[0] - corner, along), second = dot(slave.node[1] - corner, along);
   if (first == second) return false;
@@ -179,12 +180,14 @@ struct Shear {
 };
 
 template <class T>
-Shear<T> shear_stress(const PairLaw& law, const T& multiplier, const T& pressure, const T& travel, const PlanePoint& place) {
+Shear<T> shear_stress(const PairLaw& law, const T& multiplier, const T& pressure, const T& travel,
+                      const PlanePoint& place) {
   Shear<T> result;
   const double stiffness = law.friction->tangential_factor() * law.penalty;
   result.stress = multiplier - stiffness * travel;
   if (law.first_guess) return result;
-  const ShearStrength strength = law.friction->strength({value(pressure), place, 0.0, law.time, std::abs(value(travel)) / law.dt});
+  const ShearStrength strength =
+      law.friction->strength({value(pressure), place, 0.0, law.time, std::abs(value(travel)) / law.dt});
   const double trial = value(result.stress);
   if (std::abs(trial) <= strength.value) return result;
   const double direction = trial > 0 ? 1 : -1;
@@ -221,14 +224,16 @@ struct Spread {
 };
 
 template <class T>
-bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, const Curve<T>& slave_t, const Curve<T>& master_t,
-               Forces<T>& forces, PairSums& sums) {
+bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, const Curve<T>& slave_t,
+               const Curve<T>& master_t, Forces<T>& forces, PairSums& sums) {
   const int nodes = law.nodes;
   const Curve<double> slave = curve(nodes, now.slave), master = curve(nodes, now.master);
   const Curve<double> slave_old = curve(nodes, old.slave), master_old = curve(nodes, old.master);
   if (dot(slave.node[1] - slave.node[0], master.node[1] - master.node[0]) >= 0) return false;  // back to back
   T from, to;
-  if (!segment_end(slave, master, slave_t, master_t, 1.0, from) || !segment_end(slave, master, slave_t, master_t, -1.0, to)) return false;
+  if (!segment_end(slave, master, slave_t, master_t, 1.0, from) ||
+      !segment_end(slave, master, slave_t, master_t, -1.0, to))
+    return false;
   if (!(value(to) - value(from) > 1e-12)) return false;
   const double tiny = 1e-9 * std::sqrt(dot(slave.node[1] - slave.node[0], slave.node[1] - slave.node[0]));
   bool seen = false;
@@ -282,11 +287,13 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
       if (value(multiplier) == 0 && value(gap_old) > 0) travel = travel * foot.gap / (foot.gap - gap_old);
       shear = shear_stress(law, start, pressure, travel, {value(was.x), value(was.y)});
     }
-    spread.add(pressure * foot.normal.x + shear.stress * foot.along.x, pressure * foot.normal.y + shear.stress * foot.along.y, forces.end);
+    spread.add(pressure * foot.normal.x + shear.stress * foot.along.x,
+               pressure * foot.normal.y + shear.stress * foot.along.y, forces.end);
     for (int a = 0; a < side_multipliers; ++a) {
       sums.pressure[a] += weight * value(shape[a]) * value(pressure);
       sums.shear[a] += weight * value(shape[a]) * value(shear.stress);
-      if (law.friction && !shear.slides) sums.stretch[a] += weight * value(shape[a]) * (value(shear.stress) - value(start));
+      if (law.friction && !shear.slides)
+        sums.stretch[a] += weight * value(shape[a]) * (value(shear.stress) - value(start));
       for (int b = 0; b < side_multipliers; ++b) sums.touching[a][b] += weight * value(shape[a]) * value(shape[b]);
     }
     sums.area += value(area);
@@ -299,20 +306,22 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
 
 }  // namespace
 
-bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent, PairForce& out) {
+bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent,
+                  PairForce& out) {
   out = {};
   const int half = 2 * law.nodes;
   if (!want_tangent) {
     Forces<double> forces;
-    if (!integrate(law, old, now, curve(law.nodes, now.slave), curve(law.nodes, now.master), forces, out.sums)) return false;
+    if (!integrate(law, old, now, curve(law.nodes, now.slave), curve(law.nodes, now.master), forces, out.sums))
+      return false;
     std::copy_n(forces.end, 2 * half, out.f);
     std::copy_n(forces.damping, 2 * half, out.damping);
     return true;
   }
   using T = Dual<pair_dofs>;
   Forces<T> forces;
-  if (!integrate(law, old, now, variable_curve<pair_dofs>(law.nodes, now.slave, 0), variable_curve<pair_dofs>(law.nodes, now.master, half),
-                 forces, out.sums))
+  if (!integrate(law, old, now, variable_curve<pair_dofs>(law.nodes, now.slave, 0),
+                 variable_curve<pair_dofs>(law.nodes, now.master, half), forces, out.sums))
     return false;
   const double weight = 1 / (1 - law.start_weight);
   for (int a = 0; a < 2 * half; ++a) {

@@ -1,4 +1,6 @@
 // What follows a solve of a step: the active set, and the multipliers of the augmented Lagrangian by Uzawa's method.
+#include <algorithm>
+
 #include "contact/penalty_contact.hpp"
 
 namespace mudline {
@@ -9,11 +11,15 @@ void PenaltyContact::check_enforcement(const Section& section) const {
   deck_.check(section, deck_.active_set.outer());
   deck_.active_set.check(section);
   if (deck_.active_set.outer() && deck_.impact == PenaltyParameters::Impact::conserving)
-    section.fail("conserving is for 'active set' = in newton: a point in tension has no share; allowed with outer loop: automatic, interpolated", "impact");
+    section.fail(
+        "conserving is for 'active set' = in newton: a point in tension has no share; allowed with outer loop: "
+        "automatic, interpolated",
+        "impact");
   if (!deck_.augmented()) return;
   if (deck_.impact == PenaltyParameters::Impact::conserving)
     section.fail(
-        "conserving is for 'enforcement' = penalty: its shares are those of the penalty spring's energy, which multipliers "
+        "conserving is for 'enforcement' = penalty: its shares are those of the penalty spring's energy, which "
+        "multipliers "
         "do not have; allowed with augmented Lagrangian: automatic, interpolated",
         "impact");
 }
@@ -33,7 +39,8 @@ SideShift PenaltyContact::shifts(const StepView& view, std::size_t side) const {
 }
 
 bool PenaltyContact::sticks(const State& state, int row) const {
-  return friction_ && state.arrays[points_](row, column::active) > 0 && state.arrays[frictions_](row, friction_column::slides) == 0;
+  return friction_ && state.arrays[points_](row, column::active) > 0 &&
+         state.arrays[frictions_](row, friction_column::slides) == 0;
 }
 
 double PenaltyContact::initial_shear_multiplier(const State& committed, int row) const {
@@ -52,7 +59,8 @@ void PenaltyContact::add_multipliers(const StepView& view, std::size_t side, std
   if (!deck_.augmented()) return;
   const PointView& now = view.trial->arrays[multipliers_];
   for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    old[row - first_row_[side]].shear += now(row, multiplier_column::shear) - initial_shear_multiplier(*view.committed, row);
+    old[row - first_row_[side]].shear +=
+        now(row, multiplier_column::shear) - initial_shear_multiplier(*view.committed, row);
 }
 
 Misfit PenaltyContact::misfit(const State& state) const {
@@ -60,6 +68,7 @@ Misfit PenaltyContact::misfit(const State& state) const {
   std::vector<double> normals(nodes, 0.0), shears(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
   const auto& sides = surface_->sides();
   const PointView &points = state.arrays[points_], &multipliers = state.arrays[multipliers_];
+  double spring = 0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const ContactRule& r = rule(sides[s]);
     SideAreas lengths_here;  // without the circumference: nodes on the axis have weight too
@@ -67,6 +76,7 @@ Misfit PenaltyContact::misfit(const State& state) const {
     const double stiffness = state.arrays[penalties_](s, 0);
     for (int c = 0; c < r.points; ++c) {
       const int row = first_row_[s] + c;
+      spring = std::max(spring, points(row, column::pressure) / stiffness);
       const double normal = points(row, column::pressure) - multipliers(row, multiplier_column::normal);
       const double shear = sticks(state, row) ? state.arrays[frictions_](row, friction_column::shear) -
                                                     multipliers(row, multiplier_column::shear)
@@ -81,8 +91,13 @@ Misfit PenaltyContact::misfit(const State& state) const {
       }
     }
   }
-  return {*surface_, std::move(normals), std::move(shears), std::move(lengths), std::move(stiffnesses),
-          friction_ ? friction_->tangential_factor() : 0.0};
+  return {*surface_,
+          std::move(normals),
+          std::move(shears),
+          std::move(lengths),
+          std::move(stiffnesses),
+          friction_ ? friction_->tangential_factor() : 0.0,
+          spring};
 }
 
 void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement& placement) const {
@@ -94,7 +109,8 @@ void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement&
     const SurfaceSide& side = surface_->sides()[s];
     const SideCoordinates x = coordinates(side, view.x_end);
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
-      presses[row] = before(row, column::active) > 0 || body_->closest(placement, rule(side).place(row - first_row_[s], x)).gap <= 1e-3 * gap_tolerance_;
+      presses[row] = before(row, column::active) > 0 ||
+                     body_->closest(placement, rule(side).place(row - first_row_[s], x)).gap <= 1e-3 * gap_tolerance_;
   }
   active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
 }
@@ -104,8 +120,12 @@ std::optional<Augmentation> PenaltyContact::update_active_set(const State& trial
   for (std::size_t s = 0; s < candidate_.size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
       pressed[row] = trial.arrays[points_](row, column::gap) -
-                     (deck_.augmented() ? trial.arrays[multipliers_](row, multiplier_column::normal) / trial.arrays[penalties_](s, 0) : 0.0);
-  return active_set_.update(trial, name_, deck_.active_set, gap_tolerance_, [&](int row) { return pressed[row]; }, *context_.space.mesh().comm());
+                     (deck_.augmented()
+                          ? trial.arrays[multipliers_](row, multiplier_column::normal) / trial.arrays[penalties_](s, 0)
+                          : 0.0);
+  return active_set_.update(
+      trial, name_, deck_.active_set, gap_tolerance_, [&](int row) { return pressed[row]; },
+      *context_.space.mesh().comm());
 }
 
 Augmentation PenaltyContact::augment(const StepView& view, int count) {
@@ -116,9 +136,11 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
   }
   if (!deck_.augmented()) return {};
   const Misfit rest = misfit(trial);
-  if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm())) return *end;
+  if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm()))
+    return *end;
   const auto& sides = surface_->sides();
-  const ShapeMass masses = [&](const std::vector<double>& values, std::vector<double>& product, std::vector<double>& lengths) {
+  const ShapeMass masses = [&](const std::vector<double>& values, std::vector<double>& product,
+                               std::vector<double>& lengths) {
     for (std::size_t s = 0; s < sides.size(); ++s) {
       const ContactRule& r = rule(sides[s]);
       SideAreas here;
@@ -139,7 +161,8 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
   for (std::size_t s = 0; s < sides.size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const auto& shape = rule(sides[s]).shape[row - first_row_[s]];
-      for (int a = 0; a < sides[s].count; ++a) multipliers(row, multiplier_column::normal) += shape[a] * normal[sides[s].node[a]];
+      for (int a = 0; a < sides[s].count; ++a)
+        multipliers(row, multiplier_column::normal) += shape[a] * normal[sides[s].node[a]];
       if (!friction_) continue;
       double& shear = multipliers(row, multiplier_column::shear);
       if (sticks(trial, row))

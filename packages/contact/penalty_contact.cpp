@@ -14,10 +14,13 @@ namespace column = contact_column;
 void PenaltyContact::declare_state(StateStore& store) {
   body_->declare_state(store);
   ArrayInfo points, penalties, work_info;
+  points.ids = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
+  penalties.ids = surface_->row_ids([](std::size_t) { return 1; });
+  work_info.shares = true;
+  const std::vector<long long> rows = points.ids;
   points.name = name() + "/points";
-  points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"active", 1, "-"},
-                      {"force x", 1, "N"}, {"force y", 1, "N"},   {"area", 1, "m2"},
-                      {"height", 1, "m"},  {"moment", 1, "N m"}};
+  points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"active", 1, "-"}, {"force x", 1, "N"},
+                      {"force y", 1, "N"}, {"area", 1, "m2"},     {"height", 1, "m"}, {"moment", 1, "N m"}};
   points_ = store.declare(std::move(points), first_row_.back());
   penalties.name = name() + "/penalty";
   penalties.variables = {{"penalty", 1, "Pa/m"}};
@@ -28,13 +31,15 @@ void PenaltyContact::declare_state(StateStore& store) {
   if (deck_.augmented()) {
     ArrayInfo multipliers;
     multipliers.name = name() + "/multipliers";
+    multipliers.ids = rows;
     multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
     multipliers_ = store.declare(std::move(multipliers), first_row_.back());
   }
-  if (deck_.active_set.outer()) active_set_.declare_state(store, name() + "/", first_row_.back());
+  if (deck_.active_set.outer()) active_set_.declare_state(store, name() + "/", rows);
   if (!friction_) return;
   ArrayInfo frictions;
   frictions.name = name() + "/friction";
+  frictions.ids = rows;
   frictions.variables = {{"shear", 1, "Pa"}, {"slip", 1, "m"},    {"dissipated", 1, "J"},
                          {"slides", 1, "-"}, {"force x", 1, "N"}, {"force y", 1, "N"}};
   frictions_ = store.declare(std::move(frictions), first_row_.back());
@@ -52,7 +57,6 @@ SideCoordinates PenaltyContact::coordinates(const SurfaceSide& side, const Const
 }
 
 void PenaltyContact::begin(const StepView& view) {
-  touch_share_ = 1;
   deck_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
   start_multipliers(view);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
@@ -64,7 +68,8 @@ void PenaltyContact::begin(const StepView& view) {
   if (active_set_.used()) start_active_set(view, to);
 }
 
-double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const {
+double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now,
+                                 const BodyPlacement& placement) const {
   const SurfaceSide& at = surface_->sides()[side];
   const SideCoordinates x = coordinates(at, coordinates_now);
   PlanePoint low = x[0], high = x[0];
@@ -109,7 +114,8 @@ std::vector<ShearState> PenaltyContact::shear_states(const State& state, std::si
   return states;
 }
 
-SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const {
+SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t side,
+                                           const std::vector<ShearState>& old) const {
   const SurfaceSide& at = surface_->sides()[side];
   SideFriction result{*friction_,
                       friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
@@ -125,15 +131,21 @@ SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t sid
 }
 
 PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const {
-  if (!conserves(view)) return {body_->placement(*view.committed), body_->placement(*view.trial), view.x_old, view.x_end};
-  return {moved_ahead(*body_, *view.committed, view.ahead_old, view.lead), moved_ahead(*body_, *view.trial, view.ahead_end, view.lead),
-          moved_ahead(context_.space, view.x_old, view.ahead_old), moved_ahead(context_.space, view.x_end, view.ahead_end)};
+  if (!conserves(view))
+    return {body_->placement(*view.committed), body_->placement(*view.trial), view.x_old, view.x_end};
+  return {moved_ahead(*body_, *view.committed, view.ahead_old, view.lead),
+          moved_ahead(*body_, *view.trial, view.ahead_end, view.lead),
+          moved_ahead(context_.space, view.x_old, view.ahead_old),
+          moved_ahead(context_.space, view.x_end, view.ahead_end)};
 }
 
-bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, std::size_t side, bool want_tangent, SideForce& force,
-                              std::vector<ContactPoint>& points) const {
+bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, std::size_t side, bool want_tangent,
+                              SideForce& force, std::vector<ContactPoint>& points) const {
   const SurfaceSide& at = surface_->sides()[side];
-  const SideBody against{*body_, positions.body_end, {positions.body_old, coordinates(at, positions.x_old)}, touch_, touch_share_};
+  // how far away the touch is in terms of forces is not known: every guess moves the body ten times as far
+  const double touch_share = std::pow(0.1, view.linearisation);
+  const SideBody against{
+      *body_, positions.body_end, {positions.body_old, coordinates(at, positions.x_old)}, touch_, touch_share};
   const double penalty = view.trial->arrays[penalties_](side, 0);
   const SideCoordinates x = coordinates(at, positions.x_end);
   std::vector<PointForce> forces;
@@ -153,16 +165,19 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
   }
   const SideShift shift = shifts(view, side);
   if (!friction_)
-    return penalty_side(rule(at), against, penalty, nullptr, step, shift, x, axisymmetric_, want_tangent, force, points);
+    return penalty_side(rule(at), against, penalty, nullptr, step, shift, x, axisymmetric_, want_tangent, force,
+                        points);
   std::vector<ShearState> old = shear_states(*view.committed, side);
   add_multipliers(view, side, old);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, penalty, &friction, step, shift, x, axisymmetric_, want_tangent, force, points);
+  return penalty_side(rule(at), against, penalty, &friction, step, shift, x, axisymmetric_, want_tangent, force,
+                      points);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.sensitivity[displacement_].value == 0) return false;  // 0: the start of a stage, not a step
-  if (deck_.impact == PenaltyParameters::Impact::automatic) return !deck_.augmented() && !active_set_.used() && body_->unknowns().count > 0;
+  if (deck_.impact == PenaltyParameters::Impact::automatic)
+    return !deck_.augmented() && !active_set_.used() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -177,7 +192,8 @@ std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::si
 std::vector<double> PenaltyContact::normal_forces(const State& state, std::size_t side) const {
   const PointView& rows = state.arrays[points_];
   std::vector<double> forces;
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) forces.push_back(rows(row, column::pressure) * rows(row, column::area));
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
+    forces.push_back(rows(row, column::pressure) * rows(row, column::area));
   return forces;
 }
 
@@ -190,13 +206,8 @@ void PenaltyContact::book_damping(const State& trial, const std::vector<ContactP
 }
 
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
-  for (const auto& [dof, share] : correction_) f(dof) -= share;
+  for (const auto& [dof, share] : correction_) f.add(dof, -share);
   if (leak_) leak_->add(view, f);
-}
-
-double PenaltyContact::magnitude_squared(int field) const {
-  if (field == displacement_) return magnitude_;
-  return field == body_->unknowns().field ? body_magnitude_ : 0.0;
 }
 
 std::array<double, 3> PenaltyContact::local_force(const State& state) const {
@@ -213,7 +224,6 @@ std::array<double, 3> PenaltyContact::local_force(const State& state) const {
 int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   const auto& sides = surface_->sides();
   int failures = 0;
-  magnitude_ = body_magnitude_ = 0;
   correction_.clear();
   std::vector<ContactPoint> points;
   SideForce side_force;
@@ -241,9 +251,8 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     const int soil = 2 * sides[s].count, all = static_cast<int>(dofs.extent(1));
     for (int a = 0; a < all; ++a) {
       if (a >= soil && a < all - body_->unknowns().count) continue;  // the fluxes are none of contact's
-      f(dofs(sides[s].row, a)) -= side_force.f[a];
+      f.add(dofs(sides[s].row, a), -side_force.f[a]);
       if (side_force.correction[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), side_force.correction[a]);
-      (a < soil ? magnitude_ : body_magnitude_) += side_force.f[a] * side_force.f[a];
     }
   }
   const auto before = local_force(*view.committed), now = local_force(*view.trial);
@@ -261,7 +270,8 @@ void PenaltyContact::look_for_touch(const StepView& view) {
   const PointView& rows = view.trial->arrays[points_];
   double nearest = 1e300, everywhere = 0;
   for (int row = 0; row < first_row_.back(); ++row)
-    if (rows(row, column::area) > 0) nearest = std::min(nearest, rows(row, column::active) > 0 ? -1.0 : rows(row, column::gap));
+    if (rows(row, column::area) > 0)
+      nearest = std::min(nearest, rows(row, column::active) > 0 ? -1.0 : rows(row, column::gap));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
   if (everywhere >= 0 && everywhere < 1e300) touch_ = everywhere + 1e-3 * surface_->shortest(view.x_old);
 }
@@ -281,38 +291,43 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
     const int columns = first_body + body_->unknowns().count;
     for (int a = 0; a < columns; ++a) {
       if (a >= soil && a < first_body) continue;
-      for (int b = 0; b < columns; ++b) to[side.count - 2].add(side.row, a, b, -weight * (b >= soil && b < first_body ? 1.0 : moved) * force.k[a][b]);
+      for (int b = 0; b < columns; ++b)
+        to[side.count - 2].add(side.row, a, b, -weight * (b >= soil && b < first_body ? 1.0 : moved) * force.k[a][b]);
     }
   }
   if (leak_) leak_->jacobian(view, assembler);
-  // how far away the touch is in terms of forces is not known: the next guess moves the body ten times as far
-  if (touch_ > 0) touch_share_ *= 0.1;
 }
 
-bool PenaltyContact::closed(const PointView& rows, std::size_t side, double length) const {
-  // Points that were not evaluated (no area) are far away. Pressure alone would not do: along a stretched side single
-  // points come off by micrometres, and a vertex that is drained for a step loses its pore pressure.
+bool PenaltyContact::covered(std::size_t side, const State& committed, const BodyPlacement& placement) const {
+  // By distance: pressure alone would not do, since along a stretched side single points come off by micrometres, and a
+  // vertex that is drained for a step loses its pore pressure.
+  const SideCoordinates x = coordinates(surface_->sides()[side], committed.coordinates);
+  const double near = deck_.sealing_gap * std::hypot(x[1][0] - x[0][0], x[1][1] - x[0][1]);
+  if (least_gap(side, committed.coordinates, placement) >= near) return false;
+  const ContactRule& points = rule(surface_->sides()[side]);
   int count = 0;
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    count += rows(row, column::area) > 0 && rows(row, column::gap) < deck_.sealing_gap * length;
-  return 2 * count > first_row_[side + 1] - first_row_[side];
+  for (int c = 0; c < points.points; ++c) count += body_->closest(placement, points.place(c, x)).gap < near;
+  return 2 * count > points.points;
 }
 
-void PenaltyContact::constrain(const StepView& view, Constraints& constraints) {
-  if (leak_) leak_->open({});
-  // without flow the pore pressure is given everywhere: releasing it would leave its equation empty
-  if (deck_.drainage == PenaltyParameters::Drainage::drained || pressure_ < 0 || !view.flow) return;
-  const PointView& rows = view.committed->arrays[points_];
-  std::vector<char> flags(surface_->sides().size());
-  for (std::size_t s = 0; s < flags.size(); ++s) {
-    const SideCoordinates x = coordinates(surface_->sides()[s], view.x_old);
-    flags[s] = closed(rows, s, std::hypot(x[1][0] - x[0][0], x[1][1] - x[0][1]));
-  }
-  const std::vector<char> sealed = surface_->enclosed(flags);
-  if (leak_) leak_->open(std::move(flags));
-  const auto& dof = context_.space.node_dof(pressure_);
-  for (std::size_t node = 0; node < sealed.size(); ++node)
-    if (sealed[node] && dof(node) >= 0) constraints.mask(dof(node)) = 0;
+std::vector<char> PenaltyContact::covered_sides(const State& committed) const {
+  const BodyPlacement placement = body_->placement(committed);
+  std::vector<char> flags;
+  for (std::size_t s = 0; s < surface_->sides().size(); ++s) flags.push_back(covered(s, committed, placement));
+  return flags;
+}
+
+void PenaltyContact::close(const State& committed, ClosedSides& closed) const {
+  if (deck_.drainage == PenaltyParameters::Drainage::drained || pressure_ < 0) return;
+  closed.possible = true;
+  const std::vector<Side>& sides = surface_->mesh().side_sets().at(deck_.surface);
+  const std::vector<char> flags = covered_sides(committed);
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    if (flags[s]) closed.sides.insert({sides[s].block, sides[s].element, sides[s].side});
+}
+
+void PenaltyContact::constrain(const StepView& view, Constraints&) {
+  if (leak_) leak_->open(view.flow ? covered_sides(*view.committed) : std::vector<char>());
 }
 
 double PenaltyContact::step_limit(const State& committed, double dt) const {
@@ -320,7 +335,8 @@ double PenaltyContact::step_limit(const State& committed, double dt) const {
   const double speed = body_->speed(committed, dt);
   const BodyPlacement placement = body_->placement(committed);
   double nearest = 1e300, everywhere = 0;
-  for (std::size_t s = 0; s < candidate_.size(); ++s) nearest = std::min(nearest, least_gap(s, committed.coordinates, placement));
+  for (std::size_t s = 0; s < candidate_.size(); ++s)
+    nearest = std::min(nearest, least_gap(s, committed.coordinates, placement));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
   // a body that is still far away may come half the way
   return speed > 0 ? std::max(deck_.advance_limit * edge, 0.5 * everywhere) / speed : 1e300;

@@ -10,6 +10,7 @@
 #include "contact/leaky_surface.hpp"
 #include "contact/penalty_side.hpp"
 #include "contact/uzawa.hpp"
+#include "physics/closed_sides.hpp"
 
 namespace mudline {
 
@@ -38,23 +39,24 @@ struct PenaltyParameters : EnforcementParameters {
 /// the body into the soil, m along the body's contour, s [Pa] from the friction law, 0 without one; axisymmetric forces
 /// are those of the whole circumference, plane strain ones per metre.
 ///
-/// Augmented Lagrangian: t = <lambda - penalty gap>, and the stick spring of friction starts from a multiplier likewise.
-/// After each solve of a step lambda grows by t - lambda (Uzawa) as far as that is in the space of the sides' shapes: a
-/// side has more contact points than nodes, and cannot follow a body at all of them. Until the gap weighted by the shapes,
-/// and the stretch of what sticks, are within the gap tolerance at all nodes.
+/// Augmented Lagrangian: t = <lambda - penalty gap>, and the stick spring of friction starts from a multiplier
+/// likewise. After each solve of a step lambda grows by t - lambda (Uzawa) as far as that is in the space of the sides'
+/// shapes: a side has more contact points than nodes, and cannot follow a body at all of them. Until the gap weighted
+/// by the shapes, and the stretch of what sticks, are within the gap tolerance at all nodes.
 ///
 /// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area,
 /// height above the body's reference point, moment about its centre),
 /// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
-/// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with which
-/// the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first starts a step),
-/// "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the body's
-/// displacement; of damping the heat so far and its force on the soil in the last step).
+/// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with
+/// which the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first
+/// starts a step), "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work
+/// done on the soil, trapezoidal in the body's displacement; of damping the heat so far and its force on the soil in
+/// the last step).
 ///
-/// Drainage: a surface vertex is sealed (its prescribed pore pressure is released) while more than half of the points
-/// of every side around it pressed in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: the
-/// sides that press let water through instead, see LeakySurface.
-class PenaltyContact : public Contact {
+/// Drainage: a side is closed to the pore water (what conditions prescribe on it is off) while more than half of its
+/// points are at the body in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these
+/// sides let water through instead, see LeakySurface.
+class PenaltyContact : public Contact, public ClosesSides {
  public:
   explicit PenaltyContact(const ContactContext& context) : context_(context) {}
   static void document(Parameters& p);
@@ -63,16 +65,17 @@ class PenaltyContact : public Contact {
   void check(const Section& section);
 
   std::string name() const override { return "contact/" + name_; }
+  ContactPartners partners() const override { return {deck_.surface, "", body_.get(), friction_ != nullptr}; }
   bool history() const override { return true; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
   bool asks_for_prediction() const override { return friction_ != nullptr && body_->active(); }
   void predicting(bool on) override { predicting_ = on; }
+  void close(const State& committed, ClosedSides& closed) const override;
   void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
-  double magnitude_squared(int field) const override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView& view, int count) override;
   std::string hint(const StepView& view) const override;
@@ -120,7 +123,8 @@ class PenaltyContact : public Contact {
   /// Force of one side at the linearisation point. False for a degenerate side.
   bool evaluate(const StepView& view, const Positions& at, std::size_t side, bool want_tangent, SideForce& force,
                 std::vector<ContactPoint>& points) const;
-  /// A released body without inertia that touches nothing gets its tangent from the points that are nearest. Collective.
+  /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
+  /// Collective.
   void look_for_touch(const StepView& view);
   std::vector<double> nodal_mean(const PointView& rows, int column) const;
   /// Lower bound of the gap of a side's points [m].
@@ -131,8 +135,9 @@ class PenaltyContact : public Contact {
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
-  /// More than half of the side's points press or are nearer than the sealing gap; `length` of the side [m].
-  bool closed(const PointView& rows, std::size_t side, double length) const;
+  /// More than half of the side's points are nearer to the body than the sealing gap, or in it.
+  bool covered(std::size_t side, const State& committed, const BodyPlacement& placement) const;
+  std::vector<char> covered_sides(const State& committed) const;  // (side)
   /// Force [N] and moment about the body's centre [N m] on the soil, this rank's part.
   std::array<double, 3> local_force(const State& state) const;
 
@@ -141,15 +146,14 @@ class PenaltyContact : public Contact {
   std::string name_;
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;
-  std::unique_ptr<LeakySurface> leak_;  // null unless leaky
-  ActiveSet active_set_;                // used with the outer loop only
-  std::vector<ContactRule> rules_;  // for sides of 2 and of 3 nodes
-  std::vector<int> first_row_;      // (side) in the points array; one more: number of rows
-  std::vector<char> candidate_;     // (side) near enough to be evaluated in this step
-  double capture_ = 0;              // [m] of this step
-  double gap_tolerance_ = 0;        // [m]
-  double magnitude_ = 0, body_magnitude_ = 0;  // of the last residual call
-  double touch_ = 0, touch_share_ = 1;  // see SideBody
+  std::unique_ptr<LeakySurface> leak_;              // null unless leaky
+  ActiveSet active_set_;                            // used with the outer loop only
+  std::vector<ContactRule> rules_;                  // for sides of 2 and of 3 nodes
+  std::vector<int> first_row_;                      // (side) in the points array; one more: number of rows
+  std::vector<char> candidate_;                     // (side) near enough to be evaluated in this step
+  double capture_ = 0;                              // [m] of this step
+  double gap_tolerance_ = 0;                        // [m]
+  double touch_ = 0;                                // see SideBody
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool predicting_ = false;

@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "contact/penalty_contact.hpp"
+#include "core/guarded.hpp"
+#include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
 
@@ -20,16 +22,20 @@ void PenaltyParameters::parameters(Parameters& p) {
   active_set.parameters(p);
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
-  p.choice("drainage", drainage, {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
+  p.choice("drainage", drainage,
+           {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
            "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
            "prescribed; leaky: it is released, and water leaves through the body by 'conductance'");
-  p.add("conductance", conductance, "m/(Pa s)", non_negative(), "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
+  p.add("conductance", conductance, "m/(Pa s)", non_negative(),
+        "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
   p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
-  p.choice("impact", impact,
-           {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
-           "Forces over a dynamic step. conserving: points exert the share of their force that adds no "
-           "energy, whatever the step and the spectral radius; interpolated: the integrator's mean of start and end, smoother where a body is pushed "
-           "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
+  p.choice(
+      "impact", impact,
+      {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
+      "Forces over a dynamic step. conserving: points exert the share of their force that adds no "
+      "energy, whatever the step and the spectral radius; interpolated: the integrator's mean of start and end, "
+      "smoother where a body is pushed "
+      "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
   p.add("damping", damping, "s/m", non_negative(), damping_documentation);
   p.add("sealing gap", sealing_gap, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the body still seals the side");
@@ -62,13 +68,14 @@ void PenaltyContact::check(const Section& section) {
   displacement_ = space.find("displacement");
   pressure_ = space.find("pore pressure");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  require_side_set(mesh, section, "surface", deck_.surface);
+  require_boundary(mesh, section, "surface", deck_.surface);
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);
-  if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
+  if (section.has_section("friction")) friction_ = create_guarded(context_.frictions, section.section("friction"));
   check_drainage(section);
-  surface_ = std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());
+  surface_ =
+      std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());
   if (deck_.drainage == PenaltyParameters::Drainage::leaky)
     leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
@@ -86,7 +93,8 @@ void PenaltyContact::check(const Section& section) {
 void PenaltyContact::check_drainage(const Section& section) const {
   if (deck_.drainage == PenaltyParameters::Drainage::leaky) {
     if (!(deck_.conductance > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
-    if (pressure_ < 0) section.fail("leaky needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
+    if (pressure_ < 0)
+      section.fail("leaky needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
     return;
   }
   for (const char* entry : {"conductance", "outside pressure"})
@@ -108,8 +116,10 @@ void PenaltyContact::check_above(const Section& section) const {
     top = std::max(top, point[1] + body_->initial_position()[1]);
   if (top >= everywhere - 0.5 * surface_->shortest(x) || faces_up <= 0) return;
   char text[160];
-  std::snprintf(text, sizeof text, "' lies below the surface: its top is at %.6g m, the surface reaches down to %.6g m; move its 'position'", top,
-                everywhere);
+  std::snprintf(
+      text, sizeof text,
+      "' lies below the surface: its top is at %.6g m, the surface reaches down to %.6g m; move its 'position'", top,
+      everywhere);
   section.fail("body '" + deck_.body + text, "body");
 }
 

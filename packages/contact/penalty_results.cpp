@@ -20,10 +20,12 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   const State& state = *view.committed;
   const PointView& rows = state.arrays[points_];
   const auto force = local_force(state);
-  // reaction (2), area, active points, work; friction: force (2), heat, sliding points; the tip's reaction; damping: heat, force (2)
+  // reaction (2), area, active points, work; friction: force (2), heat, sliding points; the tip's reaction; damping:
+  // heat, force (2)
   constexpr int sums = 13;
   const PointView& done = state.arrays[work_];
-  double local[sums] = {-force[0], -force[1], 0, 0, done(0, 0), 0, 0, 0, 0, 0, done(0, 1), -done(0, 2), -done(0, 3)}, sum[sums];
+  double local[sums] = {-force[0], -force[1], 0, 0, done(0, 0), 0, 0, 0, 0, 0, done(0, 1), -done(0, 2), -done(0, 3)},
+         sum[sums];
   double deepest = 0, deepest_everywhere = 0;
   for (int row = 0; row < first_row_.back(); ++row) {
     if (friction_) {
@@ -56,7 +58,7 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
     values[name() + "/damping y [N]"] = sum[12];
   }
   if (deck_.augmented()) {
-    const auto [gap, stretch] = misfit(state).largest(comm);
+    const auto [gap, stretch, spring] = misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;
     if (friction_) values[name() + "/stretch [m]"] = stretch;
   }

@@ -13,17 +13,20 @@ struct ShearTangent {
 };
 
 /// Friction at a point that presses: adds to its force, fills its shear state.
-void add_friction(const ContactRule& rule, int c, const RigidBody& body, const SideStart& start, const SideFriction& side,
-                  double penalty, const SideShift& shift, const ContourFoot& foot, ContactPoint& point, ShearTangent& tangent) {
+void add_friction(const ContactRule& rule, int c, const RigidBody& body, const SideStart& start,
+                  const SideFriction& side, double penalty, const SideShift& shift, const ContourFoot& foot,
+                  ContactPoint& point, ShearTangent& tangent) {
   const PlanePoint at_old = rule.place(c, start.x);
   const ContourFoot foot_old = body.closest(start.placement, at_old);
-  const TouchingTravel travel(foot_old.gap - shift.old[c], foot.gap - shift.now[c], body.contour().distance(foot_old, foot));
+  const TouchingTravel travel(foot_old.gap - shift.old[c], foot.gap - shift.now[c],
+                              body.contour().distance(foot_old, foot));
   double shape[max_side_nodes] = {}, slope[max_side_nodes], pore_pressure = 0;
   if (side.pressure_nodes > 0) evaluate_line(side.pressure_nodes, rule.xi[c], shape, slope);
   for (int a = 0; a < side.pressure_nodes; ++a) pore_pressure += shape[a] * side.pressure[a];
   const ShearState& old = side.old[c];
-  ShearResponse response = stick_or_slide(side.law, old, side.stiffness, travel.value, side.dt,
-                                          {point.pressure - pore_pressure, at_old, old.slip, side.time, std::abs(travel.value) / side.dt});
+  ShearResponse response =
+      stick_or_slide(side.law, old, side.stiffness, travel.value, side.dt,
+                     {point.pressure - pore_pressure, at_old, old.slip, side.time, std::abs(travel.value) / side.dt});
   if (side.first_guess) {  // what slid slides on, under the same stress; what stuck sticks
     const double stiffness = old.slides ? 0.0 : side.stiffness;
     response = {old, -stiffness, 0};
@@ -144,10 +147,12 @@ void point_tangent(const ContactRule& rule, int c, const SideAreas& areas, doubl
 }
 
 /// Damping of a point, also of one that left in the step.
-void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double penalty, const SideStep& step, const StepShares& share,
-                 double gap_old, const PlanePoint& arm, const ContourFoot& foot, const BodyWays& ways, int first_body,
-                 const PointAssembly& add, bool want_tangent, SideForce& out, ContactPoint& point) {
-  const double end = point.active ? point.pressure * point.area : 0.0, mean = share.start.value * step.normal_old[c] + share.end.value * end;
+void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double penalty, const SideStep& step,
+                 const StepShares& share, double gap_old, const PlanePoint& arm, const ContourFoot& foot,
+                 const BodyWays& ways, int first_body, const PointAssembly& add, bool want_tangent, SideForce& out,
+                 ContactPoint& point) {
+  const double end = point.active ? point.pressure * point.area : 0.0,
+               mean = share.start.value * step.normal_old[c] + share.end.value * end;
   const ContactDamping damping = contact_damping(step.viscous, gap_old, foot.gap, step.dt);
   for (int i = 0; i < 2; ++i) point.damping[i] = damping.factor * mean * foot.normal[i];
   point.damped = damping.factor * mean * (gap_old - foot.gap);
@@ -155,17 +160,22 @@ void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double 
   add.add_force(force, 1, out.correction);
   if (!want_tangent) return;
   const double weight = 1 / (1 - step.alpha_f);
-  const double by_gap = damping.slope * mean + damping.factor * (share.start.slope * step.normal_old[c] + share.end.slope * end);
+  const double by_gap =
+      damping.slope * mean + damping.factor * (share.start.slope * step.normal_old[c] + share.end.slope * end);
   double change[2][max_side_dofs] = {};
   for (int b = 0; b < first_body + ways.count; ++b) {
     if (b >= 2 * rule.nodes && b < first_body) continue;  // pressures
     double size = by_gap * add.gap_slope(b, foot.normal);
     if (point.active) size -= damping.factor * share.end.value * penalty * add.gap_slope(b, foot.normal) * point.area;
-    if (point.active && b < first_body) size += damping.factor * share.end.value * point.pressure * areas.variation[c][b];
+    if (point.active && b < first_body)
+      size += damping.factor * share.end.value * point.pressure * areas.variation[c][b];
     // the normal turns along the contour, and with the body
-    const double turned = b < first_body ? foot.turning * foot.tangent[b % 2] * rule.shape[c][b / 2]
-                                         : ways.turn[b - first_body] - foot.turning * (foot.tangent[0] * ways.way[b - first_body][0] + foot.tangent[1] * ways.way[b - first_body][1]);
-    for (int i = 0; i < 2; ++i) change[i][b] = weight * (size * foot.normal[i] + damping.factor * mean * turned * foot.tangent[i]);
+    const double turned =
+        b < first_body ? foot.turning * foot.tangent[b % 2] * rule.shape[c][b / 2]
+                       : ways.turn[b - first_body] - foot.turning * (foot.tangent[0] * ways.way[b - first_body][0] +
+                                                                     foot.tangent[1] * ways.way[b - first_body][1]);
+    for (int i = 0; i < 2; ++i)
+      change[i][b] = weight * (size * foot.normal[i] + damping.factor * mean * turned * foot.tangent[i]);
   }
   add.add_tangent(change);
   add.add_arm_change(point.damping, weight);
@@ -174,8 +184,8 @@ void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double 
 }  // namespace
 
 bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideStep& step, const SideShift& shift, const SideCoordinates& x, bool axisymmetric, bool want_tangent, SideForce& out,
-                  std::vector<ContactPoint>& points) {
+                  const SideStep& step, const SideShift& shift, const SideCoordinates& x, bool axisymmetric,
+                  bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
   const RigidBody& body = against.body;
   const int pressures = friction ? friction->pressure_nodes : 0, first_body = 2 * rule.nodes + pressures;
   out = {};
@@ -199,15 +209,20 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     const BodyWays ways(body.unknowns(), arm);
     const PointAssembly add(rule, c, ways, first_body, out);
     const bool conserves = step.old != nullptr;
-    const double gap_start = conserves || step.viscous > 0 ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap : 0.0;
+    const double gap_start =
+        conserves || step.viscous > 0 ? body.closest(against.start.placement, rule.place(c, against.start.x)).gap : 0.0;
     const double gap_old = gap_start - shift.old[c];
-    const StepShares shares = conserves ? conserving_shares(gap_old, pressed, step.impact_damping) : interpolated_shares(step.alpha_f);
+    const StepShares shares =
+        conserves ? conserving_shares(gap_old, pressed, step.impact_damping) : interpolated_shares(step.alpha_f);
     if (conserves) {
       add.add_force(step.old[c], shares.start.value - step.alpha_f, out.correction);
-      if (want_tangent && shares.start.slope != 0) add.add_old_tangent(step.old[c], shares.start.slope / (1 - step.alpha_f), foot.normal);
+      if (want_tangent && shares.start.slope != 0)
+        add.add_old_tangent(step.old[c], shares.start.slope / (1 - step.alpha_f), foot.normal);
     }
     if (point.active) point.pressure = -penalty * pressed;
-    if (step.viscous > 0) add_damping(rule, c, areas, penalty, step, shares, gap_start, arm, foot, ways, first_body, add, want_tangent, out, point);
+    if (step.viscous > 0)
+      add_damping(rule, c, areas, penalty, step, shares, gap_start, arm, foot, ways, first_body, add, want_tangent, out,
+                  point);
     if (!point.active && (!want_tangent || foot.gap >= against.touch)) continue;
     ShearTangent shear;
     if (point.active) {
@@ -223,7 +238,8 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     add.add_force(point.force, 1, out.f);
     if (!want_tangent) continue;
     double change[2][max_side_dofs] = {};
-    point_tangent(rule, c, areas, point.active ? penalty : against.touch_share * penalty, foot, point, shear, ways, pressures, change);
+    point_tangent(rule, c, areas, point.active ? penalty : against.touch_share * penalty, foot, point, shear, ways,
+                  pressures, change);
     for (int i = 0; i < 2; ++i)
       for (int b = 0; b < first_body + ways.count; ++b)
         change[i][b] = share.value * change[i][b] + share.slope * point.force[i] * add.gap_slope(b, foot.normal);

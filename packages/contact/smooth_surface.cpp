@@ -34,14 +34,17 @@ Weights slope(int before, int at, int after, double h1, double h2) {
 
 }  // namespace
 
-SmoothSurface::SmoothSurface(const std::vector<MasterSurface::MasterSide>& sides, Drawing drawing, double corner_angle, double overhang, const ConstCoordinateView& x)
+SmoothSurface::SmoothSurface(const std::vector<MasterSurface::MasterSide>& sides, Drawing drawing, double corner_angle,
+                             double overhang, const ConstCoordinateView& x)
     : drawing_(drawing), overhang_(overhang) {
   if (drawing == Drawing::sides) {
     for (const auto& side : sides)
-      add(side.count == 3 ? Kind::parabola : Kind::straight, std::vector<int>(side.node, side.node + side.count), false, false);
+      add(side.count == 3 ? Kind::parabola : Kind::straight, std::vector<int>(side.node, side.node + side.count), false,
+          false);
   } else {
     const auto chains = node_chains(sides);
-    for (const NodeChain& chain : drawing == Drawing::linear ? chains : cut_at_corners(chains, corner_angle, x)) draw(chain);
+    for (const NodeChain& chain : drawing == Drawing::linear ? chains : cut_at_corners(chains, corner_angle, x))
+      draw(chain);
   }
   join_corners();
   update(x);
@@ -81,7 +84,8 @@ void SmoothSurface::draw(const NodeChain& chain) {
     }
   } else {
     if (!chain.closed) add(Kind::first_half, {node(0), node(1)}, false, false);
-    for (int i = chain.closed ? 0 : 1; i < (chain.closed ? n : n - 1); ++i) add(Kind::around, {node(i), node(i - 1), node(i + 1)}, false, false);
+    for (int i = chain.closed ? 0 : 1; i < (chain.closed ? n : n - 1); ++i)
+      add(Kind::around, {node(i), node(i - 1), node(i + 1)}, false, false);
     if (!chain.closed) add(Kind::last_half, {node(n - 2), node(n - 1)}, false, false);
   }
   const int last = static_cast<int>(pieces_.size()) - 1;
@@ -93,7 +97,8 @@ void SmoothSurface::draw(const NodeChain& chain) {
 void SmoothSurface::join_corners() {
   std::map<int, int> starting;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
-    if (pieces_[i].start == PieceEnd::open && pieces_[i].before < 0) starting.emplace(origins_[i].first, static_cast<int>(i));
+    if (pieces_[i].start == PieceEnd::open && pieces_[i].before < 0)
+      starting.emplace(origins_[i].first, static_cast<int>(i));
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     if (pieces_[i].after >= 0) continue;
     const auto next = starting.find(origins_[i].last);
@@ -157,16 +162,20 @@ void SmoothSurface::update(const ConstCoordinateView& x) {
   boxes_.sort(boxes);
 }
 
-bool SmoothSurface::foot_on(int index, const PlanePoint& at, const ConstCoordinateView& x, NodeFoot& foot, double& distance, PlanePoint& normal) const {
+bool SmoothSurface::foot_on(int index, const PlanePoint& at, const ConstCoordinateView& x, NodeFoot& foot,
+                            double& distance, PlanePoint& normal) const {
   const SurfacePiece& piece = pieces_[index];
   const PieceCoordinates nodes = coordinates(index, x);
-  const double low = piece.start == PieceEnd::open ? -overhang_ : 0.0, high = piece.end == PieceEnd::open ? 1 + overhang_ : 1.0;
+  const double low = piece.start == PieceEnd::open ? -overhang_ : 0.0,
+               high = piece.end == PieceEnd::open ? 1 + overhang_ : 1.0;
   const PieceFoot found = closest_on_piece(piece, nodes, at, low, high);
   if ((found.at_low && piece.start == PieceEnd::open) || (found.at_high && piece.end == PieceEnd::open)) return false;
   distance = found.distance;
   normal = right_of(piece_direction(piece, nodes, found.eta));
   foot = {found.eta, false, {}};
-  const int other = found.at_low && piece.start == PieceEnd::corner ? piece.before : found.at_high && piece.end == PieceEnd::corner ? piece.after : -1;
+  const int other = found.at_low && piece.start == PieceEnd::corner  ? piece.before
+                    : found.at_high && piece.end == PieceEnd::corner ? piece.after
+                                                                     : -1;
   if (other < 0) return true;
   const PlanePoint beyond = right_of(piece_direction(pieces_[other], coordinates(other, x), found.at_low ? 1.0 : 0.0));
   const double mean[2] = {normal[0] + beyond[0], normal[1] + beyond[1]}, size = std::hypot(mean[0], mean[1]);
@@ -176,8 +185,8 @@ bool SmoothSurface::foot_on(int index, const PlanePoint& at, const ConstCoordina
   return true;
 }
 
-bool SmoothSurface::find_foot(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing, double capture,
-                              const ConstCoordinateView& x, int& piece, NodeFoot& foot) const {
+bool SmoothSurface::find_foot(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing,
+                              double capture, const ConstCoordinateView& x, int& piece, NodeFoot& foot) const {
   const PlanePoint outward = right_of(facing);
   double nearest = capture;
   bool found = false;
@@ -185,7 +194,8 @@ bool SmoothSurface::find_foot(const std::vector<int>& candidates, const PlanePoi
     NodeFoot here;
     double distance = 0;
     PlanePoint normal{};
-    if (!foot_on(candidate, at, x, here, distance, normal) || distance > nearest || (found && distance == nearest)) continue;
+    if (!foot_on(candidate, at, x, here, distance, normal) || distance > nearest || (found && distance == nearest))
+      continue;
     if (normal[0] * outward[0] + normal[1] * outward[1] >= 0) continue;  // back to back
     nearest = distance;
     piece = candidate;

@@ -22,7 +22,8 @@ struct ShearResponse {
 
 /// Return map: the spring `stiffness` [Pa/m] along the surface is stretched by `travel` [m], the advance of the point's
 /// foot on the contour in this step; where that exceeds the law's strength at the normal traction `normal` [Pa], the
-/// point slides. at.rate is that of the travel over the step of length dt [s]. dissipated is not advanced: it needs the area.
+/// point slides. at.rate is that of the travel over the step of length dt [s]. dissipated is not advanced: it needs the
+/// area.
 ShearResponse stick_or_slide(const Friction& law, const ShearState& old, double stiffness, double travel, double dt,
                              const FrictionPoint& at);
 

@@ -36,7 +36,8 @@ PlanePoint piece_direction(const SurfacePiece& piece, const PieceCoordinates& no
   return {at.d[0] / size, at.d[1] / size};
 }
 
-PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x, double low, double high) {
+PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x, double low,
+                           double high) {
   constexpr int samples = 8;
   const auto at = [&](double eta, double& ahead, double& slope) {  // ahead > 0: the foot has a larger eta
     const CurveValue c = curve_at(piece, nodes, eta);

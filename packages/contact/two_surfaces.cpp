@@ -7,6 +7,8 @@
 #include <cstdio>
 
 #include "contact/contact_damping.hpp"
+#include "core/guarded.hpp"
+#include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
 
@@ -17,17 +19,20 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
   p.add("capture distance", capture_distance, "m", non_negative(),
         "What is farther from the other surface, or deeper in it, does not see it; 0: the slave's longest side");
   p.add("reach", reach, "m", non_negative(),
-        "Pieces of the surfaces that are farther apart than this at the start never meet: keeps the matrix sparse where surfaces slide little; "
+        "Pieces of the surfaces that are farther apart than this at the start never meet: keeps the matrix sparse "
+        "where surfaces slide little; "
         "0: any two may meet");
   p.add("advance limit", advance_limit, "-", positive(),
-        "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far apart, half their distance");
+        "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far "
+        "apart, half their distance");
   p.add("damping", damping, "s/m", non_negative(), damping_documentation);
 }
 
 void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master) {
-  require_side_set(mesh, section, "slave", slave);
-  require_side_set(mesh, section, "master", master);
-  if (slave == master) section.fail("is '" + slave + "', the slave too: a surface does not touch itself; name two sets", "master");
+  require_boundary(mesh, section, "slave", slave);
+  require_boundary(mesh, section, "master", master);
+  if (slave == master)
+    section.fail("is '" + slave + "', the slave too: a surface does not touch itself; name two sets", "master");
   const auto &first = mesh.nodes_of_set(slave), &second = mesh.nodes_of_set(master);
   std::vector<int> both;
   std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
@@ -35,7 +40,9 @@ void check_two_sets(const Mesh& mesh, const Section& section, const std::string&
   int any = 0;
   Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, here, Teuchos::outArg(any));
   if (any > 0)
-    section.fail("'" + master + "' shares nodes with the slave '" + slave + "': surfaces that may part need nodes of their own", "master");
+    section.fail(
+        "'" + master + "' shares nodes with the slave '" + slave + "': surfaces that may part need nodes of their own",
+        "master");
   for (const auto& [entry, set] : {std::pair<std::string, std::string>{"slave", slave}, {"master", master}}) {
     const long long local = static_cast<long long>(mesh.side_sets().at(set).size());
     long long all = 0;
@@ -46,28 +53,36 @@ void check_two_sets(const Mesh& mesh, const Section& section, const std::string&
 
 std::unique_ptr<const Friction> friction_of_two(const ContactContext& context, const Section& section) {
   if (!section.has_section("friction")) return nullptr;
-  std::unique_ptr<const Friction> friction = context.frictions.create(section.section("friction"));
+  std::unique_ptr<const Friction> friction = create_guarded(context.frictions, section.section("friction"));
   if (friction->effective() && context.space.find("pore pressure") >= 0)
-    section.section("friction").fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total", "on");
+    section.section("friction")
+        .fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total",
+              "on");
   return friction;
 }
 
-void check_overlap_of_two(const ContactSurface& slave, const Section& section, const std::string& name, double least_gap) {
+void check_overlap_of_two(const ContactSurface& slave, const Section& section, const std::string& name,
+                          double least_gap) {
   const Mesh& mesh = slave.mesh();
   double everywhere = 0;
   Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MIN, least_gap, Teuchos::outArg(everywhere));
   const double edge = slave.shortest(mesh.coordinates());
   if (-everywhere <= 0.5 * edge) return;
   char text[200];
-  std::snprintf(text, sizeof text, "' overlaps the master by %.4g m at the start, more than half of its shortest side, %.4g m; move one of the two",
-                -everywhere, edge);
+  std::snprintf(
+      text, sizeof text,
+      "' overlaps the master by %.4g m at the start, more than half of its shortest side, %.4g m; move one of the two",
+      -everywhere, edge);
   section.fail("surface '" + name + text, "slave");
 }
 
-double closing_limit(const Space& space, const ContactSurface& slave, const MasterSurface& master, double advance_limit, const State& committed) {
+double closing_limit(const Space& space, const ContactSurface& slave, const MasterSurface& master, double advance_limit,
+                     const State& committed) {
   const auto& first = space.node_dof(space.find("displacement"));
   const ConstCoordinateView& x = committed.coordinates;
-  const auto velocity = [&](int node) { return PlanePoint{committed.rate(first(node)), committed.rate(first(node) + 1)}; };
+  const auto velocity = [&](int node) {
+    return PlanePoint{committed.rate(first(node)), committed.rate(first(node) + 1)};
+  };
   // speeds against the master's mean, which is the same on all ranks that have slave sides: they have the whole master
   PlanePoint mean{0, 0};
   double nodes = 0, fastest[2] = {0, 0}, nearest = 1e300;
@@ -101,11 +116,13 @@ std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool he
   const int mine = here ? 1 : 0;
   int any = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  return any == 0 ? "" : "surfaces of contact '" + name + "' met that were farther apart at the start than its 'reach': raise it";
+  return any == 0
+             ? ""
+             : "surfaces of contact '" + name + "' met that were farther apart at the start than its 'reach': raise it";
 }
 
-SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck, const SlaveSums& here,
-                       std::map<std::string, double>& values) {
+SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck,
+                       const SlaveSums& here, std::map<std::string, double>& values) {
   constexpr int sums = 6;
   const double local[sums] = {here.force[0], here.force[1], here.area, here.slides, here.heat, here.damped};
   double sum[sums];

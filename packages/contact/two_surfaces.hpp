@@ -24,21 +24,23 @@ struct TwoSurfaceParameters : EnforcementParameters {
   void parameters(Parameters& p);
 };
 
-/// What all contacts of two deformable surfaces ask of the deck's "slave" and "master": two side sets without a common node.
-/// InputError. Collective.
+/// What all contacts of two deformable surfaces ask of the deck's "slave" and "master": two side sets without a common
+/// node. InputError. Collective.
 void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master);
 
-/// The deck's "friction"; null where there is none. InputError for friction on the effective traction of surfaces with pore
-/// pressure, which two surfaces do not know.
+/// The deck's "friction"; null where there is none. InputError for friction on the effective traction of surfaces with
+/// pore pressure, which two surfaces do not know.
 std::unique_ptr<const Friction> friction_of_two(const ContactContext& context, const Section& section);
 
-/// InputError where the slave is deeper in the master at the start than half its shortest side; `least_gap`: this rank's [m].
-/// Collective.
-void check_overlap_of_two(const ContactSurface& slave, const Section& section, const std::string& name, double least_gap);
+/// InputError where the slave is deeper in the master at the start than half its shortest side; `least_gap`: this
+/// rank's [m]. Collective.
+void check_overlap_of_two(const ContactSurface& slave, const Section& section, const std::string& name,
+                          double least_gap);
 
-/// Step in which two surfaces come nearer by at most `advance_limit` times the slave's shortest side, or by half their distance
-/// while they are far apart [s], at the speeds of the committed state. Collective.
-double closing_limit(const Space& space, const ContactSurface& slave, const MasterSurface& master, double advance_limit, const State& committed);
+/// Step in which two surfaces come nearer by at most `advance_limit` times the slave's shortest side, or by half their
+/// distance while they are far apart [s], at the speeds of the committed state. Collective.
+double closing_limit(const Space& space, const ContactSurface& slave, const MasterSurface& master, double advance_limit,
+                     const State& committed);
 
 /// The advice where surfaces met that the matrix has no place for; `here`: on this rank. Collective.
 std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool here);
@@ -55,6 +57,7 @@ struct SlaveSums {
 
 /// Writes the columns that all contacts of two surfaces have under the contact's name; the other sums of all ranks are
 /// returned. Collective.
-SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck, const SlaveSums& here, std::map<std::string, double>& values);
+SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck,
+                       const SlaveSums& here, std::map<std::string, double>& values);
 
 }  // namespace mudline

@@ -11,16 +11,24 @@
 namespace mudline {
 
 void EnforcementParameters::parameters(Parameters& p) {
-  p.add("penalty", penalty, "Pa/m", non_negative(), "Pressure per penetration; 0: penalty factor times the soil's stiffness over element size");
-  p.add("penalty factor", penalty_factor, "-", positive(), "Automatic penalty: multiple of constrained modulus over element height");
-  p.choice("enforcement", enforcement, {{"penalty", Enforcement::penalty}, {"augmented Lagrangian", Enforcement::augmented_lagrangian}},
-           "penalty: pressure = penalty times penetration; augmented Lagrangian: multipliers carry the pressure, found by repeated solves of a step "
+  p.add("penalty", penalty, "Pa/m", non_negative(),
+        "Pressure per penetration; 0: penalty factor times the soil's stiffness over element size");
+  p.add("penalty factor", penalty_factor, "-", positive(),
+        "Automatic penalty: multiple of constrained modulus over element height");
+  p.choice("enforcement", enforcement,
+           {{"penalty", Enforcement::penalty}, {"augmented Lagrangian", Enforcement::augmented_lagrangian}},
+           "penalty: pressure = penalty times penetration; augmented Lagrangian: multipliers carry the pressure, found "
+           "by repeated solves of a step "
            "(Uzawa) until the gap tolerance is met");
   p.add("gap tolerance", gap_tolerance, "m", non_negative(),
-        "Augmented Lagrangian: largest gap of what touches, weighted by the multipliers' shapes, and stretch where it sticks (where there is an "
-        "active set in an outer loop, also how far its chatter guard lets a point off); 0: a millionth of the surface's (the slave's) shortest side");
+        "Augmented Lagrangian: largest gap of what touches, weighted by the multipliers' shapes, and stretch where it "
+        "sticks (where there is an "
+        "active set in an outer loop, also how far its chatter guard lets a point off); 0: a millionth of the "
+        "surface's (the slave's) shortest side, and for the stretch a hundredth of the penetration that the "
+        "penalty alone would leave under the largest pressure, where that is more");
   p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
-        "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step is cut");
+        "Augmented Lagrangian: solves of a step after the first; where these do not meet the gap tolerance, the step "
+        "is cut");
 }
 
 void EnforcementParameters::check(const Section& section, bool guarded) const {
@@ -30,15 +38,19 @@ void EnforcementParameters::check(const Section& section, bool guarded) const {
       section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
 }
 
-void EnforcementParameters::start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
+void EnforcementParameters::start_penalties(const ContactSurface& surface,
+                                            const std::function<double(int, int)>& stiffness,
                                             const PointView& rows) const {
   const auto& sides = surface.sides();
   for (std::size_t s = 0; s < sides.size(); ++s)
-    if (!(rows(s, 0) > 0)) rows(s, 0) = penalty > 0 ? penalty : penalty_factor * stiffness(sides[s].block, sides[s].element) / sides[s].height;
+    if (!(rows(s, 0) > 0))
+      rows(s, 0) =
+          penalty > 0 ? penalty : penalty_factor * stiffness(sides[s].block, sides[s].element) / sides[s].height;
 }
 
 Misfit::Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums,
-               std::vector<double> lengths, std::vector<double> stiffnesses, double tangential_factor) {
+               std::vector<double> lengths, std::vector<double> stiffnesses, double tangential_factor, double deepest)
+    : spring(deepest) {
   gap = surface.mean(normal_sums, stiffnesses);
   normal = surface.mean(std::move(normal_sums), lengths);
   if (tangential_factor == 0) return;
@@ -47,30 +59,39 @@ Misfit::Misfit(const ContactSurface& surface, std::vector<double> normal_sums, s
   shear = surface.mean(std::move(shear_sums), std::move(lengths));
 }
 
-std::array<double, 2> Misfit::largest(const Comm& comm) const {
-  std::array<double, 2> here{}, everywhere{};
+Misfit::Largest Misfit::largest(const Comm& comm) const {
+  std::array<double, 3> here{0, 0, spring}, everywhere{};
   for (double value : gap) here[0] = std::max(here[0], std::abs(value));
   for (double value : stretch) here[1] = std::max(here[1], std::abs(value));
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, here.data(), everywhere.data());
-  return everywhere;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 3, here.data(), everywhere.data());
+  return {everywhere[0], everywhere[1], everywhere[2]};
 }
 
-std::optional<Augmentation> end_of_augmentation(const std::string& contact, const EnforcementParameters& deck, double gap_tolerance,
-                                                const Misfit& misfit, int count, const Comm& comm) {
-  const auto [gap, stretch] = misfit.largest(comm);
-  char text[280];
-  std::snprintf(text, sizeof text, "    contact/%s: after %d augmentations weighted gap %.3g m, stretch %.3g m", contact.c_str(), count, gap, stretch);
+std::optional<Augmentation> end_of_augmentation(const std::string& contact, const EnforcementParameters& deck,
+                                                double gap_tolerance, const Misfit& misfit, int count,
+                                                const Comm& comm) {
+  const auto [gap, stretch, spring] = misfit.largest(comm);
+  constexpr double share = 0.01;  // of the stretch that the largest pressure would make
+  const bool automatic = deck.gap_tolerance == 0;
+  const double stretch_tolerance = automatic ? std::max(gap_tolerance, share * spring) : gap_tolerance;
+  char text[480];
+  std::snprintf(text, sizeof text, "    contact/%s: after %d augmentations weighted gap %.3g m, stretch %.3g m",
+                contact.c_str(), count, gap, stretch);
   log::detail(text);
-  if (gap <= gap_tolerance && stretch <= gap_tolerance) return Augmentation{};
+  if (gap <= gap_tolerance && stretch <= stretch_tolerance) return Augmentation{};
   if (count < deck.most_augmentations) return std::nullopt;
-  std::snprintf(text, sizeof text,
-                "contact '%s' misses its gap tolerance of %.3g m after %d augmentations: weighted gap %.3g m, stretch of what "
-                "sticks %.3g m (a larger penalty converges faster)",
-                contact.c_str(), gap_tolerance, count, gap, stretch);
+  std::snprintf(
+      text, sizeof text,
+      "contact '%s' misses its gap tolerance of %.3g m after %d augmentations: weighted gap %.3g m, stretch of "
+      "what sticks %.3g m (allowed %.3g m); 'contacts/%s/gap tolerance'%s allows more, a larger 'penalty' or "
+      "'penalty factor' converges faster",
+      contact.c_str(), gap_tolerance, count, gap, stretch, stretch_tolerance, contact.c_str(),
+      automatic ? " (automatic here)" : "");
   return Augmentation{false, text};
 }
 
-std::vector<double> in_shapes(const ContactSurface& surface, const std::vector<double>& weighted, const ShapeMass& mass) {
+std::vector<double> in_shapes(const ContactSurface& surface, const std::vector<double>& weighted,
+                              const ShapeMass& mass) {
   // the mass matrix over its lumped self has eigenvalues between 0.4 (three nodes; 1/3 with two) and 1
   constexpr int sweeps = 12;
   std::vector<double> result = weighted;

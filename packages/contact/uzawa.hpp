@@ -21,35 +21,47 @@ struct EnforcementParameters {
   int most_augmentations = 50;
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   void parameters(Parameters& p);
-  /// Fills the rows (side, 0) that have no penalty yet [Pa/m]: it stays as it was when the contact first started a step.
-  /// `stiffness`: of the soil by block and element [Pa].
-  void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness, const PointView& rows) const;
-  /// InputError for entries that have no meaning with the penalty method. `guarded`: an active set's guard has a gap tolerance too.
+  /// Fills the rows (side, 0) that have no penalty yet [Pa/m]: it stays as it was when the contact first started a
+  /// step. `stiffness`: of the soil by block and element [Pa].
+  void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
+                       const PointView& rows) const;
+  /// InputError for entries that have no meaning with the penalty method. `guarded`: an active set's guard has a gap
+  /// tolerance too.
   void check(const Section& section, bool guarded = false) const;
 };
 
-/// By local node of a surface, weighted by the multipliers' shapes: what stresses differ by from their multipliers [Pa], and
-/// over the penalties the gap and the stretch of what sticks [m]. Without friction shear and stretch are empty.
+/// By local node of a surface, weighted by the multipliers' shapes: what stresses differ by from their multipliers
+/// [Pa], and over the penalties the gap and the stretch of what sticks [m]. Without friction shear and stretch are
+/// empty.
 struct Misfit {
   std::vector<double> normal, gap, shear, stretch;
+  double spring;  // [m] the deepest penetration that this rank's pressures would need without multipliers
 
   /// From sums over a rank's sides. `tangential_factor`: tangential over normal penalty; 0: no friction. Collective.
-  Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums, std::vector<double> lengths,
-         std::vector<double> stiffnesses, double tangential_factor);
-  /// Largest gap and stretch [m]. Collective.
-  std::array<double, 2> largest(const Comm& comm) const;
+  Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums,
+         std::vector<double> lengths, std::vector<double> stiffnesses, double tangential_factor, double spring);
+  struct Largest {
+    double gap, stretch, spring;  // [m]
+  };
+  /// Over all ranks. Collective.
+  Largest largest(const Comm& comm) const;
 };
 
-/// Whether Uzawa's method is at its end after `count` augmentations: within the tolerance, or refused at the most allowed
-/// ones. Nothing: the multipliers are to grow by the misfit, and the step to be solved again. Collective.
-std::optional<Augmentation> end_of_augmentation(const std::string& contact, const EnforcementParameters& deck, double gap_tolerance,
-                                                const Misfit& misfit, int count, const Comm& comm);
+/// Whether Uzawa's method is at its end after `count` augmentations: within the tolerance, or refused at the most
+/// allowed ones. Nothing: the multipliers are to grow by the misfit, and the step to be solved again. Where the deck
+/// gives no tolerance, that of the stretch follows the load: points at the edge of what sticks turn to and fro, and
+/// what they leave grows with the pressure. Collective.
+std::optional<Augmentation> end_of_augmentation(const std::string& contact, const EnforcementParameters& deck,
+                                                double gap_tolerance, const Misfit& misfit, int count,
+                                                const Comm& comm);
 
-/// Adds to `product` and `lengths`, by local node, the mass matrix of the multipliers' shapes on this rank's sides times
-/// `values`, and its row sums.
-using ShapeMass = std::function<void(const std::vector<double>& values, std::vector<double>& product, std::vector<double>& lengths)>;
+/// Adds to `product` and `lengths`, by local node, the mass matrix of the multipliers' shapes on this rank's sides
+/// times `values`, and its row sums.
+using ShapeMass =
+    std::function<void(const std::vector<double>& values, std::vector<double>& product, std::vector<double>& lengths)>;
 
 /// Nodal values whose field, in the multipliers' shapes, has these weighted means. Collective.
-std::vector<double> in_shapes(const ContactSurface& surface, const std::vector<double>& weighted, const ShapeMass& mass);
+std::vector<double> in_shapes(const ContactSurface& surface, const std::vector<double>& weighted,
+                              const ShapeMass& mass);
 
 }  // namespace mudline

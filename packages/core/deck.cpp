@@ -68,6 +68,37 @@ void refuse_non_finite(const Teuchos::ParameterEntry& entry, const std::string& 
     throw InputError(position + ": " + path + ": expected a finite number, given '" + entry_text(entry) + "'");
 }
 
+/// True where the section, or one in it, names the type of an object.
+bool names_a_type(const Teuchos::ParameterList& list) {
+  if (list.isParameter("type")) return true;
+  for (auto it = list.begin(); it != list.end(); ++it)
+    if (list.entry(it).isList() &&
+        names_a_type(Teuchos::any_cast<Teuchos::ParameterList>(list.entry(it).getAny(false))))
+      return true;
+  return false;
+}
+
+/// A section that only settings made and that is no new object, as it names no type, is refused where it looks like one
+/// beside it that the deck gives.
+void refuse_misspelt_settings(const Teuchos::ParameterList& list, const Sources& sources, const std::string& path) {
+  const auto is_setting = [&](const std::string& name) {
+    return sources.at(join_path(path, name)).rfind("--set ", 0) == 0;
+  };
+  std::vector<std::string> given;
+  for (auto it = list.begin(); it != list.end(); ++it)
+    if (list.entry(it).isList() && !is_setting(list.name(it))) given.push_back(list.name(it));
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    if (!list.entry(it).isList()) continue;
+    const auto& inner = Teuchos::any_cast<Teuchos::ParameterList>(list.entry(it).getAny(false));
+    const std::string full = join_path(path, list.name(it));
+    const std::string near = is_setting(list.name(it)) && !names_a_type(inner) ? nearest(list.name(it), given) : "";
+    if (!near.empty())
+      throw InputError(sources.at(full) + ": " + full + ": the deck has no such section (did you mean '" + near +
+                       "'?)");
+    refuse_misspelt_settings(inner, sources, full);
+  }
+}
+
 }  // namespace
 
 void Deck::overlay(const std::string& xml_text, const std::string& file_name) {
@@ -87,22 +118,15 @@ void Deck::set(const std::string& assignment) {
   const std::vector<std::string> names = split_path(assignment.substr(0, equals));
   Teuchos::ParameterList* list = list_.get();
   std::string path;
-  bool created = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i].empty()) throw InputError(position + ": a name of the path before '=' is empty");
-    const std::string parent = path;
     path = join_path(path, names[i]);
     if (i + 1 == names.size()) break;
-    if (!list->isSublist(names[i])) {
-      // A whole section may be left to its defaults ("solver", "output"): then the setting brings it in, and whoever reads
-      // the deck refuses a misspelt one. Inside a section that the deck gives, an absent name is a typing error.
-      const bool new_section = i == 0 || created;
-      const Section section(*list, sources_, nullptr, folder_);
-      if (!new_section)
-        throw InputError(position + ": " + path + ": the deck has no such section" + suggestion(names[i], section.section_names()));
-      created = true;
-      (*sources_)[path] = position;
-    }
+    // A section that the deck leaves to its defaults comes in with its first setting; whoever reads the deck refuses a
+    // misspelt one, at this position.
+    if (list->isParameter(names[i]) && !list->isSublist(names[i]))
+      throw InputError(position + ": " + path + ": a parameter; it has no entries of its own");
+    if (!list->isSublist(names[i])) (*sources_)[path] = position;
     list = &list->sublist(names[i]);
   }
   if (list->isSublist(names.back()))
@@ -114,6 +138,7 @@ void Deck::set(const std::string& assignment) {
 }
 
 Section Deck::root() {
+  refuse_misspelt_settings(*list_, *sources_, "");
   Registry<FunctionDefinition> types("function");
   register_functions(types);
   const Section bare(*list_, sources_, nullptr, folder_);

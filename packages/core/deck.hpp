@@ -20,11 +20,12 @@ class Deck {
   void overlay(const std::string& xml_text, const std::string& file_name);
 
   /// "stages/push/duration=2.0": replaces or adds one parameter; its type is that of the replaced value where the text
-  /// fits it, else inferred (bool, int, double, {a, b} array, string). InputError "--set <assignment>: ..." when
-  /// malformed, when a section of the path is not in the deck, or when it would replace a section.
+  /// fits it, else inferred (bool, int, double, {a, b} array, string). Sections of the path that the deck lacks come in
+  /// with it. InputError "--set <assignment>: ..." when malformed or when it would replace a section.
   void set(const std::string& assignment);
 
-  /// Reads the section "functions" (tables, expressions, constants) and returns the root section.
+  /// Reads the section "functions" (tables, expressions, constants) and returns the root section. InputError for what
+  /// is wrong with the functions, and for a section that only set() made and that looks like a misspelling.
   Section root();
 
   const Teuchos::ParameterList& list() const { return *list_; }

@@ -43,6 +43,31 @@ const char* explanation(tinyxml2::XMLError error) {
   }
 }
 
+/// White space of any kind and length is one blank, so that a message that shows the text stays one line.
+std::string one_line(const std::string& text) {
+  std::string line;
+  for (const char c : trim(text))
+    if (c != ' ' && c != '\t' && c != '\r' && c != '\n')
+      line += c;
+    else if (line.empty() || line.back() != ' ')
+      line += ' ';
+  return line;
+}
+
+/// The beginning of a text that stands where none may.
+std::string beginning(const std::string& text) {
+  const std::string line = one_line(text);
+  return line.size() <= 40 ? line : line.substr(0, 40) + " ...";
+}
+
+/// A line break or tab in an attribute is a blank (XML 1.0, section 3.3.3).
+std::string attribute_text(const char* value) {
+  std::string text = value;
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\t' || c == '\r' || c == '\n'; }, ' ');
+  return text;
+}
+
 class Reader {
  public:
   Reader(std::string file, Sources& sources) : file_(std::move(file)), sources_(sources) {}
@@ -53,7 +78,7 @@ class Reader {
     if (document.Error()) malformed(document);
     const tinyxml2::XMLElement* root = nullptr;
     for (const auto* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
-      if (node->ToText() != nullptr) fail(*node, "", "unexpected text '" + trim(node->Value()) + "'");
+      if (node->ToText() != nullptr) fail(*node, "", "unexpected text '" + beginning(node->Value()) + "'");
       if (node->ToElement() == nullptr) continue;  // comment or declaration
       if (root != nullptr) fail(*node, "", "a second root element; a deck has one <ParameterList>");
       root = node->ToElement();
@@ -89,7 +114,7 @@ class Reader {
 
   void read_children(const tinyxml2::XMLElement& parent, const std::string& path, Teuchos::ParameterList& list) {
     for (const auto* node = parent.FirstChild(); node != nullptr; node = node->NextSibling()) {
-      if (node->ToText() != nullptr) fail(*node, path, "unexpected text '" + trim(node->Value()) + "'");
+      if (node->ToText() != nullptr) fail(*node, path, "unexpected text '" + beginning(node->Value()) + "'");
       const auto* element = node->ToElement();
       if (element == nullptr) continue;  // a comment
       const std::string kind = element->Name();
@@ -107,7 +132,7 @@ class Reader {
   std::string new_name(const tinyxml2::XMLElement& element, const std::string& path, const Teuchos::ParameterList& list,
                        const std::string& what) const {
     const char* attribute = element.Attribute("name");
-    const std::string name = attribute == nullptr ? "" : attribute;
+    const std::string name = attribute == nullptr ? "" : attribute_text(attribute);
     if (trim(name).empty()) fail(element, path, "a <" + std::string(element.Name()) + "> has no name");
     const std::string full = join_path(path, name);
     if (name != trim(name)) fail(element, full, "the name begins or ends with a space");
@@ -127,7 +152,8 @@ class Reader {
 
   void read_parameter(const tinyxml2::XMLElement& element, const std::string& path, Teuchos::ParameterList& list) {
     const char* known = element.Attribute("name");
-    check_attributes(element, join_path(path, known == nullptr ? "" : known), {"name", "type", "value"});
+    check_attributes(element, join_path(path, known == nullptr ? "" : attribute_text(known)),
+                     {"name", "type", "value"});
     const std::string name = new_name(element, path, list, "parameter");
     const std::string full = join_path(path, name);
     if (element.FirstChild() != nullptr && element.FirstChild()->ToComment() == nullptr)
@@ -137,7 +163,8 @@ class Reader {
         fail(element, full, "the parameter has no " + std::string(attribute));
     sources_[full] = position(element);
     try {
-      list.setEntry(name, make_entry(element.Attribute("type"), element.Attribute("value")));
+      list.setEntry(name,
+                    make_entry(attribute_text(element.Attribute("type")), attribute_text(element.Attribute("value"))));
     } catch (const InputError& error) {
       fail(element, full, error.what());
     }

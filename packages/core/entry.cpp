@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/errors.hpp"
@@ -88,6 +89,22 @@ std::string describe_entry(const Teuchos::ParameterEntry& entry) {
   if (entry.isType<bool>()) return "the bool " + text;
   if (entry.isType<std::string>()) return "the string '" + text + "'";
   return "the " + entry_type(entry) + " " + text;
+}
+
+bool apart(const std::string& source, const std::string& other) {
+  return source.substr(0, source.rfind(':')) != other.substr(0, other.rfind(':'));
+}
+
+bool mentions(const Teuchos::ParameterList& list, const std::string& word) {
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    const Teuchos::ParameterEntry& entry = list.entry(it);
+    if (entry.isList() && mentions(value_of<Teuchos::ParameterList>(entry), word)) return true;
+    if (entry.isType<std::string>() && trim(value_of<std::string>(entry)) == word) return true;
+    if (!entry.isType<Teuchos::Array<std::string>>()) continue;
+    const auto& words = value_of<Teuchos::Array<std::string>>(entry);
+    if (std::find(words.begin(), words.end(), word) != words.end()) return true;
+  }
+  return false;
 }
 
 Teuchos::ParameterEntry make_entry(const std::string& type, const std::string& text) {

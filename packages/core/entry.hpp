@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Teuchos_ParameterEntry.hpp>
+#include <Teuchos_ParameterList.hpp>
 
 #include <string>
 #include <vector>
@@ -18,6 +19,13 @@ std::string entry_text(const Teuchos::ParameterEntry& entry);
 
 /// For error messages: "the string 'abc'", "the number 0.5", "a section".
 std::string describe_entry(const Teuchos::ParameterEntry& entry);
+
+/// True where two sources (section.hpp) are of different files, or of the command line: an overlay or --set may
+/// overrule what the deck says.
+bool apart(const std::string& source, const std::string& other);
+
+/// True where a string, or one of several, in the list or below it is `word`.
+bool mentions(const Teuchos::ParameterList& list, const std::string& word);
 
 /// The value that `text` stands for; `type` is one of entry_types().
 /// Throws InputError without position ("expected a number (double), given 'abc'"); nan and inf are refused.

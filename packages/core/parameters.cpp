@@ -152,9 +152,7 @@ void Parameters::declare(ParameterDoc doc) {
 
 const Teuchos::ParameterEntry* Parameters::entry(const ParameterDoc& doc) const {
   if (documenting()) return nullptr;
-  Teuchos::ParameterEntry* found = section_->list().getEntryPtr(doc.name);
-  if (found == nullptr && doc.required) section_->fail("required parameter '" + doc.name + "' is missing");
-  return found;
+  return section_->list().getEntryPtr(doc.name);  // finish() asks for the required ones, when all names are known
 }
 
 template <class Read>
@@ -279,11 +277,20 @@ bool Parameters::given(const std::string& name) const { return !documenting() &&
 
 void Parameters::finish() const {
   if (documenting()) return;
-  std::vector<std::string> parameters, sections;
-  for (const ParameterDoc& doc : docs_) parameters.push_back(doc.name);
+  std::vector<std::string> parameters, sections, missing, unknown;
+  for (const ParameterDoc& doc : docs_) {
+    parameters.push_back(doc.name);
+    if (doc.required && !section_->list().isParameter(doc.name)) missing.push_back(doc.name);
+  }
   for (const SubsectionDoc& doc : subsections_) sections.push_back(doc.name);
+  for (const std::string& name : section_->parameter_names())
+    if (std::find(parameters.begin(), parameters.end(), name) == parameters.end()) unknown.push_back(name);
+  for (const std::string& name : missing)
+    if (!nearest(name, unknown).empty())
+      section_->fail("unknown parameter (did you mean '" + name + "'?)", nearest(name, unknown));
   section_->allow_parameters(parameters);
   section_->allow_sections(sections);
+  if (!missing.empty()) section_->fail("required parameter '" + missing.front() + "' is missing");
 }
 
 }  // namespace mudline

@@ -105,6 +105,11 @@ std::string Section::source(const std::string& entry) const {
 }
 
 void Section::fail(const std::string& message, const std::string& entry) const {
+  // Who misses the type of an object does not know the object's other names yet.
+  const std::string missing = "required parameter 'type' is missing";
+  const std::string misspelt =
+      message.compare(0, missing.size(), missing) == 0 ? nearest("type", parameter_names()) : "";
+  if (!misspelt.empty()) fail("unknown parameter (did you mean 'type'?)", misspelt);
   std::string line;
   for (const std::string& part : {source(entry), join_path(path_, entry)})
     if (!part.empty()) line += part + ": ";

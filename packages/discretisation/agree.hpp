@@ -11,6 +11,19 @@
 
 namespace mudline {
 
+/// The text of the lowest rank that has one, on every rank; "" where none has. Collective.
+inline std::string of_first_rank(const Teuchos::Comm<int>& comm, std::string text) {
+  const int mine = text.empty() ? comm.getSize() : comm.getRank();
+  int first = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &first);
+  if (first == comm.getSize()) return "";
+  int length = static_cast<int>(text.size());
+  Teuchos::broadcast(comm, first, 1, &length);
+  text.resize(length);
+  Teuchos::broadcast(comm, first, length, text.data());
+  return text;
+}
+
 /// Runs `action` on every rank; when it throws anywhere, every rank throws the error of the lowest such rank, so that
 /// what only one rank can see (a missing file, a bad mesh) ends all of them alike. Collective; the action itself must
 /// not communicate.

@@ -51,6 +51,11 @@ void BoxMesh::check(const Section& section) {
                    "upper");
     if (!(grading_[d] > 0)) section.fail("must be positive, given " + number_text(grading_[d]), "grading");
   }
+  constexpr double most_cells = 2e7;  // some 4 GB on the first rank
+  if (cells_[0] * cells_[1] > most_cells)
+    section.fail(
+        "expected at most " + number_text(most_cells) + " cells in all, given " + number_text(cells_[0] * cells_[1]),
+        "cells");
   step_ = order(cell_);
   if (layer_regions_.empty() && !layer_tops_.empty())
     section.fail("'layer tops' needs 'layer regions', one more name than tops", "layer tops");

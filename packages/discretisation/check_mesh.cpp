@@ -8,18 +8,11 @@
 #include "core/errors.hpp"
 #include "core/text.hpp"
 #include "discretisation/distribute.hpp"
+#include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
 
 namespace {
-
-std::string at(double x, double y) {
-  char text[80];
-  std::snprintf(text, sizeof(text), "(%.6g, %.6g)", x, y);
-  return text;
-}
-
-std::string at(const std::array<double, 2>& point) { return at(point[0], point[1]); }
 
 std::string centre(const GlobalMesh& mesh, const long long* nodes, CellShape shape) {
   double x = 0, y = 0;
@@ -28,7 +21,7 @@ std::string centre(const GlobalMesh& mesh, const long long* nodes, CellShape sha
     x += mesh.coordinates[nodes[c]][0] / n;
     y += mesh.coordinates[nodes[c]][1] / n;
   }
-  return at(x, y);
+  return place_text({x, y});
 }
 
 /// Calls f(block, nodes of the element).
@@ -63,14 +56,14 @@ void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
   if (orphans > 0) {
     const auto first = std::find(used.begin(), used.end(), 0) - used.begin();
     throw InputError(std::to_string(orphans) + " nodes of the mesh belong to no element; the first is at " +
-                     at(mesh.coordinates[first]));
+                     place_text(mesh.coordinates[first]));
   }
   if (geometry == Geometry::plane_strain) return;
   double largest = 0;
   for (const auto& point : mesh.coordinates) largest = std::max(largest, std::abs(point[0]));
   for (const auto& point : mesh.coordinates)
     if (point[0] < -1e-12 * largest)
-      throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + at(point));
+      throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + place_text(point));
 }
 
 /// Neighbours run along their common side in opposite directions and share its middle node; a direction met twice
@@ -88,45 +81,33 @@ void check_fit(const GlobalMesh& mesh) {
       const auto other = middles.find(b * count + a);
       if (other != middles.end() && other->second != middle)
         throw InputError("neighbours do not share the middle node of their common side from " +
-                         at(mesh.coordinates[a]) + " to " + at(mesh.coordinates[b]));
+                         place_text(mesh.coordinates[a]) + " to " + place_text(mesh.coordinates[b]));
     }
   });
 }
 
-/// Reference gradients (point; node, 2) where the Jacobian is looked at: the points of the usual quadrature, and the
-/// corners, where a curved side folds an element first.
-std::vector<std::vector<double>> gradients(CellShape shape) {
+/// Where the Jacobian is looked at: the points of the usual quadrature, and the corners, where a curved side folds an
+/// element first.
+std::vector<std::array<double, 2>> jacobian_points(CellShape shape) {
   std::vector<std::array<double, 2>> points = cell_quadrature(shape, 4).points;
   if (num_corners(shape) == 3) {
     points.insert(points.end(), {{0, 0}, {1, 0}, {0, 1}});
   } else {
     points.insert(points.end(), {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
   }
-  std::vector<std::vector<double>> result;
-  std::vector<double> values(num_nodes(shape)), slopes(2 * num_nodes(shape));
-  for (const auto& point : points) {
-    evaluate_shape(shape, point.data(), values.data(), slopes.data());
-    result.push_back(slopes);
-  }
-  return result;
-}
-
-double jacobian(const GlobalMesh& mesh, const long long* nodes, const std::vector<double>& dN) {
-  double j[2][2] = {};
-  for (std::size_t k = 0; k < dN.size(); ++k)
-    for (int i = 0; i < 2; ++i) j[i][k % 2] += mesh.coordinates[nodes[k / 2]][i] * dN[k];
-  return j[0][0] * j[1][1] - j[0][1] * j[1][0];
+  return points;
 }
 
 void check_jacobians(const GlobalMesh& mesh) {
   const GlobalMesh::Block* current = nullptr;
-  std::vector<std::vector<double>> points;
+  std::vector<std::array<double, 2>> points;
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
-    if (&block != current) points = gradients(block.shape);
+    if (&block != current) points = jacobian_points(block.shape);
     current = &block;
     double lowest = std::numeric_limits<double>::max(), size = 0;
-    for (const std::vector<double>& dN : points) {
-      const double value = jacobian(mesh, nodes, dN);
+    const ElementMap map(block.shape, [&](int a) { return mesh.coordinates[nodes[a]]; });
+    for (const auto& point : points) {
+      const double value = map.determinant(point.data());
       if (!std::isfinite(value)) throw InputError("the mesh has a coordinate that is not finite");
       lowest = std::min(lowest, value);
     }

@@ -154,7 +154,8 @@ void Cutter::add_partners() {
     for (std::size_t rank = 0; rank < concerned.size(); ++rank) {
       if (!concerned[rank]) continue;
       std::vector<long long> all;
-      std::set_union(nodes_of_rank_[rank].begin(), nodes_of_rank_[rank].end(), partners.begin(), partners.end(), std::back_inserter(all));
+      std::set_union(nodes_of_rank_[rank].begin(), nodes_of_rank_[rank].end(), partners.begin(), partners.end(),
+                     std::back_inserter(all));
       nodes_of_rank_[rank] = std::move(all);
     }
   }

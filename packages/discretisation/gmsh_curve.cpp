@@ -33,7 +33,8 @@ std::vector<int> tags_of_group(const std::string& name, const SourcePosition& po
     tags.insert(tags.end(), entities.begin(), entities.end());
   }
   if (tags.empty())
-    position.fail("unknown physical curve '" + name + "'" + suggestion(name, known) + "; the model has " + (known.empty() ? "none" : join(known)),
+    position.fail("unknown physical curve '" + name + "'" + suggestion(name, known) + "; the model has " +
+                      (known.empty() ? "none" : join(known)),
                   "physical curve");
   return tags;
 }
@@ -45,7 +46,9 @@ std::vector<int> existing(const std::vector<int>& tags, const SourcePosition& po
   for (const auto& entity : all) known.push_back(entity.second);
   for (int tag : tags)
     if (std::find(known.begin(), known.end(), tag) == known.end())
-      position.fail("the model has no curve " + std::to_string(tag) + "; it has " + (known.empty() ? "none" : join(as_text(known))), "curves");
+      position.fail("the model has no curve " + std::to_string(tag) + "; it has " +
+                        (known.empty() ? "none" : join(as_text(known))),
+                    "curves");
   return tags;
 }
 
@@ -82,8 +85,8 @@ class Curve {
     std::vector<double> x;
     gmsh::model::getValue(1, tag_, {t}, x);
     if (std::abs(x.at(2)) > 1e-9 * std::max(std::abs(x[0]), std::abs(x[1])))
-      position_.fail("curve " + std::to_string(tag_) + " is not in the x-y plane: it has a point at (" + number_text(x[0]) + ", " + number_text(x[1]) +
-                         ", " + number_text(x[2]) + ")",
+      position_.fail("curve " + std::to_string(tag_) + " is not in the x-y plane: it has a point at (" +
+                         number_text(x[0]) + ", " + number_text(x[1]) + ", " + number_text(x[2]) + ")",
                      "file");
     return {x[0], x[1]};
   }
@@ -128,15 +131,16 @@ CadCurve CadCurve::reversed() const {
   return result;
 }
 
-std::vector<CadCurve> read_gmsh_curves(const std::string& file, const GmshOverrides& overrides, const CurveSelection& selection,
+std::vector<CadCurve> read_gmsh_curves(const GmshFile& file, const CurveSelection& selection,
                                        const SourcePosition& position) {
-  std::vector<CadCurve> result;
-  with_gmsh(file, position, [&] {
-    open_in_gmsh(file, overrides, position);
-    const auto tags = selection.group.empty() ? existing(selection.tags, position) : tags_of_group(selection.group, position);
+  return with_gmsh<std::vector<CadCurve>>(file, position, [&] {
+    open_in_gmsh(file, position);
+    const auto tags =
+        selection.group.empty() ? existing(selection.tags, position) : tags_of_group(selection.group, position);
+    std::vector<CadCurve> result;
     for (int tag : tags) result.push_back(Curve(tag, position).read());
+    return result;
   });
-  return result;
 }
 
 }  // namespace mudline

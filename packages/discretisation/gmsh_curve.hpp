@@ -18,6 +18,7 @@ struct CadCurve {
   CurvePoint start() const;
   CurvePoint end() const;
   CadCurve reversed() const;
+  void transfer(ByteStream& s) { s(tag)(kind)(points)(runs); }
 };
 
 /// Which curves of a model are meant: a physical group, or tags.
@@ -26,10 +27,11 @@ struct CurveSelection {
   std::vector<int> tags;
 };
 
-/// Reads curves of a geometry (.geo) or CAD model (.step, .stp, .brep) by Gmsh. Lines and circles are recognised, of all
-/// others the model's own parametrisation is taken over, see polynomial_runs(). InputError for a model that cannot be read,
-/// groups and tags it does not have, and curves off the x-y plane; entries "file", "physical curve" and "curves".
-std::vector<CadCurve> read_gmsh_curves(const std::string& file, const GmshOverrides& overrides, const CurveSelection& selection,
+/// Reads curves of a geometry (.geo) or CAD model (.step, .stp, .brep) by Gmsh. Lines and circles are recognised, of
+/// all others the model's own parametrisation is taken over, see polynomial_runs(). InputError for a model that cannot
+/// be read, groups and tags it does not have, and curves off the x-y plane; entries "file", "physical curve" and
+/// "curves".
+std::vector<CadCurve> read_gmsh_curves(const GmshFile& file, const CurveSelection& selection,
                                        const SourcePosition& position);
 
 }  // namespace mudline

@@ -19,9 +19,8 @@ class GmshMesh : public MeshSource {
  private:
   GlobalMesh read_model() const;
 
-  std::string file_;
+  GmshFile file_;
   int order_ = 2;
-  GmshOverrides overrides_;
   SourcePosition position_;
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/child_process.hpp"
 #include "core/errors.hpp"
 #include "core/text.hpp"
 
@@ -13,27 +14,14 @@ namespace mudline {
 
 namespace {
 
-/// Gmsh between initialize and finalize. It keeps its log and the parameters of a geometry beyond finalize: both are emptied.
-class GmshSession {
- public:
-  GmshSession() {
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-    // Errors go to the log only: an exception from within Gmsh's threaded meshing would end the program.
-    gmsh::option::setNumber("General.AbortOnError", 0);
-    gmsh::onelab::clear();
-    gmsh::logger::start();
-  }
-  ~GmshSession() {
-    try {
-      gmsh::logger::stop();
-      gmsh::finalize();
-    } catch (...) {  // nothing of what was read depends on a clean end
-    }
-  }
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
-};
+/// Nothing closes Gmsh: its process ends with the work.
+void start_gmsh() {
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  // Errors go to the log only: an exception from within Gmsh's threaded meshing would end the process.
+  gmsh::option::setNumber("General.AbortOnError", 0);
+  gmsh::logger::start();
+}
 
 /// Names of the parameters that the open geometry defines, without those in which Gmsh describes itself.
 std::vector<std::string> geometry_parameters() {
@@ -51,19 +39,19 @@ bool ends_with_newline(const std::string& file) {
   return stream.get() == '\n';
 }
 
-void override_parameters(const std::string& file, const GmshOverrides& overrides, const SourcePosition& position) {
+void override_parameters(const GmshFile& file, const SourcePosition& position) {
   // The first reading, with the geometry's own values, tells which parameters there are.
   const std::vector<std::string> known = geometry_parameters();
-  for (const auto& item : overrides)
+  for (const auto& item : file.overrides)
     if (std::find(known.begin(), known.end(), item.first) == known.end())
       position.section()
           .section("parameters")
-          .fail("unknown parameter '" + item.first + "' of '" + short_name(file) + "'; it defines " +
+          .fail("unknown parameter '" + item.first + "' of '" + short_name(file.name) + "'; it defines " +
                     (known.empty() ? "none (DefineConstant with a Name)" : join(known)),
                 item.first);
   gmsh::clear();
-  for (const auto& [name, value] : overrides) gmsh::onelab::setNumber(name, {value});
-  gmsh::open(file);
+  for (const auto& [name, value] : file.overrides) gmsh::onelab::setNumber(name, {value});
+  gmsh::open(file.name);
 }
 
 }  // namespace
@@ -81,25 +69,43 @@ std::string gmsh_error() {
   return "";
 }
 
-void with_gmsh(const std::string& file, const SourcePosition& position, const std::function<void()>& work) {
-  const GmshSession session;
+void GmshFile::parameters(Parameters& p, const std::string& formats) {
+  p.required_file("file", name, formats);
+  p.passes_on("parameters", "Values for the geometry's named constants (DefineConstant with a Name), by these names");
+  p.add("time limit", time_limit, "s", positive(), "Gmsh is given up when it has not finished after this time");
+}
+
+std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& position,
+                               const std::function<std::vector<char>()>& work) {
+  const auto in_gmsh = [&] {
+    start_gmsh();
+    try {
+      return work();
+    } catch (const InputError&) {
+      throw;
+    } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
+      const std::string error = gmsh_error();
+      position.fail("Gmsh, reading '" + short_name(file.name) + "': " + (error.empty() ? "it gave no reason" : error),
+                    "file");
+    }
+  };
   try {
-    work();
-  } catch (const InputError&) {
-    throw;
-  } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
-    const std::string error = gmsh_error();
-    position.fail("Gmsh, reading '" + short_name(file) + "': " + (error.empty() ? "it gave no reason" : error), "file");
+    return in_child_process(in_gmsh, file.time_limit);
+  } catch (const ChildLost& lost) {
+    position.fail("Gmsh, reading '" + short_name(file.name) + "', " + lost.what() +
+                      (lost.timed_out ? "; does a boundary cut itself? 'time limit' gives it more time" : ""),
+                  "file");
   }
 }
 
-void open_in_gmsh(const std::string& file, const GmshOverrides& overrides, const SourcePosition& position) {
-  if (is_gmsh_geometry(file) && !ends_with_newline(file))
-    position.fail("'" + short_name(file) + "' has no newline at its end, Gmsh would read nothing of it; add one", "file");
-  gmsh::open(file);
-  if (!overrides.empty()) override_parameters(file, overrides, position);
+void open_in_gmsh(const GmshFile& file, const SourcePosition& position) {
+  if (is_gmsh_geometry(file.name) && !ends_with_newline(file.name))
+    position.fail("'" + short_name(file.name) + "' has no newline at its end, Gmsh would read nothing of it; add one",
+                  "file");
+  gmsh::open(file.name);
+  if (!file.overrides.empty()) override_parameters(file, position);
   const std::string error = gmsh_error();
-  if (!error.empty()) position.fail("Gmsh, reading '" + short_name(file) + "': " + error, "file");
+  if (!error.empty()) position.fail("Gmsh, reading '" + short_name(file.name) + "': " + error, "file");
 }
 
 GmshOverrides gmsh_overrides(const Section& section, const std::string& file) {

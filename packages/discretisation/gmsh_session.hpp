@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "discretisation/byte_stream.hpp"
 #include "discretisation/source_position.hpp"
 
 namespace mudline {
@@ -12,13 +13,37 @@ namespace mudline {
 /// Values for a geometry's named constants.
 using GmshOverrides = std::map<std::string, double>;
 
-/// Runs `work` with Gmsh open, silent and without the user's configuration files, so that a deck gives the same everywhere.
-/// What Gmsh complains of becomes an InputError at the entry "file" of `position`.
-void with_gmsh(const std::string& file, const SourcePosition& position, const std::function<void()>& work);
+/// A file for Gmsh and how it is to be read.
+struct GmshFile {
+  std::string name;
+  GmshOverrides overrides;
+  double time_limit = 600;  // [s]
+  void parameters(Parameters& p, const std::string& formats);
+};
 
-/// Opens a file within with_gmsh(), a geometry (.geo) with these values for its named constants. InputError for a file that
-/// Gmsh cannot read, and for constants it does not have.
-void open_in_gmsh(const std::string& file, const GmshOverrides& overrides, const SourcePosition& position);
+/// Runs `work`, which gives bytes, in a process of its own with Gmsh open, silent and without the user's configuration
+/// files, so that a deck gives the same everywhere. What Gmsh complains of, a crash of it, and a call that does not
+/// come back within the file's time limit become an InputError at the entry "file" of `position`.
+std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& position,
+                               const std::function<std::vector<char>()>& work);
+
+/// The same for a result of any type that a ByteStream carries.
+template <class Result, class Work>
+Result with_gmsh(const GmshFile& file, const SourcePosition& position, Work&& work) {
+  ByteStream stream(gmsh_process(file, position, [&] {
+    Result result = work();
+    ByteStream written;
+    written(result);
+    return written.bytes();
+  }));
+  Result result;
+  stream(result);
+  return result;
+}
+
+/// Opens a file within with_gmsh(), a geometry (.geo) with the values for its named constants. InputError for a file
+/// that Gmsh cannot read, and for constants it does not have.
+void open_in_gmsh(const GmshFile& file, const SourcePosition& position);
 
 /// Reads the sublist "parameters". InputError where the file is no geometry.
 GmshOverrides gmsh_overrides(const Section& section, const std::string& file);

@@ -3,8 +3,10 @@
 #include <stdexcept>
 
 #include "core/errors.hpp"
+#include "core/guarded.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/distribute.hpp"
+#include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
 
@@ -91,26 +93,48 @@ void require_region(const Mesh& mesh, const Section& section, const std::string&
   if (mesh.region_bounds().count(name) == 0) fail_unknown(section, entry, "region", name, mesh.regions());
 }
 
-Geometry declare_geometry(Parameters& p) {
+namespace {
+
+/// What make_mesh reads of the section "mesh", of whatever type its source is.
+struct Entries {
   Geometry geometry = Geometry::plane_strain;
+  std::vector<std::string> cracks;
+  void parameters(Parameters& p);
+};
+
+void Entries::parameters(Parameters& p) {
   p.choice("geometry", geometry, {{"plane strain", Geometry::plane_strain}, {"axisymmetric", Geometry::axisymmetric}},
            "What the x-y plane is: a cross-section of unit thickness, or a half-plane turned about x = 0");
-  return geometry;
+  p.add("cracks", cracks,
+        "Side sets along cracks that are meant: sides that lie beside others without common nodes, and part from them");
+}
+
+}  // namespace
+
+Geometry declare_geometry(Parameters& p) {
+  Entries entries;
+  entries.parameters(p);
+  return entries.geometry;
 }
 
 std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
                                 const Section& section, const SetPairs& pairs) {
-  Geometry geometry{};
+  Entries entries;
   GlobalMesh global;
   agree(*comm, [&] {
-    const std::unique_ptr<MeshSource> source = sources.create(section);
+    const std::unique_ptr<MeshSource> source = create_guarded(sources, section);
     Parameters p(section);
-    geometry = declare_geometry(p);
+    entries.parameters(p);
     if (comm->getRank() == 0) global = source->generate();
     global.pairs = pairs;
   });
   try {
-    return std::make_unique<Mesh>(comm, geometry, std::move(global));
+    agree(*comm, [&] {
+      if (comm->getRank() != 0) return;
+      check_mesh(global, entries.geometry);
+      check_seams(global, entries.cracks);
+    });
+    return std::make_unique<Mesh>(comm, entries.geometry, std::move(global));
   } catch (const InputError& error) {
     section.fail(error.what());  // the mesh itself does not know the deck
   }

@@ -132,8 +132,8 @@ void require_region(const Mesh& mesh, const Section& section, const std::string&
 /// "box" and, when built with Gmsh, "gmsh"; a plain list.
 void register_mesh_sources(Registry<MeshSource>& registry);
 
-/// Reads the deck's "mesh" section: geometry and source; returns the distributed mesh. `pairs` of unknown sets count for
-/// nothing. Collective.
+/// Reads the deck's "mesh" section: geometry and source; returns the distributed mesh. `pairs` of unknown sets count
+/// for nothing. Collective.
 std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
                                 const Section& section, const SetPairs& pairs = {});
 

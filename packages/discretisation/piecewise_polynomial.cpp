@@ -24,7 +24,8 @@ class Fit {
     for (int k = 0; k <= degree; ++k) {
       CurvePoint sum{0, 0};
       for (int j = 0; j <= degree; ++j)
-        for (int i = 0; i < 2; ++i) sum[i] += (j == 0 || j == degree ? 0.5 : 1.0) * values[j][i] * std::cos(pi * j * k / degree);
+        for (int i = 0; i < 2; ++i)
+          sum[i] += (j == 0 || j == degree ? 0.5 : 1.0) * values[j][i] * std::cos(pi * j * k / degree);
       for (double& c : sum) c *= (k == 0 || k == degree ? 1.0 : 2.0) / degree;
       result.coefficients.push_back(sum);
     }
@@ -75,7 +76,8 @@ PolynomialRun::Value PolynomialRun::at(double t) const {
       result.d[i] += 2 * coefficients[k][i] * D[0];
       result.dd[i] += 4 * coefficients[k][i] * S[0];
     }
-    const double next = 2 * s * T[1] - T[0], next_d = 2 * T[1] + 2 * s * D[1] - D[0], next_s = 4 * D[1] + 2 * s * S[1] - S[0];
+    const double next = 2 * s * T[1] - T[0], next_d = 2 * T[1] + 2 * s * D[1] - D[0],
+                 next_s = 4 * D[1] + 2 * s * S[1] - S[0];
     T[0] = T[1], D[0] = D[1], S[0] = S[1];
     T[1] = next, D[1] = next_d, S[1] = next_s;
   }
@@ -89,7 +91,8 @@ PolynomialRun PolynomialRun::reversed() const {
   return result;
 }
 
-std::vector<PolynomialRun> polynomial_runs(const std::function<CurvePoint(double)>& f, double from, double to, double tolerance) {
+std::vector<PolynomialRun> polynomial_runs(const std::function<CurvePoint(double)>& f, double from, double to,
+                                           double tolerance) {
   const Fit fit(f, tolerance);
   std::vector<double> ends;
   if (!fit.divide(from, to, 0, ends)) return {};

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace mudline {
 
-/// Decides whether the Jacobian of an earlier iteration may serve once more (a chord instead of a tangent). A chord iteration
-/// costs a residual and a solve with factors that exist, about a fifth of assembling and factoring; so it pays when the
-/// contraction seen so far promises convergence within two or three. Ratios: residual over its tolerance, worst field.
+/// Decides whether the Jacobian of an earlier iteration may serve once more (a chord instead of a tangent). A chord
+/// iteration costs a residual and a solve with factors that exist, about a fifth of assembling and factoring; so it
+/// pays when the contraction seen so far promises convergence within two or three. Ratios: residual over its tolerance,
+/// worst field.
 class ChordControl {
  public:
   bool enabled = false;
@@ -20,7 +22,7 @@ class ChordControl {
   }
   /// Another solve within the step.
   void start_solve() { count_ = 0; }
-  /// All that the next step needs, for a checkpoint; and back.
+  /// All that the next step needs, for a checkpoint; and back: takes it off the end. std::logic_error: it is not there.
   void save(std::vector<double>& to) const {
     to.insert(to.end(), key_.begin(), key_.end());
     to.push_back(valid_ ? 1.0 : 0.0);
@@ -28,6 +30,8 @@ class ChordControl {
     to.push_back(static_cast<double>(key_.size()));
   }
   void restore(std::vector<double>& from) {
+    if (from.size() < 3 || !(from.back() >= 0 && from.back() <= static_cast<double>(from.size() - 3)))
+      throw std::logic_error("the checkpoint's memory of the last Jacobian is incomplete");
     const auto size = static_cast<std::size_t>(from.back());
     first_contraction_ = from[from.size() - 2];
     valid_ = from[from.size() - 3] != 0;
@@ -41,9 +45,9 @@ class ChordControl {
     first_contraction_ = 1;
   }
   void renewed() { valid_ = true; }
-  /// The residual of the next iterate.
-  void observe(double ratio) {
-    if (count_ > 0) contraction_ = ratio / last_;
+  /// The residual of the next iterate and of the one before it, of the same allowed one.
+  void observe(double ratio, double before) {
+    if (count_ > 0) contraction_ = ratio / before;
     if (count_ == 1) first_contraction_ = contraction_;
     last_ = ratio;
     ++count_;

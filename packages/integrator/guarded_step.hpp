@@ -11,23 +11,25 @@
 
 namespace mudline {
 
-/// Full Newton steps, halved where the residual cannot be evaluated (a folded element, a soil law that fails) and, if a largest
-/// growth is given, where it grows by more than that while it is large, or goes back and forth near the end. Residuals may rise
-/// on the way through contact and friction, where a search that insists on descent would crawl, so that the latter is a choice.
+/// Full Newton steps, halved where the residual cannot be evaluated (a folded element, a soil law that fails) and, if a
+/// largest growth is given, where it grows by more than that while it is large, or goes back and forth near the end.
+/// Residuals may rise on the way through contact and friction, where a search that insists on descent would crawl, so
+/// that the latter is a choice.
 class GuardedStep : public NOX::LineSearch::Generic {
  public:
   GuardedStep(double largest_growth, int halvings) : largest_growth_(largest_growth), halvings_(halvings) {}
   bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                const NOX::Solver::Generic& solver) override {
     const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
-    const double before = old.getNormF();
     step = 1;
     for (int halving = 0;; ++halving, step *= 0.5) {
       group.computeX(old, direction, step);
       const bool evaluated = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
-      const double now = evaluated ? group.getNormF() : 0.0;
+      // both measured by what acts at the new place
+      const double now = evaluated ? group.getNormF() : 0.0, before = old.getNormF();
       const bool cycles = solver.getNumIterations() >= patience_ && now > before;
-      const bool tame = evaluated && (largest_growth_ == 0 || (now <= near_ ? !cycles : now <= largest_growth_ * before));
+      const bool tame =
+          evaluated && (largest_growth_ == 0 || (now <= near_ ? !cycles : now <= largest_growth_ * before));
       if (tame || halving == halvings_) return true;
     }
   }
@@ -45,8 +47,8 @@ class GuardedStep : public NOX::LineSearch::Generic {
   };
 
  private:
-  // Times the tolerance: nearer than this single points that open or slide may raise the residual, but not for ever: after
-  // so many iterations they go back and forth, and half a step between their two states is nearer to both.
+  // Times the tolerance: nearer than this single points that open or slide may raise the residual, but not for ever:
+  // after so many iterations they go back and forth, and half a step between their two states is nearer to both.
   static constexpr double near_ = 100;
   static constexpr int patience_ = 6;
   double largest_growth_;

@@ -20,8 +20,8 @@ namespace {
 /// The per-field convergence test of the head comment; also notices a residual that is not finite.
 class FieldTest : public NOX::StatusTest::Generic {
  public:
-  FieldTest(NonlinearProblem& problem, NewtonReport& report, int maximum)
-      : problem_(problem), report_(report), maximum_(maximum) {}
+  FieldTest(NonlinearProblem& problem, NewtonReport& report, int least, int maximum)
+      : problem_(problem), report_(report), least_(least), maximum_(maximum) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& group = solver.getSolutionGroup();
@@ -42,7 +42,8 @@ class FieldTest : public NOX::StatusTest::Generic {
       worst_update = largest(problem_.update_ratios(dx, NoxVector::of(group.getX())));
     }
     const bool deep = worst <= 1e-2;
-    if (deep || (iteration > 0 && worst <= 1 && worst_update <= 1)) return finish(NOX::StatusTest::Converged, "");
+    if (iteration >= least_ && (deep || (iteration > 0 && worst <= 1 && worst_update <= 1)))
+      return finish(NOX::StatusTest::Converged, "");
     if (iteration >= maximum_) {
       const std::string text = worst > 1 ? "residual " + short_number(worst) : "update " + short_number(worst_update);
       return finish(NOX::StatusTest::Failed,
@@ -83,28 +84,73 @@ class FieldTest : public NOX::StatusTest::Generic {
   }
   NonlinearProblem& problem_;
   NewtonReport& report_;
-  int maximum_;
+  int least_, maximum_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
+
+}  // namespace
+
+namespace {
+
+/// Of Newton's step: (0, 1].
+Range share() { return {0, 1, true, false}; }
 
 }  // namespace
 
 void NewtonOptions::parameters(Parameters& p) {
   p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000), "Newton iterations before the step is cut");
   p.add("halvings", halvings, "-", closed(0, 20),
-        "largest number of times that an iteration's step is halved where the residual cannot be evaluated or grows too much; not with a line search of NOX");
+        "largest number of times that an iteration's step is halved where the residual cannot be evaluated or grows "
+        "too much; not with a line search of NOX");
   p.add("largest growth", largest_growth, "-", non_negative(),
         "of the residual in one iteration, before its step is halved; 1.2 suits deep penetration; 0: any");
   p.add("reuse Jacobian", reuse_jacobian,
-        "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one would not pay");
-  p.choice("first guess", first_guess, {{"committed", FirstGuess::committed}, {"extrapolated", FirstGuess::extrapolated}},
-           "of a step: the state it starts from; extrapolated: moved on with the velocities of that state, for steady penetration, where soil that yields goes on yielding");
-  p.passes_on("nox", "sublists of NOX as its manual names them: Line Search, Direction, Nonlinear Solver");
-  if (p.documenting() || !p.deck().has_section("nox")) return;
-  const Section section = p.deck().section("nox");
-  section.allow_sections({"Line Search", "Direction", "Solver Options", "Trust Region"});
-  section.allow_parameters({"Nonlinear Solver"});
-  nox = section.list();
+        "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one "
+        "would not pay");
+  p.choice("first guess", first_guess,
+           {{"committed", FirstGuess::committed}, {"extrapolated", FirstGuess::extrapolated}},
+           "of a step: the state it starts from; extrapolated: moved on with the velocities of that state, for steady "
+           "penetration, where soil that yields goes on yielding");
+  p.section("nox", nox, "a line search of NOX instead of the guarded full steps, with NOX's names");
+  guarded = p.documenting() || !p.deck().has_section("nox");
+  for (const char* entry : {"halvings", "largest growth"})
+    if (!guarded && p.given(entry)) p.deck().fail("has no effect beside a line search of NOX (section 'nox')", entry);
+}
+
+void NoxLineSearch::FullStep::parameters(Parameters& p) {
+  p.add("Full Step", length, "-", share(), "share of Newton's step that is taken");
+}
+
+void NoxLineSearch::Backtrack::parameters(Parameters& p) {
+  p.add("Default Step", first, "-", share(), "share of Newton's step that is tried first");
+  p.add("Minimum Step", smallest, "-", share(), "the search fails below this share");
+  p.add("Recovery Step", recovery, "-", share(), "share that is taken where the search fails");
+  p.add("Max Iters", evaluations, "-", closed(1, 1000), "evaluations of the residual before the search fails");
+  p.add("Reduction Factor", reduction, "-", open(0, 1), "from one trial to the next");
+}
+
+void NoxLineSearch::parameters(Parameters& p) {
+  p.choice("Method", method, {{"Full Step", Method::full_step}, {"Backtrack", Method::backtrack}},
+           "always the same share of Newton's step, or shorter ones until the residual falls");
+  p.section("Full Step", full_step, "with this method");
+  p.section("Backtrack", backtrack, "with this method");
+  if (p.documenting()) return;
+  const char* idle = method == Method::backtrack ? "Full Step" : "Backtrack";
+  if (p.deck().has_section(idle)) p.deck().fail("has no effect with another 'Method'", idle);
+}
+
+Teuchos::ParameterList NoxLineSearch::list() const {
+  Teuchos::ParameterList list("Line Search");
+  list.set("Method", method == Method::backtrack ? "Backtrack" : "Full Step");
+  if (method == Method::full_step) list.sublist("Full Step").set("Full Step", full_step.length);
+  if (method != Method::backtrack) return list;
+  Teuchos::ParameterList& search = list.sublist("Backtrack");
+  search.set("Default Step", backtrack.first);
+  search.set("Minimum Step", backtrack.smallest);
+  search.set("Recovery Step", backtrack.recovery);
+  search.set("Max Iters", backtrack.evaluations);
+  search.set("Reduction Factor", backtrack.reduction);
+  return list;
 }
 
 NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& options, Vector& x) {
@@ -112,14 +158,17 @@ NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& option
   auto shared = std::make_shared<NoxGroup::Shared>();
   shared->problem = &problem;
   const RCP<NoxGroup> group = rcp(new NoxGroup(shared, x));
-  const RCP<FieldTest> test = rcp(new FieldTest(problem, report, options.maximum_iterations));
-  const RCP<Teuchos::ParameterList> list = rcp(new Teuchos::ParameterList(options.nox));
-  if (!list->isParameter("Nonlinear Solver")) list->set("Nonlinear Solver", "Line Search Based");
-  // The tangents are consistent, so full steps converge fastest; contact and yielding raise the residual on the way, where a
-  // line search would only crawl (measured on the cone deck: no rejected step against 4 % with backtracking).
-  if (!list->isSublist("Line Search")) {
-    const RCP<NOX::LineSearch::UserDefinedFactory> guarded = rcp(new GuardedStep::Factory(options.largest_growth, options.halvings));
+  const RCP<FieldTest> test = rcp(new FieldTest(problem, report, options.least_iterations, options.maximum_iterations));
+  const RCP<Teuchos::ParameterList> list = rcp(new Teuchos::ParameterList("NOX"));
+  list->set("Nonlinear Solver", "Line Search Based");
+  // The tangents are consistent, so full steps converge fastest; contact and yielding raise the residual on the way,
+  // where a line search would only crawl (measured on the cone deck: no rejected step against 4 % with backtracking).
+  if (options.guarded) {
+    const RCP<NOX::LineSearch::UserDefinedFactory> guarded =
+        rcp(new GuardedStep::Factory(options.largest_growth, options.halvings));
     list->sublist("Line Search").set("Method", "User Defined").set("User Defined Line Search Factory", guarded);
+  } else {
+    list->sublist("Line Search") = options.nox.line_search.list();
   }
   list->sublist("Printing").set("Output Information", 0);
   // NOX tells of a failed evaluation whatever the level; the step's own message says more

@@ -16,7 +16,8 @@ class NonlinearProblem {
  public:
   virtual ~NonlinearProblem() = default;
   virtual RCP<const Map> map() const = 0;
-  /// Pure in x. Returns false where F cannot be evaluated (a failed point on any rank); F is then undefined. Collective.
+  /// Pure in x. Returns false where F cannot be evaluated (a failed point on any rank); F is then undefined.
+  /// Collective.
   virtual bool residual(const Vector& x, Vector& f) = 0;
   /// Linearises at x.
   virtual bool jacobian(const Vector& x) = 0;
@@ -30,14 +31,42 @@ class NonlinearProblem {
   virtual void observe(double worst) {}
 };
 
+/// A line search of NOX in the place of the guarded step, with NOX's names. Those that need a slope are no choice: the
+/// merit here weighs the fields by their tolerances, and NOX's slope does not.
+struct NoxLineSearch {
+  enum class Method { full_step, backtrack };
+  struct FullStep {
+    double length = 1;
+    void parameters(Parameters& p);
+  };
+  struct Backtrack {
+    double first = 1, smallest = 1e-12, recovery = 1, reduction = 0.5;  // [-], shares of the Newton step
+    int evaluations = 100;
+    void parameters(Parameters& p);
+  };
+  Method method = Method::full_step;
+  FullStep full_step;
+  Backtrack backtrack;
+  void parameters(Parameters& p);
+  /// As NOX reads it.
+  Teuchos::ParameterList list() const;
+};
+
+struct NoxOptions {
+  NoxLineSearch line_search;
+  void parameters(Parameters& p) { p.section("Line Search", line_search, "how far to go along Newton's direction"); }
+};
+
 struct NewtonOptions {
   enum class FirstGuess { committed, extrapolated };
   int maximum_iterations = 15;
+  int least_iterations = 0;  // taken even where the first guess has no residual; not a parameter
   int halvings = 4;
   double largest_growth = 0;  // 0: any
   bool reuse_jacobian = true;
   FirstGuess first_guess = FirstGuess::committed;
-  Teuchos::ParameterList nox;   // passes through to NOX (Line Search, Direction, ...)
+  bool guarded = true;  // the deck names no line search of NOX
+  NoxOptions nox;
   void parameters(Parameters& p);
 };
 
@@ -45,8 +74,8 @@ struct NewtonReport {
   bool converged = false;
   int iterations = 0;
   int evaluations = 0;
-  std::string reason;                          // why not
-  std::vector<std::vector<double>> history;    // residual ratios of every iteration, by field
+  std::string reason;                        // why not
+  std::vector<std::vector<double>> history;  // residual ratios of every iteration, by field
 };
 
 /// Newton's method by NOX with a test per field: residual below its tolerance and (after the first update) the update

@@ -52,8 +52,8 @@ class NoxVector : public NOX::Abstract::Vector {
     v_.update(alpha, of(a), gamma);
     return *this;
   }
-  NOX::Abstract::Vector& update(double alpha, const NOX::Abstract::Vector& a, double beta, const NOX::Abstract::Vector& b,
-                                double gamma) override {
+  NOX::Abstract::Vector& update(double alpha, const NOX::Abstract::Vector& a, double beta,
+                                const NOX::Abstract::Vector& b, double gamma) override {
     v_.update(alpha, of(a), beta, of(b), gamma);
     return *this;
   }
@@ -90,8 +90,13 @@ class NoxGroup : public NOX::Abstract::Group {
   NoxGroup(std::shared_ptr<Shared> shared, const Vector& x)
       : shared_(std::move(shared)), x_(x), f_(x.getMap()), newton_(x.getMap()), gradient_(x.getMap()) {}
   NoxGroup(const NoxGroup& other, NOX::CopyType type)
-      : shared_(other.shared_), x_(other.x_.get()), f_(other.f_.get()), newton_(other.newton_.get()),
-        gradient_(other.gradient_.get()), has_f_(other.has_f_), has_newton_(other.has_newton_) {
+      : shared_(other.shared_),
+        x_(other.x_.get()),
+        f_(other.f_.get()),
+        newton_(other.newton_.get()),
+        gradient_(other.gradient_.get()),
+        has_f_(other.has_f_),
+        has_newton_(other.has_newton_) {
     if (type == NOX::ShapeCopy) has_f_ = has_newton_ = false;
   }
   NOX::Abstract::Group& operator=(const NOX::Abstract::Group& g) override {

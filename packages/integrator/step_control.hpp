@@ -6,24 +6,36 @@
 
 namespace mudline {
 
+/// Local time error of a step over its tolerance, and what follows from it for the size of the step.
+struct LocalError {
+  double ratio = -1;      // largest over the fields; negative: not measured
+  double factor = 1e300;  // by which the step meets the tolerance in the field that asks for the shortest one
+
+  /// Takes in a field whose error is ~ dt^(order + 1).
+  void add(double field_ratio, int order);
+};
+
 /// Size of the steps of one stage: iteration-controlled, optionally error-controlled, cut on failure.
 struct StepControl {
-  double initial = 0;        // [s]
-  double minimum = 0;        // [s] 0: initial * 1e-6
-  double maximum = 0;        // [s] 0: the stage's duration
-  double growth = 1.0;       // after an easy step; 1: constant steps
-  double cut = 0.5;          // after a failed one
-  int easy_iterations = 6;   // grow when Newton took no more
-  int hard_iterations = 10;  // shrink by `cut` when it took more
-  double error_tolerance = 0;  // relative local error of displacement and pressure; 0: off
+  double initial = 0;          // [s]
+  double minimum = 0;          // [s] 0: initial * 1e-6
+  double maximum = 0;          // [s] 0: the stage's duration
+  double growth = 1.0;         // after an easy step; 1: constant steps
+  double cut = 0.5;            // after a failed one
+  int easy_iterations = 6;     // grow when Newton took no more
+  int hard_iterations = 10;    // shrink by `cut` when it took more
+  double error_tolerance = 0;  // relative local error of the fields; 0: off
   int maximum_steps = 1000000;
 
   void parameters(Parameters& p);
   void check(const Section& section) const;
   /// Fills the defaults that depend on the duration.
   void complete(double duration);
-  /// Next step after success. `error`: local error divided by its tolerance (0 when not measured).
-  double after_success(double dt, int iterations, double error) const;
+  /// Next step after success.
+  double after_success(double dt, int iterations, const LocalError& error) const;
+  /// Step that replaces a converged one whose local error is too large; negative: there is none to be replaced. At the
+  /// minimum it is taken as it is: where a load jumps no step is short enough.
+  double after_error(double dt, const LocalError& error) const;
   /// Next step after failure; negative when it would be below the minimum.
   double after_failure(double dt) const;
 };

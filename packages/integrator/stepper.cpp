@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/absolute_product.hpp"
+#include "core/guarded.hpp"
 #include "core/log.hpp"
+#include "discretisation/agree.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -28,15 +31,23 @@ class Stopwatch {
 }  // namespace
 
 void StepTolerances::parameters(Parameters& p) {
-  p.add("residual tolerance", residual, "-", open(0, 1), "forces and fluxes out of balance, relative to the element contributions, per field");
-  p.add("update tolerance", update, "-", open(0, 1), "last Newton update relative to the increment of the step, per field");
+  p.add("residual tolerance", residual, "-", open(0, 1),
+        "forces and fluxes out of balance, relative to what acts in the step: the element contributions, before they "
+        "cancel, of inertia, contact, rates, and of the changes of stresses and loads, per field");
+  p.add("update tolerance", update, "-", open(0, 1),
+        "last Newton update relative to the increment of the step, per field");
   p.add("linear tolerance", linear, "-", open(0, 1), "residual of the linear solves, relative, per field");
 }
 
 Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms, LinearSolver& solver,
                  std::function<BlockData(const StepView&)> block_data)
-    : space_(space), store_(store), terms_(std::move(terms)), solver_(solver), block_data_(std::move(block_data)),
-      assembler_(space.dofs()), evaluated_(space.dofs()->owned()) {
+    : space_(space),
+      store_(store),
+      terms_(std::move(terms)),
+      solver_(solver),
+      block_data_(std::move(block_data)),
+      assembler_(space.dofs()),
+      evaluated_(space.dofs()->owned()) {
   int slots = 0;
   for (Term* term : terms_) {
     term->declare_state(store_);
@@ -46,12 +57,13 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   store_.allocate_history(slots);
   assembler_.finalise();
   const int n = space.dofs()->num_overlap_dofs(), nodes = space.mesh().num_nodes();
-  for (NodalView* v : {&value_, &rate_, &velocity_, &acceleration_, &ahead_old_, &ahead_end_, &reaction_, &total_}) *v = NodalView("level", n);
+  for (NodalView* v :
+       {&value_, &rate_, &velocity_, &acceleration_, &ahead_old_, &ahead_end_, &reaction_, &total_, &acting_, &whole_})
+    *v = NodalView("level", n);
   for (CoordinateView* v : {&x_end_, &x_momentum_, &x_balance_}) *v = CoordinateView("coordinates", nodes, 2);
   constraints_ = {Kokkos::View<char*>("constrained", n), NodalView("prescribed", n)};
-  reference_.assign(space.num_fields(), 0);
-  reference_floor_.assign(space.num_fields(), 0);
-  size_floor_.assign(space.num_fields(), 0);
+  for (auto* sizes : {&reference_, &rounding_, &matrix_rounding_, &reference_floor_, &size_floor_})
+    sizes->assign(space.num_fields(), 0);
   double squares = 0;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
     for (int i = 0; i < 2; ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
@@ -94,13 +106,15 @@ void Stepper::prepare_view(const StepRequest& request) {
   view_.x_old = old.coordinates;
   view_.x_end = trial.coordinates;
   const double momentum = 1 - scheme_.alpha_f;  // weight of the new level
-  // A balance over the whole step sees the midpoint geometry, on which div(Delta u) is the volume change to second order.
+  // A balance over the whole step sees the midpoint geometry, on which div(Delta u) is the volume change to second
+  // order.
   const double balance = scheme_.incremental ? 0.5 : momentum;
   const double balance_time = scheme_.incremental ? scheme_.theta : momentum;
   view_.momentum = {old.time + momentum * request.dt, x_momentum_, momentum};
   view_.balance = {old.time + balance_time * request.dt, x_balance_, balance};
   view_.inertia = scheme_.inertia;
   view_.flow = scheme_.flow;
+  view_.linearisation = 0;
   view_.committed = &old;
   view_.trial = &trial;
   set_sensitivities();
@@ -135,8 +149,10 @@ void Stepper::levels_of_field(int f, int begin, int end) {
   for (int i = begin; i < end; ++i) {
     const double change = trial.value(i) - old.value(i), mean = change / dt;
     if (second && scheme_.inertia) {
-      trial.acceleration(i) = (mean - old.rate(i)) / (scheme_.beta * dt) - (0.5 / scheme_.beta - 1) * old.acceleration(i);
-      trial.rate(i) = old.rate(i) + dt * ((1 - scheme_.gamma) * old.acceleration(i) + scheme_.gamma * trial.acceleration(i));
+      trial.acceleration(i) =
+          (mean - old.rate(i)) / (scheme_.beta * dt) - (0.5 / scheme_.beta - 1) * old.acceleration(i);
+      trial.rate(i) =
+          old.rate(i) + dt * ((1 - scheme_.gamma) * old.acceleration(i) + scheme_.gamma * trial.acceleration(i));
       acceleration_(i) = (1 - am) * trial.acceleration(i) + am * old.acceleration(i);
       velocity_(i) = (1 - af) * trial.rate(i) + af * old.rate(i);
       value_(i) = old.value(i) + (1 - af) * change;
@@ -195,23 +211,41 @@ int Stepper::history_slot(int k) const {
   return history_slot_[std::find(terms_.begin(), terms_.end(), active_[k]) - terms_.begin()];
 }
 
+int Stepper::evaluate_term(Term& term, const NodalView& force, const ResidualView& to) {
+  std::string problem;
+  int failed = 0;
+  try {
+    failed = term.residual(view_, to);
+  } catch (...) {
+    failed = 1;
+    problem = ", which throws: " + what_was_thrown();
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < force.extent(0); ++i) sum += 0.0 * force(i);  // NaN where one is not finite
+  if (failed == 0 && sum != 0.0) {
+    failed = 1;
+    problem = ", which gives a force or flux that is not finite";
+  }
+  if (failed > 0 && failure_.empty()) failure_ = term.name() + problem;
+  return failed;
+}
+
 int Stepper::evaluate_terms() {
-  Kokkos::deep_copy(total_, 0.0);
+  for (const NodalView& sizes : {total_, acting_, whole_}) Kokkos::deep_copy(sizes, 0.0);
   int failures = 0;
   failure_.clear();
   const double new_weight = 1 - scheme_.alpha_f;
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const NodalView force = force_[k];
     Kokkos::deep_copy(force, 0.0);
-    const int failed = active_[k]->residual(view_, force);
-    if (failed > 0 && failure_.empty()) failure_ = active_[k]->name();
-    failures += failed;
+    const ResidualView to(force, acting_, whole_);
+    failures += evaluate_term(*active_[k], force, to);
     const int slot = history_slot(static_cast<int>(k));
     if (slot >= 0) {
       const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
       Kokkos::deep_copy(now, force);
       for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = new_weight * now(i) + scheme_.alpha_f * old(i);
-      active_[k]->correction(view_, force);
+      active_[k]->correction(view_, to);
     }
     for (std::size_t i = 0; i < force.extent(0); ++i) total_(i) += force(i);
   }
@@ -224,29 +258,41 @@ bool Stepper::residual(const Vector& x, Vector& f) {
   levels(x);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
   if (failures > 0) {
-    failure_ = std::to_string(failures) + " points failed" + (failure_.empty() ? "" : " in " + failure_);
+    failure_ = std::to_string(failures) + (failures == 1 ? " point" : " points") + " failed in " +
+               of_first_rank(*space_.dofs()->comm(), failure_);
     return false;
   }
   for (std::size_t i = 0; i < total_.extent(0); ++i) reaction_(i) = constraints_.mask(i) ? total_(i) : 0.0;
   for (std::size_t i = 0; i < total_.extent(0); ++i)
     if (constraints_.mask(i)) total_(i) = 0;
   export_overlap(*space_.dofs(), total_, f);
-  update_references();
+  measure();
   Tpetra::deep_copy(evaluated_, x);
   stands_ = true;
   return true;
 }
 
-void Stepper::add_matrices() {
+bool Stepper::add_matrices() {
   assembler_.begin(constraints_.mask);
-  for (Term* term : active_) term->jacobian(view_, assembler_, term->history() ? 1 - scheme_.alpha_f : 1.0);
+  std::string problem;
+  for (Term* term : active_) {
+    try {
+      term->jacobian(view_, assembler_, term->history() ? 1 - scheme_.alpha_f : 1.0);
+    } catch (...) {
+      if (problem.empty()) problem = "the Jacobian of " + term->name() + ": " + what_was_thrown();
+    }
+  }
   assembler_.end();
+  ++view_.linearisation;
+  problem = of_first_rank(*space_.dofs()->comm(), problem);
+  if (!problem.empty()) failure_ = problem;
+  return problem.empty();
 }
 
 void Stepper::check_chord() {
   const TimeScheme& t = scheme_;
-  std::vector<double> key{view_.dt,  t.inertia ? 1.0 : 0.0, t.flow ? 1.0 : 0.0, t.alpha_m,      t.alpha_f, t.beta,
-                          t.gamma,   t.incremental ? 1.0 : 0.0, t.flow_alpha_m, t.flow_alpha_f, t.theta};
+  std::vector<double> key{view_.dt, t.inertia ? 1.0 : 0.0,     t.flow ? 1.0 : 0.0, t.alpha_m,      t.alpha_f, t.beta,
+                          t.gamma,  t.incremental ? 1.0 : 0.0, t.flow_alpha_m,     t.flow_alpha_f, t.theta};
   key.insert(key.end(), constraints_.mask.data(), constraints_.mask.data() + constraints_.mask.extent(0));
   if (sum_over_ranks(*space_.dofs()->comm(), chord_.belongs_to(key) ? 0 : 1) > 0) chord_.forget();
   chord_.start_step(key);
@@ -258,8 +304,9 @@ bool Stepper::jacobian(const Vector& x) {
     const Stopwatch watch(times_.jacobian);
     stands_ = false;
     levels(x);
-    add_matrices();
+    if (!add_matrices()) return false;
     chord_.renewed();
+    measure_rounding(x);
   }
   solver_.set_matrix(assembler_.matrix(), [this] { return block_data_(view_); });
   return true;
@@ -276,33 +323,49 @@ bool Stepper::solve(const Vector& f, Vector& dx) {
   return report.converged;
 }
 
-void Stepper::update_references() {
-  const int fields = space_.num_fields();
-  std::vector<double> local(fields * active_.size(), 0.0);
-  for (std::size_t k = 0; k < active_.size(); ++k)
-    for (int f = 0; f < fields; ++f) {
-      double size = active_[k]->magnitude_squared(f);
-      if (size < 0) {
-        size = 0;
-        for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
-          for (int i = begin; i < end; ++i) size += force_[k](i) * force_[k](i);
-      }
-      local[k * fields + f] = size;
-    }
-  const std::vector<double> global = sum_over_ranks(*space_.dofs()->comm(), local);
-  for (std::size_t k = 0; k < active_.size(); ++k)
-    for (int f = 0; f < fields; ++f) reference_[f] = std::max(reference_[f], std::sqrt(global[k * fields + f]));
+void Stepper::measure() {
+  Vector sizes(map());
+  export_overlap(*space_.dofs(), acting_, sizes);
+  reference_ = owned_field_norms(*space_.dofs(), sizes);
+  export_overlap(*space_.dofs(), whole_, sizes);
+  rounding_ = owned_field_norms(*space_.dofs(), sizes);
+  for (std::size_t i = 0; i < rounding_.size(); ++i) rounding_[i] = rounding_unit * rounding_[i] + matrix_rounding_[i];
+}
+
+void Stepper::measure_rounding(const Vector& x) {
+  matrix_rounding_ = owned_field_norms(*space_.dofs(), absolute_product(*assembler_.matrix(), x));
+  for (double& r : matrix_rounding_) r *= rounding_unit;
+}
+
+std::vector<double> Stepper::allowed(const std::vector<double>& least) const {
+  std::vector<double> result;
+  for (int i = 0; i < space_.num_fields(); ++i) {
+    const double reference = std::max({reference_[i], least[i], floor_share * reference_floor_[i]});
+    result.push_back(std::max(tolerances_.residual * reference + rounding_[i], 1e-300));
+  }
+  return result;
 }
 
 std::vector<double> Stepper::residual_ratios(const Vector& f) {
-  const std::vector<double> norms = owned_field_norms(*space_.dofs(), f);
+  norms_ = owned_field_norms(*space_.dofs(), f);
+  // what the step sets out of balance acts in it, also where nothing has answered yet
+  const bool first = first_norms_.empty();
+  if (first) first_norms_ = norms_;
+  const std::vector<double> limits = allowed(norms_ == first_norms_ ? norms_ : std::vector<double>(norms_.size(), 0.0));
   std::vector<double> ratios;
-  for (int i = 0; i < space_.num_fields(); ++i) {
-    // late in a stage, when all rates have died out, rounding must not stop the run: the floor
-    const double reference = std::max(reference_[i], 1e-6 * reference_floor_[i]);
-    ratios.push_back(norms[i] == 0 ? 0.0 : norms[i] / (tolerances_.residual * std::max(reference, 1e-300)));
-  }
+  for (std::size_t i = 0; i < norms_.size(); ++i) ratios.push_back(norms_[i] == 0 ? 0.0 : norms_[i] / limits[i]);
   return ratios;
+}
+
+void Stepper::observe(double worst) {
+  // the contraction is that of the residual, not of a ratio whose reference has grown meanwhile
+  double before = 0;
+  if (!observed_norms_.empty()) {
+    const std::vector<double> limits = allowed(std::vector<double>(norms_.size(), 0.0));
+    for (std::size_t i = 0; i < limits.size(); ++i) before = std::max(before, observed_norms_[i] / limits[i]);
+  }
+  chord_.observe(worst, before);
+  observed_norms_ = norms_;
 }
 
 std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
@@ -324,7 +387,9 @@ std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
 Vector Stepper::begin(const StepRequest& request, const StepTolerances& tolerances) {
   tolerances_ = tolerances;
   linear_iterations_ = factorisations_ = 0;
-  std::fill(reference_.begin(), reference_.end(), 0.0);
+  std::fill(matrix_rounding_.begin(), matrix_rounding_.end(), 0.0);
+  first_norms_.clear();
+  observed_norms_.clear();
   prepare_view(request);
   constrain(request);
   check_chord();

@@ -14,8 +14,8 @@ namespace mudline {
 
 /// Tolerances of one step.
 struct StepTolerances {
-  double residual = 1e-6;   // of the size of the element contributions, per field
-  double update = 1e-4;     // of the increment of the step, per field
+  double residual = 1e-6;  // of the size of what acts in the step, before it cancels, per field
+  double update = 1e-4;    // of the increment of the step, per field
   double linear = 1e-8;
   void parameters(Parameters& p);
 };
@@ -56,17 +56,20 @@ class Stepper : public NonlinearProblem {
   bool refresh_history();
   /// Residual of the committed state under static loads (no inertia, no flow), by overlap dof, summed over ranks.
   NodalView static_residual();
-  /// Accelerations and first-order rates that satisfy the equations of motion at the committed state (start of a dynamic
-  /// stage). Fields whose rate matrix is singular (incompressible constituents) keep the rate zero.
+  /// What the active terms say of the last evaluation where it failed, "; ..." each; "" where nothing. Collective.
+  std::string hints() const;
+  /// Accelerations and first-order rates that satisfy the equations of motion at the committed state (start of a
+  /// dynamic stage). Fields whose rate matrix is singular (incompressible constituents) keep the rate zero.
   bool initialise_rates(const StepRequest& request, double linear_tolerance);
 
   /// Lets the linear solver take up what LinearSolver::memory() gave in the run that is continued.
   void restore_solver(const std::vector<double>& memory);
-  /// What restore_solver takes: the solver's memory and which Jacobian may serve on. The run goes on as a restarted one would.
+  /// What restore_solver takes: the solver's memory and which Jacobian may serve on. The run goes on as a restarted one
+  /// would.
   std::vector<double> solver_memory();
 
-  /// First half of an attempt: predictor, prescribed unknowns, the terms' begin. Afterwards residual() and jacobian() may
-  /// be called for any x. Returns the initial guess.
+  /// First half of an attempt: predictor, prescribed unknowns, the terms' begin. Afterwards residual() and jacobian()
+  /// may be called for any x. Returns the initial guess.
   Vector begin(const StepRequest& request, const StepTolerances& tolerances);
 
   /// Tries one step from the committed state; on success the trial state is complete. The committed state is untouched.
@@ -86,7 +89,8 @@ class Stepper : public NonlinearProblem {
   StateStore& store() { return store_; }
   const Assembler& assembler() const { return assembler_; }
   const StepTimes& times() const { return times_; }
-  /// Largest reference size per field met so far in the stage: the floor of the convergence test. Part of a checkpoint.
+  /// Largest size per field of what acted in a step of the stage so far, or of rounding: a millionth of it is the floor
+  /// of the reference in the steps to come. Part of a checkpoint.
   std::vector<double>& reference_floor() { return reference_floor_; }
   /// Largest norm of each field's values so far; rounding is measured against it. Part of a checkpoint.
   std::vector<double>& size_floor() { return size_floor_; }
@@ -99,19 +103,20 @@ class Stepper : public NonlinearProblem {
   bool solve(const Vector& f, Vector& dx) override;
   std::vector<double> residual_ratios(const Vector& f) override;
   std::vector<double> update_ratios(const Vector& dx, const Vector& x) override;
-  void observe(double worst) override { chord_.observe(worst); }
+  void observe(double worst) override;
 
  private:
-  /// Where prescribed unknowns move, replaces the guess `x` (the others left behind, which folds or yields the elements in
-  /// between when the motion is large) by the linear answer of the committed state to it; also where a term asks for that.
-  /// False where it leaves x alone.
+  /// Where prescribed unknowns move, replaces the guess `x` (the others left behind, which folds or yields the elements
+  /// in between when the motion is large) by the linear answer of the committed state to it; also where a term asks for
+  /// that. False where it leaves x alone.
   bool predict(Vector& x);
   bool predict_linear(Vector& x, bool always);
-  /// Moves the guess on with the committed velocities; false, and x left alone, where nothing moves or where the terms cannot
-  /// be evaluated there.
+  /// Moves the guess on with the committed velocities; false, and x left alone, where nothing moves or where the terms
+  /// cannot be evaluated there.
   bool extrapolate(Vector& x);
-  /// Whether the forces of the committed state, evaluated without any motion (the last evaluation), are those it was left with.
-  /// A soil whose strength depends on the strain rate relaxes at rest: its answer there says nothing of a moving one.
+  /// Whether the forces of the committed state, evaluated without any motion (the last evaluation), are those it was
+  /// left with. A soil whose strength depends on the strain rate relaxes at rest: its answer there says nothing of a
+  /// moving one.
   bool rests() const;
   /// Forgets the Jacobian at hand if the coming step has another step size, scheme or set of free unknowns.
   void check_chord();
@@ -128,15 +133,28 @@ class Stepper : public NonlinearProblem {
   void levels(const Vector& x);
   void levels_of_field(int f, int begin, int end);
   int evaluate_terms();
+  /// Term::residual into `force`, behind `to`; one that throws, or gives what is not finite, counts as failed.
+  int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
   void export_sum(const NodalView& overlap, Vector& owned) const;
-  std::vector<double> field_norms(const Vector& v) const;
-  void update_references();
-  void add_matrices();
+  /// Sizes of what acts and of rounding at the last evaluation.
+  void measure();
+  /// Rounding of the residual that the unknowns' own rounding makes through the matrix.
+  void measure_rounding(const Vector& x);
+  /// Residual allowed per field, whose reference is at least `least`.
+  std::vector<double> allowed(const std::vector<double>& least) const;
+  /// False, and failure_ says why, where a term throws on some rank. Collective.
+  bool add_matrices();
+
+  /// Rounding of a sum of contributions of size 1 that have some of their own.
+  static constexpr double rounding_unit = 1e-14;
+  /// Of the largest reference of the stage: late in a stage, when all rates have died out, what is left need not be
+  /// followed for ever.
+  static constexpr double floor_share = 1e-6;
 
   const Space& space_;
   StateStore& store_;
   std::vector<Term*> terms_, active_;
-  std::vector<int> history_slot_;      // by term: index of its F_n, -1
+  std::vector<int> history_slot_;  // by term: index of its F_n, -1
   LinearSolver& solver_;
   std::function<BlockData(const StepView&)> block_data_;
   Assembler assembler_;
@@ -144,10 +162,13 @@ class Stepper : public NonlinearProblem {
   TimeScheme scheme_;
   StepTolerances tolerances_;
   Constraints constraints_;
-  NodalView value_, rate_, velocity_, acceleration_, ahead_old_, ahead_end_, reaction_, total_;
+  NodalView value_, rate_, velocity_, acceleration_, ahead_old_, ahead_end_, reaction_, total_, acting_, whole_;
   CoordinateView x_end_, x_momentum_, x_balance_;
   std::vector<NodalView> force_;
-  std::vector<double> reference_, reference_floor_, size_floor_;
+  // By field: what acts at the last evaluation, rounding of residual and matrix, norms of the residual of the first and
+  // of the last iterate that was measured, and of the one observed before.
+  std::vector<double> reference_, rounding_, matrix_rounding_, first_norms_, norms_, observed_norms_;
+  std::vector<double> reference_floor_, size_floor_;
   double coordinate_norm_ = 0;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;

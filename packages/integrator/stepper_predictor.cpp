@@ -1,4 +1,5 @@
-// The first guess of a step: by the linear answer to prescribed unknowns that move, or by the velocities of the step before.
+// The first guess of a step: by the linear answer to prescribed unknowns that move, or by the velocities of the step
+// before.
 #include <algorithm>
 
 #include "integrator/overlap.hpp"
@@ -7,13 +8,13 @@
 namespace mudline {
 
 bool Stepper::predict(Vector& x) {
-  const bool asked = std::any_of(active_.begin(), active_.end(), [](Term* term) { return term->asks_for_prediction(); });
+  const bool asked =
+      std::any_of(active_.begin(), active_.end(), [](Term* term) { return term->asks_for_prediction(); });
   for (Term* term : active_) term->predicting(asked);
   const bool predicted = predict_linear(x, asked);
   for (Term* term : active_) term->predicting(false);
   if (!asked) return predicted;
-  // nothing of the more linear step may enter the iteration: no sizes of forces, no state, no Jacobian
-  std::fill(reference_.begin(), reference_.end(), 0.0);
+  // nothing of the more linear step may enter the iteration: no state, no Jacobian
   stands_ = false;
   chord_.forget();
   return predicted;
@@ -40,8 +41,8 @@ bool Stepper::predict_linear(Vector& x, bool always) {
   moved.update(1, x, -1, old, 0);
   const bool moves = moved.norm2() > 0;
   if (!moves && !always) return false;
-  // The columns of prescribed unknowns are not in the matrix: their product with the change is differenced. The fraction is
-  // small enough for the elements next to the moving nodes, large enough against rounding.
+  // The columns of prescribed unknowns are not in the matrix: their product with the change is differenced. The
+  // fraction is small enough for the elements next to the moving nodes, large enough against rounding.
   constexpr double fraction = 1e-3;
   Vector f(map()), shifted(map()), part(old, Teuchos::Copy), correction(map());
   part.update(fraction, moved, 1);

@@ -9,7 +9,8 @@ namespace mudline {
 bool Stepper::stands_at(const Vector& x) const {
   bool same = stands_;
   if (same) {
-    const auto here = evaluated_.getLocalViewHost(Tpetra::Access::ReadOnly), there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto here = evaluated_.getLocalViewHost(Tpetra::Access::ReadOnly),
+               there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; same && i < here.extent(0); ++i) same = here(i, 0) == there(i, 0);
   }
   return sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) == 0;
@@ -28,7 +29,8 @@ Augmentation Stepper::augment(int count) {
 void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& report) {
   for (;;) {
     const NewtonReport solved = newton_solve(*this, newton, x);
-    const int before = report.augmentations == 0 ? 0 : report.newton_iterations;  // a prediction counts for the first solve
+    const int before =
+        report.augmentations == 0 ? 0 : report.newton_iterations;  // a prediction counts for the first solve
     report.newton_iterations += solved.iterations;
     report.hardest_solve = std::max(report.hardest_solve, report.newton_iterations - before);
     report.converged = solved.converged;
@@ -54,6 +56,13 @@ void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& rep
   }
 }
 
+std::string Stepper::hints() const {
+  std::string all;
+  for (const Term* term : active_)
+    if (const std::string hint = term->hint(view_); !hint.empty()) all += "; " + hint;
+  return all;
+}
+
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
   chord_.enabled = newton.reuse_jacobian;
   Vector x = begin(request, tolerances);
@@ -65,15 +74,15 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   report.linear_iterations = linear_iterations_;
   report.factorisations = factorisations_;
   if (!report.converged) {
-    for (const Term* term : active_)
-      if (const std::string hint = term->hint(view_); !hint.empty()) report.reason += "; " + hint;
+    report.reason += hints();
     solver_.reset();
     chord_.forget();
     return report;
   }
   const std::vector<double> sizes = owned_field_norms(*space_.dofs(), x);
   for (int i = 0; i < space_.num_fields(); ++i) {
-    reference_floor_[i] = std::max(reference_floor_[i], reference_[i]);
+    reference_floor_[i] =
+        std::max({reference_floor_[i], reference_[i], rounding_[i] / (floor_share * tolerances_.residual)});
     size_floor_[i] = std::max(size_floor_[i], sizes[i]);
   }
   return report;

@@ -130,7 +130,8 @@ bool Stepper::initialise_rates(const StepRequest& request, double linear_toleran
   State& state = store_.committed();
   for (int f = 0; f < space_.num_fields(); ++f)
     for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
-      for (int i = begin; i < end; ++i) (space_.field(f).time_order == 2 ? state.acceleration : state.rate)(i) = result(i);
+      for (int i = begin; i < end; ++i)
+        (space_.field(f).time_order == 2 ? state.acceleration : state.rate)(i) = result(i);
   return true;
 }
 

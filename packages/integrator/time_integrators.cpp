@@ -14,9 +14,10 @@ struct PressureOptions {
   PressureIntegration kind = PressureIntegration::generalised_alpha;
   double theta = 1.0;
   void parameters(Parameters& p) {
-    p.choice("pore pressure integration", kind,
-             {{"generalised alpha", PressureIntegration::generalised_alpha}, {"theta", PressureIntegration::theta}},
-             "first-order generalised-alpha at the same instant, or the mass balance integrated over the step with theta");
+    p.choice(
+        "pore pressure integration", kind,
+        {{"generalised alpha", PressureIntegration::generalised_alpha}, {"theta", PressureIntegration::theta}},
+        "first-order generalised-alpha at the same instant, or the mass balance integrated over the step with theta");
     p.add("theta", theta, "-", closed(0.5, 1.0), "weight of the new pore pressure when it is integrated with theta");
   }
   void apply(TimeScheme& s) const {
@@ -36,7 +37,8 @@ void match_pressure(TimeScheme& s, double radius) {
 class GeneralisedAlpha : public TimeIntegrator {
  public:
   void parameters(Parameters& p) {
-    p.add("spectral radius", radius_, "-", closed(0, 1), "at infinite frequency: 1 no damping, 0 annihilation in one step");
+    p.add("spectral radius", radius_, "-", closed(0, 1),
+          "at infinite frequency: 1 no damping, 0 annihilation in one step");
     pressure_.parameters(p);
   }
   TimeScheme scheme(int) const override {
@@ -105,7 +107,8 @@ class Theta : public TimeIntegrator {
   void parameters(Parameters& p) {
     p.add("theta", theta_, "-", closed(0.5, 1.0), "1: backward Euler; 0.5: second order");
     p.add("start-up steps", startup_, "-", closed(0, 100),
-          "backward Euler steps at the begin of the stage, which damp the ringing that theta below 1 would keep after a sudden load");
+          "backward Euler steps at the begin of the stage, which damp the ringing that theta below 1 would keep after "
+          "a sudden load");
   }
   TimeScheme scheme(int step) const override {
     TimeScheme s;
@@ -134,7 +137,8 @@ TimeScheme generalised_alpha(double r) {
 }
 
 void register_time_integrators(Registry<TimeIntegrator>& registry) {
-  registry.add<GeneralisedAlpha>("generalised alpha", "Chung-Hulbert for displacements, first-order generalised-alpha for pore pressure");
+  registry.add<GeneralisedAlpha>("generalised alpha",
+                                 "Chung-Hulbert for displacements, first-order generalised-alpha for pore pressure");
   registry.add<Newmark>("newmark", "Newmark's method; the pore pressure is treated the same way");
   registry.add<HilberHughesTaylor>("hht alpha", "Hilber-Hughes-Taylor alpha method");
   registry.add<Theta>("theta", "one-step theta method without inertia, for quasi-static stages");

@@ -11,8 +11,8 @@ namespace mudline {
 ///     KOKKOS_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
 ///                                 double* state) const;
 /// where `strain` is the increment (in.strain as independent variables) and `state` holds a copy of the old state; the
-/// rest is that of pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>. A point that fails shows its
-/// old stress.
+/// rest is that of pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>. A point that fails shows
+/// its old stress.
 template <class Law>
 struct AutomaticTangent : Law {
   AutomaticTangent() = default;
@@ -60,8 +60,9 @@ KOKKOS_INLINE_FUNCTION bool integrate_plasticity(const Model& model, const Integ
 
 /// The update of a law with one hardening variable, from h_old to h_new.
 template <class T, class Model>
-KOKKOS_INLINE_FUNCTION bool integrate_point(const Model& model, const IntegrationOptions& options, const SkeletonPoint& in,
-                                            const T* strain, double h_old, T* stress, double& h_new) {
+KOKKOS_INLINE_FUNCTION bool integrate_point(const Model& model, const IntegrationOptions& options,
+                                            const SkeletonPoint& in, const T* strain, double h_old, T* stress,
+                                            double& h_new) {
   static_assert(Model::hardening == 1, "the caller has one variable");
   for (int i = 0; i < 6; ++i) stress[i] = T(in.stress[i]);
   T h[1] = {T(h_old)};

@@ -40,9 +40,10 @@ struct ConeTip {
   double apex = 0.05;     // [-] part of the distance from the origin to the tip that the hyperbola cuts off
 
   void parameters(Parameters& p) {
-    p.add("tensile strength", tensile, "Pa", non_negative(),
-          "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as "
-          "by default");
+    p.add(
+        "tensile strength", tensile, "Pa", non_negative(),
+        "Limit of the largest principal stress; the uniaxial tensile strength of the cone itself holds where lower, as "
+        "by default");
     p.add("apex rounding", apex, "-", half_open(1e-4, 0.5),
           "Part of the distance from the origin to the tip of the cone that the rounding cuts off");
   }

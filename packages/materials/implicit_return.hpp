@@ -8,11 +8,11 @@ namespace mudline {
 /// Backward Euler ("closest point projection"; Simo & Hughes 1998, Computational Inelasticity, ch. 3) for the models of
 /// plastic_path.hpp. Unknown are the stress, the hardening variables and the multiplier of the end:
 ///     sigma = E(sigma_old, deps - dlambda b(sigma, h)),  h = h_old + dlambda B(sigma, h),  f(sigma, h) = 0
-/// with the model's elastic law E. A model that is `trapezoidal` takes instead of b and B the mean of those of start and
-/// end where the start lies on the surface, which makes the error one of second order (Ortiz & Popov 1985, IJNME 21:1561),
-/// and may harden by a law of its own (exponentially, for instance). Newton with the derivative of these equations by dual numbers, so a model gives
-/// first derivatives only; each iterate must lower the residual. Where it does not converge the increment is
-/// subdivided, as fine as `maximum_substeps` allows.
+/// with the model's elastic law E. A model that is `trapezoidal` takes instead of b and B the mean of those of start
+/// and end where the start lies on the surface, which makes the error one of second order (Ortiz & Popov 1985, IJNME
+/// 21:1561), and may harden by a law of its own (exponentially, for instance). Newton with the derivative of these
+/// equations by dual numbers, so a model gives first derivatives only; each iterate must lower the residual. Where it
+/// does not converge the increment is subdivided, as fine as `maximum_substeps` allows.
 ///
 /// With T = Dual<6> the solution is differentiated implicitly: one more evaluation with the strain (and what the model
 /// has of it) as independent variables, and a solution with the last matrix for each of them.
@@ -113,8 +113,8 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     return true;
   }
 
-  /// The part that the start has in the flow. From inside the surface it has none: that is one increment, so its error of
-  /// first order does not add up.
+  /// The part that the start has in the flow. From inside the surface it has none: that is one increment, so its error
+  /// of first order does not add up.
   KOKKOS_INLINE_FUNCTION void begin_flow(Start<T>& start, const T& volume) const {
     constexpr double on_surface = 1e-7;
     start.weight = 1.0;

@@ -46,8 +46,8 @@ class PlasticPath {
     for (int i = 0; i < 6; ++i) strain_[i] = strain[i];
   }
 
-  T stress[6];  // [Pa] before integration: old; after: new
-  T h[H];       // hardening variables, likewise
+  T stress[6];       // [Pa] before integration: old; after: new
+  T h[H];            // hardening variables, likewise
   int substeps = 0;  // attempts, those that were rejected included; 0: elastic
 
  protected:
@@ -119,9 +119,13 @@ struct ConstantElasticity {
 
   static constexpr bool trapezoidal = false;
   template <class T>
-  KOKKOS_INLINE_FUNCTION double hardening_measure(int, const T&) const { return 1.0; }
+  KOKKOS_INLINE_FUNCTION double hardening_measure(int, const T&) const {
+    return 1.0;
+  }
   template <class S, class T>
-  KOKKOS_INLINE_FUNCTION T hardened(int, const S& h, const T& x) const { return h + x; }
+  KOKKOS_INLINE_FUNCTION T hardened(int, const S& h, const T& x) const {
+    return h + x;
+  }
 
   template <class S, class T>
   KOKKOS_INLINE_FUNCTION void elastic(const S* stress, const T* strain, T* out) const {

@@ -9,28 +9,27 @@ namespace mudline {
 
 /// One material point, seen by a law's point function. Signs and order as in SkeletonWorkset.
 struct SkeletonPoint {
-  double stress[6];     // [Pa] committed, rotated
-  double strain[6];     // [-] increment
-  double void_ratio;    // [-] committed
-  double time, dt;      // [s]
+  double stress[6];   // [Pa] committed, rotated
+  double strain[6];   // [-] increment
+  double void_ratio;  // [-] committed
+  double time, dt;    // [s]
   bool want_tangent;
 };
 
 struct SkeletonResponse {
-  double stress[6];     // [Pa]
-  double tangent[36];   // [Pa] row-major, written when want_tangent
+  double stress[6];    // [Pa]
+  double tangent[36];  // [Pa] row-major, written when want_tangent
 };
 
 /// Turns a trivially copyable law with
-///     KOKKOS_FUNCTION bool operator()(const SkeletonPoint&, const double* state_old, double* state, SkeletonResponse&) const;
-///     static std::vector<StateVariable> state();
-///     std::string initialise(const InitialPoint&, double* state) const;
-///     ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const;
-///     void parameters(Parameters&);
-///     void check(const Section&);              [optional] rules across parameters
-///     void prepare();                          [optional] computes constants from the parameters, once
-///     double k0(double ocr) const;             [optional]
-///     double void_ratio(const InitialPoint&) const;   [optional]
+///     KOKKOS_FUNCTION bool operator()(const SkeletonPoint&, const double* state_old, double* state, SkeletonResponse&)
+///     const; static std::vector<StateVariable> state(); std::string initialise(const InitialPoint&, double* state)
+///     const; ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const; void
+///     parameters(Parameters&); void check(const Section&);              [optional] rules across parameters void
+///     prepare();                          [optional] computes constants from the parameters, once double k0(double
+///     ocr) const;             [optional] double void_ratio(const InitialPoint&) const;   [optional]
+///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;         [optional]
+///     EarthPressures earth_pressures(double vertical, const Point&) const;                              [optional]
 /// into a Skeleton: the only loop over points. Returning false marks the point as failed; the step is then cut.
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -45,7 +44,9 @@ class PointwiseSkeleton : public Skeleton {
     prepare();
   }
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
-  std::string initialise(const InitialPoint& point, double* state) const override { return law_.initialise(point, state); }
+  std::string initialise(const InitialPoint& point, double* state) const override {
+    return law_.initialise(point, state);
+  }
   ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const override {
     return law_.moduli(stress, void_ratio, state);
   }
@@ -60,6 +61,18 @@ class PointwiseSkeleton : public Skeleton {
       return law_.void_ratio(point);
     else
       return Skeleton::void_ratio(point);
+  }
+  SoilState soil_state(const double* stress, double void_ratio, const double* state) const override {
+    if constexpr (detail_has_soil_state<Law>::value)
+      return law_.soil_state(stress, void_ratio, state);
+    else
+      return Skeleton::soil_state(stress, void_ratio, state);
+  }
+  std::optional<EarthPressures> earth_pressures(double vertical, const Point& position) const override {
+    if constexpr (detail_has_earth_pressures<Law>::value)
+      return law_.earth_pressures(vertical, position);
+    else
+      return Skeleton::earth_pressures(vertical, position);
   }
   int evaluate(const SkeletonWorkset& w) const override {
     const Law law = law_;
@@ -105,7 +118,8 @@ class PointwiseSkeleton : public Skeleton {
   template <class T, class = void>
   struct detail_has_check : std::false_type {};
   template <class T>
-  struct detail_has_check<T, std::void_t<decltype(std::declval<T&>().check(std::declval<const Section&>()))>> : std::true_type {};
+  struct detail_has_check<T, std::void_t<decltype(std::declval<T&>().check(std::declval<const Section&>()))>>
+      : std::true_type {};
   template <class T, class = void>
   struct detail_has_k0 : std::false_type {};
   template <class T>
@@ -113,7 +127,19 @@ class PointwiseSkeleton : public Skeleton {
   template <class T, class = void>
   struct detail_has_void_ratio : std::false_type {};
   template <class T>
-  struct detail_has_void_ratio<T, std::void_t<decltype(std::declval<const T&>().void_ratio(std::declval<const InitialPoint&>()))>>
+  struct detail_has_void_ratio<
+      T, std::void_t<decltype(std::declval<const T&>().void_ratio(std::declval<const InitialPoint&>()))>>
+      : std::true_type {};
+  template <class T, class = void>
+  struct detail_has_soil_state : std::false_type {};
+  template <class T>
+  struct detail_has_soil_state<T, std::void_t<decltype(std::declval<const T&>().soil_state(nullptr, 1.0, nullptr))>>
+      : std::true_type {};
+  template <class T, class = void>
+  struct detail_has_earth_pressures : std::false_type {};
+  template <class T>
+  struct detail_has_earth_pressures<
+      T, std::void_t<decltype(std::declval<const T&>().earth_pressures(1.0, std::declval<const Point&>()))>>
       : std::true_type {};
 
   Law law_{};

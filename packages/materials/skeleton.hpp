@@ -3,6 +3,7 @@
 #include <Kokkos_Core.hpp>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +31,11 @@ using ConstPointView = Kokkos::View<const double**, Kokkos::LayoutRight>;
 /// engineering shear strain. Plane strain: zz out of plane. Axisymmetric: xx = rr, yy = axial, zz = hoop.
 struct SkeletonWorkset {
   int points;
-  double time;         // [s] end of the step
-  double dt;           // [s] 0 in a geostatic stage or after a remap
+  double time;  // [s] end of the step
+  double dt;    // [s] 0 in a geostatic stage or after a remap
   bool want_tangent;
-  ConstPointView stress_old;      // (points, 6) [Pa] committed effective stress, already rotated into the new configuration
-  ConstPointView strain;          // (points, 6) [-] objective strain increment of the step
+  ConstPointView stress_old;  // (points, 6) [Pa] committed effective stress, already rotated into the new configuration
+  ConstPointView strain;      // (points, 6) [-] objective strain increment of the step
   ConstPointView void_ratio_old;  // (points, 1) [-] committed
   ConstPointView state_old;       // (points, n) committed, tensors already rotated
   PointView stress;               // (points, 6) [Pa] out
@@ -48,12 +49,24 @@ struct ElasticModuli {
   double bulk, shear;
 };
 
+/// What a law says of a point in the terms of soil mechanics; empty where it has no such thing.
+struct SoilState {
+  std::optional<double> undrained_strength;  // s_u [Pa]: half the largest stress difference, or the shear stress in
+                                             // simple shear of a law that has one strength in all directions
+  std::optional<double> overconsolidation_ratio;  // [-] size of the yield surface over that through the stress
+};
+
+/// The horizontal effective stresses [Pa], compression positive, between which the strength allows a point at rest.
+struct EarthPressures {
+  double active, passive;
+};
+
 /// What is known where a material point starts. Geotechnical quantities, compression positive.
 struct InitialPoint {
-  Point position;                         // [m]
-  std::array<double, 6> stress;           // [Pa] effective, tension positive
-  double void_ratio;                      // [-]
-  double overconsolidation_ratio = 1.0;   // [-] scales the yield surface through the initial stress
+  Point position;                        // [m]
+  std::array<double, 6> stress;          // [Pa] effective, tension positive
+  double void_ratio;                     // [-]
+  double overconsolidation_ratio = 1.0;  // [-] scales the yield surface through the initial stress
 };
 
 /// Effective-stress law of the soil skeleton; works on whole batches of points, pure: old in, new out, no memory.
@@ -74,8 +87,12 @@ class Skeleton {
   virtual ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const = 0;
   /// Earth pressure coefficient at rest that the law itself implies for this overconsolidation ratio; negative: none.
   virtual double k0(double overconsolidation_ratio) const { return -1.0; }
-  /// Void ratio [-] that the law itself implies for a start with this stress and overconsolidation ratio (the point's void
-  /// ratio is not read), or `no_void_ratio`.
+  virtual SoilState soil_state(const double* stress, double void_ratio, const double* state) const { return {}; }
+  /// Beside a vertical effective stress [Pa] (compression positive), the same in all horizontal directions; empty for a
+  /// law without strength.
+  virtual std::optional<EarthPressures> earth_pressures(double vertical, const Point& position) const { return {}; }
+  /// Void ratio [-] that the law itself implies for a start with this stress and overconsolidation ratio (the point's
+  /// void ratio is not read), or `no_void_ratio`.
   virtual double void_ratio(const InitialPoint&) const { return no_void_ratio; }
   static constexpr double no_void_ratio = -1e300;
 };

@@ -14,7 +14,7 @@ namespace mudline {
 /// What a condition may look at when it is bound to a model.
 struct ConditionContext {
   const Space& space;
-  std::shared_ptr<Soil> soil;   // null when no physics has soil
+  std::shared_ptr<Soil> soil;  // null when no physics has soil
 };
 
 /// One named entry of the deck's "boundary conditions": prescribes unknowns, adds a load term, or both.
@@ -27,16 +27,23 @@ class Condition {
   virtual void prescribe(double t_old, double t_end, const State& committed, Constraints& constraints) const {}
   /// The load that the condition adds; null for purely prescribed ones.
   virtual Term* term() { return nullptr; }
+  /// Whether its load may grow with the displacement of what it acts on and so hold it, as a spring does. A condition
+  /// of a plugin that adds a load may, unless it says otherwise.
+  virtual bool may_hold() { return term() != nullptr; }
+  /// The mesh set that it keeps from moving away, by prescribed displacements or by resistance; "": none.
+  virtual std::string holds() const { return ""; }
   /// Called when a stage begins in which the condition is newly active. `unbalanced`: residual of the committed state
-  /// without this condition's load, by overlap dof (owned and ghost copies agree).
-  virtual void activate(const State& committed, ConstNodalView unbalanced) {}
-  /// Adds this rank's share of the reactions at the prescribed unknowns: "reaction/<name> x [N]" -> value. The same names
-  /// in every call; nodes that two conditions share count in both.
+  /// under what stays active, by overlap dof; zero where the stage prescribes the unknown. A condition that takes over
+  /// a force sets it to zero there (owned dofs are enough), so that no other takes it too.
+  virtual void activate(const State& committed, const NodalView& unbalanced) {}
+  /// Adds this rank's share of the reactions at the prescribed unknowns: "reaction/<name> x [N]" -> value. The same
+  /// names in every call; nodes that two conditions share count in both.
   virtual void reactions(const NodalView& reaction, std::map<std::string, double>& shares) const {}
   std::string name;
 };
 
-/// displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux, absorbing; a plain list.
+/// displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux, absorbing; a
+/// plain list.
 void register_conditions(Registry<Condition>& registry);
 
 }  // namespace mudline

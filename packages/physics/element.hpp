@@ -22,8 +22,10 @@ struct ElementPair {
 template <class F>
 auto dispatch_pair(CellShape shape, bool partner, F&& f) {
   switch (shape) {
-    case CellShape::tri6: return partner ? f(ElementPair<6, 3>{}) : f(ElementPair<6, 0>{});
-    case CellShape::quad9: return partner ? f(ElementPair<9, 4>{}) : f(ElementPair<9, 0>{});
+    case CellShape::tri6:
+      return partner ? f(ElementPair<6, 3>{}) : f(ElementPair<6, 0>{});
+    case CellShape::quad9:
+      return partner ? f(ElementPair<9, 4>{}) : f(ElementPair<9, 0>{});
     case CellShape::tri3:
       if (!partner) return f(ElementPair<3, 0>{});
       break;
@@ -42,7 +44,8 @@ struct PointGeometry {
   double r;        // radius [m]; 1/(2 pi) in plane strain, so that measure is uniform
   bool ok;         // det > 0
 
-  KOKKOS_INLINE_FUNCTION void compute(const double (&x)[N][2], const double* dN, const double* shape, bool axisymmetric) {
+  KOKKOS_INLINE_FUNCTION void compute(const double (&x)[N][2], const double* dN, const double* shape,
+                                      bool axisymmetric) {
     double j00 = 0, j01 = 0, j10 = 0, j11 = 0, radius = 0;
     for (int a = 0; a < N; ++a) {
       j00 += x[a][0] * dN[2 * a];
@@ -77,8 +80,8 @@ KOKKOS_INLINE_FUNCTION void gather(const Kokkos::View<int**, Kokkos::LayoutRight
 
 /// Displacement of one element's nodes between two states; its columns come first among the element's dofs.
 template <int N>
-KOKKOS_INLINE_FUNCTION void gather_increment(const ElementDofs& dofs, int e, const ConstNodalView& from, const ConstNodalView& to,
-                                             double (&du)[N][2]) {
+KOKKOS_INLINE_FUNCTION void gather_increment(const ElementDofs& dofs, int e, const ConstNodalView& from,
+                                             const ConstNodalView& to, double (&du)[N][2]) {
   for (int a = 0; a < N; ++a)
     for (int i = 0; i < 2; ++i) {
       const int dof = dofs(e, 2 * a + i);
@@ -88,20 +91,23 @@ KOKKOS_INLINE_FUNCTION void gather_increment(const ElementDofs& dofs, int e, con
 
 /// Gathers `N` values starting at column `first` of the element's dofs.
 template <int N>
-KOKKOS_INLINE_FUNCTION void gather(const ElementDofs& dofs, int e, int first, const ConstNodalView& from, double (&v)[N]) {
+KOKKOS_INLINE_FUNCTION void gather(const ElementDofs& dofs, int e, int first, const ConstNodalView& from,
+                                   double (&v)[N]) {
   for (int a = 0; a < N; ++a) v[a] = from(dofs(e, first + a));
 }
 
-/// Adds an element vector that starts at row `first` of the element's dofs; returns its sum of squares.
+/// Adds an element vector that starts at row `first` of the element's dofs and acts in the step as a whole.
 template <int N>
-KOKKOS_INLINE_FUNCTION double scatter_vector(const ElementDofs& dofs, int e, int first, const double (&v)[N],
-                                             const ResidualView& f) {
-  double squares = 0;
-  for (int a = 0; a < N; ++a) {
-    MatrixScatter::accumulate(&f(dofs(e, first + a)), v[a]);
-    squares += v[a] * v[a];
-  }
-  return squares;
+KOKKOS_INLINE_FUNCTION void scatter_vector(const ElementDofs& dofs, int e, int first, const double (&v)[N],
+                                           const ResidualView& f) {
+  for (int a = 0; a < N; ++a) f.add(dofs(e, first + a), v[a]);
+}
+
+/// The same of an element vector of which `change`, of either sign, acts in the step.
+template <int N>
+KOKKOS_INLINE_FUNCTION void scatter_vector(const ElementDofs& dofs, int e, int first, const double (&v)[N],
+                                           const double (&change)[N], const ResidualView& f) {
+  for (int a = 0; a < N; ++a) f.add(dofs(e, first + a), v[a], change[a]);
 }
 
 /// Adds an element matrix whose rows and columns start at row0, col0 of the element's dofs.

@@ -11,7 +11,9 @@ constexpr int parts = 400;  // of a layer whose density depends on the stress
 
 }  // namespace
 
-GeostaticColumn::GeostaticColumn(const Soil& soil, const Section& section) {
+GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional<double> water_level,
+                                 const Section& section)
+    : gravity_(gravity), water_level_(water_level) {
   const Mesh& mesh = soil.space->mesh();
   for (const auto& [region, box] : mesh.region_bounds()) {
     const SoilMaterial* material = nullptr;
@@ -21,7 +23,8 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, const Section& section) {
       material = b.material.get();
       uplift = soil.uplift(*material);
     }
-    layers_.push_back({box[2], box[3], uplift, material});
+    const double fluid = material->porous() && !soil.excess ? material->fluid->density() : 0.0;
+    layers_.push_back({box[2], box[3], uplift, fluid, material});
   }
   std::sort(layers_.begin(), layers_.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
   const double tolerance = 1e-6 * (mesh.bounds()[3] - mesh.bounds()[2]);
@@ -29,14 +32,20 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, const Section& section) {
     const Layer &above = layers_[i - 1], &here = layers_[i];
     if (here.top <= above.bottom + tolerance || here.material == above.material) continue;
     const bool by_law = here.material->void_ratio_from_law || above.material->void_ratio_from_law;
-    if (!by_law && std::abs(here.constant_density() - above.constant_density()) < 1e-9) continue;  // side by side, one weight
-    section.fail("the mesh regions are not horizontal layers; use a stage of type 'geostatic' from a uniform state, or one density", "type");
+    if (!by_law && std::abs(here.constant_density() - above.constant_density()) < 1e-9 &&
+        here.fluid_density == above.fluid_density)
+      continue;  // side by side, one weight
+    section.fail(
+        "the mesh regions are not horizontal layers; use a stage of type 'geostatic' from a uniform state, or one "
+        "density of soil and pore fluid",
+        "type");
   }
 }
 
-void GeostaticColumn::weigh(double top_stress, double g, const Density& density) {
+void GeostaticColumn::weigh(double surcharge, const Density& density) {
   stations_.clear();
-  double stress = top_stress, y = top();
+  double y = layers_.front().top;
+  double stress = surcharge + layers_.front().material->biot_coefficient * pore_pressure(y);
   for (const Layer& layer : layers_) {
     const double from = std::min(layer.top, y);
     if (from <= layer.bottom) continue;
@@ -44,7 +53,7 @@ void GeostaticColumn::weigh(double top_stress, double g, const Density& density)
     const int n = by_law ? parts : 1;
     const double h = (from - layer.bottom) / n;
     const auto slope = [&](double height, double total) {
-      return g * (by_law ? density(*layer.material, height, total) - layer.uplift : layer.constant_density());
+      return gravity_ * (by_law ? density(*layer.material, height, total) - layer.uplift : layer.constant_density());
     };
     for (int i = 0; i < n; ++i) {  // Runge-Kutta of fourth order
       const double at = from - i * h;
@@ -58,6 +67,18 @@ void GeostaticColumn::weigh(double top_stress, double g, const Density& density)
   }
 }
 
+double GeostaticColumn::pore_pressure(double y) const {
+  if (!water_level_) return 0;
+  double pressure = 0, from = *water_level_;
+  for (const Layer& layer : layers_) {
+    const double to = &layer == &layers_.back() ? y : std::max(layer.bottom, y);
+    if (from <= to) continue;
+    pressure += layer.fluid_density * gravity_ * (from - to);
+    from = to;
+  }
+  return pressure;
+}
+
 double GeostaticColumn::total_stress(double y) const {
   // the last station at or above y
   auto below = std::find_if(stations_.begin(), stations_.end(), [&](const Station& s) { return s.y < y; });
@@ -65,8 +86,8 @@ double GeostaticColumn::total_stress(double y) const {
   if (below == stations_.end()) return stations_.back().stress + stations_.back().slope * (stations_.back().y - y);
   const Station &a = *(below - 1), &b = *below;
   const double h = a.y - b.y, t = (a.y - y) / h;
-  return (1 + 2 * t) * (1 - t) * (1 - t) * a.stress + t * (1 - t) * (1 - t) * h * a.slope + t * t * (3 - 2 * t) * b.stress +
-         t * t * (t - 1) * h * b.slope;
+  return (1 + 2 * t) * (1 - t) * (1 - t) * a.stress + t * (1 - t) * (1 - t) * h * a.slope +
+         t * t * (3 - 2 * t) * b.stress + t * t * (t - 1) * h * b.slope;
 }
 
 }  // namespace mudline

@@ -1,43 +1,72 @@
 #include "physics/initial_state.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
+#include "discretisation/agree.hpp"
 #include "materials/earth_pressure.hpp"
+#include "materials/guarded_law.hpp"
 
 namespace mudline {
 
 void InitialState::parameters(Parameters& p) {
-  p.choice("type", kind_, {{"stress free", Kind::stress_free}, {"uniform", Kind::uniform}, {"geostatic", Kind::geostatic}},
+  p.choice("type", kind_,
+           {{"stress free", Kind::stress_free}, {"uniform", Kind::uniform}, {"geostatic", Kind::geostatic}},
            "how the soil starts");
   const char* names[4] = {"effective stress xx", "effective stress yy", "effective stress zz", "shear stress xy"};
   for (int i = 0; i < 4; ++i) p.add(names[i], stress_[i], "Pa", any(), "uniform start, compression positive");
   p.add("pore pressure", pressure_, "Pa", any(), "uniform start, compression positive");
   p.add("surcharge", surcharge_, "Pa", non_negative(), "geostatic: effective vertical stress at the surface");
-  p.add("water level", water_level_, "m", any(), "geostatic: height y of the water surface; without it the soil is dry or single-phase");
+  p.add("water level", water_level_, "m", any(),
+        "geostatic: height y of the water surface; without it the soil is dry or single-phase");
   has_water_ = p.given("water level");
-  p.add("K0", k0_, "-", "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
+  p.add("K0", k0_, "-",
+        "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
   has_k0_ = p.given("K0");
-  p.add("K0 friction angle [deg]", k0_angle_, "deg", "geostatic, instead of K0: K0 = (1 - sin(phi)) OCR^sin(phi) (Jaky; Mayne and Kulhawy); function of position");
+  p.add("K0 friction angle [deg]", k0_angle_, "deg",
+        "geostatic, instead of K0: K0 = (1 - sin(phi)) OCR^sin(phi) (Jaky; Mayne and Kulhawy); function of position");
   has_k0_angle_ = p.given("K0 friction angle [deg]");
-  p.add("overconsolidation ratio", ocr_, "-", "scales the yield surface through the initial stress; function of position");
+  p.add("overconsolidation ratio", ocr_, "-",
+        "scales the yield surface through the initial stress; function of position");
   has_ocr_ = p.given("overconsolidation ratio");
-  p.add("preoverburden pressure", preoverburden_, "Pa", "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + POP/sigma'_v; function of position");
+  p.add("preoverburden pressure", preoverburden_, "Pa",
+        "geostatic, instead of the overconsolidation ratio: vertical stress that once was there in addition, OCR = 1 + "
+        "POP/sigma'_v; function of position");
   has_preoverburden_ = p.given("preoverburden pressure");
 }
 
 void InitialState::check(const Section& section) const {
   if (has_k0_ && has_k0_angle_) section.fail("give either this or 'K0', not both", "K0 friction angle [deg]");
-  if (has_ocr_ && has_preoverburden_) section.fail("give either this or 'overconsolidation ratio', not both", "preoverburden pressure");
+  if (has_ocr_ && has_preoverburden_)
+    section.fail("give either this or 'overconsolidation ratio', not both", "preoverburden pressure");
   if (kind_ == Kind::geostatic) return;
   if (has_k0_angle_) section.fail("only a geostatic start has a K0", "K0 friction angle [deg]");
-  if (has_preoverburden_) section.fail("only a geostatic start has a vertical stress to add it to", "preoverburden pressure");
+  if (has_preoverburden_)
+    section.fail("only a geostatic start has a vertical stress to add it to", "preoverburden pressure");
 }
 
-std::string InitialState::at_rest(InitialPoint& point, double vertical, const Skeleton& skeleton) const {
+namespace {
+
+/// "" or why the strength of the law does not allow this earth pressure at rest.
+std::string beyond_strength(const SoilMaterial& material, double k0, double vertical, const Point& position) {
+  const auto allowed = material.skeleton->earth_pressures(vertical, position);
+  const double rounding = 1e-6;
+  if (!allowed || vertical <= 0 ||
+      (k0 >= allowed->active / vertical - rounding && k0 <= allowed->passive / vertical * (1 + rounding)))
+    return "";
+  char range[160];
+  std::snprintf(range, sizeof range, "K0 = %.4g is outside [%.4g, %.4g]", k0, std::max(0.0, allowed->active / vertical),
+                allowed->passive / vertical);
+  char under[60];
+  std::snprintf(under, sizeof under, "' under sigma'_v = %.4g Pa", vertical);
+  return std::string(range) + ", what the strength of '" + material.law + under + " allows between active and passive";
+}
+
+}  // namespace
+
+std::string InitialState::at_rest(InitialPoint& point, double vertical, const SoilMaterial& material) const {
   if (has_preoverburden_) {
     const double pop = preoverburden_(0, point.position);
     if (pop < 0) return "the preoverburden pressure is negative";
@@ -49,61 +78,56 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Sk
     k0 = k0_(0, point.position);
   } else if (has_k0_angle_) {
     const double phi = k0_angle_(0, point.position);
-    if (!(phi >= 0 && phi < 90)) return "the K0 friction angle must be in [0, 90) degrees; it is " + std::to_string(phi);
+    if (!(phi >= 0 && phi < 90))
+      return "the K0 friction angle must be in [0, 90) degrees; it is " + std::to_string(phi);
     k0 = earth_pressure_at_rest(std::sin(phi * 3.14159265358979323846 / 180), point.overconsolidation_ratio);
   } else {
-    k0 = skeleton.k0(point.overconsolidation_ratio);
+    const std::string problem = guarded_k0(*material.skeleton, point.overconsolidation_ratio, k0);
+    if (!problem.empty()) return problem;
     if (k0 < 0) return "the skeleton law has no K0 of its own; give 'K0'";
   }
   point.stress = {-k0 * vertical, -vertical, -k0 * vertical, 0, 0, 0};
-  return "";
+  return beyond_strength(material, k0, vertical, point.position);
 }
 
-double InitialState::pore_pressure(double y, double unit_weight) const {
-  return has_water_ ? std::max(0.0, unit_weight * (water_level_ - y)) : 0.0;
-}
-
-GeostaticColumn InitialState::column(const Soil& soil, double g, double unit_weight, const Section& section) const {
-  const Mesh& mesh = soil.space->mesh();
-  const auto bounds = mesh.bounds();
-  const double alpha = soil.blocks.empty() ? 1.0 : soil.blocks.front().material->biot_coefficient;
-  GeostaticColumn column(soil, section);
+GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& section) const {
+  const auto bounds = soil.space->mesh().bounds();
+  GeostaticColumn column(soil, g, has_water_ ? std::optional<double>(water_level_) : std::nullopt, section);
   // The density where the law decides, in the middle of the mesh's width: layers have one weight at one depth.
   const auto density = [&](const SoilMaterial& material, double y, double total) {
     InitialPoint point{};
     point.position = {0.5 * (bounds[0] + bounds[1]), y, 0};
     point.overconsolidation_ratio = ocr_(0, point.position);
-    const double vertical = total - (material.porous() ? material.biot_coefficient * pore_pressure(y, unit_weight) : 0.0);
-    std::string problem = at_rest(point, vertical, *material.skeleton);
+    std::string problem = at_rest(point, total - material.biot_coefficient * column.pore_pressure(y), material);
     if (problem.empty()) problem = material.find_void_ratio(point);
-    if (!problem.empty()) section.fail("material '" + material.name + "' cannot start at the height " + std::to_string(y) + ": " + problem);
+    if (!problem.empty())
+      section.fail("material '" + material.name + "' cannot start at the height " + std::to_string(y) + ": " + problem);
     return material.density(point.void_ratio / (1 + point.void_ratio));
   };
-  column.weigh(surcharge_ + alpha * pore_pressure(column.top(), unit_weight), g, density);
+  column.weigh(surcharge_, density);
   return column;
 }
 
-void InitialState::set_pressure(const Soil& soil, StateStore& store, double unit_weight) const {
+void InitialState::set_pressure(const Soil& soil, StateStore& store, const std::function<double(double)>& at) const {
   if (soil.pressure < 0) return;
   State& state = store.committed();
   const auto& dof = soil.space->node_dof(soil.pressure);
   for (int node = 0; node < soil.space->mesh().num_nodes(); ++node)
-    if (dof(node) >= 0)
-      state.value(dof(node)) = kind_ == Kind::uniform ? pressure_ : pore_pressure(state.coordinates(node, 1), unit_weight);
+    if (dof(node) >= 0) state.value(dof(node)) = at(state.coordinates(node, 1));
 }
 
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
   check(section);
-  if (soil.excess && has_water_) section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
+  if (soil.excess && has_water_)
+    section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
   const double g = -gravity.vector[1];
-  if (kind_ == Kind::geostatic && g <= 0) section.fail("a geostatic start needs gravity pointing down: give the physics a 'gravity'", "type");
+  if (kind_ == Kind::geostatic && g <= 0)
+    section.fail("a geostatic start needs gravity pointing down: give the physics a 'gravity'", "type");
   State& state = store.committed();
-  double unit_weight = 0;
-  for (const SoilBlock& b : soil.blocks)
-    if (b.porous() && !soil.excess) unit_weight = b.material->fluid->density() * g;
-  if (kind_ != Kind::stress_free) set_pressure(soil, store, unit_weight);
   std::optional<GeostaticColumn> ground;
-  if (kind_ == Kind::geostatic) ground = column(soil, g, unit_weight, section);
+  if (kind_ == Kind::geostatic) ground = column(soil, g, section);
+  if (kind_ == Kind::geostatic) set_pressure(soil, store, [&](double y) { return ground->pore_pressure(y); });
+  if (kind_ == Kind::uniform) set_pressure(soil, store, [&](double) { return pressure_; });
   std::string problem;
   for (const SoilBlock& b : soil.blocks) {
     const Skeleton& skeleton = *b.material->skeleton;
@@ -119,32 +143,26 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         std::string rest;
         if (kind_ == Kind::geostatic) {
           const double y = point.position[1];
-          const double vertical = ground->total_stress(y) -
-                                  (b.porous() ? b.material->biot_coefficient * pore_pressure(y, unit_weight) : 0.0);
-          rest = at_rest(point, vertical, skeleton);
+          rest = at_rest(point, ground->total_stress(y) - b.material->biot_coefficient * ground->pore_pressure(y),
+                         *b.material);
         }
         if (rest.empty()) rest = b.material->find_void_ratio(point);
         const int row = e * b.points + q;
         for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
         state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
         const std::string reason =
-            rest.empty() ? skeleton.initialise(point, state.arrays[b.law].data() + row * state.arrays[b.law].extent(1)) : rest;
+            rest.empty()
+                ? start_guarded(skeleton, point, state.arrays[b.law].data() + row * state.arrays[b.law].extent(1))
+                : rest;
         if (!reason.empty() && problem.empty())
           problem = "material '" + b.material->name + "' cannot start at (" + std::to_string(point.position[0]) + ", " +
                     std::to_string(point.position[1]) + "): " + reason;
       }
   }
-  // Any rank may see the problem: all fail alike, with the message of the lowest rank that has one.
-  const auto& comm = *soil.space->dofs()->comm();
-  const int mine = problem.empty() ? comm.getSize() : comm.getRank();
-  int first = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &first);
-  if (first == comm.getSize()) return;
-  int length = static_cast<int>(problem.size());
-  Teuchos::broadcast(comm, first, 1, &length);
-  problem.resize(length);
-  Teuchos::broadcast(comm, first, length, problem.data());
-  section.fail(problem);
+  // any rank may see the problem
+  agree(*soil.space->dofs()->comm(), [&] {
+    if (!problem.empty()) section.fail(problem);
+  });
 }
 
 }  // namespace mudline

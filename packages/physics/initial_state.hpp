@@ -10,8 +10,8 @@ namespace mudline {
 /// positive; the state itself is tension positive.
 ///  "stress free": everything zero.
 ///  "uniform": given stresses.
-///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p hydrostatic below the water level;
-///  horizontal layers by mesh region. The weight follows the void ratio, also where that comes from the law.
+///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p hydrostatic below the water
+///  level; horizontal layers by mesh region. The weight follows the void ratio, also where that comes from the law.
 class InitialState {
  public:
   void parameters(Parameters& p);
@@ -21,10 +21,10 @@ class InitialState {
   enum class Kind { stress_free, uniform, geostatic };
   void check(const Section& section) const;
   /// Overconsolidation ratio and stress of a geostatic point under this vertical effective stress; "" or the problem.
-  std::string at_rest(InitialPoint& point, double vertical, const Skeleton& skeleton) const;
-  double pore_pressure(double y, double unit_weight) const;
-  GeostaticColumn column(const Soil& soil, double g, double unit_weight, const Section& section) const;
-  void set_pressure(const Soil& soil, StateStore& store, double unit_weight) const;
+  std::string at_rest(InitialPoint& point, double vertical, const SoilMaterial& material) const;
+  GeostaticColumn column(const Soil& soil, double g, const Section& section) const;
+  /// Pore pressures of the start, by height.
+  void set_pressure(const Soil& soil, StateStore& store, const std::function<double(double)>& at) const;
 
   Kind kind_ = Kind::stress_free;
   double stress_[4] = {0, 0, 0, 0};  // xx yy zz xy, compression positive

@@ -11,7 +11,7 @@ struct Inventory {
   double solid = 0;             // mass of the grains [kg]
   double water = 0;             // volume of pore water, at zero pressure [m3]
   double pore_volume = 0;       // [m3]
-  double compression = 0;       // [m3] water less pore volume, summed apart from them: it is smaller than their rounding
+  double compression = 0;  // [m3] water less pore volume, summed apart from them: it is smaller than their rounding
 };
 
 /// Axisymmetric: of the whole circumference; plane strain: per metre. Collective.

@@ -15,9 +15,9 @@ namespace mudline {
 struct PhysicsContext {
   const Space& space;
   const std::vector<std::shared_ptr<SoilMaterial>>& materials;
-  const Section& materials_section;               // for messages
-  std::vector<std::unique_ptr<Term>>& terms;      // add yours
-  std::shared_ptr<Soil>& soil;                    // set by a physics with soil; null otherwise
+  const Section& materials_section;           // for messages
+  std::vector<std::unique_ptr<Term>>& terms;  // add yours
+  std::shared_ptr<Soil>& soil;                // set by a physics with soil; null otherwise
   /// Data of the block preconditioner; set by physics it can treat.
   std::function<BlockData(const StepView&)>& block_data;
 };

@@ -26,7 +26,9 @@ struct Mixture {
   KOKKOS_INLINE_FUNCTION double porosity_slope(double n) const { return alpha - n; }
   KOKKOS_INLINE_FUNCTION double density(double n) const { return (1 - n) * grain_density + n * fluid_density; }
   /// 1/Q [1/Pa]
-  KOKKOS_INLINE_FUNCTION double storage(double n) const { return n * fluid_compliance + (alpha - n) * grain_compliance; }
+  KOKKOS_INLINE_FUNCTION double storage(double n) const {
+    return n * fluid_compliance + (alpha - n) * grain_compliance;
+  }
 };
 
 }  // namespace mudline

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/guarded.hpp"
+#include "core/text.hpp"
+#include "materials/guarded_law.hpp"
 #include "materials/pore_volume.hpp"
 
 namespace mudline {
@@ -14,11 +17,13 @@ void SoilMaterial::parameters(Parameters& p) {
   double porosity = initial_porosity();
   p.add("porosity", porosity, "-", half_open(0, 1), "initial porosity n = e/(1+e) (give this or the void ratio)");
   p.add("void ratio from law", void_ratio_from_law,
-        "the initial void ratio follows from stress and overconsolidation by the skeleton law, point by point (instead of 'void ratio')");
+        "the initial void ratio follows from stress and overconsolidation by the skeleton law, point by point (instead "
+        "of 'void ratio')");
   p.add("Biot coefficient", biot_coefficient, "-", closed(0, 1), "alpha in sigma = sigma' - alpha p");
   p.add("grain bulk modulus", grain_bulk_modulus, "Pa", non_negative(), "K_s of the grains; 0: incompressible grains");
   double density = 0;
-  p.add("density", density, "kg/m3", non_negative(), "bulk density of a single-phase soil (instead of the grain density)");
+  p.add("density", density, "kg/m3", non_negative(),
+        "bulk density of a single-phase soil (instead of the grain density)");
   p.passes_on("skeleton", "effective-stress law; see the skeleton types");
   p.passes_on("fluid", "pore fluid; see the fluid types (saturated soil only)");
   p.passes_on("permeability", "conductivity law; see the permeability types (saturated soil only)");
@@ -26,17 +31,46 @@ void SoilMaterial::parameters(Parameters& p) {
   const bool both = p.given("porosity") && p.given("void ratio"), none = !p.given("porosity") && !p.given("void ratio");
   if (both) p.deck().fail("contradictory: give 'void ratio' or 'porosity', not both", "porosity");
   if (void_ratio_from_law && !none)
-    p.deck().fail("contradictory: with 'void ratio from law' there is no 'void ratio' or 'porosity'", "void ratio from law");
+    p.deck().fail("contradictory: with 'void ratio from law' there is no 'void ratio' or 'porosity'",
+                  "void ratio from law");
   if (void_ratio_from_law && p.given("density"))
     p.deck().fail("with 'void ratio from law' the weight follows from 'grain density'; give that instead", "density");
   if (p.given("porosity")) initial_void_ratio = porosity / (1 - porosity);
   if (p.given("density")) {
-    if (p.deck().has_section("fluid")) p.deck().fail("a saturated soil takes 'grain density', not 'density'", "density");
-    if (p.given("grain density")) p.deck().fail("contradictory: give 'density' or 'grain density', not both", "density");
+    if (p.deck().has_section("fluid"))
+      p.deck().fail("a saturated soil takes 'grain density', not 'density'", "density");
+    if (p.given("grain density"))
+      p.deck().fail("contradictory: give 'density' or 'grain density', not both", "density");
     grain_density = density * (1 + initial_void_ratio);
   }
-  if (none && !void_ratio_from_law && p.deck().has_section("fluid")) p.deck().fail("required parameter 'void ratio' (or 'porosity', or 'void ratio from law') is missing");
+  if (!none && initial_void_ratio == 0 && p.deck().has_section("fluid"))
+    p.deck().fail("a saturated soil has pores: must be greater than 0",
+                  p.given("porosity") ? "porosity" : "void ratio");
 }
+
+namespace {
+
+/// What a fluid and a permeability of a plugin's say must be usable.
+void check_fluid(const SoilMaterial& material, const Section& section) {
+  const Section fluid = section.section("fluid"), permeability = section.section("permeability");
+  const auto check = [](const Section& where, const std::string& what, double value, bool allowed) {
+    if (!allowed) where.fail("the " + what + " is " + number_text(value) + ", which cannot be", "type");
+  };
+  guarded(fluid, "type", "the fluid's properties cannot be had", [&] {
+    const double rho = material.fluid->density(), bulk = material.fluid->bulk_modulus(),
+                 weight = material.fluid->unit_weight();
+    check(fluid, "fluid's density", rho, rho >= 0 && std::isfinite(rho));
+    check(fluid, "fluid's bulk modulus", bulk, bulk > 0);
+    check(fluid, "fluid's unit weight", weight, weight > 0 && std::isfinite(weight));
+  });
+  const double e = material.void_ratio_from_law ? 1.0 : material.initial_void_ratio;
+  guarded(permeability, "type", "the conductivity cannot be had", [&] {
+    const double k = material.permeability->conductivity(e, e).k;
+    check(permeability, "conductivity at the void ratio " + number_text(e), k, k >= 0 && std::isfinite(k));
+  });
+}
+
+}  // namespace
 
 std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const MaterialRegistries& registries) {
   auto material = std::make_shared<SoilMaterial>();
@@ -44,15 +78,22 @@ std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const M
   Parameters p(section);
   material->parameters(p);
   p.finish();
+  const bool some = p.given("porosity") || p.given("void ratio") || material->void_ratio_from_law;
+  if (!some && section.has_section("fluid"))
+    section.fail("required parameter 'void ratio' (or 'porosity', or 'void ratio from law') is missing");
   if (!section.has_section("skeleton")) section.fail("required section 'skeleton' is missing");
-  material->skeleton = registries.skeletons.create(section.section("skeleton"));
-  if (section.has_section("fluid")) material->fluid = registries.fluids.create(section.section("fluid"));
+  material->skeleton = create_guarded(registries.skeletons, section.section("skeleton"));
+  material->law = section.section("skeleton").text("type");
+  if (const std::string problem = state_problem(*material->skeleton); !problem.empty())
+    section.section("skeleton").fail(problem, "type");
+  if (section.has_section("fluid")) material->fluid = create_guarded(registries.fluids, section.section("fluid"));
   if (section.has_section("permeability"))
-    material->permeability = registries.permeabilities.create(section.section("permeability"));
+    material->permeability = create_guarded(registries.permeabilities, section.section("permeability"));
   if (material->fluid && !material->permeability)
     section.fail("a saturated soil needs a section 'permeability' beside its 'fluid'");
   if (material->permeability && !material->fluid)
     section.fail("a section 'permeability' needs a section 'fluid' beside it");
+  if (material->fluid) check_fluid(*material, section);
   if (material->biot_coefficient < material->initial_porosity() && material->fluid)
     section.fail("the Biot coefficient must not be below the porosity " + std::to_string(material->initial_porosity()),
                  "Biot coefficient");
@@ -63,9 +104,12 @@ std::string SoilMaterial::find_void_ratio(InitialPoint& point) const {
   point.void_ratio = void_ratio_from_law ? skeleton->void_ratio(point) : initial_void_ratio;
   if (!void_ratio_from_law) return "";
   if (point.void_ratio == Skeleton::no_void_ratio)
-    return "the skeleton law has no void ratio of its own here (Modified Cam Clay has one with a 'normal compression volume' or "
-           "'critical state volume', and under a compressive stress); give 'void ratio' instead of 'void ratio from law'";
-  if (!(point.void_ratio > 0)) return "the void ratio of the skeleton law, " + std::to_string(point.void_ratio) + ", is not positive";
+    return "the skeleton law has no void ratio of its own here (Modified Cam Clay has one with a 'normal compression "
+           "volume' or "
+           "'critical state volume', and under a compressive stress); give 'void ratio' instead of 'void ratio from "
+           "law'";
+  if (!(point.void_ratio > 0))
+    return "the void ratio of the skeleton law, " + std::to_string(point.void_ratio) + ", is not positive";
   if (porous() && point.void_ratio > biot_coefficient * (1 + point.void_ratio))
     return "the porosity of the skeleton law, " + std::to_string(point.void_ratio / (1 + point.void_ratio)) +
            ", exceeds the Biot coefficient";
@@ -94,11 +138,18 @@ double Soil::uplift(const SoilMaterial& material) const {
 void Soil::declare_state(StateStore& store) {
   for (SoilBlock& b : blocks) {
     const std::string prefix = space->mesh().blocks()[b.block].region + "/";
-    const std::string suffix = store.find(prefix + "effective stress") >= 0 ? std::string("#") + std::to_string(b.block) : "";
+    const std::string suffix =
+        store.find(prefix + "effective stress") >= 0 ? std::string("#") + std::to_string(b.block) : "";
     const int rows = b.elements * b.points;
-    b.stress = store.declare({prefix + "effective stress" + suffix, {{"effective stress", 6, "Pa", RemapRule::tensor}}, b.block, b.points}, rows);
-    b.void_ratio = store.declare({prefix + "void ratio" + suffix,
-                                  {{"void ratio", 1, "-", RemapRule::mass, b.porous() ? 0.0 : -1.0}, {"initial void ratio", 1, "-"}}, b.block, b.points}, rows);
+    b.stress = store.declare(
+        {prefix + "effective stress" + suffix, {{"effective stress", 6, "Pa", RemapRule::tensor}}, b.block, b.points},
+        rows);
+    b.void_ratio = store.declare(
+        {prefix + "void ratio" + suffix,
+         {{"void ratio", 1, "-", RemapRule::mass, b.porous() ? 0.0 : -1.0}, {"initial void ratio", 1, "-"}},
+         b.block,
+         b.points},
+        rows);
     b.law = store.declare({prefix + "law" + suffix, b.material->skeleton->state_variables(), b.block, b.points}, rows);
   }
 }
@@ -110,12 +161,14 @@ void Soil::sparsity(Assembler& assembler) {
 namespace {
 
 std::shared_ptr<const SoilMaterial> material_of(const std::string& region, const Mesh& mesh,
-                                                const std::vector<std::shared_ptr<SoilMaterial>>& materials, const Section& where) {
+                                                const std::vector<std::shared_ptr<SoilMaterial>>& materials,
+                                                const Section& where) {
   std::shared_ptr<const SoilMaterial> found;
   for (const auto& material : materials) {
     for (const auto& name : material->regions)
       if (std::find(mesh.regions().begin(), mesh.regions().end(), name) == mesh.regions().end())
-        where.fail("unknown mesh region '" + name + "'" + suggestion(name, mesh.regions()), material->name + "/regions");
+        where.fail("unknown mesh region '" + name + "'" + suggestion(name, mesh.regions()),
+                   material->name + "/regions");
     const bool here = material->regions.empty() ||
                       std::find(material->regions.begin(), material->regions.end(), region) != material->regions.end();
     if (here && found)
@@ -128,8 +181,8 @@ std::shared_ptr<const SoilMaterial> material_of(const std::string& region, const
 
 }  // namespace
 
-std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials, bool porous,
-                                int degree, const Section& where) {
+std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials,
+                                bool porous, int degree, const Section& where) {
   auto soil = std::make_shared<Soil>();
   soil->space = &space;
   soil->axisymmetric = space.mesh().geometry() == Geometry::axisymmetric;
@@ -142,16 +195,19 @@ std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::share
     b.block = static_cast<int>(i);
     b.material = material_of(elements.region, space.mesh(), materials, where);
     if (porous && !b.material->porous())
-      where.fail("material '" + b.material->name + "' needs the sections 'fluid' and 'permeability' in physics 'biot'", b.material->name);
+      where.fail("material '" + b.material->name + "' needs the sections 'fluid' and 'permeability' in physics 'biot'",
+                 b.material->name);
     if (!porous && b.material->porous())
-      where.fail("material '" + b.material->name + "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
-                 "'permeability', or use physics 'biot'", b.material->name);
+      where.fail("material '" + b.material->name +
+                     "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
+                     "'permeability', or use physics 'biot'",
+                 b.material->name);
     b.shape = elements.shape;
     const QuadratureRule rule = cell_quadrature(elements.shape, degree);
     b.u = tabulate(elements.shape, rule);
     if (porous) b.p = tabulate(linear_partner(elements.shape), rule);
-    b.dofs = space.element_dofs(b.block, porous ? std::vector<int>{soil->displacement, soil->pressure}
-                                                : std::vector<int>{soil->displacement});
+    b.dofs = space.element_dofs(
+        b.block, porous ? std::vector<int>{soil->displacement, soil->pressure} : std::vector<int>{soil->displacement});
     b.nodes = elements.nodes;
     b.elements = elements.num_elements;
     b.points = b.u.points;

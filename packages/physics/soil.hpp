@@ -29,13 +29,14 @@ class SoilMaterial {
   void parameters(Parameters& p);
 
   std::string name;
-  std::vector<std::string> regions;      // empty: every region
-  double grain_density = 2650;           // [kg/m3]
-  double initial_void_ratio = 0;         // [-] 0 where it comes from the law
+  std::vector<std::string> regions;  // empty: every region
+  double grain_density = 2650;       // [kg/m3]
+  double initial_void_ratio = 0;     // [-] 0 where it comes from the law
   bool void_ratio_from_law = false;
-  double biot_coefficient = 1;           // alpha [-]
-  double grain_bulk_modulus = 0;         // K_s [Pa]; 0: incompressible
+  double biot_coefficient = 1;    // alpha [-]
+  double grain_bulk_modulus = 0;  // K_s [Pa]; 0: incompressible
   std::shared_ptr<Skeleton> skeleton;
+  std::string law;                             // type of the skeleton
   std::shared_ptr<Fluid> fluid;                // null: single phase (total stress)
   std::shared_ptr<Permeability> permeability;  // null: single phase
   bool porous() const { return fluid != nullptr; }
@@ -57,12 +58,12 @@ struct SoilBlock {
   int block;
   std::shared_ptr<const SoilMaterial> material;
   CellShape shape;
-  ShapeTable u, p;                 // tabulated at the same quadrature points; p.nodes == 0 without pore fluid
-  ElementDofs dofs;                // displacement, then pore pressure
+  ShapeTable u, p;   // tabulated at the same quadrature points; p.nodes == 0 without pore fluid
+  ElementDofs dofs;  // displacement, then pore pressure
   Kokkos::View<int**, Kokkos::LayoutRight> nodes;
   int elements, points;
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
-  int group = -1;                  // of the assembler
+  int group = -1;                              // of the assembler
   bool porous() const { return p.nodes > 0; }
 };
 
@@ -70,11 +71,12 @@ struct SoilBlock {
 struct Soil {
   const Space* space;
   bool axisymmetric;
-  int displacement, pressure;      // field indices; pressure -1 without pore fluid
+  int displacement, pressure;  // field indices; pressure -1 without pore fluid
   std::vector<SoilBlock> blocks;
-  bool excess = false;             // pore pressures are those in excess of water at rest, weights those under water
-  /// Gradient of the pressure of water at rest at a time, rho_f g [Pa/m]; zero without pore fluid.
-  std::function<std::array<double, 2>(double time)> hydrostatic_gradient = [](double) { return std::array<double, 2>{}; };
+  bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water
+  /// Gravity [m/s2] at a time, as far as pore pressures hold the water up; zero without pore fluid and where they are
+  /// in excess of water at rest.
+  std::function<std::array<double, 2>(double time)> water_gravity = [](double) { return std::array<double, 2>{}; };
 
   /// Density of the water whose weight a soil does not feel, alpha rho_f [kg/m3]; zero where pore pressures are total.
   double uplift(const SoilMaterial& material) const;
@@ -82,9 +84,9 @@ struct Soil {
   void sparsity(Assembler& assembler);
 };
 
-/// Pairs every element block with the one material that names its region. InputError when none or several do, or when the
-/// material does not fit (`porous`: fluid and permeability required; otherwise refused).
-std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials, bool porous,
-                                int quadrature_degree, const Section& where);
+/// Pairs every element block with the one material that names its region. InputError when none or several do, or when
+/// the material does not fit (`porous`: fluid and permeability required; otherwise refused).
+std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials,
+                                bool porous, int quadrature_degree, const Section& where);
 
 }  // namespace mudline

@@ -15,13 +15,13 @@ enum class Support { all_nodes, vertices, apart };
 
 /// One unknown field as a physics asks for it.
 struct Field {
-  std::string name;   // "displacement", "pore pressure", "temperature"
-  std::string unit;   // of the value
-  std::string flux;   // unit of the conjugate residual: "N", "m3/s", "W"
+  std::string name;  // "displacement", "pore pressure", "temperature"
+  std::string unit;  // of the value
+  std::string flux;  // unit of the conjugate residual: "N", "m3/s", "W"
   int components;
   Support support;
-  int time_order;     // 2: value, rate, second rate (inertia); 1: value and rate
-  int count = 0;      // of points, of a field apart from the mesh
+  int time_order;  // 2: value, rate, second rate (inertia); 1: value and rate
+  int count = 0;   // of points, of a field apart from the mesh
 };
 
 /// Fields on a mesh: the numbering of unknowns and the tables that element loops need.

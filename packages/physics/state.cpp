@@ -22,7 +22,8 @@ void copy(const State& from, State& to) {
   Kokkos::deep_copy(to.value, from.value);
   Kokkos::deep_copy(to.rate, from.rate);
   Kokkos::deep_copy(to.acceleration, from.acceleration);
-  for (std::size_t i = 0; i < from.history_forces.size(); ++i) Kokkos::deep_copy(to.history_forces[i], from.history_forces[i]);
+  for (std::size_t i = 0; i < from.history_forces.size(); ++i)
+    Kokkos::deep_copy(to.history_forces[i], from.history_forces[i]);
   Kokkos::deep_copy(to.coordinates, from.coordinates);
   for (std::size_t i = 0; i < from.arrays.size(); ++i) Kokkos::deep_copy(to.arrays[i], from.arrays[i]);
 }
@@ -33,7 +34,8 @@ State room_for(const State& like) {
   state.value = NodalView("value", like.value.extent(0));
   state.rate = NodalView("rate", like.rate.extent(0));
   state.acceleration = NodalView("acceleration", like.acceleration.extent(0));
-  for (const NodalView& force : like.history_forces) state.history_forces.emplace_back("history force", force.extent(0));
+  for (const NodalView& force : like.history_forces)
+    state.history_forces.emplace_back("history force", force.extent(0));
   state.coordinates = CoordinateView("coordinates", like.coordinates.extent(0), 2);
   for (const PointView& array : like.arrays) state.arrays.emplace_back("kept", array.extent(0), array.extent(1));
   return state;

@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-using NodalView = Kokkos::View<double*>;              // by overlap dof
+using NodalView = Kokkos::View<double*>;  // by overlap dof
 using ConstNodalView = Kokkos::View<const double*>;
 using CoordinateView = Kokkos::View<double**, Kokkos::LayoutRight>;  // (node, 2) [m]
 using ConstCoordinateView = Kokkos::View<const double**, Kokkos::LayoutRight>;
@@ -18,18 +18,22 @@ using ConstCoordinateView = Kokkos::View<const double**, Kokkos::LayoutRight>;
 /// Everything that makes a restart exact. Two instances live in a StateStore: committed and trial.
 struct State {
   double time = 0;
-  NodalView value, rate, acceleration;  // by overlap dof; the acceleration of first-order fields is unused
+  NodalView value, rate, acceleration;    // by overlap dof; the acceleration of first-order fields is unused
   std::vector<NodalView> history_forces;  // F_n of each history term: this rank's contributions, by overlap dof
-  CoordinateView coordinates;           // (node, 2) [m] current
-  std::vector<PointView> arrays;        // declared by terms: point state, contact history
+  CoordinateView coordinates;             // (node, 2) [m] current
+  std::vector<PointView> arrays;          // declared by terms: point state, contact history
 };
 
 /// What one declared array is, for output, checkpoint and remap.
 struct ArrayInfo {
-  std::string name;                        // "soil/effective stress", "contact/cone/active"
-  std::vector<StateVariable> variables;    // split of the columns
-  int block = -1;                          // element block whose points are the rows; -1: not point data
+  std::string name;                      // "soil/effective stress", "contact/cone/active"
+  std::vector<StateVariable> variables;  // split of the columns
+  int block = -1;                        // element block whose points are the rows; -1: not point data
   int points_per_element = 0;
+  /// Of the rows, the same on any number of ranks, for a restart on another number. Empty: the points of `block`, or,
+  /// without one, rows that every rank has alike.
+  std::vector<long long> ids = {};
+  bool shares = false;  // the ranks' rows of one id add up
 };
 
 /// Owns the committed and the trial state. begin copies, accept swaps, reject does nothing.
@@ -54,7 +58,8 @@ class StateStore {
   void begin();
   /// The trial state becomes the committed one.
   void accept();
-  /// Keeps a copy of the committed state, and makes it the committed one again: for what may be refused after acceptance.
+  /// Keeps a copy of the committed state, and makes it the committed one again: for what may be refused after
+  /// acceptance.
   void keep();
   void restore();
 

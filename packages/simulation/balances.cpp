@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "integrator/overlap.hpp"
+#include "simulation/output/collective.hpp"
 
 namespace mudline {
 
@@ -12,7 +13,12 @@ bool is_inertia(const Term& term) { return term.name() == "inertia" || term.name
 }  // namespace
 
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
-  handle_ = model.store().declare({"balance", {{"value", 1, "SI"}}}, static_cast<int>(first_term + terms_.size()));
+  ArrayInfo info{"balance", {{"value", 1, "SI"}}};
+  for (int row = 0; row < first_term; ++row) info.ids.push_back(row);
+  for (const Term* term : terms_)
+    info.ids.push_back(static_cast<long long>(fingerprint(term->name().data(), term->name().size())));
+  const int rows = static_cast<int>(info.ids.size());
+  handle_ = model.store().declare(std::move(info), rows);
 }
 
 int Balances::row_of(const Term* term) const {
@@ -88,13 +94,15 @@ void Balances::add_step() {
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
       for (int i = begin; i < end; ++i) add_mechanics(i, (i - begin) % 2);
   for (const auto& [name, body] : model_.bodies())
-    for (int k = 0; k < body->unknowns().count; ++k) add_mechanics(body->unknowns().dof[k], body->unknowns().direction[k]);
+    for (int k = 0; k < body->unknowns().count; ++k)
+      add_mechanics(body->unknowns().dof[k], body->unknowns().direction[k]);
   if (p >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), p))
       for (int i = begin; i < end; ++i) {
         local[terms + 1] -= stepper.reaction()(i);  // water that leaves through prescribed nodes
         for (int k = 0; k < terms; ++k)
-          if (stepper.active()[k]->name().rfind("flux/", 0) == 0 || dynamic_cast<const Contact*>(stepper.active()[k])) local[terms + 1] += stepper.term_force(k)(i);
+          if (stepper.active()[k]->name().rfind("flux/", 0) == 0 || dynamic_cast<const Contact*>(stepper.active()[k]))
+            local[terms + 1] += stepper.term_force(k)(i);
       }
   const std::vector<double> total = sum_over_ranks(*space.dofs()->comm(), local);
   const PointView rows = model_.store().trial().arrays[handle_];
@@ -138,7 +146,8 @@ std::vector<HistoryValue> Balances::values() const {
   }
   const double kinetic = now.kinetic - rows(kinetic_start, 0);
   result.push_back({"balance/energy/kinetic", "J", kinetic});
-  // the integrator's share: what inertia took and the velocities do not show, and what internal forces took and did not store
+  // the integrator's share: what inertia took and the velocities do not show, and what internal forces took and did not
+  // store
   result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic + rows(excess_work, 0)});
   result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
   result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});
@@ -155,12 +164,12 @@ std::vector<HistoryValue> Balances::values() const {
     result.push_back({"balance/water/error", "-", (change + rows(outflow, 0)) / std::max(now.pore_volume, 1e-300)});
   }
   if (model_.ale()) {
-    result.push_back({"mesh motion/quality", "-", model_.ale()->quality(state)});
     result.push_back({"mesh motion/change of solid", "-", rows(remap_solid, 0) / std::max(now.solid, 1e-300)});
     if (model_.soil()->pressure >= 0)
       result.push_back({"mesh motion/change of water", "-", rows(remap_water, 0) / std::max(now.pore_volume, 1e-300)});
     for (int i = 0; i < 2; ++i)
-      result.push_back({std::string("mesh motion/change of momentum ") + names[i], "N s", rows(remap_momentum_x + i, 0)});
+      result.push_back(
+          {std::string("mesh motion/change of momentum ") + names[i], "N s", rows(remap_momentum_x + i, 0)});
     result.push_back({"mesh motion/change of kinetic energy", "J", rows(remap_kinetic, 0)});
     result.push_back({"mesh motion/yield drift", "-", rows(remap_drift, 0)});
   }

@@ -8,8 +8,9 @@
 
 namespace mudline {
 
-/// Audits of the run: work of every term, kinetic energy, linear momentum, pore water. Cumulative values live in the state
-/// array "balance" (one row each, the same on every rank), so that they are part of the transaction and of a checkpoint.
+/// Audits of the run: work of every term, kinetic energy, linear momentum, pore water. Cumulative values live in the
+/// state array "balance" (one row each, the same on every rank), so that they are part of the transaction and of a
+/// checkpoint.
 class Balances {
  public:
   /// Declares its array. Before the first step.
@@ -20,16 +21,32 @@ class Balances {
   void add_remap(const MeshReceipt& receipt);
   /// Columns of the history file for the committed state. Collective.
   std::vector<HistoryValue> values() const;
-  /// A change of the committed velocities that no step makes (a body is set free with a velocity): the start moves along.
-  /// Collective.
+  /// A change of the committed velocities that no step makes (a body is set free with a velocity): the start moves
+  /// along. Collective.
   void jump(const std::function<void()>& change);
   /// Takes the present water content and momentum as the start. Collective; when the run begins (not at a restart).
   void start();
 
  private:
   // Rows of the state array; the works of all terms of the model follow.
-  enum Row { reaction_work, excess_work, outflow, impulse_x, impulse_y, momentum_x, momentum_y, water_start, kinetic_start,
-             remap_solid, remap_water, remap_momentum_x, remap_momentum_y, remap_kinetic, remap_drift, first_term };
+  enum Row {
+    reaction_work,
+    excess_work,
+    outflow,
+    impulse_x,
+    impulse_y,
+    momentum_x,
+    momentum_y,
+    water_start,
+    kinetic_start,
+    remap_solid,
+    remap_water,
+    remap_momentum_x,
+    remap_momentum_y,
+    remap_kinetic,
+    remap_drift,
+    first_term
+  };
   Inventory inventory(const State& state) const;
   int row_of(const Term* term) const;
 

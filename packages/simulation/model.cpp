@@ -4,14 +4,22 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/entry.hpp"
+#include "core/guarded.hpp"
+#include "core/text.hpp"
 #include "discretisation/agree.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "integrator/overlap.hpp"
+#include "integrator/time_error.hpp"
+#include "physics/closed_sides.hpp"
+#include "simulation/supports.hpp"
 
 namespace mudline {
 
 const std::vector<std::string>& deck_sections() {
-  static const std::vector<std::string> names{"mesh", "functions", "materials", "physics", "bodies", "boundary conditions",
-                                              "contacts", "mesh motion", "stages", "solver", "output", "plugins"};
+  static const std::vector<std::string> names{
+      "mesh",   "functions", "materials", "physics",      "bodies", "boundary conditions", "contacts", "mesh motion",
+      "stages", "solver",    "output",    "plausibility", "plugins"};
   return names;
 }
 
@@ -43,13 +51,10 @@ SetPairs contact_pairs(const Section& deck) {
   return pairs;
 }
 
-/// NOX reads its list itself, in every step.
-void mark_used(const Teuchos::ParameterList& list) {
-  for (auto it = list.begin(); it != list.end(); ++it) {
-    const Teuchos::ParameterEntry& entry = list.entry(it);
-    if (entry.isList()) mark_used(Teuchos::any_cast<Teuchos::ParameterList>(entry.getAny(false)));
-    entry.getAny(true);
-  }
+/// What a physics throws is an error of its section, where it may be a plugin's.
+template <class Action>
+void call_physics(const Section& entry, Action&& action) {
+  guarded(entry, "type", "the physics cannot be used", [&] { action(entry); });
 }
 
 }  // namespace
@@ -77,33 +82,47 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
     body->declare_state(*store_);
     body->set_active(false);  // until the first stage
   }
-  stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_, [this](const StepView& view) { return block_data_(view); });
+  stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_,
+                                       [this](const StepView& view) { return block_data_(view); });
   const Section physics = deck.section("physics");
-  for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->initialise(*store_, physics.section(physics.section_names()[i]));
+  for (std::size_t i = 0; i < physics_.size(); ++i)
+    call_physics(physics.section(physics.section_names()[i]),
+                 [&](const Section& entry) { physics_[i]->initialise(*store_, entry); });
   check_contradictions(deck);
   check_motions(deck);
+  check_parts(deck);
+  check_supports(deck);
+  check_unused(deck);
 }
 
 void Model::read_materials(const Section& deck, const Registries& registries) {
   const auto& r = registries;
   for (const Section& section : collection(deck.section("materials")))
-    materials_.push_back(SoilMaterial::read(section, {const_cast<Registry<Skeleton>&>(r.skeletons), const_cast<Registry<Fluid>&>(r.fluids),
-                                                      const_cast<Registry<Permeability>&>(r.permeabilities)}));
+    materials_.push_back(SoilMaterial::read(
+        section, {const_cast<Registry<Skeleton>&>(r.skeletons), const_cast<Registry<Fluid>&>(r.fluids),
+                  const_cast<Registry<Permeability>&>(r.permeabilities)}));
 }
 
 void Model::read_physics(const Section& deck, const Registries& registries) {
   const Section section = required_section(deck, "physics");
   std::vector<Field> fields;
   const std::vector<Section> entries = collection(section);
-  if (entries.empty()) section.fail("at least one physics is needed; known physics types: " + join(registries.physics.names()));
+  if (entries.empty())
+    section.fail("at least one physics is needed; known physics types: " + join(registries.physics.names()));
   for (const Section& entry : entries) {
-    physics_.push_back(registries.physics.create(entry));
-    physics_.back()->check_mesh(*mesh_, entry);
-    for (const Field& field : physics_.back()->fields()) {
-      const auto same = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == field.name; });
+    physics_.push_back(create_guarded(registries.physics, entry));
+    std::vector<Field> own;
+    call_physics(entry, [&](const Section&) {
+      physics_.back()->check_mesh(*mesh_, entry);
+      own = physics_.back()->fields();
+    });
+    for (const Field& field : own) {
+      const auto same =
+          std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == field.name; });
       if (same == fields.end())
         fields.push_back(field);
-      else if (same->components != field.components || same->support != field.support || same->time_order != field.time_order)
+      else if (same->components != field.components || same->support != field.support ||
+               same->time_order != field.time_order)
         entry.fail("its field '" + field.name + "' is declared differently by another physics", "type");
     }
   }
@@ -113,13 +132,16 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
     if (body->may_be_free()) free.push_back(body);
   }
   if (!free.empty())
-    fields.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(mesh_->geometry()), Support::apart, 2, static_cast<int>(free.size())});
+    fields.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(mesh_->geometry()), Support::apart, 2,
+                      static_cast<int>(free.size())});
   space_ = std::make_unique<Space>(*mesh_, fields);
-  for (std::size_t i = 0; i < free.size(); ++i) free[i]->bind(*space_, space_->find("body motion"), static_cast<int>(i));
+  for (std::size_t i = 0; i < free.size(); ++i)
+    free[i]->bind(*space_, space_->find("body motion"), static_cast<int>(i));
   block_data_ = [](const StepView&) { return BlockData{}; };
   const Section materials = deck.section("materials");
   PhysicsContext context{*space_, materials_, materials, terms_, soil_, block_data_};
-  for (std::size_t i = 0; i < physics_.size(); ++i) physics_[i]->build(context, entries[i]);
+  for (std::size_t i = 0; i < physics_.size(); ++i)
+    call_physics(entries[i], [&](const Section& entry) { physics_[i]->build(context, entry); });
   if (!all.empty()) terms_.push_back(std::make_unique<BodyPaths>(all));
   if (free.empty()) return;
   terms_.push_back(std::make_unique<BodyInertia>(free));
@@ -128,9 +150,11 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
 
 void Model::read_conditions(const Section& deck, const Registries& registries) {
   for (const Section& entry : collection(deck.section("boundary conditions"))) {
-    conditions_.push_back(registries.conditions.create(entry));
+    conditions_.push_back(create_guarded(registries.conditions, entry));
     conditions_.back()->name = entry.name();
-    conditions_.back()->bind({*space_, soil_}, entry);
+    guarded(entry, "type", "the boundary condition cannot be used", [&] {
+      conditions_.back()->bind({*space_, soil_}, entry);
+    });
   }
 }
 
@@ -155,8 +179,8 @@ double Model::constrained_modulus(int block, int element) const {
     const int row = element * b.points + q;
     const State& state = store_->committed();
     const PointView law = state.arrays[b.law];
-    const ElasticModuli m = b.material->skeleton->moduli(&state.arrays[b.stress](row, 0), state.arrays[b.void_ratio](row, 0),
-                                                         law.data() + row * law.extent(1));
+    const ElasticModuli m = b.material->skeleton->moduli(
+        &state.arrays[b.stress](row, 0), state.arrays[b.void_ratio](row, 0), law.data() + row * law.extent(1));
     sum += (m.bulk + 4.0 / 3 * m.shear) / b.points;
   }
   return sum;
@@ -166,8 +190,9 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
   const Section section = deck.section("contacts");
   if (!section.section_names().empty() && !soil_) section.fail("contacts need a physics with soil");
   for (const Section& entry : collection(section)) {
-    const ContactContext context{*space_, bodies_, registries.frictions, [this](int block, int element) { return constrained_modulus(block, element); }};
-    contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
+    const ContactContext context{*space_, bodies_, registries.frictions,
+                                 [this](int block, int element) { return constrained_modulus(block, element); }};
+    contacts_.emplace_back(entry.name(), create_guarded(registries.contacts, entry, context));
   }
 }
 
@@ -175,7 +200,8 @@ void Model::read_mesh_motion(const Section& deck, const Registries& registries) 
   if (!deck.has_section("mesh motion")) return;
   const Section section = deck.section("mesh motion");
   if (!soil_) section.fail("mesh motion needs a physics with soil");
-  ale_ = std::make_unique<Ale>(*space_, *soil_, bodies_, section, MeshMotionRegistries{registries.interior_motions, registries.remaps});
+  ale_ = std::make_unique<Ale>(*space_, *soil_, bodies_, section,
+                               MeshMotionRegistries{registries.interior_motions, registries.remaps});
 }
 
 void Model::read_stages(const Section& deck, const Registries& registries) {
@@ -183,7 +209,15 @@ void Model::read_stages(const Section& deck, const Registries& registries) {
   std::vector<std::string> conditions, contacts;
   for (const auto& condition : conditions_) conditions.push_back(condition->name);
   for (const auto& [name, contact] : contacts_) contacts.push_back(name);
-  for (const Section& entry : collection(section)) stages_.push_back(Stage::read(entry, registries.integrators, conditions, contacts));
+  for (const Section& entry : collection(section)) {
+    stages_.push_back(Stage::read(entry, registries.integrators, conditions, contacts));
+    if (stages_.back()->control.error_tolerance > 0 && !TimeError::has_meaning(*space_, stages_.back()->scheme(0)))
+      entry.section("time step")
+          .fail(
+              "nothing is integrated in time here: there is neither inertia nor a field with a rate, as the pore "
+              "pressure",
+              "error tolerance");
+  }
   if (stages_.empty()) section.fail("at least one stage is needed");
 }
 
@@ -195,9 +229,8 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
   p.passes_on("linear solver", "solver of the linear systems; see the linear solver types");
   p.section("newton", newton_, "nonlinear iterations");
   p.finish();
-  mark_used(section.section("newton").section("nox").list());
   const Section linear = section.section_of_type("linear solver", "direct");
-  solver_ = registries.linear_solvers.create(linear);
+  solver_ = create_guarded(registries.linear_solvers, linear);
   const std::string reason = solver_->prepare(space_->dofs());
   if (!reason.empty()) linear.fail(reason, "type");
 }
@@ -206,7 +239,8 @@ void Model::activate(const Stage& stage, bool fresh) {
   std::vector<Term*> active;
   for (const auto& term : terms_) active.push_back(term.get());
   for (auto& [name, contact] : contacts_)
-    if (std::find(stage.contacts.begin(), stage.contacts.end(), name) != stage.contacts.end()) active.push_back(contact.get());
+    if (std::find(stage.contacts.begin(), stage.contacts.end(), name) != stage.contacts.end())
+      active.push_back(contact.get());
   moved_anew_.clear();
   for (auto& [name, body] : bodies_)
     if (body->set_motion(motion_in(stage, name))) moved_anew_.insert(name);
@@ -218,11 +252,17 @@ void Model::activate(const Stage& stage, bool fresh) {
     // What stood on the newly active conditions' sets is the residual of everything that stays.
     std::vector<Term*> staying = active;
     for (const auto& condition : conditions_)
-      if (condition->term() && names.count(condition->name) && active_conditions_.count(condition->name)) staying.push_back(condition->term());
+      if (condition->term() && names.count(condition->name) && active_conditions_.count(condition->name))
+        staying.push_back(condition->term());
     stepper_->activate(staying);
     const NodalView unbalanced = stepper_->static_residual();
+    Constraints held{Kokkos::View<char*>("held", unbalanced.extent(0)), NodalView("value", unbalanced.extent(0))};
+    prescribe(stage, store_->committed().time, store_->committed().time, store_->committed(), held);
+    for (std::size_t i = 0; i < unbalanced.extent(0); ++i)
+      if (held.mask(i)) unbalanced(i) = 0;
     for (const auto& condition : conditions_)
-      if (names.count(condition->name) && !active_conditions_.count(condition->name)) condition->activate(store_->committed(), unbalanced);
+      if (names.count(condition->name) && !active_conditions_.count(condition->name))
+        condition->activate(store_->committed(), unbalanced);
   }
   active.insert(active.end(), loads.begin(), loads.end());
   stepper_->activate(active);
@@ -232,7 +272,8 @@ void Model::activate(const Stage& stage, bool fresh) {
 std::shared_ptr<const BodyMotion> Model::motion_in(const Stage& stage, const std::string& name) const {
   const RigidBody& body = *bodies_.at(name);
   if (stage.type == Stage::Type::geostatic) return nullptr;
-  // A body whose motion is always prescribed moves in the stages in which some contact acts; without any nobody would feel it.
+  // A body whose motion is always prescribed moves in the stages in which some contact acts; without any nobody would
+  // feel it.
   if (stage.contacts.empty() && body.unknowns().count == 0) return nullptr;
   const auto other = stage_motions_.find({stage.name, name});
   return other == stage_motions_.end() ? body.own_motion() : other->second;
@@ -244,7 +285,8 @@ void Model::start_bodies(const Stage& stage) {
   const auto starts = [&](const RigidBody& body) {
     if (!body.released()) return false;
     bool still = true;  // also what the stage before left without accelerations
-    for (int k = 0; k < body.unknowns().count; ++k) still = still && store_->committed().acceleration(body.unknowns().dof[k]) == 0;
+    for (int k = 0; k < body.unknowns().count; ++k)
+      still = still && store_->committed().acceleration(body.unknowns().dof[k]) == 0;
     return still || moved_anew_.count(body.name()) > 0;
   };
   if (std::none_of(bodies_.begin(), bodies_.end(), [&](const auto& entry) { return starts(*entry.second); })) return;
@@ -264,16 +306,100 @@ void Model::check_motions(const Section& deck) const {
       const auto motion = motion_in(*stage, name);
       if (!motion || !motion->released()) continue;
       if (stage->type == Stage::Type::dynamic) {
-        if (body->properties().mass <= 0) section.fail("body '" + name + "' is released in this dynamic stage: it needs a 'mass' greater than 0");
+        if (body->properties().mass <= 0)
+          section.fail("body '" + name + "' is released in this dynamic stage: it needs a 'mass' greater than 0");
         continue;
       }
-      const bool touched = std::any_of(stage->contacts.begin(), stage->contacts.end(), [&, body = name](const std::string& contact) {
-        return contacts.section(contact).has_parameter("body") && contacts.section(contact).text("body") == body;
-      });
+      const bool touched =
+          std::any_of(stage->contacts.begin(), stage->contacts.end(), [&, body = name](const std::string& contact) {
+            return contacts.section(contact).has_parameter("body") && contacts.section(contact).text("body") == body;
+          });
       if (!touched)
-        section.fail("body '" + name + "' is released in this quasi-static stage, but no contact that acts in it could hold the body; name the motion 'held'");
+        section.fail("body '" + name +
+                     "' is released in this quasi-static stage, but no contact that acts in it could hold the body; "
+                     "name the motion 'held'");
     }
   }
+}
+
+void Model::check_supports(const Section& deck) {
+  if (!soil_) return;
+  const Supports supports(*this);
+  double time = 0;
+  bool pressed_in = false;
+  for (const auto& stage : stages_) {
+    const bool dynamic = stage->type == Stage::Type::dynamic;
+    const bool plugin_may_hold = std::any_of(conditions_.begin(), conditions_.end(), [&](const auto& condition) {
+      const auto& names = stage->conditions;
+      return condition->may_hold() && std::find(names.begin(), names.end(), condition->name) != names.end();
+    });
+    const std::string problem = dynamic || plugin_may_hold ? "" : supports.missing(*stage, time, pressed_in);
+    if (!problem.empty())
+      deck.section("stages")
+          .section(stage->name)
+          .fail(problem + ": nothing that acts in this stage holds it, and the stage has no inertia");
+    pressed_in = pressed_in || stage->duration > 0;
+    time += stage->duration;
+  }
+}
+
+void Model::check_unused(const Section& deck) const {
+  const Section conditions = deck.section("boundary conditions"), contacts = deck.section("contacts");
+  // A list of an overlay or of the command line leaves out what it leaves out.
+  const auto listed = [&](const char* list, std::vector<std::string> Stage::*names, const std::string& name,
+                          const std::string& source) {
+    return std::any_of(stages_.begin(), stages_.end(), [&](const auto& stage) {
+      const std::vector<std::string>& of_stage = (*stage).*names;
+      const Section section = deck.section("stages").section(stage->name);
+      return std::find(of_stage.begin(), of_stage.end(), name) != of_stage.end() ||
+             (section.has_parameter(list) && apart(section.source(list), source));
+    });
+  };
+  for (const auto& condition : conditions_)
+    if (!listed("conditions", &Stage::conditions, condition->name, conditions.source(condition->name)))
+      conditions.fail("no stage lists this condition in its 'conditions'", condition->name);
+  for (const auto& [name, contact] : contacts_)
+    if (!listed("contacts", &Stage::contacts, name, contacts.source(name)))
+      contacts.fail(
+          "this contact acts in no stage; name it in the 'contacts' of one (absent: all, but in geostatic stages)",
+          name);
+  const std::vector<const char*> users{"contacts", "mesh motion", "output"};
+  for (const auto& [name, body] : bodies_) {
+    const bool released = std::any_of(stages_.begin(), stages_.end(), [&, body = name](const auto& stage) {
+      const auto motion = motion_in(*stage, body);
+      return motion && motion->released();
+    });
+    const bool named = std::any_of(users.begin(), users.end(), [&, body = name](const char* user) {
+      return mentions(deck.section(user).list(), body);
+    });
+    if (!released && !named)
+      deck.section("bodies").fail("no contact, mesh motion or probe names this body, and no stage releases it", name);
+  }
+}
+
+void Model::check_parts(const Section& deck) const {
+  const MeshParts parts = mesh_parts(*mesh_);
+  if (parts.places.size() < 2 || space_->find("displacement") < 0) return;
+  std::vector<std::string> holding;
+  for (const auto& condition : conditions_) {
+    if (condition->may_hold()) return;  // nobody knows where
+    if (!condition->holds().empty()) holding.push_back(condition->holds());
+  }
+  for (const Section& contact : collection(deck.section("contacts")))
+    for (const char* surface : {"surface", "slave", "master"})
+      if (contact.has_parameter(surface)) holding.push_back(contact.text(surface));
+  std::vector<char> held(parts.places.size(), 0);
+  for (const std::string& set : holding) {
+    const auto touched = parts.of_set.find(set);
+    if (touched == parts.of_set.end()) continue;
+    for (int part : touched->second) held[part] = 1;
+  }
+  for (std::size_t part = 0; part < parts.places.size(); ++part)
+    if (!held[part])
+      deck.section("mesh").fail("the mesh is in " + std::to_string(parts.places.size()) +
+                                " parts that have no common nodes, and nothing could hold the one at " +
+                                place_text(parts.places[part]) +
+                                ": no displacement is prescribed on it and no contact has a surface of it");
 }
 
 std::vector<const Term*> Model::all_terms() const {
@@ -286,9 +412,24 @@ std::vector<const Term*> Model::all_terms() const {
 }
 
 void Model::prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const {
-  for (const auto& condition : conditions_)
-    if (std::find(stage.conditions.begin(), stage.conditions.end(), condition->name) != stage.conditions.end())
-      condition->prescribe(t_old, t_end, committed, to);
+  const auto named = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  ClosedSides closed;
+  // without flow the pore pressure is given everywhere: nothing is released
+  if (stage.type != Stage::Type::geostatic)
+    for (const auto& [name, contact] : contacts_)
+      if (const auto* closes = dynamic_cast<const ClosesSides*>(contact.get()); closes && named(stage.contacts, name))
+        closes->close(committed, closed);
+  for (const auto& condition : conditions_) {
+    if (!named(stage.conditions, condition->name)) continue;
+    if (auto* holds = dynamic_cast<HoldsOnOpenSides*>(condition.get())) holds->set_closed(closed);
+    condition->prescribe(t_old, t_end, committed, to);
+    for (std::size_t i = 0; i < to.mask.extent(0); ++i)
+      if (to.mask(i) && !std::isfinite(to.value(i)))
+        throw std::runtime_error("boundary condition '" + condition->name +
+                                 "' prescribes a value that is not finite at t = " + number_text(t_end) + " s");
+  }
 }
 
 void Model::check_contradictions(const Section& deck) const {
@@ -301,7 +442,9 @@ void Model::check_contradictions(const Section& deck) const {
       std::vector<double> value(n, 0.0);
       std::string problem, second;
       for (std::size_t c = 0; c < conditions_.size(); ++c) {
-        if (std::find(stage->conditions.begin(), stage->conditions.end(), conditions_[c]->name) == stage->conditions.end()) continue;
+        if (std::find(stage->conditions.begin(), stage->conditions.end(), conditions_[c]->name) ==
+            stage->conditions.end())
+          continue;
         Constraints mine{Kokkos::View<char*>("mask", n), NodalView("value", n)};
         conditions_[c]->prescribe(t_old, t_end, store_->committed(), mine);
         for (int i = 0; i < n; ++i) {
@@ -309,8 +452,8 @@ void Model::check_contradictions(const Section& deck) const {
           const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
           if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
             char text[160];
-            std::snprintf(text, sizeof text, ": %s is prescribed as %.6g and as %.6g in stage '", space_->field(space_->dofs()->field_of(i)).name.c_str(),
-                          value[i], mine.value(i));
+            std::snprintf(text, sizeof text, ": %s is prescribed as %.6g and as %.6g in stage '",
+                          space_->field(space_->dofs()->field_of(i)).name.c_str(), value[i], mine.value(i));
             second = conditions_[c]->name;
             problem = "contradicts '" + conditions_[owner[i]]->name + "' on a shared node" + text + stage->name + "'";
           }

@@ -37,12 +37,14 @@ class Model {
   const StepTolerances& tolerances() const { return tolerances_; }
   const NewtonOptions& newton() const { return newton_; }
 
-  /// Terms, conditions and bodies of a stage become the active ones. `fresh`: the stage starts (not a restart within it):
-  /// newly active absorbing boundaries take over the present reactions.
+  /// Terms, conditions and bodies of a stage become the active ones. `fresh`: the stage starts (not a restart within
+  /// it): newly active absorbing boundaries take over the present reactions.
   void activate(const Stage& stage, bool fresh);
   /// When a stage starts, after its initial rates: clocks, velocities and accelerations of the bodies whose motion
   /// changes. Collective.
   void start_bodies(const Stage& stage);
+  /// The motion of a body in a stage; null: it rests.
+  std::shared_ptr<const BodyMotion> motion_in(const Stage& stage, const std::string& body) const;
   /// Prescribed unknowns of a stage.
   void prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const;
 
@@ -57,8 +59,11 @@ class Model {
   void read_solver(const Section& deck, const Registries& registries);
   void check_contradictions(const Section& deck) const;
   void check_motions(const Section& deck) const;
-  /// The motion of a body in a stage; null: it rests.
-  std::shared_ptr<const BodyMotion> motion_in(const Stage& stage, const std::string& body) const;
+  void check_supports(const Section& deck);
+  /// Conditions and contacts that no stage lists, bodies that nothing uses.
+  void check_unused(const Section& deck) const;
+  /// Every part of a mesh in several parts has a condition or a contact that could hold it, in whatever stage.
+  void check_parts(const Section& deck) const;
   double constrained_modulus(int block, int element) const;
 
   std::unique_ptr<Mesh> mesh_;
@@ -67,11 +72,11 @@ class Model {
   std::vector<std::unique_ptr<Physics>> physics_;
   std::shared_ptr<Soil> soil_;
   std::function<BlockData(const StepView&)> block_data_;
-  std::vector<std::unique_ptr<Term>> terms_;       // of the physics
+  std::vector<std::unique_ptr<Term>> terms_;  // of the physics
   std::vector<std::unique_ptr<Condition>> conditions_;
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const BodyMotion>> stage_motions_;  // by stage and body
-  std::set<std::string> moved_anew_;               // bodies whose motion in this stage is another than before
+  std::set<std::string> moved_anew_;  // bodies whose motion in this stage is another than before
   std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
   std::unique_ptr<Ale> ale_;
   std::vector<std::unique_ptr<Stage>> stages_;
@@ -80,7 +85,7 @@ class Model {
   std::unique_ptr<Stepper> stepper_;
   StepTolerances tolerances_;
   NewtonOptions newton_;
-  std::set<std::string> active_conditions_;        // of the stage before
+  std::set<std::string> active_conditions_;  // of the stage before
 };
 
 /// The deck's top-level sections.

@@ -19,14 +19,20 @@ void moving_probe(Parameters& p, ProbeSettings& probe) {
 void OutputSettings::parameters(Parameters& p) {
   p.add("folder", folder, "folder of the results, made if absent; relative to where the program is started");
   p.add("name", name, "name of the result files; by default that of the deck");
-  p.add("field interval", field_interval, "s", non_negative(), "time between two written fields; 0: only at the end of every stage");
+  p.add("field interval", field_interval, "s", non_negative(),
+        "time between two written fields; 0: only at the end of every stage");
   p.add("field steps", field_steps, "-", closed(0, 1e9), "fields are written every so many steps; 0: off");
   p.add("history steps", history_steps, "-", closed(1, 1e9), "a row of the history file every so many steps");
-  p.add("checkpoint steps", checkpoint_steps, "-", closed(0, 1e9), "a checkpoint every so many steps; 0: at the end of stages only");
-  p.passes_on("probes", "named points: Array(double) of two coordinates for the nearest node that carries a field (pore pressure: the nearest cell corner), wherever it goes, with the soil or with the mesh; or a section with a point and what it moves with");
+  p.add("checkpoint steps", checkpoint_steps, "-", closed(0, 1e9),
+        "a checkpoint every so many steps; 0: at the end of stages only");
+  p.passes_on("probes",
+              "named points: Array(double) of two coordinates for the nearest node that carries a field (pore "
+              "pressure: the nearest cell corner), wherever it goes, with the soil or with the mesh; or a section with "
+              "a point and what it moves with");
 }
 
-OutputSettings OutputSettings::read(const Section& section, const std::string& deck_name, const std::vector<std::string>& bodies) {
+OutputSettings OutputSettings::read(const Section& section, const std::string& deck_name,
+                                    const std::vector<std::string>& bodies) {
   OutputSettings settings;
   settings.name = deck_name;
   Parameters p(section);

@@ -13,14 +13,16 @@ namespace mudline {
 /// The deck's section "output".
 class OutputSettings {
  public:
-  /// `deck_name`: stem of the deck's file, the default name of the results; `bodies`: what a probe may move with. InputError.
-  static OutputSettings read(const Section& section, const std::string& deck_name, const std::vector<std::string>& bodies);
+  /// `deck_name`: stem of the deck's file, the default name of the results; `bodies`: what a probe may move with.
+  /// InputError.
+  static OutputSettings read(const Section& section, const std::string& deck_name,
+                             const std::vector<std::string>& bodies);
   void parameters(Parameters& p);
 
   std::string folder = "results";
   std::string name;
-  double field_interval = 0;   // [s] 0: every stage's end only
-  int field_steps = 0;         // every so many steps; 0: off
+  double field_interval = 0;  // [s] 0: every stage's end only
+  int field_steps = 0;        // every so many steps; 0: off
   int history_steps = 1;
   int checkpoint_steps = 100;  // 0: only at the end of stages
   std::vector<ProbeSettings> probes;

@@ -1,16 +1,41 @@
 #include "simulation/plugin.hpp"
 
-#include <dlfcn.h>
-
-#include <cstring>
 #include <filesystem>
+
+#include "core/foreign_library.hpp"
+#include "core/guarded.hpp"
 
 namespace mudline {
 
 namespace {
+
 void declare(Parameters& p, std::vector<std::string>& files) {
   p.add("files", files, "shared libraries to load before the deck is read further; relative to the deck's folder");
 }
+
+/// What the plugin says that it was built for. Throws what is wrong with that.
+std::string signature_of(const ForeignLibrary& library) {
+  const auto signature = reinterpret_cast<const char* (*)()>(library.function("mudline_plugin_abi"));
+  if (const char* text = signature()) return text;
+  throw std::runtime_error("it names nothing");
+}
+
+/// Loads one library and lets it register.
+void load_plugin(const Section& section, const std::string& given, const std::string& path, Registries& registries) {
+  const std::string plugin = "plugin '" + given + "' ";
+  const auto library = guarded(section, "files", plugin + "cannot be loaded", [&] { return ForeignLibrary(path); });
+  const auto enter = reinterpret_cast<void (*)(Registries&)>(library.function("mudline_plugin_register"));
+  if (!enter || !library.function("mudline_plugin_abi"))
+    section.fail("'" + given + "' is no mudline plugin: it does not contain MUDLINE_PLUGIN", "files");
+  const std::string signature =
+      guarded(section, "files", plugin + "cannot tell what it was built for", [&] { return signature_of(library); });
+  if (signature != MUDLINE_ABI)
+    section.fail(plugin + "was built for \"" + signature + "\", this program is \"" + std::string(MUDLINE_ABI) +
+                     "\"; rebuild the plugin",
+                 "files");
+  guarded(section, "files", plugin + "cannot register", [&] { enter(registries); });
+}
+
 }  // namespace
 
 void document_plugins(Parameters& p) {
@@ -26,19 +51,9 @@ void load_plugins(const Section& section, Registries& registries) {
   for (const std::string& given : files) {
     std::filesystem::path path(given);
     if (path.is_relative()) path = std::filesystem::path(section.folder()) / path;
-    if (!std::filesystem::exists(path)) section.fail("plugin '" + given + "' does not exist (looked for " + path.string() + ")", "files");
-    void* library = dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library) section.fail("plugin '" + given + "' cannot be loaded: " + dlerror(), "files");
-    const auto abi = reinterpret_cast<const char* (*)()>(dlsym(library, "mudline_plugin_abi"));
-    const auto enter = reinterpret_cast<void (*)(Registries&)>(dlsym(library, "mudline_plugin_register"));
-    if (!abi || !enter) section.fail("'" + given + "' is no mudline plugin: it does not contain MUDLINE_PLUGIN", "files");
-    if (std::strcmp(abi(), MUDLINE_ABI) != 0)
-      section.fail("plugin '" + given + "' was built for \"" + abi() + "\", this program is \"" + std::string(MUDLINE_ABI) + "\"; rebuild the plugin", "files");
-    try {
-      enter(registries);
-    } catch (const std::exception& error) {
-      section.fail("plugin '" + given + "' cannot register: " + error.what(), "files");
-    }
+    if (!std::filesystem::exists(path))
+      section.fail("plugin '" + given + "' does not exist (looked for " + path.string() + ")", "files");
+    load_plugin(section, given, std::filesystem::absolute(path), registries);
   }
 }
 

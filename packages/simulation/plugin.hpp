@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Kokkos_Macros.hpp>
 #include <Trilinos_version.h>
+#include <Kokkos_Macros.hpp>
 
 #include "simulation/registries.hpp"
 
@@ -16,12 +16,12 @@
 
 /// What must be equal in a plugin and in the program that loads it: interface version, compiler, Trilinos, build kind.
 #define MUDLINE_ABI \
-  "interface 2; gcc " MUDLINE_STRINGIFY(__GNUC__) "; Trilinos " TRILINOS_VERSION_STRING "; " MUDLINE_BUILD_KIND
+  "interface 4; gcc " MUDLINE_STRINGIFY(__GNUC__) "; Trilinos " TRILINOS_VERSION_STRING "; " MUDLINE_BUILD_KIND
 
 /// The body of a plugin, once per shared library:
 ///     MUDLINE_PLUGIN(registries) { registries.skeletons.add<mudline::PointwiseSkeleton<MyClay>>("my clay", "..."); }
-#define MUDLINE_PLUGIN(registries)                                            \
-  extern "C" const char* mudline_plugin_abi() { return MUDLINE_ABI; }         \
+#define MUDLINE_PLUGIN(registries)                                    \
+  extern "C" const char* mudline_plugin_abi() { return MUDLINE_ABI; } \
   extern "C" void mudline_plugin_register(mudline::Registries& registries)
 
 namespace mudline {

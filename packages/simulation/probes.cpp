@@ -75,8 +75,8 @@ std::array<double, 2> Probes::place(const ProbeSettings& probe, const State& sta
   return {now.centre[0] + c * arm[0] - s * arm[1], now.centre[1] + s * arm[0] + c * arm[1]};
 }
 
-void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields, const Positions& x,
-                          std::vector<HistoryValue>& row) const {
+void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
+                          const Positions& x, std::vector<HistoryValue>& row) const {
   const std::array<double, 2> at = place(probe, state);
   const PointLocator locator(*mesh_, x);
   const auto bounds = model_.mesh().bounds();
@@ -123,7 +123,8 @@ std::vector<HistoryValue> Probes::values(const State& state, const std::function
       if (field.support == Support::apart) continue;
       for (int c = 0; c < field.components; ++c) {
         const double mine = probe.dof[f] >= 0 ? state.value(probe.dof[f] + c) : 0.0;
-        row.push_back({column(probe.name, field.name, field.components, c), field.unit, sum_over_ranks(*space.dofs()->comm(), mine)});
+        row.push_back({column(probe.name, field.name, field.components, c), field.unit,
+                       sum_over_ranks(*space.dofs()->comm(), mine)});
       }
     }
   if (moving_.empty()) return row;

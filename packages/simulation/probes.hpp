@@ -13,14 +13,14 @@
 
 namespace mudline {
 
-/// Histories of the fields at single points: a node of the mesh, a place in space, or a point that travels with a body. The
-/// latter two are interpolated in the element they lie in, or in the nearest one where they lie outside the soil.
+/// Histories of the fields at single points: a node of the mesh, a place in space, or a point that travels with a body.
+/// The latter two are interpolated in the element they lie in, or in the nearest one where they lie outside the soil.
 class Probes {
  public:
   /// Collective.
   Probes(const Model& model, const std::vector<ProbeSettings>& settings);
-  /// `excess`: gives the excess pore pressure by overlap dof; called where there is pore fluid and a probe that shows it.
-  /// Collective.
+  /// `excess`: gives the excess pore pressure by overlap dof; called where there is pore fluid and a probe that shows
+  /// it. Collective.
   std::vector<HistoryValue> values(const State& state, const std::function<NodalView()>& excess) const;
 
  private:
@@ -36,8 +36,8 @@ class Probes {
     int field;
     std::vector<double> of_nodes;  // (node, component)
   };
-  void interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields, const Positions& x,
-                    std::vector<HistoryValue>& row) const;
+  void interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
+                    const Positions& x, std::vector<HistoryValue>& row) const;
 
   const Model& model_;
   std::vector<NodeProbe> nodes_;

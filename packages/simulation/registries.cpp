@@ -5,6 +5,7 @@
 #include "integrator/step_control.hpp"
 #include "physics/rigid_body/path_shape.hpp"
 #include "simulation/output_settings.hpp"
+#include "simulation/plausibility.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/stage.hpp"
 
@@ -49,12 +50,14 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   Registry<FunctionDefinition> functions("function");
   register_functions(functions);
   append(docs, functions);
-  docs.push_back(fixed("materials", "the soil of mesh regions; one named section each", [](Parameters& p) { SoilMaterial::document(p); }));
+  docs.push_back(fixed("materials", "the soil of mesh regions; one named section each",
+                       [](Parameters& p) { SoilMaterial::document(p); }));
   append(docs, r.skeletons);
   append(docs, r.fluids);
   append(docs, r.permeabilities);
   append(docs, r.physics);
-  docs.push_back(fixed("bodies", "rigid bodies; one named section each", [](Parameters& p) { RigidBody::document(p); }));
+  docs.push_back(
+      fixed("bodies", "rigid bodies; one named section each", [](Parameters& p) { RigidBody::document(p); }));
   append(docs, r.contours);
   Registry<PathPiece> pieces("contour piece");
   register_path_pieces(pieces);
@@ -63,10 +66,12 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.conditions);
   append(docs, r.contacts);
   append(docs, r.frictions);
-  docs.push_back(fixed("mesh motion", "how the mesh moves against the soil (ALE); absent: it goes with it", [](Parameters& p) { Ale::document(p); }));
+  docs.push_back(fixed("mesh motion", "how the mesh moves against the soil (ALE); absent: it goes with it",
+                       [](Parameters& p) { Ale::document(p); }));
   append(docs, r.interior_motions);
   append(docs, r.remaps);
-  docs.push_back(fixed("stages", "what happens in time, in order; one named section each", [](Parameters& p) { Stage::document(p); }));
+  docs.push_back(fixed("stages", "what happens in time, in order; one named section each",
+                       [](Parameters& p) { Stage::document(p); }));
   docs.push_back(fixed("time step", "size of a stage's steps", [](Parameters& p) { StepControl().parameters(p); }));
   append(docs, r.integrators);
   docs.push_back(fixed("solver", "tolerances of the steps", [](Parameters& p) {
@@ -76,8 +81,12 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   }));
   append(docs, r.linear_solvers);
   append(docs, r.point_tests);
-  docs.push_back(fixed("output", "what is written, where and how often", [](Parameters& p) { OutputSettings().parameters(p); }));
-  docs.push_back(fixed("plugins", "shared libraries that bring further types", [](Parameters& p) { document_plugins(p); }));
+  docs.push_back(
+      fixed("output", "what is written, where and how often", [](Parameters& p) { OutputSettings().parameters(p); }));
+  docs.push_back(fixed("plausibility", "what is usual: outside of it the program doubts the deck, and goes on",
+                       [](Parameters& p) { Plausibility::document(p); }));
+  docs.push_back(
+      fixed("plugins", "shared libraries that bring further types", [](Parameters& p) { document_plugins(p); }));
   return docs;
 }
 

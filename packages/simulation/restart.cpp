@@ -1,8 +1,16 @@
-// The checkpoint of a run: the committed state, whole, and where the run stands.
+// The checkpoint of a run: the committed state, whole, where the run stands, and the deck that it is the state of.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <unordered_map>
 
+#include "core/deck.hpp"
+#include "core/deck_changes.hpp"
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "discretisation/agree.hpp"
+#include "integrator/overlap.hpp"
+#include "physics/dof_ids.hpp"
 #include "simulation/output/checkpoint_file.hpp"
 #include "simulation/run.hpp"
 
@@ -10,21 +18,146 @@ namespace mudline {
 
 namespace {
 
-std::vector<double> copy_out(const NodalView& v) { return std::vector<double>(v.data(), v.data() + v.extent(0)); }
-template <class View2>
-std::vector<double> copy_out_2d(const View2& v) { return std::vector<double>(v.data(), v.data() + v.extent(0) * v.extent(1)); }
+/// Sections of the deck that may change between a run and its continuation.
+const char* const free_sections[] = {"stages", "solver", "output"};
 
-void copy_in(const CheckpointData& from, const std::string& name, double* to, std::size_t size) {
-  const auto found = from.arrays.find(name);
-  if (found == from.arrays.end() || found->second.size() != size)
-    throw InputError("the checkpoint does not fit this deck: its array '" + name + "' is missing or of another size");
-  std::copy(found->second.begin(), found->second.end(), to);
+/// The rows of an array of the state: what they are called on any number of ranks.
+struct Rows {
+  std::string name;            // of the ids in the checkpoint, "ids/dof"
+  std::vector<long long> ids;  // by row; empty: the rows are the same on every rank
+  bool shares = false;         // the ranks' rows of one id add up
+  int receivers = 0;           // shares: the sum goes to the first rows, so many, on the rank that has any
+};
+
+/// An array of the state with its place in memory, row by row.
+struct StateArray {
+  std::string name;
+  double* values;
+  std::size_t size;
+  Rows rows;
+};
+
+StateArray nodal(const std::string& name, const NodalView& view, const Rows& rows) {
+  return {name, view.data(), view.extent(0), rows};
+}
+
+Rows rows_of(const Mesh& mesh, const ArrayInfo& info) {
+  Rows rows{"ids/array/" + info.name, info.ids, info.shares, mesh.comm()->getRank() == 0 ? 1 : 0};
+  if (info.block >= 0)
+    for (long long element : mesh.blocks()[info.block].global_ids)
+      for (int q = 0; q < info.points_per_element; ++q) rows.ids.push_back(element * info.points_per_element + q);
+  return rows;
+}
+
+/// Every array of the committed state, in a fixed order.
+std::vector<StateArray> arrays_of(Model& model, const NodalView& initial_pressure) {
+  const State& state = model.store().committed();
+  const Mesh& mesh = model.mesh();
+  const DofMap& dofs = *model.space().dofs();
+  const Rows dof{"ids/dof", dof_ids(dofs)}, node{"ids/node", mesh.node_ids()};
+  Rows forces = dof;
+  forces.shares = true;
+  forces.receivers = dofs.num_owned_dofs();
+  std::vector<StateArray> arrays{
+      nodal("nodal/value", state.value, dof), nodal("nodal/rate", state.rate, dof),
+      nodal("nodal/acceleration", state.acceleration, dof), nodal("nodal/initial pressure", initial_pressure, dof),
+      StateArray{"nodal/coordinates", state.coordinates.data(), state.coordinates.size(), node}};
+  std::size_t slot = 0;
+  std::map<std::string, int> namesakes;
+  for (const Term* term : model.all_terms()) {
+    if (!term->history()) continue;
+    const int before = namesakes[term->name()]++;
+    const std::string name = term->name() + (before > 0 ? "#" + std::to_string(before) : "");
+    arrays.push_back(nodal("history force/" + name, state.history_forces[slot++], forces));
+  }
+  for (int i = 0; i < model.store().num_arrays(); ++i) {
+    const ArrayInfo& info = model.store().info(i);
+    arrays.push_back({"array/" + info.name, state.arrays[i].data(), state.arrays[i].size(), rows_of(mesh, info)});
+  }
+  return arrays;
+}
+
+[[noreturn]] void does_not_fit(const std::string& name) {
+  throw InputError("the checkpoint does not fit this deck: its array '" + name + "' is missing, or has other rows");
+}
+
+template <class T>
+const std::vector<T>& find(const std::map<std::string, std::vector<T>>& arrays, const std::string& name,
+                           const std::string& of) {
+  const auto found = arrays.find(name);
+  if (found == arrays.end()) does_not_fit(of);
+  return found->second;
+}
+
+/// From the parts of all ranks, row by row.
+void redistribute(const std::vector<double>& from, const std::vector<long long>& ids, const StateArray& to) {
+  const std::size_t rows = to.rows.ids.size(), columns = ids.empty() ? 0 : from.size() / ids.size();
+  if (from.size() != columns * ids.size() || (rows > 0 && to.size != columns * rows)) does_not_fit(to.name);
+  std::unordered_map<long long, std::size_t> first;  // row of each id in the sums, or the first one
+  std::vector<double> sums(to.rows.shares ? from.size() : 0, 0.0);
+  for (std::size_t row = 0; row < ids.size(); ++row) {
+    const std::size_t place = first.emplace(ids[row], row).first->second;
+    for (std::size_t c = 0; to.rows.shares && c < columns; ++c) sums[place * columns + c] += from[row * columns + c];
+  }
+  const std::vector<double>& values = to.rows.shares ? sums : from;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto found = first.find(to.rows.ids[row]);
+    if (found == first.end()) does_not_fit(to.name);
+    const bool mine = !to.rows.shares || static_cast<int>(row) < to.rows.receivers;
+    for (std::size_t c = 0; c < columns; ++c)
+      to.values[row * columns + c] = mine ? values[found->second * columns + c] : 0.0;
+  }
+}
+
+/// Rows without ids from the parts of all ranks: alike everywhere, or shares that add up.
+void take_common(const std::vector<double>& from, int ranks, const StateArray& to) {
+  if (from.size() != to.size * ranks) does_not_fit(to.name);
+  for (std::size_t i = 0; i < to.size; ++i) {
+    double sum = 0;
+    for (int rank = 0; rank < ranks; ++rank) sum += from[rank * to.size + i];
+    to.values[i] = !to.rows.shares ? from[i] : to.rows.receivers > 0 ? sum : 0.0;
+  }
+}
+
+void restore(const CheckpointData& from, const StateArray& to) {
+  const std::vector<double>& values = find(from.arrays, to.name, to.name);
+  if (to.rows.ids.empty() && from.integers.count(to.rows.name) == 0) {
+    if (from.ranks > 0) return take_common(values, from.ranks, to);
+    if (values.size() != to.size) does_not_fit(to.name);
+  } else {
+    const std::vector<long long>& ids = find(from.integers, to.rows.name, to.name);
+    if (from.ranks > 0) return redistribute(values, ids, to);
+    if (values.size() != to.size || ids != to.rows.ids) does_not_fit(to.name);
+  }
+  std::copy(values.begin(), values.end(), to.values);
 }
 
 double scalar(const CheckpointData& from, const std::string& name) {
   const auto found = from.scalars.find(name);
   if (found == from.scalars.end()) throw InputError("the checkpoint lacks the value '" + name + "'");
+  if (!std::isfinite(found->second)) throw InputError("the value '" + name + "' is not finite");
   return found->second;
+}
+
+int counter(const CheckpointData& from, const std::string& name, double most) {
+  const double value = scalar(from, name);
+  if (value != std::floor(value) || value < 0 || value > most)
+    throw InputError("the value '" + name + "' = " + number_text(value) + " is impossible");
+  return static_cast<int>(value);
+}
+
+Deck deck_of(const std::string& text, const std::string& name) {
+  Deck deck;
+  deck.overlay(text, name);
+  return deck;
+}
+
+std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
+  std::vector<std::string> names;
+  const Teuchos::ParameterList& stages = deck.sublist("stages");
+  for (auto it = stages.begin(); it != stages.end(); ++it)
+    if (stages.entry(it).isList()) names.push_back(stages.name(it));
+  return names;
 }
 
 }  // namespace
@@ -32,14 +165,12 @@ double scalar(const CheckpointData& from, const std::string& name) {
 void Run::save_checkpoint() {
   const State& state = model_.store().committed();
   CheckpointData data;
-  data.arrays["nodal/value"] = copy_out(state.value);
-  data.arrays["nodal/rate"] = copy_out(state.rate);
-  data.arrays["nodal/acceleration"] = copy_out(state.acceleration);
-  data.arrays["nodal/coordinates"] = copy_out_2d(state.coordinates);
-  data.arrays["nodal/initial pressure"] = copy_out(results_->initial_pressure());
-  for (std::size_t i = 0; i < state.history_forces.size(); ++i)
-    data.arrays["history force/" + std::to_string(i)] = copy_out(state.history_forces[i]);
-  for (int i = 0; i < model_.store().num_arrays(); ++i) data.arrays["array/" + model_.store().info(i).name] = copy_out_2d(state.arrays[i]);
+  for (const StateArray& array : arrays_of(model_, results_->initial_pressure())) {
+    data.arrays[array.name].assign(array.values, array.values + array.size);
+    // an array without rows on this rank may have some on others
+    if (max_over_ranks(*model_.mesh().comm(), array.rows.ids.empty() ? 0.0 : 1.0) > 0)
+      data.integers[array.rows.name] = array.rows.ids;
+  }
   data.arrays["linear solver"] = model_.stepper().solver_memory();
   data.scalars["time"] = state.time;
   data.scalars["stage"] = progress_.stage;
@@ -47,6 +178,7 @@ void Run::save_checkpoint() {
   data.scalars["step"] = progress_.step;
   data.scalars["stage start"] = progress_.stage_start;
   data.scalars["next dt"] = progress_.next_dt;
+  data.scalars["last dt"] = progress_.last_dt;
   data.scalars["next field time"] = progress_.next_field_time;
   data.scalars["stage open"] = progress_.stage_open;
   const auto& floor = model_.stepper().reference_floor();
@@ -54,45 +186,115 @@ void Run::save_checkpoint() {
     data.scalars["reference floor " + std::to_string(f)] = floor[f];
     data.scalars["size floor " + std::to_string(f)] = model_.stepper().size_floor()[f];
   }
+  const HistoryMark& history = results_->history_mark();
+  data.integers["history"] = {history.rows, history.bytes, static_cast<long long>(history.fingerprint)};
+  data.scalars["field steps"] = results_->field_steps();
+  data.texts["deck"] = origin_.deck;
   CheckpointWriter(model_.mesh().comm(), signature_of(model_.mesh())).write(checkpoint_path(), data);
 }
 
 void Run::load_checkpoint() {
-  agree(*model_.mesh().comm(), [&] {
-    if (!std::filesystem::exists(checkpoint_path()))
-      throw InputError(checkpoint_path() + ": there is no such checkpoint; --restart continues a run of the same deck that left one");
+  const RCP<const Comm> comm = model_.mesh().comm();
+  const std::string path = checkpoint_path();
+  agree(*comm, [&] {
+    if (!std::filesystem::exists(path))
+      throw InputError(path +
+                       ": there is no such checkpoint; --restart continues a run of the same deck that left one");
   });
-  checkpoint_ = CheckpointReader(model_.mesh().comm(), signature_of(model_.mesh())).read(checkpoint_path());
-  agree(*model_.mesh().comm(), [&] {
+  const CheckpointReader reader(comm, signature_of(model_.mesh()));
+  const auto texts = reader.texts(path);
+  const auto deck = texts.find("deck");
+  if (deck == texts.end()) throw InputError(path + ": the checkpoint lacks its deck");
+  check_model(deck->second);
+  checkpoint_ = reader.read(path);
+  if (checkpoint_.moved_nodes)
+    refuse_or_warn("the source of the mesh gives its nodes other coordinates than those of the first run");
+  if (checkpoint_.ranks > 0)
+    log::info("the checkpoint was written on " + std::to_string(checkpoint_.ranks) +
+              (checkpoint_.ranks == 1 ? " rank" : " ranks") + ", or on another partition: its state is redistributed");
+  agree(*comm, [&] {
     try {
-      restore_state();
+      restore_progress();
+      check_stages(deck->second);
+      restore_arrays();
     } catch (const InputError& error) {
-      throw InputError(checkpoint_path() + ": " + error.what());
+      throw InputError(path + ": " + error.what());
     }
   });
-  log::info("restart at t = " + std::to_string(model_.store().committed().time) + " s, step " + std::to_string(progress_.step) + ", stage '" +
-            model_.stages()[progress_.stage]->name + "'");
+  log::info("restart at t = " + std::to_string(model_.store().committed().time) + " s, step " +
+            std::to_string(progress_.step) + ", stage '" + model_.stages()[progress_.stage]->name + "'");
 }
 
-void Run::restore_state() {
+void Run::refuse_or_warn(const std::string& difference) const {
+  if (!options_.accept_changes)
+    throw InputError(checkpoint_path() + ": the checkpoint is that of another model: " + difference +
+                     " (--accept-changes goes on all the same)");
+  log::warn("going on from the checkpoint of another model: " + difference);
+}
+
+void Run::check_model(const std::string& old_deck) const {
+  const Deck was = deck_of(old_deck, checkpoint_path()), now = deck_of(origin_.deck, "deck");
+  std::vector<DeckChange> changes = deck_changes(was.list(), now.list());
+  const auto may_change = [](const DeckChange& change) {
+    return std::any_of(std::begin(free_sections), std::end(free_sections),
+                       [&](const char* section) { return lies_in(change.path, section); });
+  };
+  changes.erase(std::remove_if(changes.begin(), changes.end(), may_change), changes.end());
+  if (!changes.empty()) refuse_or_warn(one_line(changes));
+}
+
+void Run::check_stages(const std::string& old_deck) const {
+  const Deck was = deck_of(old_deck, checkpoint_path()), now = deck_of(origin_.deck, "deck");
+  const std::vector<std::string> names = stage_names(was.list());
+  const auto& stages = model_.stages();
+  const int present = progress_.stage, begun = present + (progress_.stage_open ? 1 : 0);
+  std::vector<std::string> over(names.begin(), names.begin() + std::min<int>(begun, static_cast<int>(names.size())));
+  for (int i = 0; i < begun; ++i) {
+    if (i < static_cast<int>(over.size()) && i < static_cast<int>(stages.size()) && stages[i]->name == over[i])
+      continue;
+    const std::string here = i < static_cast<int>(stages.size()) ? "has '" + stages[i]->name + "' there" : "has none";
+    throw InputError("the run began with the stages " + join(over) + ", but stage " + std::to_string(i + 1) +
+                     " cannot be '" + (i < static_cast<int>(over.size()) ? over[i] : "") + "' any more: the deck " +
+                     here + "; stages before the present one can neither be inserted, renamed nor removed");
+  }
+  std::vector<DeckChange> without_effect;
+  for (const DeckChange& change : deck_changes(was.list(), now.list()))
+    for (int i = 0; i < begun; ++i) {
+      const std::string stage = "stages/" + over[i];
+      if (!lies_in(change.path, stage)) continue;
+      const bool running = i == present;
+      if ((change.path == stage + "/duration" && !running) || (change.path == stage + "/type"))
+        throw InputError(change.text() + ", but that stage " + (running ? "has begun" : "is over"));
+      if (!running) without_effect.push_back(change);
+    }
+  if (!without_effect.empty()) log::warn("changes in stages that are over have no effect: " + one_line(without_effect));
+  if (!progress_.stage_open) return;
+  const Stage& stage = *stages[present];
+  const double done = model_.store().committed().time - progress_.stage_start;
+  if (stage.duration < done * (1 - 1e-9))
+    throw InputError("stages/" + stage.name + "/duration: " + number_text(stage.duration) +
+                     " s, but the checkpoint stands " + number_text(done) + " s into that stage");
+}
+
+void Run::restore_progress() {
   const CheckpointData& data = checkpoint_;
-  State& state = model_.store().committed();
-  copy_in(data, "nodal/value", state.value.data(), state.value.extent(0));
-  copy_in(data, "nodal/rate", state.rate.data(), state.rate.extent(0));
-  copy_in(data, "nodal/acceleration", state.acceleration.data(), state.acceleration.extent(0));
-  copy_in(data, "nodal/coordinates", state.coordinates.data(), state.coordinates.size());
-  for (std::size_t i = 0; i < state.history_forces.size(); ++i)
-    copy_in(data, "history force/" + std::to_string(i), state.history_forces[i].data(), state.history_forces[i].extent(0));
-  for (int i = 0; i < model_.store().num_arrays(); ++i)
-    copy_in(data, "array/" + model_.store().info(i).name, state.arrays[i].data(), state.arrays[i].size());
-  state.time = scalar(data, "time");
-  progress_.stage = static_cast<int>(scalar(data, "stage"));
-  progress_.step_in_stage = static_cast<int>(scalar(data, "step in stage"));
-  progress_.step = static_cast<int>(scalar(data, "step"));
+  model_.store().committed().time = scalar(data, "time");
+  progress_.stage = counter(data, "stage", 1e6);
+  progress_.step_in_stage = counter(data, "step in stage", 2e9);
+  progress_.step = counter(data, "step", 2e9);
   progress_.stage_start = scalar(data, "stage start");
   progress_.next_dt = scalar(data, "next dt");
-  progress_.next_field_time = scalar(data, "next field time");
-  progress_.stage_open = scalar(data, "stage open") != 0;
+  progress_.last_dt = scalar(data, "last dt");
+  // the interval may be another now
+  progress_.next_field_time =
+      std::min(scalar(data, "next field time"), next_field_time(model_.store().committed().time));
+  progress_.stage_open = counter(data, "stage open", 1) == 1;
+  if (model_.store().committed().time < progress_.stage_start && progress_.stage_open)
+    throw InputError("its time lies before the start of its stage");
+  if (progress_.stage_open && !(progress_.next_dt > 0) &&
+      model_.stages()[std::min<std::size_t>(progress_.stage, model_.stages().size() - 1)]->type !=
+          Stage::Type::geostatic)
+    throw InputError("the value 'next dt' = " + number_text(progress_.next_dt) + " is impossible");
   auto& floor = model_.stepper().reference_floor();
   for (std::size_t f = 0; f < floor.size(); ++f) {
     floor[f] = scalar(data, "reference floor " + std::to_string(f));
@@ -103,14 +305,29 @@ void Run::restore_state() {
                      std::to_string(model_.stages().size()) + " stages");
 }
 
+void Run::restore_arrays() {
+  // the initial pressure has its place in the results, which are opened after this
+  const NodalView room("initial pressure", model_.store().committed().value.extent(0));
+  for (const StateArray& array : arrays_of(model_, room)) restore(checkpoint_, array);
+}
+
 void Run::restore_initial_pressure() {
-  const NodalView view = results_->initial_pressure();
-  copy_in(checkpoint_, "nodal/initial pressure", view.data(), view.extent(0));
+  for (const StateArray& array : arrays_of(model_, results_->initial_pressure()))
+    if (array.name == "nodal/initial pressure") restore(checkpoint_, array);
+}
+
+ResultsRestart Run::results_restart() const {
+  const double time = model_.store().committed().time;
+  const std::vector<long long>& history = find(checkpoint_.integers, "history", "history");
+  if (history.size() < 3) does_not_fit("history");
+  return {{{history[0], history[1], static_cast<std::uint64_t>(history[2])}, time, options_.accept_changes},
+          {static_cast<long long>(scalar(checkpoint_, "field steps")), time, options_.accept_changes}};
 }
 
 void Run::restore_solver() {
   const auto found = checkpoint_.arrays.find("linear solver");
-  if (found != checkpoint_.arrays.end()) model_.stepper().restore_solver(found->second);
+  // its numbers belong to the ranks' parts of the matrix
+  if (checkpoint_.ranks == 0 && found != checkpoint_.arrays.end()) model_.stepper().restore_solver(found->second);
 }
 
 }  // namespace mudline

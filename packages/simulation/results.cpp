@@ -7,17 +7,25 @@
 
 namespace mudline {
 
-Results::Results(Model& model, const OutputSettings& settings, const std::string& deck_text, std::optional<double> restart_time)
-    : model_(model), fields_(model.mesh(), settings.stem(), restart_time), history_(model.mesh().comm(), settings.stem() + ".csv", restart_time),
-      initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()), probes_(model, settings.probes) {
-  fields_.set_metadata("deck", deck_text);
+Results::Results(Model& model, const OutputSettings& settings, const Origin& origin,
+                 const std::optional<ResultsRestart>& restart)
+    : model_(model),
+      fields_(model.mesh(), settings.stem(), restart ? std::optional(restart->fields) : std::nullopt),
+      history_(model.mesh().comm(), settings.stem() + ".csv", restart ? std::optional(restart->history) : std::nullopt),
+      initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()),
+      fluid_density_(fluid_density()),
+      probes_(model, settings.probes) {
+  fields_.set_metadata("deck", origin.deck);
+  fields_.set_metadata("deck file", origin.deck_file);
+  fields_.set_metadata("program", origin.program);
   fields_.set_metadata("geometry", model.mesh().geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain");
   const auto box = model.mesh().bounds();
   const double size = std::max(box[1] - box[0], box[3] - box[2]);
   for (const auto& [name, body] : model.bodies()) {
     std::vector<std::array<double, 2>> contour = body->contour().sample(1e-4 * size);
     // a half contour is closed along its axis, so that pictures fill the body
-    if (body->contour().extent() == ContourExtent::half && !contour.empty()) contour.push_back({0.0, contour.back()[1]});
+    if (body->contour().extent() == ContourExtent::half && !contour.empty())
+      contour.push_back({0.0, contour.back()[1]});
     for (auto& point : contour)
       for (int i = 0; i < 2; ++i) point[i] += body->initial_position()[i];
     fields_.add_body(name, contour);
@@ -26,17 +34,35 @@ Results::Results(Model& model, const OutputSettings& settings, const std::string
 
 void Results::take_initial_pressure() { Kokkos::deep_copy(initial_pressure_, model_.store().committed().value); }
 
+NodalView Results::fluid_density() const {
+  const Soil* soil = model_.soil().get();
+  const DofMap& dofs = *model_.space().dofs();
+  NodalView sum("sum", dofs.num_overlap_dofs()), elements("elements", dofs.num_overlap_dofs());
+  if (soil == nullptr || soil->pressure < 0) return sum;
+  const auto& table = model_.space().node_dof(soil->pressure);
+  for (const SoilBlock& b : soil->blocks)
+    for (int e = 0; e < b.elements; ++e)
+      for (int c = 0; c < num_corners(b.shape); ++c) {
+        sum(table(b.nodes(e, c))) += b.material->fluid->density();
+        elements(table(b.nodes(e, c))) += 1;
+      }
+  const NodalView density = sum_overlap(dofs, sum), around = sum_overlap(dofs, elements);
+  for (std::size_t i = 0; i < density.extent(0); ++i) density(i) /= std::max(1.0, around(i));
+  return density;
+}
+
 NodalView Results::excess_pressure(int field) const {
   const State& state = model_.store().committed();
   NodalView excess("excess", state.value.extent(0));
-  const auto weight = model_.soil()->hydrostatic_gradient(state.time);
+  const auto gravity = model_.soil()->water_gravity(state.time);
   const auto& start = model_.mesh().coordinates();
   for (int node = 0; node < model_.mesh().num_nodes(); ++node) {
     const int dof = model_.space().node_dof(field)(node);
     if (dof < 0) continue;
     // a node that has moved, with the soil or with the mesh, is compared with the water at rest where it is now
-    const double deeper = weight[0] * (state.coordinates(node, 0) - start(node, 0)) + weight[1] * (state.coordinates(node, 1) - start(node, 1));
-    excess(dof) = state.value(dof) - initial_pressure_(dof) - deeper;
+    const double deeper = gravity[0] * (state.coordinates(node, 0) - start(node, 0)) +
+                          gravity[1] * (state.coordinates(node, 1) - start(node, 1));
+    excess(dof) = state.value(dof) - initial_pressure_(dof) - fluid_density_(dof) * deeper;
   }
   return excess;
 }
@@ -59,7 +85,8 @@ std::vector<double> Results::on_all_nodes(int field, const ConstNodalView& value
         for (int c = 0; c < components; ++c) {
           double mean = 0;
           if (a < 2 * corners)
-            mean = 0.5 * (values(table(block.nodes(e, a - corners)) + c) + values(table(block.nodes(e, (a - corners + 1) % corners)) + c));
+            mean = 0.5 * (values(table(block.nodes(e, a - corners)) + c) +
+                          values(table(block.nodes(e, (a - corners + 1) % corners)) + c));
           else
             for (int k = 0; k < corners; ++k) mean += values(table(block.nodes(e, k)) + c) / corners;
           result[node * components + c] = mean;
@@ -105,7 +132,8 @@ std::vector<OutputField> Results::cell_fields() const {
       deviator{"deviatoric stress", "Pa", 1, {}}, ratio{"void ratio", "-", 1, {}};
   std::map<std::string, OutputField> law;
   for (const SoilBlock& b : model_.soil()->blocks)
-    for (const StateVariable& v : b.material->skeleton->state_variables()) law.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
+    for (const StateVariable& v : b.material->skeleton->state_variables())
+      law.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
   for (const SoilBlock& b : model_.soil()->blocks)
     for (int e = 0; e < b.elements; ++e) {
       double s[6] = {0, 0, 0, 0, 0, 0}, void_ratio = 0;
@@ -118,7 +146,8 @@ std::vector<OutputField> Results::cell_fields() const {
       }
       stress.values.insert(stress.values.end(), s, s + 6);
       const double p = -(s[0] + s[1] + s[2]) / 3;
-      const double j2 = (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) / 6 + s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+      const double j2 = (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) / 6 +
+                        s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
       mean.values.push_back(p);
       deviator.values.push_back(std::sqrt(3 * j2));
       ratio.values.push_back(void_ratio);
@@ -153,7 +182,8 @@ void Results::write_fields(int step, const std::string& stage) {
   fields_.write(state.time, step, stage, coordinates, nodal_fields(), cell_fields(), bodies);
 }
 
-void Results::write_history(const Balances& balances, const std::map<std::string, double>& terms, double dt, int iterations) {
+void Results::write_history(const Balances& balances, const std::map<std::string, double>& terms, double dt,
+                            int iterations) {
   const State& state = model_.store().committed();
   const Space& space = model_.space();
   std::vector<HistoryValue> row{{"step/dt", "s", dt}, {"step/newton iterations", "-", static_cast<double>(iterations)}};
@@ -167,7 +197,8 @@ void Results::write_history(const Balances& balances, const std::map<std::string
   }
   for (const auto& [name, value] : terms) {
     const auto bracket = name.rfind(" [");
-    row.push_back({name.substr(0, bracket), bracket == std::string::npos ? "-" : name.substr(bracket + 2, name.size() - bracket - 3), value});
+    row.push_back({name.substr(0, bracket),
+                   bracket == std::string::npos ? "-" : name.substr(bracket + 2, name.size() - bracket - 3), value});
   }
   const auto excess = [&] { return excess_pressure(space.find("pore pressure")); };
   for (const HistoryValue& value : probes_.values(state, excess)) row.push_back(value);

@@ -7,6 +7,7 @@
 
 #include "simulation/balances.hpp"
 #include "simulation/model.hpp"
+#include "simulation/old_results.hpp"
 #include "simulation/output/field_file.hpp"
 #include "simulation/output/history_file.hpp"
 #include "simulation/output_settings.hpp"
@@ -14,11 +15,22 @@
 
 namespace mudline {
 
+/// Where the files of a run are continued.
+struct ResultsRestart {
+  HistoryRestart history;
+  FieldRestart fields;
+};
+
 /// Writes the committed state of a model: fields for ParaView, histories for plots.
 class Results {
  public:
-  /// Opens the files; `restart_time`: continues old ones. Collective.
-  Results(Model& model, const OutputSettings& settings, const std::string& deck_text, std::optional<double> restart_time);
+  /// Opens the files; `restart`: continues old ones. Collective.
+  Results(Model& model, const OutputSettings& settings, const Origin& origin,
+          const std::optional<ResultsRestart>& restart);
+
+  /// How far the files have come, for a checkpoint.
+  const HistoryMark& history_mark() const { return history_.mark(); }
+  int field_steps() const { return fields_.num_steps(); }
 
   void write_fields(int step, const std::string& stage);
   /// `terms`: what the terms say of the last step.
@@ -38,7 +50,10 @@ class Results {
   HistoryFile history_;
   /// Pore pressure less that of the start at the same place, by overlap dof.
   NodalView excess_pressure(int field) const;
-  NodalView initial_pressure_;
+  /// Density of the pore fluid [kg/m3] by overlap dof of the pore pressure, the mean of the elements around.
+  /// Collective.
+  NodalView fluid_density() const;
+  NodalView initial_pressure_, fluid_density_;
   Probes probes_;
 };
 

@@ -11,6 +11,7 @@
 #include "ale/yield_drift.hpp"
 #include "core/log.hpp"
 #include "integrator/overlap.hpp"
+#include "integrator/time_error.hpp"
 
 namespace mudline {
 
@@ -19,7 +20,7 @@ namespace {
 volatile std::sig_atomic_t stop_signal = 0;
 
 void on_signal(int signal) {
-  if (stop_signal) {
+  if (stop_signal && signal != SIGUSR1) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -32,23 +33,32 @@ std::string format(const char* pattern, double value) {
   return buffer;
 }
 
+std::string describe(const MeshQuality& quality, const Mesh& mesh) {
+  return std::to_string(quality.poor) + " of " + std::to_string(mesh.num_global_elements()) +
+         " elements have a scaled Jacobian below " + format("%.3g", MeshQuality::doubtful) + ", the smallest is " +
+         format("%.3g", quality.lowest) + format(" at (%.4g, ", quality.place[0]) + format("%.4g)", quality.place[1]);
+}
+
 }  // namespace
 
 void catch_signals() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  std::signal(SIGUSR1, on_signal);
 }
 
-Run::Run(Model& model, const OutputSettings& settings, const std::string& deck_text, const RunOptions& options)
-    : model_(model), settings_(settings), options_(options), balances_(model) {
+Run::Run(Model& model, const OutputSettings& settings, const Origin& origin, const RunOptions& options)
+    : model_(model), settings_(settings), origin_(origin), options_(options), balances_(model) {
   std::filesystem::create_directories(settings_.folder);
+  lock_ = std::make_unique<ResultLock>(model_.mesh().comm(), settings_.stem());
   if (options_.restart) {
     load_checkpoint();
-    results_ = std::make_unique<Results>(model_, settings_, deck_text, model_.store().committed().time);
+    results_ = std::make_unique<Results>(model_, settings_, origin_, results_restart());
     restore_initial_pressure();
     return;
   }
-  results_ = std::make_unique<Results>(model_, settings_, deck_text, std::nullopt);
+  make_room(model_.mesh().comm(), settings_.stem(), origin_, options_.overwrite);
+  results_ = std::make_unique<Results>(model_, settings_, origin_, std::nullopt);
   results_->take_initial_pressure();
   balances_.start();
 }
@@ -80,10 +90,11 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.step_in_stage = 0;
   progress_.stage_start = model_.store().committed().time;
   progress_.next_dt = stage.control.initial;
-  progress_.next_field_time = progress_.stage_start + settings_.field_interval;
+  progress_.last_dt = 0;
+  progress_.next_field_time = next_field_time(progress_.stage_start);
   std::fill(model_.stepper().reference_floor().begin(), model_.stepper().reference_floor().end(), 0.0);
   if (!model_.stepper().refresh_history()) {
-    log::warn("the stresses of the start of stage '" + stage.name + "' cannot be evaluated");
+    log::warn("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" + model_.stepper().hints());
     return false;
   }
   State& state = model_.store().committed();
@@ -109,7 +120,10 @@ bool Run::run_geostatic(const Stage& stage) {
   };
   const double time = model_.store().committed().time;
   model_.store().committed().time = time - now.dt;
-  const StepReport report = model_.stepper().attempt(now, model_.tolerances(), model_.newton());
+  // a balance that is checked is solved for: the displacement tells of an imbalance that the residual's tolerance hides
+  NewtonOptions newton = model_.newton();
+  newton.least_iterations = stage.balance_tolerance > 0 ? 1 : 0;
+  const StepReport report = model_.stepper().attempt(now, model_.tolerances(), newton);
   model_.store().committed().time = time;
   if (!report.converged) {
     log::warn("geostatic equilibrium of stage '" + stage.name + "' not found: " + report.reason);
@@ -122,10 +136,11 @@ bool Run::run_geostatic(const Stage& stage) {
       for (int i = begin; i < end; ++i)
         largest = std::max(largest, std::abs(model_.store().trial().value(i) - model_.store().committed().value(i)));
   largest = max_over_ranks(*model_.mesh().comm(), largest);
-  log::info("  balanced in " + std::to_string(report.newton_iterations) + " iterations, largest displacement " + format("%.3g m", largest));
+  log::info("  balanced in " + std::to_string(report.newton_iterations) + " iterations, largest displacement " +
+            format("%.3g m", largest));
   if (stage.balance_tolerance > 0 && largest > stage.balance_tolerance) {
-    log::warn("stages/" + stage.name + "/balance tolerance: equilibrium needs displacements of " + format("%.3g m", largest) +
-              ", more than the allowed " + format("%.3g m", stage.balance_tolerance) +
+    log::warn("stages/" + stage.name + "/balance tolerance: equilibrium needs displacements of " +
+              format("%.3g m", largest) + ", more than the allowed " + format("%.3g m", stage.balance_tolerance) +
               "; check loads, supports and the initial stresses against each other");
     return false;
   }
@@ -134,7 +149,9 @@ bool Run::run_geostatic(const Stage& stage) {
   Kokkos::deep_copy(model_.store().trial().rate, 0.0);
   Kokkos::deep_copy(model_.store().trial().acceleration, 0.0);
   model_.store().accept();
-  const auto histories = term_histories();
+  auto histories = term_histories();
+  look_at_mesh();
+  histories["mesh/quality [-]"] = quality_.lowest;
   ++progress_.step;
   reset_displacements();
   balances_.start();
@@ -161,26 +178,12 @@ double Run::choose_dt(const Stage& stage) const {
   return dt > 0.5 * left && dt < left ? std::min(dt, 0.5 * left * (1 + 1e-12)) : dt;
 }
 
-double Run::local_error(const Stage& stage) const {
-  if (stage.control.error_tolerance <= 0) return 0;
-  const State &old = model_.store().committed(), &now = model_.store().trial();
-  const TimeScheme scheme = stage.scheme(progress_.step_in_stage);
-  const double dt = model_.stepper().view().dt;
-  double worst = 0;
-  for (int f = 0; f < model_.space().num_fields(); ++f) {
-    const bool second = model_.space().field(f).time_order == 2 && scheme.inertia;
-    double error = 0, size = 0;
-    for (int i = model_.space().dofs()->owned_begin(f); i < model_.space().dofs()->owned_end(f); ++i) {
-      const double e = second ? dt * dt * std::abs(scheme.beta - 1.0 / 6) * std::abs(now.acceleration(i) - old.acceleration(i))
-                              : 0.5 * dt * std::abs(now.rate(i) - old.rate(i));
-      error += e * e;
-      size += now.value(i) * now.value(i);
-    }
-    error = sum_over_ranks(*model_.mesh().comm(), error);
-    size = sum_over_ranks(*model_.mesh().comm(), size);
-    if (size > 0) worst = std::max(worst, std::sqrt(error / size));
-  }
-  return worst / stage.control.error_tolerance;
+LocalError Run::local_error(const Stage& stage) const {
+  if (stage.control.error_tolerance <= 0) return {};
+  Stepper& stepper = model_.stepper();
+  return TimeError(model_.space())
+      .measure(stepper.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
+               stepper.size_floor(), stage.control.error_tolerance);
 }
 
 std::map<std::string, double> Run::term_histories() {
@@ -201,7 +204,8 @@ std::map<std::string, double> Run::term_histories() {
   for (const auto& [name, body] : model_.bodies()) {
     const BodyUnknowns& unknowns = body->unknowns();
     for (int k = 0; k < unknowns.count; ++k)
-      shares["body/" + name + "/" + directions[unknowns.direction[k]]] = model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k];
+      shares["body/" + name + "/" + directions[unknowns.direction[k]]] =
+          model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k];
   }
   for (const auto& [name, share] : shares) values[name] = sum_over_ranks(*model_.mesh().comm(), share);
   return values;
@@ -211,19 +215,25 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
   for (;;) {
     if (moves_mesh(stage)) model_.store().keep();
     report = model_.stepper().attempt(request(stage, dt), model_.tolerances(), model_.newton());
-    if (report.converged && accept(stage, report)) return true;
+    double next = -1;
+    if (report.converged) {
+      error_ = local_error(stage);
+      next = stage.control.after_error(dt, error_);
+      if (next < 0 && accept(stage, report)) return true;
+      if (next > 0) report.reason = "time error " + format("%.2g", error_.ratio) + " times its tolerance";
+    }
     ++rejected_;
-    const double next = stage.control.after_failure(dt);
+    if (next < 0) next = stage.control.after_failure(dt);
     const double time = model_.store().committed().time;
     if (next < 0 || stop_requested()) {
       exit = next < 0 ? ExitCode::no_convergence : ExitCode::stopped;
       if (next < 0)
-        log::warn("step " + std::to_string(progress_.step + 1) + ", t = " + format("%.6g s", time) + ": " + report.reason +
-                  "; the step cannot be cut below " + format("%.3g s", stage.control.minimum));
+        log::warn("step " + std::to_string(progress_.step + 1) + ", t = " + format("%.6g s", time) + ": " +
+                  report.reason + "; the step cannot be cut below " + format("%.3g s", stage.control.minimum));
       return false;
     }
-    log::info("  step " + std::to_string(progress_.step + 1) + " rejected: " + report.reason + "; dt " + format("%.3g", dt) + " -> " +
-              format("%.3g s", next));
+    log::info("  step " + std::to_string(progress_.step + 1) + " rejected: " + report.reason + "; dt " +
+              format("%.3g", dt) + " -> " + format("%.3g s", next));
     dt = progress_.next_dt = next;
   }
 }
@@ -232,24 +242,30 @@ void Run::log_step(const Stage& stage, double dt, const StepReport& report) cons
   const double time = model_.store().committed().time, done = time - progress_.stage_start;
   const double wall = Teuchos::Time::wallTime() - wall_start_;
   const double left = steps_here_ > 0 && done > 0 ? (stage.duration - done) / dt * wall / steps_here_ : 0;
-  const std::string augmented = report.augmentations > 0 ? "  augmentations " + std::to_string(report.augmentations) : "";
+  const std::string augmented =
+      report.augmentations > 0 ? "  augmentations " + std::to_string(report.augmentations) : "";
   char line[200];
-  std::snprintf(line, sizeof line, "  step %5d  t %.6g s  dt %.3g s  newton %d%s  linear %d%s  about %.0f s left", progress_.step, time, dt,
-                report.newton_iterations, augmented.c_str(), report.linear_iterations, report.factorisations > 0 ? "" : " (reused)", left);
+  std::snprintf(line, sizeof line, "  step %5d  t %.6g s  dt %.3g s  newton %d%s  linear %d%s  about %.0f s left",
+                progress_.step, time, dt, report.newton_iterations, augmented.c_str(), report.linear_iterations,
+                report.factorisations > 0 ? "" : " (reused)", left);
   log::info(line);
 }
 
 bool Run::accept(const Stage& stage, StepReport& report) {
-  error_ = local_error(stage);
   balances_.add_step();
   model_.store().accept();
   histories_ = term_histories();
-  if (!moves_mesh(stage) || !model_.ale()->due(progress_.step + 1, model_.store().committed())) return true;
-  report.reason = relocate_mesh();
-  if (report.reason.empty()) return true;
-  model_.store().restore();
-  report.converged = false;
-  return false;
+  const bool moves = moves_mesh(stage) && model_.ale()->due(progress_.step + 1, model_.store().committed());
+  const std::string veto = moves ? relocate_mesh() : "";
+  if (!veto.empty()) {
+    report.reason = veto;
+    model_.store().restore();
+    report.converged = false;
+    return false;
+  }
+  look_at_mesh();
+  histories_["mesh/quality [-]"] = quality_.lowest;
+  return true;
 }
 
 bool Run::moves_mesh(const Stage& stage) const { return model_.ale() && stage.mesh_motion; }
@@ -260,47 +276,66 @@ std::string Run::relocate_mesh() {
   if (!receipt.moved) return receipt.veto;
   // the trial state still has the mesh as it was
   for (Term* term : model_.stepper().active()) term->relocate(store.trial().coordinates, store.committed());
-  if (!model_.stepper().refresh_history()) return "the remapped state cannot be evaluated";
+  if (!model_.stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_.stepper().hints();
   receipt.yield_drift = yield_drift(*model_.soil(), store.committed(), store.trial());
   for (Term* term : model_.stepper().active()) term->adopt(store.trial(), store.committed());
   balances_.add_remap(receipt);
-  warn_of_quality(receipt);
   char line[240];
-  std::snprintf(line, sizeof line, "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e, restored %+.1e, yield drift %.1e", receipt.quality_before, receipt.quality,
-                receipt.largest_motion, receipt.after.solid / receipt.before.solid - 1,
-                receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid, receipt.yield_drift);
+  std::snprintf(
+      line, sizeof line,
+      "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e, restored %+.1e, yield drift %.1e",
+      receipt.quality_before, receipt.quality, receipt.largest_motion, receipt.after.solid / receipt.before.solid - 1,
+      receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid,
+      receipt.yield_drift);
   log::detail(line);
   return "";
 }
 
-void Run::warn_of_quality(const MeshReceipt& receipt) {
-  if (receipt.quality >= model_.ale()->accepted_quality() || poor_mesh_) return;
+void Run::look_at_mesh() {
+  const State& state = model_.store().committed();
+  quality_ = mesh_quality(model_.mesh(), state.coordinates);
+  if (poor_mesh_ || quality_.lowest >= MeshQuality::doubtful) return;
   poor_mesh_ = true;
-  char line[240];
-  std::snprintf(line, sizeof line,
-                "the mesh's smallest scaled Jacobian is %.3g at t %.6g s, below 'mesh motion/lowest quality' = %.3g, and mesh motion cannot mend it: "
-                "doubt the results from here on",
-                receipt.quality, model_.store().committed().time, model_.ale()->accepted_quality());
-  log::warn(line);
+  log::warn("the mesh is poor: " + describe(quality_, model_.mesh()) + " at t " + format("%.6g s", state.time) +
+            "; doubt the results there (a 'mesh motion' or another mesh helps)");
+}
+
+bool Run::ends_folded(const Stage& stage) const {
+  if (stage.allow_folded || quality_.folded == 0) return false;
+  log::warn("the mesh is folded: " + describe(quality_, model_.mesh()) + " at t " +
+            format("%.6g s", model_.store().committed().time) + "; the state is saved and the run ends here: use a " +
+            "'mesh motion' or another mesh, or go on with stages/" + stage.name + "/allow folded elements = true");
+  return true;
+}
+
+double Run::next_field_time(double time) const {
+  const double interval = settings_.field_interval;
+  if (interval <= 0) return time;
+  const double passed = std::floor((time - progress_.stage_start) / interval * (1 + 1e-12));
+  // of an interval that is nothing against the time, every moment is a multiple
+  return passed < 1e12 ? progress_.stage_start + (passed + 1) * interval : time;
 }
 
 void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
-  const double error = error_;
   const auto& histories = histories_;
   ++progress_.step;
   ++progress_.step_in_stage;
   ++steps_here_;
-  // the step that was shortened to meet the end of a stage or a contact's limit says nothing of the size Newton can take
-  const double next = stage.control.after_success(dt, report.hardest_solve, error);
-  progress_.next_dt = dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
+  progress_.last_dt = dt;
+  // the step that was shortened to meet the end of a stage or a contact's limit says nothing of the size Newton can
+  // take
+  const double next = stage.control.after_success(dt, report.hardest_solve, error_);
+  progress_.next_dt =
+      dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
   log_step(stage, dt, report);
-  if (progress_.step % settings_.history_steps == 0) results_->write_history(balances_, histories, dt, report.newton_iterations);
+  if (progress_.step % settings_.history_steps == 0)
+    results_->write_history(balances_, histories, dt, report.newton_iterations);
   const double time = model_.store().committed().time;
   const bool by_time = settings_.field_interval > 0 && time >= progress_.next_field_time * (1 - 1e-12);
   const bool by_step = settings_.field_steps > 0 && progress_.step % settings_.field_steps == 0;
   const bool at_end = time >= (progress_.stage_start + stage.duration) * (1 - 1e-12);
   if (by_time || by_step || at_end) results_->write_fields(progress_.step, stage.name);
-  while (settings_.field_interval > 0 && progress_.next_field_time <= time * (1 + 1e-12)) progress_.next_field_time += settings_.field_interval;
+  if (by_time) progress_.next_field_time = next_field_time(time);
   if (settings_.checkpoint_steps > 0 && progress_.step % settings_.checkpoint_steps == 0) save_checkpoint();
 }
 
@@ -313,7 +348,8 @@ ExitCode Run::run_stage(const Stage& stage) {
       return ExitCode::done;
     }
     if (progress_.step_in_stage >= stage.control.maximum_steps) {
-      log::warn("stages/" + stage.name + "/time step/maximum steps: " + std::to_string(stage.control.maximum_steps) + " steps were taken and the stage is not over");
+      log::warn("stages/" + stage.name + "/time step/maximum steps: " + std::to_string(stage.control.maximum_steps) +
+                " steps were taken and the stage is not over");
       save_checkpoint();
       return ExitCode::no_convergence;
     }
@@ -326,6 +362,11 @@ ExitCode Run::run_stage(const Stage& stage) {
       return exit;
     }
     after_step(stage, dt, report);
+    if (ends_folded(stage)) {
+      save_checkpoint();
+      results_->write_fields(progress_.step, stage.name);
+      return ExitCode::no_convergence;
+    }
     if (stop_requested()) {
       save_checkpoint();
       log::warn("stopped by a signal after step " + std::to_string(progress_.step) + "; continue with --restart");
@@ -338,9 +379,11 @@ ExitCode Run::run_stage(const Stage& stage) {
 ExitCode Run::execute() {
   wall_start_ = Teuchos::Time::wallTime();
   if (!options_.restart) results_->write_fields(0, "start");
+  look_at_mesh();
   const auto& stages = model_.stages();
   // a restart between two stages: what was active in the one before is not newly activated in the next
-  if (options_.restart && !progress_.stage_open && progress_.stage > 0) model_.activate(*stages[progress_.stage - 1], false);
+  if (options_.restart && !progress_.stage_open && progress_.stage > 0)
+    model_.activate(*stages[progress_.stage - 1], false);
   for (; progress_.stage < static_cast<int>(stages.size()); ++progress_.stage) {
     const Stage& stage = *stages[progress_.stage];
     if (!begin_stage(stage)) return ExitCode::no_convergence;
@@ -365,11 +408,12 @@ ExitCode Run::execute() {
   }
   save_checkpoint();
   char line[160];
-  std::snprintf(line, sizeof line, "done: %d steps, %d rejected, %.1f s; results in %s.{xdmf,csv}", progress_.step, rejected_,
-                Teuchos::Time::wallTime() - wall_start_, settings_.stem().c_str());
+  std::snprintf(line, sizeof line, "done: %d steps, %d rejected, %.1f s; results in %s.{xdmf,csv}", progress_.step,
+                rejected_, Teuchos::Time::wallTime() - wall_start_, settings_.stem().c_str());
   log::info(line);
   const StepTimes& times = model_.stepper().times();
-  std::snprintf(line, sizeof line, "time: residuals %.2f s, Jacobians %.2f s, linear solves %.2f s", times.residual, times.jacobian, times.linear);
+  std::snprintf(line, sizeof line, "time: residuals %.2f s, Jacobians %.2f s, linear solves %.2f s", times.residual,
+                times.jacobian, times.linear);
   log::info(line);
   return ExitCode::done;
 }

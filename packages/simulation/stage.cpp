@@ -1,52 +1,68 @@
 #include "simulation/stage.hpp"
 
+#include "core/guarded.hpp"
+
 #include <algorithm>
 
 namespace mudline {
 
 void Stage::parameters(Parameters& p) {
-  p.choice("type", type, {{"geostatic", Type::geostatic}, {"quasi-static", Type::quasi_static}, {"dynamic", Type::dynamic}},
-           "geostatic: equilibrium of given stresses and pore pressures, displacements reset; quasi-static: no inertia; dynamic");
-  if (p.documenting() || type != Type::geostatic) p.required("duration", duration, "s", positive(), "time the stage lasts (a geostatic stage takes none)");
+  p.choice("type", type,
+           {{"geostatic", Type::geostatic}, {"quasi-static", Type::quasi_static}, {"dynamic", Type::dynamic}},
+           "geostatic: equilibrium of given stresses and pore pressures, displacements reset; quasi-static: no "
+           "inertia; dynamic");
+  if (p.documenting() || type != Type::geostatic)
+    p.required("duration", duration, "s", positive(), "time the stage lasts (a geostatic stage takes none)");
   p.add("conditions", wanted_conditions_, "names of the boundary conditions that act; absent: all; {none}: none");
-  p.add("contacts", wanted_contacts_, "names of the contacts that act; absent: all in dynamic and quasi-static stages; {none}: none");
+  p.add("contacts", wanted_contacts_,
+        "names of the contacts that act; absent: all in dynamic and quasi-static stages; {none}: none");
   p.choice("initial rates", initial_rates,
            {{"keep", InitialRates::keep}, {"zero", InitialRates::zero}, {"consistent", InitialRates::consistent}},
-           "dynamic, at the begin: keep those of the stage before (rest at the start of a run); zero; consistent: accelerations "
-           "and pressure rates from the equations of motion, for first steps short against the time a wave takes through an element");
+           "dynamic, at the begin: keep those of the stage before (rest at the start of a run); zero; consistent: "
+           "accelerations "
+           "and pressure rates from the equations of motion, for first steps short against the time a wave takes "
+           "through an element");
   p.add("mesh motion", mesh_motion, "the mesh moves against the soil in this stage, where the deck says how");
+  p.add("allow folded elements", allow_folded,
+        "go on when the mesh folds (a scaled Jacobian of 0 or less); otherwise the run ends there, its state saved");
   p.add("reset displacements", reset_displacements, "set the displacements to zero at the end of the stage");
   p.add("balance tolerance", balance_tolerance, "m", non_negative(),
         "geostatic: the run ends with an error when equilibrium needs larger displacements than this; 0: no limit");
   p.passes_on("integrator", "time integrator; see the integrator types");
   p.passes_on("time step", "size of the steps");
-  p.passes_on("motions", "motions of bodies, by name, that hold in this stage instead of their own; see the motion types");
+  p.passes_on("motions",
+              "motions of bodies, by name, that hold in this stage instead of their own; see the motion types");
 }
 
 std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIntegrator>& integrators,
-                                   const std::vector<std::string>& conditions, const std::vector<std::string>& contacts) {
+                                   const std::vector<std::string>& conditions,
+                                   const std::vector<std::string>& contacts) {
   auto stage = std::unique_ptr<Stage>(new Stage);
   stage->name = section.name();
-  if (!section.has_parameter("type")) section.fail("required parameter 'type' is missing; known stage types: geostatic, quasi-static, dynamic");
+  if (!section.has_parameter("type"))
+    section.fail("required parameter 'type' is missing; known stage types: geostatic, quasi-static, dynamic");
   Parameters p(section);
   stage->parameters(p);
   p.finish();
 
-  const auto select = [&](const std::string& what, const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
+  const auto select = [&](const std::string& what, const std::vector<std::string>& wanted,
+                          const std::vector<std::string>& known) {
     if (!section.has_parameter(what)) return known;
     std::vector<std::string> chosen;
     if (wanted == std::vector<std::string>{"none"}) return chosen;
     for (const auto& name : wanted)
       if (std::find(known.begin(), known.end(), name) == known.end())
-        section.fail("'" + name + "' is not defined in '" + (what == "contacts" ? "contacts" : "boundary conditions") + "'" + suggestion(name, known), what);
+        section.fail("'" + name + "' is not defined in '" + (what == "contacts" ? "contacts" : "boundary conditions") +
+                         "'" + suggestion(name, known),
+                     what);
     for (const auto& name : known)
       if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) chosen.push_back(name);
     return chosen;
   };
   stage->conditions = select("conditions", stage->wanted_conditions_, conditions);
-  stage->contacts = select("contacts", stage->wanted_contacts_, stage->type == Type::geostatic && !section.has_parameter("contacts")
-                                                                    ? std::vector<std::string>{}
-                                                                    : contacts);
+  stage->contacts = select(
+      "contacts", stage->wanted_contacts_,
+      stage->type == Type::geostatic && !section.has_parameter("contacts") ? std::vector<std::string>{} : contacts);
   if (stage->type == Type::geostatic) {
     stage->duration = 0;
     stage->reset_displacements = true;
@@ -56,10 +72,12 @@ std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIn
   }
   const bool dynamic = stage->type == Type::dynamic;
   if (section.has_section("integrator")) {
-    stage->integrator_ = integrators.create(section.section("integrator"));
+    stage->integrator_ = create_guarded(integrators, section.section("integrator"));
     if (stage->integrator_->dynamic() != dynamic)
-      section.section("integrator").fail(dynamic ? "a dynamic stage needs an integrator with inertia (generalised alpha, newmark, hht alpha)"
-                                                 : "a quasi-static stage takes the integrator 'theta'", "type");
+      section.section("integrator")
+          .fail(dynamic ? "a dynamic stage needs an integrator with inertia (generalised alpha, newmark, hht alpha)"
+                        : "a quasi-static stage takes the integrator 'theta'",
+                "type");
   } else {
     // the defaults come from the registered types themselves
     Teuchos::ParameterList list("integrator");

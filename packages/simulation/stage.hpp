@@ -18,7 +18,8 @@ class Stage {
 
   /// Reads and validates. `conditions` and `contacts`: the names the deck defines. InputError.
   static std::unique_ptr<Stage> read(const Section& section, const Registry<TimeIntegrator>& integrators,
-                                     const std::vector<std::string>& conditions, const std::vector<std::string>& contacts);
+                                     const std::vector<std::string>& conditions,
+                                     const std::vector<std::string>& contacts);
   static void document(Parameters& p) { Stage().parameters(p); }
 
   /// Coefficients of a step; step counts from 0 in the stage.
@@ -26,14 +27,15 @@ class Stage {
 
   std::string name;
   Type type = Type::quasi_static;
-  double duration = 1;                   // [s]
+  double duration = 1;  // [s]
   StepControl control;
-  std::vector<std::string> conditions;   // active ones, in deck order
+  std::vector<std::string> conditions;  // active ones, in deck order
   std::vector<std::string> contacts;
   InitialRates initial_rates = InitialRates::keep;
-  bool mesh_motion = true;               // where the deck has mesh motion
-  bool reset_displacements = false;      // at the end
-  double balance_tolerance = 0;          // geostatic: largest displacement [m] before the start counts as unbalanced; 0: off
+  bool mesh_motion = true;           // where the deck has mesh motion
+  bool allow_folded = false;         // the run goes on with folded elements
+  bool reset_displacements = false;  // at the end
+  double balance_tolerance = 0;  // geostatic: largest displacement [m] before the start counts as unbalanced; 0: off
 
  private:
   void parameters(Parameters& p);

@@ -6,12 +6,13 @@
 
 namespace mudline {
 
-/// Objective increment of a motion in the plane (Hughes and Winget 1980) from its gradient on the midpoint configuration,
-/// H = d(Delta u)/d x_{n+1/2}, and the hoop strain Delta u_r/r_{n+1/2}: strain = sym H, rotation by the angle 2 atan(w/2)
-/// with the spin w = (H_yx - H_xy)/2. A pure rotation gives no strain. The trace of the strain increment is replaced by
-/// ln J, so that the skeleton's volume strain is the one that the void ratio and the pore water see, whatever the size of
-/// the step. sym H has the axes of the midpoint: it is turned on by half the angle to those of the end, where stress and
-/// state are. Without that the stress would be of first order only in the step where strain and rotation come together.
+/// Objective increment of a motion in the plane (Hughes and Winget 1980) from its gradient on the midpoint
+/// configuration, H = d(Delta u)/d x_{n+1/2}, and the hoop strain Delta u_r/r_{n+1/2}: strain = sym H, rotation by the
+/// angle 2 atan(w/2) with the spin w = (H_yx - H_xy)/2. A pure rotation gives no strain. The trace of the strain
+/// increment is replaced by ln J, so that the skeleton's volume strain is the one that the void ratio and the pore
+/// water see, whatever the size of the step. sym H has the axes of the midpoint: it is turned on by half the angle to
+/// those of the end, where stress and state are. Without that the stress would be of first order only in the step where
+/// strain and rotation come together.
 struct MidpointRule {
   double spin;                    // w [-]
   double cosine, sine;            // of the rotation
@@ -23,7 +24,8 @@ struct MidpointRule {
   KOKKOS_INLINE_FUNCTION void evaluate(const double (&H)[2][2], double hoop, bool valid) {
     // exactly: dx_{n+1} = (I + H/2) dx_{n+1/2} and dx_n = (I - H/2) dx_{n+1/2}
     const double half_trace = 0.5 * (H[0][0] + H[1][1]), quarter = 0.25 * (H[0][0] * H[1][1] - H[0][1] * H[1][0]);
-    log_volume = valid ? ::log1p(quarter + half_trace) - ::log1p(quarter - half_trace) + ::log1p(0.5 * hoop) - ::log1p(-0.5 * hoop)
+    log_volume = valid ? ::log1p(quarter + half_trace) - ::log1p(quarter - half_trace) + ::log1p(0.5 * hoop) -
+                             ::log1p(-0.5 * hoop)
                        : 0.0;
     spin = 0.5 * (H[1][0] - H[0][1]);
     const double q = 1 + 0.25 * spin * spin;

@@ -8,6 +8,16 @@ CELLS = ("    " + parameter("cells", "Array(int)", "{3, 3}") + "\n", "")
 UPPER = parameter("upper", "Array(double)", "{0.3, 0.3}")
 
 SQUARE = 'SetFactory("OpenCASCADE");\nRectangle(1) = {0, 0, 0, 0.3, 0.3};\n'
+SETS = """Physical Surface("soil") = Surface{:};
+Physical Curve("bottom") = {1};
+Physical Curve("right") = {2};
+Physical Curve("top") = {3%s};
+Physical Curve("left") = {4};
+MeshSize{:} = 0.15;
+"""
+ISLAND = SQUARE + "Rectangle(2) = {0.5, 0, 0, 0.1, 0.1};\n" + SETS % ""
+FORGOTTEN = SQUARE + "Rectangle(2) = {0.3, 0, 0, 0.1, 0.3};\n" + SETS % ""  # Coherence
+INNER = SQUARE + "Point(9) = {0.1, 0.1, 0};\nPoint(10) = {0.2, 0.1, 0};\nLine(9) = {9, 10};\nCurve{9} In Surface{1};\n" + SETS % ", 9"
 # a square whose middle node lies beside a corner
 FOLDED = """$MeshFormat
 2.2 0 8
@@ -35,8 +45,8 @@ $EndElements
 """
 
 
-def gmsh(name, file, content, message, path="mesh/file", at='name="file"', **options):
-    changes = [BOX, CELL, CELLS, (UPPER, parameter("file", "string", file))]
+def gmsh(name, file, content, message, path="mesh/file", at='name="file"', more="", **options):
+    changes = [BOX, CELL, CELLS, (UPPER, parameter("file", "string", file) + more)]
     return Wrong(name, changes, f"{path}: {message}", at=at, files=[(file, content)] if content else [], **options)
 
 
@@ -71,8 +81,23 @@ DECKS = [
          "Gmsh, reading 'broken.geo': '{folder}/broken.geo', line 1: syntax error (0)"),
     gmsh("folded element", "folded.msh", FOLDED, "element with negative Jacobian in region 'soil' centred at (0.5, 0.5): it is inverted, "
          "flat, or its sides are too curved", path="mesh", at=section("mesh"), ranks=BOTH),
+    gmsh("island", "island.geo", ISLAND, "the mesh is in 2 parts that have no common nodes, and nothing could hold the one at (0.5, 0.1): no "
+         "displacement is prescribed on it and no contact has a surface of it", path="mesh", at=section("mesh"), ranks=BOTH),
+    gmsh("forgotten Coherence", "two.geo", FORGOTTEN, "the mesh has a crack of twin nodes: two elements have a side from (0.3, 0.15) to (0.3, 0.3) "
+         "each; join them (in Gmsh by Coherence), or name both surfaces in a contact's 'slave' and 'master', or their side set in 'cracks' when "
+         "they are to part", path="mesh", at=section("mesh"), ranks=BOTH),
+    gmsh("inner side of a loaded set", "inner.geo", INNER, "side set 'top' has a side between two elements, at (0.15, 0.1); all its sides must be on "
+         "the boundary of the mesh", path="boundary conditions/surcharge/set", at=parameter("set", "string", "top") + "\n      <Parameter name=\"value\"", ranks=BOTH),
+    gmsh("Gmsh takes too long", "slow.geo", SQUARE + "For i In {0:1e12}\nEndFor\n", "Gmsh, reading 'slow.geo', had not finished after 1 s and was "
+         "stopped; does a boundary cut itself? 'time limit' gives it more time", more=parameter("time limit", "double", "1"), ranks=BOTH),
     plugin("plugin missing", "my_clay.so", "plugin 'my_clay.so' does not exist (looked for {folder}/my_clay.so)", ranks=BOTH),
     plugin("no shared library", "my_clay.so", "plugin 'my_clay.so' cannot be loaded: {folder}/my_clay.so: file too short", content="text"),
+    setting("set: new section without type", "stages/second/duration=1", "stages/second: required parameter 'type' is missing; known stage "
+            "types: geostatic, quasi-static, dynamic"),
+    setting("set: misspelt section of a section", "stages/push/integratr/type=newmark",
+            "stages/push/integratr: unknown section (did you mean 'integrator'?)"),
+    setting("set: misspelt material", "materials/cly/void ratio=1", "materials/cly: the deck has no such section (did you mean 'clay'?)"),
+    setting("set: below a parameter", "mesh/type/cells=3", "mesh/type: a parameter; it has no entries of its own"),
     setting("set: section", "stages/pusch/duration=1", "stages/pusch: the deck has no such section (did you mean 'push'?)"),
     setting("set: parameter", "stages/push/durations=3", "stages/push/durations: unknown parameter (did you mean 'duration'?)", ranks=BOTH),
     setting("set: no value", "stages/push/duration", "expected section/parameter=value, such as stages/push/duration=2.0"),

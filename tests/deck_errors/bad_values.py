@@ -14,6 +14,7 @@ DECKS = [
     # wrong types
     Wrong("text for numbers", (parameter("cells", "Array(int)", "{3, 3}"), parameter("cells", "string", "many")),
           "mesh/cells: expected an array of numbers (Array(double)), given the string 'many'"),
+    Wrong("ten thousand million cells", ("{3, 3}", "{100000, 100000}"), "mesh/cells: expected at most 2e+07 cells in all, given 1e+10"),
     Wrong("one number for two", ("{3, 3}", "{3}"), "mesh/cells: expected 2 numbers, given 1"),
     Wrong("fraction of a cell", (parameter("cells", "Array(int)", "{3, 3}"), parameter("cells", "Array(double)", "{3, 2.5}")),
           "mesh/cells: expected whole numbers, given 2.5"),
@@ -66,6 +67,8 @@ DECKS = [
     Wrong("no upper corner", without(UPPER), "mesh: required parameter 'upper' is missing", at=section("mesh")),
     Wrong("no type", without("    " + parameter("type", "string", "box") + "\n"),
           "mesh: required parameter 'type' is missing; known mesh types: box, gmsh", at=section("mesh")),
+    Wrong("no pores", (parameter("void ratio", "double", "1.2"), parameter("porosity", "double", "0")),
+          "materials/clay/porosity: a saturated soil has pores: must be greater than 0"),
     Wrong("no void ratio", without(parameter("void ratio", "double", "1.2")),
           "materials/clay: required parameter 'void ratio' (or 'porosity', or 'void ratio from law') is missing", at=section("clay")),
     Wrong("no swelling slope", without(parameter("swelling slope", "double", "0.04")),

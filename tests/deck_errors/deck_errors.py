@@ -1,6 +1,7 @@
 """Every wrong deck gives exactly one line, on any number of ranks, at once, and exit code 2."""
 import os
 import subprocess
+import tempfile
 import unittest
 
 import bad_bodies
@@ -9,33 +10,60 @@ import bad_values
 import mesh_motion
 import misspelt
 import point_decks
+import unused
 from mudline_case import PROGRAM, MudlineCase, program
+from own_lines import own_lines
 from wrong_deck import BASE
 
 TIMEOUT = 60  # [s] a deck that hangs fails
-DECKS = misspelt.DECKS + bad_values.DECKS + bad_bodies.DECKS + bad_files.DECKS + mesh_motion.DECKS
+DECKS = misspelt.DECKS + bad_values.DECKS + bad_bodies.DECKS + bad_files.DECKS + mesh_motion.DECKS + unused.DECKS
 
 
-def own_lines(stderr):
-    """What the program wrote: mpiexec adds a notice of its own about the exit code, framed by dashes."""
-    lines, framed = [], False
-    for line in stderr.splitlines():
-        if line.startswith("-----"):
-            framed = not framed
-        elif not framed and line.strip():
-            lines.append(line)
-    return lines
+def answers(decks):
+    """{(name, ranks): the line that `mudline check --each` says of each wrong deck}: one start of the program per number of ranks."""
+    said = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for i, wrong in enumerate(decks):
+            own = os.path.join(folder, str(i))
+            os.mkdir(own)
+            for name, content in [("deck.xml", wrong.text), *wrong.files]:
+                with open(os.path.join(own, name), "w") as file:
+                    file.write(content)
+        for ranks in sorted({ranks for wrong in decks for ranks in wrong.ranks}):
+            chosen = [i for i, wrong in enumerate(decks) if ranks in wrong.ranks and not wrong.settings]
+            done = program(["check", "--each"] + [f"{i}/deck.xml" for i in chosen], ranks, folder)
+            lines = done.stdout.splitlines()
+            assert len(lines) == len(chosen) and done.returncode == 2 and not own_lines(done.stderr), (done.stdout, done.stderr)
+            for i, line in zip(chosen, lines):
+                line = line.replace(f"{os.path.realpath(folder)}/{i}", "{folder}").replace(f"{i}/deck.xml:", "deck.xml:")
+                said[decks[i].name, ranks] = line
+    return said
 
 
 class Answering(MudlineCase):
     maxDiff = None
+    decks = ()
 
-    def answer(self, arguments, expected, ranks=1):
+    @classmethod
+    def setUpClass(cls):
+        cls.said = answers(cls.decks) if cls.decks else {}
+
+    def wrong(self, wrong, ranks):
+        if wrong.settings:
+            self.answer_of("check", wrong, ranks)
+        else:
+            self.assertEqual(self.said[wrong.name, ranks], wrong.expected)
+
+    def answer(self, arguments, expected, ranks=1, warned=""):
+        """The line that ends the program, after a line that holds `warned` where that is given."""
         try:
             done = program(arguments, ranks, self.folder, TIMEOUT)
         except subprocess.TimeoutExpired:
             self.fail(f"hangs on {ranks} rank(s); expected: {expected}")
-        self.assertEqual(own_lines(done.stderr), [expected.replace("{folder}", os.path.realpath(self.folder))])
+        *before, last = own_lines(done.stderr)
+        self.assertEqual(last, expected.replace("{folder}", os.path.realpath(self.folder)))
+        self.assertEqual(len(before), 1 if warned else 0, before)
+        self.assertTrue(all(line.startswith("warning: ") and warned in line for line in before), before)
         self.assertEqual(done.returncode, 2)
 
     def answer_of(self, command, wrong, ranks):
@@ -49,8 +77,7 @@ class Answering(MudlineCase):
 
 
 class DeckErrors(Answering):
-    def wrong(self, wrong, ranks):
-        self.answer_of("check", wrong, ranks)
+    decks = DECKS
 
     def test_the_base_is_valid(self):
         self.write("deck.xml", BASE)
@@ -61,6 +88,29 @@ class DeckErrors(Answering):
     def test_names_are_unique(self):
         self.assertEqual(len({w.name for w in DECKS}), len(DECKS))
 
+    def test_check_without_each(self):
+        for name in ("section", "unstable pair", "contradicting conditions"):
+            (wrong,) = [w for w in DECKS if w.name == name]
+            self.answer_of("check", wrong, 2)
+
+    def test_the_command_line_may_overrule(self):
+        self.write("deck.xml", BASE)
+        some = "conditions={base, axis, drained surface, surcharge}"
+        fluid = "materials/clay/fluid/"
+        for settings in (["stages/push/contacts={none}"], ["boundary conditions/surcharge/value=20e3"], ["stages/push/" + some, "stages/geostatic/" + some],
+                         [fluid + "bulk modulus=2e9", fluid + "incompressible=true"]):
+            arguments = [word for setting in settings for word in ("--set", setting)]
+            self.assertEqual(program(["check", "deck.xml", *arguments], folder=self.folder).returncode, 0)
+
+    def test_each_goes_on_after_an_error(self):
+        for name, text in (("good.xml", BASE), ("bad.xml", "<ParameterList/>"), ("over.xml", BASE)):
+            self.write(name, text)
+        done = program(["check", "--each", "good.xml", "bad.xml", "none.xml", "over.xml"], folder=self.folder)
+        self.assertEqual(done.stdout.splitlines(), ["good.xml: the deck is valid", "error: bad.xml:1: required section 'mesh' is missing",
+                                                    "error: none.xml: the deck does not exist or cannot be read",
+                                                    "over.xml: the deck is valid"])
+        self.assertEqual((done.returncode, done.stderr), (2, ""))
+
     def test_run_answers_like_check(self):
         self.write("deck.xml", misspelt.DECKS[0].text)
         self.answer(["run", "deck.xml"], misspelt.DECKS[0].expected)
@@ -69,10 +119,7 @@ class DeckErrors(Answering):
 
 class PointErrors(Answering):
     """Decks of `mudline point`."""
-
-    def wrong(self, wrong, ranks):
-        self.answer_of("point", wrong, ranks)
-        self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
+    decks = point_decks.DECKS
 
     def test_the_base_is_valid(self):
         self.write("deck.xml", point_decks.BASE)
@@ -83,11 +130,11 @@ class PointErrors(Answering):
     def test_names_are_unique(self):
         self.assertEqual(len({w.name for w in point_decks.DECKS}), len(point_decks.DECKS))
 
-    def test_check_answers_like_point(self):
+    def test_point_answers_like_check(self):
         for name in ("unknown test type", "a start that the law refuses", "unknown function"):
             (wrong,) = [w for w in point_decks.DECKS if w.name == name]
-            self.write("deck.xml", wrong.text)
-            self.answer(["check", "deck.xml"], wrong.expected)
+            self.answer_of("point", wrong, 1)
+            self.assertFalse(os.path.exists(os.path.join(self.folder, "results")))
 
     def test_run_points_to_point(self):
         self.write("deck.xml", point_decks.BASE)
@@ -169,16 +216,20 @@ class Restart(Answering):
             self.answer(["run", "-q", "deck.xml", "--restart"], f"error: results/deck.restart: {missing}", ranks)
         self.assertEqual(program(["run", "-q", "deck.xml", "--steps", "2"], folder=self.folder).returncode, 0)
         restart = ["run", "-q", "deck.xml", "--restart"]
-        self.answer(restart, "error: results/deck.restart: checkpoint was written on 1 rank; run it on 1 rank", 2)
-        self.answer(restart + ["--set", "mesh/cells={4, 4}"],
+        for ranks in (1, 2):
+            self.answer(restart + ["--set", "mesh/cells={4, 4}"],
+                        "error: results/deck.restart: the checkpoint is that of another model: mesh/cells: {4, 4}, was {3, 3} "
+                        "(--accept-changes goes on all the same)", ranks)
+        accept = restart + ["--accept-changes"]
+        self.answer(accept + ["--set", "mesh/cells={4, 4}"],
                     "error: results/deck.restart: checkpoint belongs to a mesh of 49 nodes and 9 elements, "
-                    "but this mesh has 81 nodes and 16 elements")
-        self.answer(restart + ["--set", "contacts/ball on clay/quadrature degree=9"],
+                    "but this mesh has 81 nodes and 16 elements", warned="mesh/cells: {4, 4}, was {3, 3}")
+        self.answer(accept + ["--set", "contacts/ball on clay/quadrature degree=9"],
                     "error: results/deck.restart: the checkpoint does not fit this deck: "
-                    "its array 'array/contact/ball on clay/points' is missing or of another size")
+                    "its array 'array/contact/ball on clay/points' is missing, or has other rows", warned="quadrature degree")
+        self.answer(["run", "-q", "deck.xml", "--accept-changes"], "error: --accept-changes requires --restart (see mudline --help)")
         self.write("results/deck.restart", "rubbish")
-        self.answer(restart, "error: results/deck.restart: the checkpoint cannot be read: "
-                    "cannot open 'results/deck.restart' as an HDF5 file")
+        self.answer(restart, "error: results/deck.restart: the checkpoint is cut short, or cannot be read")
 
 
 def add_tests():

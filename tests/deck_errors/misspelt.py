@@ -71,6 +71,12 @@ DECKS = [
     Wrong("contact parameter", (parameter("surface", "string", "top"), parameter("surface", "string", "top") +
                                 parameter("drainge", "string", "sealed")),
           "contacts/ball on clay/drainge: unknown parameter (did you mean 'drainage'?)"),
+    Wrong("name of a type", (parameter("type", "string", "biot"), parameter("tyep", "string", "biot")),
+          "physics/ground/tyep: unknown parameter (did you mean 'type'?)", ranks=BOTH),
+    Wrong("name of a stage's type", (parameter("type", "string", "dynamic"), parameter("typ", "string", "dynamic")),
+          "stages/push/typ: unknown parameter (did you mean 'type'?)"),
+    Wrong("name of a required parameter", ('name="duration"', 'name="duraton"'), "stages/push/duraton: unknown parameter (did you mean 'duration'?)"),
+    Wrong("name of a void ratio", ('name="void ratio"', 'name="viod ratio"'), "materials/clay/viod ratio: unknown parameter (did you mean 'void ratio'?)"),
     Wrong("stage type", ('value="dynamic"', 'value="dynamical"'), "stages/push/type: 'dynamical' is not a choice (did you mean 'dynamic'?)"),
     Wrong("stage parameter", ('name="balance tolerance"', 'name="balance tolerence"'),
           "stages/geostatic/balance tolerence: unknown parameter (did you mean 'balance tolerance'?)"),

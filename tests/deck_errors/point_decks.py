@@ -86,7 +86,7 @@ DECKS = [
           "materials/clay/skeleton/type: unknown skeleton type 'modified cam' (did you mean 'modified cam clay'?); known types: "
           "linear elastic, modified cam clay, mohr-coulomb, tresca, drucker-prager, neo-hookean, von mises, umat"),
     wrong("wrong skeleton parameter", ('name="swelling slope"', 'name="sweling slope"'),
-          "materials/clay/skeleton: required parameter 'swelling slope' is missing", at=section("skeleton")),
+          "materials/clay/skeleton/sweling slope: unknown parameter (did you mean 'swelling slope'?)"),
     wrong("results of one name", (section("shear"), section("the shear") + parameter("a", "int", "1") + "</ParameterList>" + section("the_shear")),
           "tests/the shear: required parameter 'type' is missing; known test types: oedometer, isotropic compression, triaxial drained, "
           "triaxial undrained, plane strain, simple shear, path"),

@@ -1,5 +1,6 @@
 """The same deck on 1, 2 and 4 ranks, and a run continued from its checkpoint; plasticity and contact active."""
 import os
+import re
 import unittest
 
 import numpy as np
@@ -12,7 +13,6 @@ BLOCK_AMG = ["solver/linear solver/type=block amg"]
 # The solver's memory is tidied whenever a checkpoint is written: a run that is to be met exactly by one that stops after
 # 10 steps (step 11 with the geostatic one) writes a checkpoint there too.
 CHECKPOINT = ["output/checkpoint steps=11"]
-ROUNDING = 1e-8
 
 
 class Mpi(MudlineCase):
@@ -27,16 +27,13 @@ class Mpi(MudlineCase):
 
     def assert_close(self, one, many, ranks):
         self.assertEqual(one.header, many.header)
-        self.assertEqual(one.data.shape, many.data.shape)
-        for i, name in enumerate(one.header):
-            if "/error" in name or "iterations" in name:  # rounding itself, and a count
-                continue
-            if name in ("mesh motion/change of solid [-]", "mesh motion/change of water [-]"):  # kept up to rounding
-                self.assertLess(max(np.abs(one.data[:, i]).max(), np.abs(many.data[:, i]).max()), 1e-12, name)
-                continue
-            scale = np.abs(one.data[:, i]).max()
-            difference = np.abs(one.data[:, i] - many.data[:, i]).max()
-            self.assertLessEqual(difference, ROUNDING * scale, f"{name} on {ranks} ranks")
+        kept = ("mesh motion/change of solid", "mesh motion/change of water")  # up to rounding
+        for name in kept:
+            if name in one.columns:
+                self.assertLess(max(np.abs(one[name]).max(), np.abs(many[name]).max()), 1e-12, name)
+        # not rounding itself, nor a count
+        own = [name for name in one.columns if name not in kept and not re.search("/error|iterations", name)]
+        self.assert_same_run(one, many, own, f"{ranks} ranks")
 
     def check_ranks(self, settings):
         one = self.history("one", settings, 1)
@@ -58,7 +55,7 @@ class Mpi(MudlineCase):
     def test_ranks_ale(self):
         self.move_the_mesh()
         self.check_ranks(DIRECT)
-        self.assertGreater(np.ptp(self.history("moved", DIRECT, 1)["mesh motion/quality"]), 1e-3)
+        self.assertGreater(np.ptp(self.history("moved", DIRECT, 1)["mesh/quality"]), 1e-3)
 
     def test_restart_ale(self):
         self.move_the_mesh()

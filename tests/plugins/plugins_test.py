@@ -10,7 +10,7 @@ import unittest
 
 import mudline_case
 import numpy as np
-from mudline_case import ROOT, MudlineCase, program
+from mudline_case import ROOT, History, MudlineCase, program
 
 EXAMPLES = os.path.join(ROOT, "examples", "plugins")
 LAUNCHER = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
@@ -169,6 +169,16 @@ class Plugins(MudlineCase):
         self.assertFalse([name for name in history.columns if "displacement" in name])
         self.check_series(history, 1e-6, (1e5, 2e5, 5e5, 1e6))
 
+    def test_heat_at_rest_off_zero(self):
+        """What flows in equilibrium at 10 K is rounding: each step is taken at once."""
+        done = program(["run", self.example("heat_conduction/warm_bar.xml"), "--set", "physics/heat/initial temperature=10"],
+                       folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn(" 0 rejected", done.stdout)
+        history = History(os.path.join(self.folder, "results", "warm_bar.csv"))
+        self.assertLessEqual(history["step/newton iterations"].max(), 1)
+        self.assertLess(abs(history["probe/base/temperature"] - 10).max(), 1e-9)
+
     def test_heat_beside_biot(self):
         history = self.run_deck(self.example("heat_conduction/warm_ground.xml"))
         self.check_series(history, 1e-3, (100.0, 200.0, 500.0, 800.0))
@@ -192,8 +202,7 @@ class Plugins(MudlineCase):
         settings = ["stages/consolidation/duration=1"]
         one = self.run_deck(deck, settings)
         two = self.run_deck(deck, settings + ["output/name=two"], ranks=2, name="two")
-        for name in ("probe/base/temperature", "probe/base/pore pressure"):
-            np.testing.assert_allclose(two[name], one[name], atol=1e-5 * np.abs(one[name]).max())
+        self.assert_same_run(one, two, ("probe/base/temperature", "probe/base/pore pressure"), "2 ranks", rounding=1e-5)
 
     def test_block_amg_does_not_know_it(self):
         self.write("amg.xml", '<ParameterList name="over">\n<ParameterList name="solver">\n<ParameterList name="linear solver">\n'
@@ -212,7 +221,7 @@ class Plugins(MudlineCase):
     def test_other_abi(self):
         said, begin = self.with_plugin(self.library("old", OTHER_ABI))
         self.assertTrue(said.startswith(begin + "plugin 'old.so' was built for \"interface 0; gcc 4; Trilinos 12.0; debug\", "
-                                        "this program is \"interface 2; "), said)
+                                        "this program is \"interface "), said)
         self.assertTrue(said.endswith("; rebuild the plugin\n"), said)
 
     def test_no_plugin(self):

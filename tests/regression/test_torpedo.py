@@ -1,26 +1,44 @@
-"""The torpedo deck's first metres on a coarser mesh: 98 t at 20 m/s, the mesh moving against the clay."""
+"""The torpedo deck with inputs/torpedo/short_torpedo.xml: 30 t at 8 m/s into stiff clay, to rest, the mesh moving against the clay. Depth and deceleration are held
+against those of finer meshes (docs/benchmarks/mesh_convergence.md) and against Newton's equation of one body."""
 import os
 import unittest
 
 import numpy as np
 
 from mudline_case import ROOT, SharedRun
+from references import falling_body
 
-DECK = os.path.join(ROOT, "inputs", "torpedo", "tresca.xml")
-MASS, DIAMETER, TIP, SPEED = 98e3, 1.07, 2.14, 20.0
+DECKS = [os.path.join(ROOT, "inputs", "torpedo", name) for name in ("tresca.xml", "short_torpedo.xml")]
+MASS, DIAMETER, TIP, SPEED = 30e3, 1.07, 2.14, 8.0
+SECTION = np.pi * DIAMETER ** 2 / 4
+
+# converged with the mesh, docs/benchmarks/mesh_convergence.md
+DEPTH = 5.93  # [m] of the tip at rest
+DECELERATION = 12.52  # [m/s2] mean from 0.3 to 0.6 s
+
+
+def one_body(bearing, weight):
+    """Depth at rest of a body with a bearing factor of the tip: strength and rate factor of the deck, friction on the buried cylinder, buoyancy in the
+    soil. weight: in water [N]."""
+
+    def force(z, v):
+        strength, buried = 20e3 + 5e3 * z, z - TIP
+        end = bearing * strength * max(1.0, v / DIAMETER / 0.1) ** 0.07 * SECTION
+        return weight - end - 0.56 * (20e3 + 2.5e3 * buried) * np.pi * DIAMETER * buried - 6e3 * (z - 0.5 * TIP) * SECTION
+
+    return falling_body.stopped(TIP, SPEED, MASS, force)[1][-1]
 
 
 class Torpedo(SharedRun):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        settings = ("mesh/parameters/fine=0.1", "mesh/parameters/coarse=2.5", "mesh/parameters/depth=20", "mesh/parameters/width=8", "stages/penetration/duration=0.15")
-        cls.run_once([DECK], settings, timeout=280)
+        cls.run_once(DECKS, name="short_torpedo")
 
     def test_steps_are_easy_and_the_mesh_stays_good(self):
         self.assertLessEqual(self.rejected, 0.05 * self.steps)
         self.assertLess(self.history["step/newton iterations"].mean(), 7)
-        self.assertGreater(self.history["mesh motion/quality"].min(), 0.2)
+        self.assertGreater(self.history["mesh/quality"].min(), 0.2)
         self.assertLess(np.abs(self.history["mesh motion/change of solid"]).max(), 1e-11)
 
     def test_the_body_obeys_newton_and_energy_is_accounted_for(self):
@@ -29,17 +47,23 @@ class Torpedo(SharedRun):
         load = self.history["body/anchor/load y"]
         impulse = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(time) * ((force + load)[1:] + (force + load)[:-1]))))
         velocity = self.history["body/anchor/velocity y"]
-        self.assertLess(np.abs(MASS * (velocity[2:] - velocity[2]) - (impulse[2:] - impulse[2])).max(), 2e-3 * MASS * SPEED)
-        self.assertLess(np.abs(self.history["balance/energy/error"]).max(), 1e-3 * 0.5 * MASS * SPEED ** 2)
+        # the reaction is that before the mesh moves; the next step starts from the one after that (2.2 %; 0.4 % on a mesh of half the size)
+        self.assertLess(np.abs(MASS * (velocity[2:] - velocity[2]) - (impulse[2:] - impulse[2])).max(), 0.03 * MASS * SPEED)
+        self.assertLess(np.abs(self.history["balance/energy/error"]).max(), 1e-4 * 0.5 * MASS * SPEED ** 2)
 
-    def test_resistance(self):
-        depth, tip = -self.history["body/anchor/position y"], self.history["contact/anchor/tip reaction y"]
-        for z in (3.5, 4.5):
-            strength = (5e3 + 2e3 * (z - 0.5 * TIP)) * (SPEED / DIAMETER / 0.1) ** 0.07
-            factor = np.interp(z, depth, tip) / (np.pi * DIAMETER ** 2 / 4) / strength
-            if os.environ.get("MUDLINE_SHOW_ERRORS"):
-                print(f"z = {z}: tip resistance {factor:.2f} times the strength at half the tip's height")
-            self.assertTrue(7 < factor < 15, (z, factor))  # around a cone's; shallow, and v close to the speed of shear waves
+    def test_depth(self):
+        depth = -self.history["body/anchor/position y"]
+        self.assertLess(np.argmax(depth), len(depth) - 1)  # it rests
+        self.assert_within(0.02, depth.max() - TIP, DEPTH - TIP, "way of the tip")
+
+    def test_deceleration(self):
+        begin, end = (self.history.at("body/anchor/velocity y", t) for t in (0.3, 0.6))
+        self.assert_within(0.03, (end - begin) / 0.3, DECELERATION, "deceleration")
+
+    def test_depth_is_between_those_of_one_body(self):
+        """A smooth circle on the surface bears 5.69 s_u, a smooth cone deep in clay at most 10.8."""
+        depth, weight = -self.history["body/anchor/position y"].min(), -self.history["body/anchor/load y"][1]
+        self.assertTrue(one_body(10.8, weight) < depth < one_body(5.69, weight), depth)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import unittest
 
 import h5py
 import numpy as np
+import cpu_limit
 from mudline_case import PROGRAM, ROOT, History, MudlineCase, program
 
 SHORT = {
@@ -23,7 +24,8 @@ SHORT = {
     "torpedo/tresca": {"penetration/duration": 0.02},
 }
 # decks that stop Newton's method at 1e-5 give ranks that agree to that
-TIGHT = {deck: ["solver/residual tolerance=1e-9"] for deck in ("cpt/guide_tube", "cpt/tresca", "pile/sand")}
+TIGHT = {deck: ["solver/residual tolerance=1e-9"] for deck in ("cpt/guide_tube", "pile/sand")}
+TIGHT["cpt/tresca"] = ["solver/residual tolerance=1e-7"]  # at 1e-9 rounding decides on the last iteration
 # fields often, so that many of the random moments are within their writing
 OUTPUT = ["output/checkpoint steps=4", "output/field steps=2"]
 RANKS = 1e-6  # of the largest value of a column
@@ -96,7 +98,7 @@ class ApplicationDecks(MudlineCase):
         while self.lines("parts") < moment and running.poll() is None and time.monotonic() < deadline:
             time.sleep(0.01)
         running.send_signal(number)
-        _, errors = running.communicate(timeout=100)
+        _, errors = cpu_limit.communicate(running, 100)
         self.assertEqual(running.returncode, code, errors)
         left = self.lines("parts")
         done = program(self.arguments(deck, "parts") + ["--restart"], folder=self.folder)

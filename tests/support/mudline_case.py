@@ -6,11 +6,12 @@ import csv
 import os
 import re
 import shlex
-import subprocess
 import tempfile
 import unittest
 
 import numpy as np
+
+import cpu_limit
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PROGRAM = os.environ.get("MUDLINE", os.path.join(ROOT, "build", "release", "apps", "mudline", "mudline"))
@@ -18,12 +19,12 @@ MPIEXEC = shlex.split(os.environ.get("MUDLINE_MPIEXEC", "mpiexec --allow-run-as-
 
 
 def program(arguments, ranks=1, folder=None, timeout=300):
-    """Runs `mudline arguments`; returns the completed process (returncode, stdout, stderr)."""
+    """Runs `mudline arguments`; returns the completed process (returncode, stdout, stderr). timeout: CPU seconds per rank."""
     command = [PROGRAM] + [str(a) for a in arguments]
     if ranks > 1:
         command = MPIEXEC + ["-n", str(ranks)] + command
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=timeout)
+    return cpu_limit.run(command, timeout * ranks, cwd=folder, env=environment)
 
 
 class History:
@@ -45,6 +46,11 @@ class History:
         """Linear interpolation in time."""
         return np.interp(time, self.time, self.columns[name])
 
+    def common_times(self, other):
+        """Times that both histories have a row for, to rounding."""
+        nearest = other.time[np.abs(other.time[:, None] - self.time).argmin(axis=0)]
+        return self.time[np.abs(nearest - self.time) <= 1e-9 * self.time[-1]]
+
 
 class MudlineCase(unittest.TestCase):
     """A test with a scratch folder of its own."""
@@ -62,6 +68,12 @@ class MudlineCase(unittest.TestCase):
             file.write(text)
         return path
 
+    def assert_within(self, share, found, expected, what):
+        """found differs from expected by less than a share of it; MUDLINE_SHOW_ERRORS prints the difference."""
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"{what}: {found:.5g}, expected {expected:.5g}, {100 * (found / expected - 1):+.2f} %")
+        self.assertLess(abs(found / expected - 1), share, f"{what}: {found:.5g}, expected {expected:.5g}")
+
     def run_deck(self, decks, settings=(), ranks=1, extra=(), timeout=300, name=None):
         """Runs deck(s), fails the test unless the exit code is 0, and returns the History."""
         decks = [decks] if isinstance(decks, str) else list(decks)
@@ -72,6 +84,18 @@ class MudlineCase(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
         stem = name or os.path.splitext(os.path.basename(decks[0]))[0]
         return History(os.path.join(self.folder, "results", stem + ".csv"))
+
+    def assert_same_run(self, one, other, names, what, rounding=1e-8, steps=2e-2):
+        """Two runs of one deck that differ by rounding only, as on other numbers of ranks: the named columns are equal to
+        `rounding` of their largest value. Rounding may also decide the size of a step, say by a Newton iteration more;
+        then they are equal at the common times, the stages' ends among them, to the error of the steps, `steps`."""
+        same_steps = one.time.shape == other.time.shape and np.allclose(one.time, other.time, rtol=1e-9, atol=0)
+        times = one.common_times(other)
+        self.assertEqual(times[-1:].tolist(), one.time[-1:].tolist(), f"{what}: the runs do not end at the same time")
+        for name in names:
+            values = (one[name], other[name]) if same_steps else (one.at(name, times), other.at(name, times))
+            allowed = (rounding if same_steps else steps) * np.abs(one[name]).max()
+            self.assertLessEqual(np.abs(values[0] - values[1]).max(), allowed, f"{what}: {name}")
 
     def run_point(self, decks, settings=(), timeout=300, name=None):
         """Runs `mudline point`, fails the test unless the exit code is 0; returns {test: History} in the deck's order."""
@@ -99,13 +123,13 @@ class SharedRun(MudlineCase):
         cls.shared.tearDown()
 
     @classmethod
-    def run_once(cls, decks, settings=(), timeout=380):
+    def run_once(cls, decks, settings=(), timeout=380, name=None):
         """Sets history, and steps and rejected as the program counts them."""
         arguments = ["run"] + list(decks) + [word for setting in settings for word in ("--set", setting)]
         done = program(arguments, folder=cls.shared.folder, timeout=timeout)
         assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
         cls.steps, cls.rejected = map(int, re.search(r"done: (\d+) steps, (\d+) rejected", done.stdout).groups())
-        stem = os.path.splitext(os.path.basename(decks[0]))[0]
+        stem = name or os.path.splitext(os.path.basename(decks[0]))[0]
         cls.history = History(os.path.join(cls.shared.folder, "results", stem + ".csv"))
 
 

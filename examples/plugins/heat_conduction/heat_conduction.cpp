@@ -1,12 +1,12 @@
 // A second physics: the field "temperature" and its balance  C dT/dt = div(lambda grad T).
 //
-// It stands alone, or in a deck beside "biot" or "solid": then all fields are unknowns of one monolithic system, and heat
-// is carried along with the deforming ground. Integrals are on the configuration at the start of the step, so that the
-// balance does not depend on the unknown displacements.
+// It stands alone, or in a deck beside "biot" or "solid": then all fields are unknowns of one monolithic system, and
+// heat is carried along with the deforming ground. Integrals are on the configuration at the start of the step, so that
+// the balance does not depend on the unknown displacements.
 #include <memory>
 
-#include "physics/physics.hpp"
 #include "physics/element.hpp"
+#include "physics/physics.hpp"
 #include "simulation/plugin.hpp"
 
 namespace {
@@ -31,11 +31,15 @@ class HeatTerm : public Term {
  public:
   enum class Part { storage, conduction };
   HeatTerm(const Space& space, HeatParameters values, Part part)
-      : values_(values), part_(part), field_(space.find("temperature")), axisymmetric_(space.mesh().geometry() == Geometry::axisymmetric) {
+      : values_(values),
+        part_(part),
+        field_(space.find("temperature")),
+        axisymmetric_(space.mesh().geometry() == Geometry::axisymmetric) {
     const auto& blocks = space.mesh().blocks();
     for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
-      blocks_.push_back({blocks[b].shape, blocks[b].num_elements, -1, tabulate(blocks[b].shape, cell_quadrature(blocks[b].shape, 4)),
-                         blocks[b].nodes, space.element_dofs(b, {field_})});
+      blocks_.push_back({blocks[b].shape, blocks[b].num_elements, -1,
+                         tabulate(blocks[b].shape, cell_quadrature(blocks[b].shape, 4)), blocks[b].nodes,
+                         space.element_dofs(b, {field_})});
   }
   std::string name() const override { return part_ == Part::storage ? "heat storage" : "heat conduction"; }
 
@@ -44,7 +48,6 @@ class HeatTerm : public Term {
   }
 
   int residual(const StepView& view, const ResidualView& f) override {
-    squares_ = 0;
     if (!view.flow) return 0;  // a geostatic stage takes no time
     const ConstNodalView& field = part_ == Part::storage ? view.rate : view.value;
     return for_each_element(view, [&](const HeatBlock& block, int e, auto& matrix) {
@@ -55,10 +58,9 @@ class HeatTerm : public Term {
         r[a] = 0;
         for (int b = 0; b < N; ++b) r[a] += matrix[a][b] * value[b];
       }
-      squares_ += scatter_vector<N>(block.dofs, e, 0, r, f);
+      scatter_vector<N>(block.dofs, e, 0, r, f);
     });
   }
-  double magnitude_squared(int field) const override { return field == field_ ? squares_ : 0.0; }
 
   void jacobian(const StepView& view, Assembler& assembler, double weight) override {
     if (!view.flow) return;
@@ -106,7 +108,6 @@ class HeatTerm : public Term {
   Part part_;
   int field_;
   bool axisymmetric_;
-  double squares_ = 0;
   std::vector<HeatBlock> blocks_;
 };
 
@@ -137,5 +138,6 @@ class HeatConduction : public Physics {
 }  // namespace
 
 MUDLINE_PLUGIN(registries) {
-  registries.physics.add<HeatConduction>("heat conduction", "temperature: storage and conduction of heat in the ground");
+  registries.physics.add<HeatConduction>("heat conduction",
+                                         "temperature: storage and conduction of heat in the ground");
 }

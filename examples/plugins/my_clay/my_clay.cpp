@@ -1,9 +1,10 @@
-// A skeleton law of one's own: hypoelastic, with stiffnesses that grow with the square root of the mean effective stress,
+// A skeleton law of one's own: hypoelastic, with stiffnesses that grow with the square root of the mean effective
+// stress,
 //
 //     K = K_ref sqrt(p'/p_ref),   G = K 3 (1 - 2 nu) / (2 (1 + nu)),
 //
-// as small-strain measurements on sands and silts suggest. Along a straight strain path sqrt(p') is linear in the volume
-// strain, so that the update below is the exact integral: any step size gives the same stress.
+// as small-strain measurements on sands and silts suggest. Along a straight strain path sqrt(p') is linear in the
+// volume strain, so that the update below is the exact integral: any step size gives the same stress.
 #include <cmath>
 
 #include "materials/pointwise.hpp"
@@ -12,14 +13,16 @@
 namespace {
 
 struct MyClay {
-  double bulk_modulus = 1e7;         // [Pa] at the reference stress
-  double poisson = 0.25;             // [-]
-  double reference_stress = 100e3;   // [Pa]
+  double bulk_modulus = 1e7;        // [Pa] at the reference stress
+  double poisson = 0.25;            // [-]
+  double reference_stress = 100e3;  // [Pa]
 
   void parameters(mudline::Parameters& p) {
     p.required("bulk modulus", bulk_modulus, "Pa", mudline::positive(), "Drained bulk modulus at the reference stress");
-    p.add("Poisson's ratio", poisson, "-", mudline::half_open(0, 0.5), "Constant drained ratio, gives the shear modulus");
-    p.add("reference stress", reference_stress, "Pa", mudline::positive(), "Mean effective stress at which the bulk modulus was measured");
+    p.add("Poisson's ratio", poisson, "-", mudline::half_open(0, 0.5),
+          "Constant drained ratio, gives the shear modulus");
+    p.add("reference stress", reference_stress, "Pa", mudline::positive(),
+          "Mean effective stress at which the bulk modulus was measured");
   }
   static std::vector<mudline::StateVariable> state() { return {}; }  // stress and void ratio are kept anyway
 
@@ -32,15 +35,16 @@ struct MyClay {
   }
 
   /// Tension positive, order xx yy zz yz xz xy, engineering shear strains. False makes the step fail, and it is cut.
-  KOKKOS_FUNCTION bool operator()(const mudline::SkeletonPoint& in, const double*, double*, mudline::SkeletonResponse& out) const {
+  KOKKOS_FUNCTION bool operator()(const mudline::SkeletonPoint& in, const double*, double*,
+                                  mudline::SkeletonResponse& out) const {
     const double p_old = mean(in.stress), compression = -(in.strain[0] + in.strain[1] + in.strain[2]);
     if (p_old <= 0) return false;
     const double slope = 0.5 * bulk_modulus / std::sqrt(reference_stress);  // d sqrt(p') / d volume strain
     const double root_old = std::sqrt(p_old), root = root_old + slope * compression;
     if (root <= 0) return false;
     const double p = root * root;
-    const double two_g = shear_ratio() * 2 * slope * (root_old + root);     // twice the mean shear modulus of the step
-    double deviator[6];                                                     // of the strain, tensor shear components
+    const double two_g = shear_ratio() * 2 * slope * (root_old + root);  // twice the mean shear modulus of the step
+    double deviator[6];                                                  // of the strain, tensor shear components
     for (int i = 0; i < 6; ++i) {
       const bool normal = i < 3;
       deviator[i] = normal ? in.strain[i] + compression / 3 : 0.5 * in.strain[i];
@@ -51,7 +55,7 @@ struct MyClay {
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) {
         double d = i == j ? (i < 3 ? two_g : 0.5 * two_g) : 0.0;
-        if (j < 3) d -= stiffening * deviator[i];        // compression stiffens in shear
+        if (j < 3) d -= stiffening * deviator[i];  // compression stiffens in shear
         if (i < 3 && j < 3) d += bulk - two_g / 3;
         out.tangent[6 * i + j] = d;
       }
@@ -66,5 +70,6 @@ struct MyClay {
 }  // namespace
 
 MUDLINE_PLUGIN(registries) {
-  registries.skeletons.add<mudline::PointwiseSkeleton<MyClay>>("my clay", "Hypoelastic, stiffness with the root of the mean stress");
+  registries.skeletons.add<mudline::PointwiseSkeleton<MyClay>>(
+      "my clay", "Hypoelastic, stiffness with the root of the mean stress");
 }

@@ -10,9 +10,12 @@ namespace {
 class WeakeningInterface : public mudline::Friction {
  public:
   void parameters(mudline::Parameters& p) {
-    p.required("peak coefficient", peak_, "-", mudline::non_negative(), "Friction coefficient of a point that has not slid");
-    p.required("residual coefficient", residual_, "-", mudline::non_negative(), "Friction coefficient after a long way");
-    p.required("weakening length", length_, "m", mudline::positive(), "Path over which the strength falls by a factor of e");
+    p.required("peak coefficient", peak_, "-", mudline::non_negative(),
+               "Friction coefficient of a point that has not slid");
+    p.required("residual coefficient", residual_, "-", mudline::non_negative(),
+               "Friction coefficient after a long way");
+    p.required("weakening length", length_, "m", mudline::positive(),
+               "Path over which the strength falls by a factor of e");
     interface_parameters(p);  // stick stiffness, effective or total traction: what all laws share
   }
   void check(const mudline::Section& section) const {
@@ -32,5 +35,6 @@ class WeakeningInterface : public mudline::Friction {
 }  // namespace
 
 MUDLINE_PLUGIN(registries) {
-  registries.frictions.add<WeakeningInterface>("weakening interface", "Friction coefficient that falls with the path slid");
+  registries.frictions.add<WeakeningInterface>("weakening interface",
+                                               "Friction coefficient that falls with the path slid");
 }

@@ -22,7 +22,8 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
     for (int i = 0; i < columns - 1; i += 2) {
       const auto add = [&](std::initializer_list<long long> nodes) { block.nodes.insert(block.nodes.end(), nodes); };
       if (shape == CellShape::quad9) {
-        add({id(i, j), id(i + 2, j), id(i + 2, j + 2), id(i, j + 2), id(i + 1, j), id(i + 2, j + 1), id(i + 1, j + 2), id(i, j + 1), id(i + 1, j + 1)});
+        add({id(i, j), id(i + 2, j), id(i + 2, j + 2), id(i, j + 2), id(i + 1, j), id(i + 2, j + 1), id(i + 1, j + 2),
+             id(i, j + 1), id(i + 1, j + 1)});
       } else {
         add({id(i, j), id(i + 2, j), id(i, j + 2), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
         add({id(i + 2, j), id(i + 2, j + 2), id(i, j + 2), id(i + 2, j + 1), id(i + 1, j + 2), id(i + 1, j + 1)});
@@ -30,18 +31,21 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
     }
   for (int j = 2; j < columns - 2; j += 2)
     for (int i = 2; i < columns - 2; i += 2)
-      for (int d = 0; d < 2; ++d) global.coordinates[id(i, j)][d] += distortion / n * std::sin(1.3 * i + 2.1 * j + d) * (d == 0 ? width : 1.0);
+      for (int d = 0; d < 2; ++d)
+        global.coordinates[id(i, j)][d] += distortion / n * std::sin(1.3 * i + 2.1 * j + d) * (d == 0 ? width : 1.0);
   const int per_cell = shape == CellShape::quad9 ? 1 : 2;
   for (int k = 0; k < n; ++k) {
     global.side_sets["bottom"].push_back({0, k * per_cell, 0});
-    global.side_sets["top"].push_back({0, ((n - 1) * n + k) * per_cell + per_cell - 1, shape == CellShape::quad9 ? 2 : 1});
+    global.side_sets["top"].push_back(
+        {0, ((n - 1) * n + k) * per_cell + per_cell - 1, shape == CellShape::quad9 ? 2 : 1});
   }
   // middle nodes between their ends, centres between all
   const int nodes = num_nodes(shape), corners = num_corners(shape);
   for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
     for (int s = 0; s < corners; ++s)
       for (int d = 0; d < 2; ++d) {
-        const auto &a = global.coordinates[block.nodes[e + s]], &b = global.coordinates[block.nodes[e + (s + 1) % corners]];
+        const auto &a = global.coordinates[block.nodes[e + s]],
+                   &b = global.coordinates[block.nodes[e + (s + 1) % corners]];
         global.coordinates[block.nodes[e + corners + s]][d] = 0.5 * (a[d] + b[d]);
       }
   if (shape == CellShape::quad9)

@@ -53,11 +53,14 @@ TEST(MeshPaths, ABodyUnderTheBoundaryMakesNoCorner) {
   for (std::size_t node = 0; node < x.size(); ++node) {
     if (std::abs(x[node][1] - top) > 1e-12) continue;
     on_body[node] = true;
-    if (whole.is_vertex(static_cast<int>(node)) && (middle < 0 || std::abs(x[node][0] - 0.5) < std::abs(x[middle][0] - 0.5))) middle = static_cast<int>(node);
+    if (whole.is_vertex(static_cast<int>(node)) &&
+        (middle < 0 || std::abs(x[node][0] - 0.5) < std::abs(x[middle][0] - 0.5)))
+      middle = static_cast<int>(node);
   }
   x[middle][1] -= 0.2;  // turns by 77 degrees there
   EXPECT_GT(find_paths(whole, x, {}, 0.5).size(), 4u);
-  EXPECT_EQ(find_paths(whole, x, {}, 0.5, [&](int node) { return on_body[node]; }).size(), 4u);  // the ends of the top stay corners: the walls are not on the body
+  EXPECT_EQ(find_paths(whole, x, {}, 0.5, [&](int node) { return on_body[node]; }).size(),
+            4u);  // the ends of the top stay corners: the walls are not on the body
 }
 
 TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
@@ -72,7 +75,8 @@ TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
     EXPECT_EQ(path.nodes.size(), 9u);
     named += static_cast<int>(path.sets.size());
     for (std::size_t i = 1; i + 1 < path.nodes.size(); i += 2)  // middle nodes between their ends
-      for (int d = 0; d < 2; ++d) EXPECT_NEAR(x[path.nodes[i]][d], 0.5 * (x[path.nodes[i - 1]][d] + x[path.nodes[i + 1]][d]), 1e-15);
+      for (int d = 0; d < 2; ++d)
+        EXPECT_NEAR(x[path.nodes[i]][d], 0.5 * (x[path.nodes[i - 1]][d] + x[path.nodes[i + 1]][d]), 1e-15);
   }
   EXPECT_EQ(named, 2);
 }
@@ -84,13 +88,18 @@ TEST(Quality, IsOneForTheIdealShapes) {
   const auto halves = box(CellShape::tri6, 3, 0.0);
   const WholeMesh triangles(*halves);
   // at the sharp corners of a halved square: sin 45 deg / sin 60 deg
-  EXPECT_NEAR(lowest_quality(triangles, triangles.gather(halves->coordinates())), std::sqrt(0.5) / std::sqrt(0.75), 1e-14);
+  EXPECT_NEAR(lowest_quality(triangles, triangles.gather(halves->coordinates())), std::sqrt(0.5) / std::sqrt(0.75),
+              1e-14);
 }
 
 /// The box with its top pushed in by a quarter: interior left behind.
 struct PushedBox {
-  explicit PushedBox(CellShape shape) : mesh(box(shape, 8)), whole(*mesh), source(whole.gather(mesh->coordinates())),
-                                        paths(find_paths(whole, source, {}, 0.5)), corners(whole, paths) {
+  explicit PushedBox(CellShape shape)
+      : mesh(box(shape, 8)),
+        whole(*mesh),
+        source(whole.gather(mesh->coordinates())),
+        paths(find_paths(whole, source, {}, 0.5)),
+        corners(whole, paths) {
     corners.add_tangents(source, source);
     movable.assign(whole.num_nodes(), 0);
     for (int node = 0; node < whole.num_nodes(); ++node) movable[node] = whole.is_vertex(node);

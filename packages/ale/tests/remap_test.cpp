@@ -94,7 +94,8 @@ TEST(ConvectionRemap, BoundsHoldAndAStepMakesNoNewExtremum) {
   const auto mesh = box(CellShape::tri6, 8);
   Points points(*mesh);
   points.variables = {{"f", 1, "-", RemapRule::value, 0.5, 10.0}};
-  std::vector<double> field = points.values([](double x, double y) { return x + 0.2 * y > 0.55 ? 1.0 : 0.0; }, points.start);
+  std::vector<double> field =
+      points.values([](double x, double y) { return x + 0.2 * y > 0.55 ? 1.0 : 0.0; }, points.start);
   for (double& value : field) value = std::max(value, 0.5);
   Positions from = points.start;
   for (int step = 0; step < 20; ++step) {
@@ -130,7 +131,8 @@ double journey(ConvectionRemap remap, Field field, int n) {
 TEST(ConvectionRemap, IsOfSecondOrderForSmoothFields) {
   for (const ConvectionRemap& remap : {ConvectionRemap(ConvectionRemap::Scheme::incremental, true),
                                        ConvectionRemap(ConvectionRemap::Scheme::upwind, true)}) {
-    const double coarse = journey(remap, smooth, 8), medium = journey(remap, smooth, 16), fine = journey(remap, smooth, 32);
+    const double coarse = journey(remap, smooth, 8), medium = journey(remap, smooth, 16),
+                 fine = journey(remap, smooth, 32);
     EXPECT_LT(medium, 2e-4);
     EXPECT_GT(std::log2(coarse / medium), 1.8);
     EXPECT_GT(std::log2(medium / fine), 1.9);
@@ -158,14 +160,16 @@ TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
             r += points.block.u.N(q, a) * x[nodes[a]][0];
             for (int k = 0; k < 4; ++k) j[k] += x[nodes[a]][k / 2] * points.block.u.dN(q, a, k % 2);
           }
-          const double dv = points.block.u.weights(q) * (j[0] * j[3] - j[1] * j[2]) * (axisymmetric ? 2 * std::acos(-1.0) * r : 1);
+          const double dv =
+              points.block.u.weights(q) * (j[0] * j[3] - j[1] * j[2]) * (axisymmetric ? 2 * std::acos(-1.0) * r : 1);
           sum += dv / (1 + values[points.whole.first_row(e, points.block.points) + q]);
         }
       }
       return sum;
     };
     const double mass = grains(old, points.start);
-    const double share = restore_grains({points.whole, points.block, points.start, to, points.variables, 1, old, now}, axisymmetric, 0);
+    const double share =
+        restore_grains({points.whole, points.block, points.start, to, points.variables, 1, old, now}, axisymmetric, 0);
     EXPECT_GT(std::abs(share), 1e-7);  // the transfer alone does not conserve
     EXPECT_NEAR(grains(transported, to) / mass, 1 - share, 1e-13);
     EXPECT_NEAR(grains(now, to) / mass, 1, 1e-14);
@@ -191,13 +195,14 @@ TEST(Conservation, TheFreeBoundaryKnowsWhatVolumeItMoves) {
     int tops = 0;
     for (std::size_t node = 0; node < x.size(); ++node) {
       if (points.start[node][1] < 1 - 1e-12 || std::abs(points.start[node][0] - 0.5) > 0.49) continue;  // ends rest
-      free[node] = points.start[node][0] < 0.3 ? 0.5 : 1.0;  // half as free
+      free[node] = points.start[node][0] < 0.3 ? 0.5 : 1.0;                                             // half as free
       if (points.start[node][0] > 0.5) held[2 * node] = 1;
       if (points.start[node][0] > 0.7) held[2 * node + 1] = 1;
       tops += points.start[node][0] <= 0.7;
     }
     for (std::size_t node = 0; node < x.size(); ++node)  // a roller: its normal is held
-      if (points.start[node][0] > 1 - 1e-12 && std::abs(points.start[node][1] - 0.5) < 0.49) free[node] = held[2 * node] = 1;
+      if (points.start[node][0] > 1 - 1e-12 && std::abs(points.start[node][1] - 0.5) < 0.49)
+        free[node] = held[2 * node] = 1;
     const FreeBoundary boundary(points.whole, soil, free, held, x);
     EXPECT_EQ(static_cast<int>(boundary.movers.size()), tops);
     Positions there = x, back = x;

@@ -2,12 +2,15 @@
 
 #include <Tpetra_Core.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
 #include <string>
 
 #include "contact/contact.hpp"
+#include "physics/closed_sides.hpp"
+#include "physics/condition.hpp"
 #include "physics/tests/rigid_body_deck.hpp"
 
 namespace mudline {
@@ -73,7 +76,8 @@ struct ContactModel {
   }
 
   std::vector<Field> fields(Geometry geometry, Support pressure) {
-    std::vector<Field> result{{"displacement", "m", "N", 2, Support::all_nodes, 2}, {"pore pressure", "Pa", "m3/s", 1, pressure, 1}};
+    std::vector<Field> result{{"displacement", "m", "N", 2, Support::all_nodes, 2},
+                              {"pore pressure", "Pa", "m3/s", 1, pressure, 1}};
     if (bodies_["b"]->may_be_free())
       result.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(geometry), Support::apart, 2, 1});
     return result;
@@ -138,6 +142,34 @@ struct ContactModel {
   int failures = 0;
 };
 
+/// Positions x of the vertices whose pore pressure a drained condition on `set` leaves free in the coming step, out of
+/// those on it; ascending.
+inline std::vector<double> released(ContactModel& model, const std::string& set) {
+  Deck deck;
+  deck.overlay("<ParameterList name=\"deck\">\n<ParameterList name=\"drained\">\n" +
+                   text_parameter("type", "pore pressure") + text_parameter("set", set) +
+                   "</ParameterList>\n</ParameterList>\n",
+               "deck.xml");
+  Registry<Condition> conditions{"condition"};
+  register_conditions(conditions);
+  const Section section = deck.root().section("drained");
+  const std::unique_ptr<Condition> drained = conditions.create(section);
+  drained->bind({model.space, nullptr}, section);
+  const int p = model.space.find("pore pressure"), n = model.space.dofs()->num_overlap_dofs();
+  Constraints constraints{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+  ClosedSides closed;
+  dynamic_cast<const ClosesSides&>(*model.contact).close(model.store.committed(), closed);
+  dynamic_cast<HoldsOnOpenSides&>(*drained).set_closed(closed);
+  drained->prescribe(0, 1, model.store.committed(), constraints);
+  std::vector<double> result;
+  for (int node : model.mesh.nodes_of_set(set)) {
+    const int dof = model.space.node_dof(p)(node);
+    if (dof >= 0 && !constraints.mask(dof)) result.push_back(model.mesh.coordinates()(node, 0));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 /// Random displacements of the trial coordinates, fixed seed; nodes of the axis stay on it.
 inline void deform(ContactModel& model, double size) {
   std::mt19937 random(11);
@@ -149,7 +181,8 @@ inline void deform(ContactModel& model, double size) {
     }
 }
 
-/// What jacobian_error() varies, by field: forces are so much larger per metre than per pascal that one hides the other.
+/// What jacobian_error() varies, by field: forces are so much larger per metre than per pascal that one hides the
+/// other.
 enum class Moved { soil = 0, pressures = 1, body = 2 };
 
 /// Largest difference of J d and the central difference of the residual, relative to the largest |J d|.

@@ -101,16 +101,21 @@ TEST(Friction, OpeningForgetsTheShearStressAndClosingCountsFromTouch) {
 
 TEST(Friction, CoefficientFollowsTheSpeed) {
   const auto stress = [](double per_second) {
-    ContactModel model = on_strip(plate(std::to_string(per_second) + "*t"),
-                                  coulomb(0.3, number_parameter("kinetic coefficient", 0.1) + number_parameter("decay speed", 0.1)));
+    ContactModel model =
+        on_strip(plate(std::to_string(per_second) + "*t"),
+                 coulomb(0.3, number_parameter("kinetic coefficient", 0.1) + number_parameter("decay speed", 0.1)));
     model.begin(2);
     model.residual();
     return shear_rows(model, model.store.trial())(5, 0);
   };
-  for (double speed : {0.05, 0.1, 5.0}) EXPECT_NEAR(stress(speed), (0.1 + 0.2 * std::exp(-speed / 0.1)) * pressing, 1e-8) << speed;
-  const auto message = [](const std::string& more) { return input_error([&] { on_strip(plate("0"), coulomb(0.3, more)); }); };
+  for (double speed : {0.05, 0.1, 5.0})
+    EXPECT_NEAR(stress(speed), (0.1 + 0.2 * std::exp(-speed / 0.1)) * pressing, 1e-8) << speed;
+  const auto message = [](const std::string& more) {
+    return input_error([&] { on_strip(plate("0"), coulomb(0.3, more)); });
+  };
   EXPECT_NE(message(number_parameter("kinetic coefficient", 0.1)).find("needs a decay speed"), std::string::npos);
-  EXPECT_NE(message(number_parameter("decay speed", 0.1)).find("only together with a 'kinetic coefficient'"), std::string::npos);
+  EXPECT_NE(message(number_parameter("decay speed", 0.1)).find("only together with a 'kinetic coefficient'"),
+            std::string::npos);
 }
 
 struct Case {
@@ -144,12 +149,13 @@ TEST_P(EveryFriction, JacobianIsTheDifferencedResidual) {
     std::string more;
   };
   int stuck = 0, sliding = 0, touched = 0;
-  for (const auto& [coefficient, more] : {Law{50, ""},
-                                          {0.05, ""},
-                                          {0.5, number_parameter("adhesion", 2e3)},
-                                          {0.5, text_parameter("on", "total")},
-                                          {0.5, number_parameter("kinetic coefficient", 0.1) + number_parameter("decay speed", 0.02)},
-                                          {0.7, number_parameter("cap", 3e3)}})
+  for (const auto& [coefficient, more] :
+       {Law{50, ""},
+        {0.05, ""},
+        {0.5, number_parameter("adhesion", 2e3)},
+        {0.5, text_parameter("on", "total")},
+        {0.5, number_parameter("kinetic coefficient", 0.1) + number_parameter("decay speed", 0.02)},
+        {0.7, number_parameter("cap", 3e3)}})
     for (const double size : {2e-3, 2e-2}) {
       ContactModel model(c.geometry, strip(c.cells, 8, 4, 0, 0.8, 0.4, 0.3), body,
                          contact_parameters(c.method, eps) + coulomb(coefficient, more), {}, "penalty", c.pressure);

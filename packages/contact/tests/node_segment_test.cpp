@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/node_parameters.hpp"
 #include "contact/smooth_surface.hpp"
 #include "slope_friction.hpp"
 
@@ -20,7 +21,26 @@ struct Case {
   double viscous = 0;
 };
 
-/// A master of six nodes with its body below, nodes to the left, and one slave node; the master's unevenness is of its own.
+TEST(NodeParameters, TheOverhangOfAnOpenEnd) {
+  Teuchos::ParameterList list;
+  Coordinates x("x", 3, 2);
+  for (int i = 0; i < 3; ++i) x(i, 0) = 2 - i;  // from (2, 0) to (0, 0), its body below
+  for (const double overhang : {0.0, 0.3}) {
+    list.set("overhang", overhang);
+    NodeParameters deck;
+    Parameters p(Section(list, nullptr, nullptr, ""));
+    deck.parameters(p);
+    const SmoothSurface surface({{2, {0, 1, -1}}, {2, {1, 2, -1}}}, Drawing::linear, 1.5, deck.overhang, x);
+    for (const double beyond : {-0.1, 0.2, 0.4}) {
+      NodeFoot foot;
+      int piece = -1;
+      EXPECT_EQ(surface.find_foot({0, 1}, {2 + beyond, 0.05}, {1, 0}, 1, x, piece, foot), beyond < overhang) << beyond;
+    }
+  }
+}
+
+/// A master of six nodes with its body below, nodes to the left, and one slave node; the master's unevenness is of its
+/// own.
 class EveryState : public testing::TestWithParam<Case> {
  protected:
   EveryState() : friction_(GetParam().friction), x_("x", 7, 2), old_("old", 7, 2) {
@@ -57,7 +77,9 @@ class EveryState : public testing::TestWithParam<Case> {
     corner_ = foot.corner;
     const SurfacePiece& piece = surface_->pieces()[piece_];
     NodeForce out, plain;
-    const auto at = [&](const Coordinates& x) { return NodeCoordinates{{x(6, 0), x(6, 1)}, surface_->coordinates(piece_, x)}; };
+    const auto at = [&](const Coordinates& x) {
+      return NodeCoordinates{{x(6, 0), x(6, 1)}, surface_->coordinates(piece_, x)};
+    };
     node_force(law_, piece, foot, at(old_), at(x_), true, out);
     node_force(law_, piece, foot, at(old_), at(x_), false, plain);
     for (double& v : f) v = 0;
@@ -81,24 +103,27 @@ class EveryState : public testing::TestWithParam<Case> {
   bool corner_ = false;
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    Contact, EveryState,
-    testing::Values(Case{"linear", Drawing::linear, 0.5, 0.12, 0, 0, false, false}, Case{"linear_stick", Drawing::linear, 0.5, 0.12, 5, 0, false, false},
-                    Case{"linear_slip", Drawing::linear, 1.5, 0.1, 0.01, 0, false, false},
-                    Case{"convex_corner", Drawing::linear, 1.0, 0.21, 0, 3e4, false, true},
-                    Case{"convex_corner_slip", Drawing::linear, 0.9995, 0.21, 0.01, 3e4, false, true},
-                    Case{"reentrant_corner", Drawing::linear, -0.597, -0.07, 5, 0, false, true},
-                    Case{"hermite", Drawing::hermite, 0.5, 0.14, 0, 0, false, false}, Case{"hermite_stick", Drawing::hermite, 0.5, 0.14, 5, 2e4, false, false},
-                    Case{"hermite_slip", Drawing::hermite, 1.4, 0.1, 0.01, 0, false, false},
-                    Case{"hermite_end", Drawing::hermite, 2.3, 0.02, 0.01, 0, false, false},
-                    Case{"hermite_late", Drawing::hermite, 0.3, 0.14, 0, 0, true, false},
-                    Case{"bezier", Drawing::bezier, 1.05, 0.12, 0, 0, false, false}, Case{"bezier_stick", Drawing::bezier, 0.2, 0.1, 5, 2e4, false, false},
-                    Case{"bezier_slip", Drawing::bezier, -0.5, -0.04, 0.01, 0, false, false},
-                    Case{"bezier_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false},
-                    Case{"damped", Drawing::hermite, 0.5, 0.14, 5, 2e4, false, false, 0.5},
-                    Case{"damped_corner", Drawing::linear, 1.0, 0.21, 0, 3e4, false, true, 0.5},
-                    Case{"damped_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false, 2}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Contact, EveryState,
+                         testing::Values(Case{"linear", Drawing::linear, 0.5, 0.12, 0, 0, false, false},
+                                         Case{"linear_stick", Drawing::linear, 0.5, 0.12, 5, 0, false, false},
+                                         Case{"linear_slip", Drawing::linear, 1.5, 0.1, 0.01, 0, false, false},
+                                         Case{"convex_corner", Drawing::linear, 1.0, 0.21, 0, 3e4, false, true},
+                                         Case{"convex_corner_slip", Drawing::linear, 0.9995, 0.21, 0.01, 3e4, false,
+                                              true},
+                                         Case{"reentrant_corner", Drawing::linear, -0.597, -0.07, 5, 0, false, true},
+                                         Case{"hermite", Drawing::hermite, 0.5, 0.14, 0, 0, false, false},
+                                         Case{"hermite_stick", Drawing::hermite, 0.5, 0.14, 5, 2e4, false, false},
+                                         Case{"hermite_slip", Drawing::hermite, 1.4, 0.1, 0.01, 0, false, false},
+                                         Case{"hermite_end", Drawing::hermite, 2.3, 0.02, 0.01, 0, false, false},
+                                         Case{"hermite_late", Drawing::hermite, 0.3, 0.14, 0, 0, true, false},
+                                         Case{"bezier", Drawing::bezier, 1.05, 0.12, 0, 0, false, false},
+                                         Case{"bezier_stick", Drawing::bezier, 0.2, 0.1, 5, 2e4, false, false},
+                                         Case{"bezier_slip", Drawing::bezier, -0.5, -0.04, 0.01, 0, false, false},
+                                         Case{"bezier_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false},
+                                         Case{"damped", Drawing::hermite, 0.5, 0.14, 5, 2e4, false, false, 0.5},
+                                         Case{"damped_corner", Drawing::linear, 1.0, 0.21, 0, 3e4, false, true, 0.5},
+                                         Case{"damped_late", Drawing::bezier, 2.3, 0.02, 0.01, 0, true, false, 2}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST_P(EveryState, TangentIsTheDifferencedForce) {
   double f[14], k[14][14], plus[14], minus[14], unused[14][14];

@@ -55,18 +55,20 @@ class EverySegment : public testing::TestWithParam<Case> {
   PairCoordinates now_, old_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Contact, EverySegment,
-                         testing::Values(Case{"inner", 3, false, 0.05, -0.5, 0, 0}, Case{"end", 3, false, 0.05, 0, 0, 0},
-                                         Case{"multipliers", 3, false, 0.01, -0.3, 0, 3e4}, Case{"straight", 2, false, 0.05, 0, 0, 0},
-                                         Case{"axisymmetric", 3, true, 0.05, 0.1, 0, 0}, Case{"stick", 3, false, 0.05, 0, 5, 2e4},
-                                         Case{"slip", 3, true, 0.05, -0.2, 0.01, 2e4}, Case{"straight slip", 2, false, 0.05, 0, 0.01, 0},
-                                         Case{"damped", 3, false, 0.05, 0, 5, 2e4, 20}, Case{"damped axisymmetric", 3, true, 0.05, 0.1, 0, 0, 20},
-                                         Case{"damped straight", 2, false, 0.05, 0, 0.01, 0, 20}),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
-                           for (char& c : name) c = c == ' ' ? '_' : c;
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Contact, EverySegment,
+    testing::Values(Case{"inner", 3, false, 0.05, -0.5, 0, 0}, Case{"end", 3, false, 0.05, 0, 0, 0},
+                    Case{"multipliers", 3, false, 0.01, -0.3, 0, 3e4}, Case{"straight", 2, false, 0.05, 0, 0, 0},
+                    Case{"axisymmetric", 3, true, 0.05, 0.1, 0, 0}, Case{"stick", 3, false, 0.05, 0, 5, 2e4},
+                    Case{"slip", 3, true, 0.05, -0.2, 0.01, 2e4}, Case{"straight slip", 2, false, 0.05, 0, 0.01, 0},
+                    Case{"damped", 3, false, 0.05, 0, 5, 2e4, 20},
+                    Case{"damped axisymmetric", 3, true, 0.05, 0.1, 0, 0, 20},
+                    Case{"damped straight", 2, false, 0.05, 0, 0.01, 0, 20}),
+    [](const auto& info) {
+      std::string name = info.param.name;
+      for (char& c : name) c = c == ' ' ? '_' : c;
+      return name;
+    });
 
 TEST_P(EverySegment, TangentIsTheDifferencedForce) {
   PairForce at, plain, plus, minus;

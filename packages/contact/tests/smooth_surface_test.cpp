@@ -39,9 +39,11 @@ std::pair<double, double> errors(const Arc& arc, Drawing drawing) {
     }
     if (piece.after < 0) continue;
     const SurfacePiece& next = surface.pieces()[piece.after];
-    const PlanePoint a = piece_direction(piece, nodes, 1), b = piece_direction(next, surface.coordinates(piece.after, arc.x), 0);
+    const PlanePoint a = piece_direction(piece, nodes, 1),
+                     b = piece_direction(next, surface.coordinates(piece.after, arc.x), 0);
     jump = std::max(jump, std::abs(a[0] * b[1] - a[1] * b[0]));
-    const PlanePoint end = piece_point(piece, nodes, 1), start = piece_point(next, surface.coordinates(piece.after, arc.x), 0);
+    const PlanePoint end = piece_point(piece, nodes, 1),
+                     start = piece_point(next, surface.coordinates(piece.after, arc.x), 0);
     EXPECT_NEAR(end[0], start[0], 1e-14);
     EXPECT_NEAR(end[1], start[1], 1e-14);
   }
@@ -52,7 +54,8 @@ TEST(SmoothSurface, SmoothDrawingsHaveNoKinks) {
   const double h = pi / 12;
   for (bool closed : {false, true}) {
     const Arc arc(closed ? 24 : 13, 0, h, closed);
-    const auto linear = errors(arc, Drawing::linear), hermite = errors(arc, Drawing::hermite), bezier = errors(arc, Drawing::bezier);
+    const auto linear = errors(arc, Drawing::linear), hermite = errors(arc, Drawing::hermite),
+               bezier = errors(arc, Drawing::bezier);
     EXPECT_NEAR(linear.first, 1 - std::cos(h / 2), 1e-12);
     EXPECT_NEAR(linear.second, std::sin(h), 1e-12);
     // tangents of chords are shorter than those of the arc by cos(h / 2)

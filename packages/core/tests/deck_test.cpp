@@ -144,6 +144,18 @@ class Overlay : public testing::Test {
   Deck deck;
 };
 
+TEST(DeckXml, MessagesStayOneLine) {
+  Deck deck;
+  EXPECT_EQ(input_error([&] { deck.overlay("<ParameterList>\nlost\n  text\n</ParameterList>", "deck.xml"); }),
+            "deck.xml:2: unexpected text 'lost text'");
+  EXPECT_EQ(input_error([&] {
+              deck.overlay(
+                  "<ParameterList><Parameter name=\"two\nlines\" type=\"int\" value=\"a\nb\"/></ParameterList>",
+                  "deck.xml");
+            }),
+            "deck.xml:1: two lines: expected an integer (int), given 'a b'");
+}
+
 TEST_F(Overlay, ReplacesSingleParametersAndMergesSections) {
   deck.overlay(header + R"xml(<ParameterList name="stages">
 <ParameterList name="push"><Parameter name="duration" type="double" value="3.0"/></ParameterList>
@@ -205,9 +217,31 @@ TEST_F(Overlay, SetBringsInAWholeSection) {
   EXPECT_EQ(deck.list().sublist("solver").sublist("newton").get<int>("maximum iterations"), 7);
 }
 
-TEST_F(Overlay, SetErrors) {
-  EXPECT_EQ(set_error("stages/psh/duration=2"),
+TEST_F(Overlay, SetBringsInSectionsInAnyOrder) {
+  deck.set("stages/push/time step/growth=2");
+  deck.set("stages/push/integrator/spectral radius=0.5");
+  deck.set("stages/push/integrator/type=newmark");
+  EXPECT_EQ(push().sublist("time step").get<int>("growth"), 2);
+  EXPECT_EQ(push().sublist("integrator").get<std::string>("type"), "newmark");
+  EXPECT_EQ(
+      input_error([&] { deck.root().section("stages").section("push").allow_sections({"time steps"}); }),
+      "--set stages/push/time step/growth=2: stages/push/time step: unknown section (did you mean 'time steps'?)");
+}
+
+TEST_F(Overlay, MisspeltSectionsOfSettings) {
+  deck.set("stages/hold/duration=2");
+  EXPECT_EQ(input_error([&] { deck.root().section("stages").section("hold").text("type"); }),
+            "--set stages/hold/duration=2: stages/hold: required parameter 'type' is missing");
+  deck.set("stages/psh/duration=2");
+  EXPECT_EQ(input_error([&] { deck.root(); }),
             "--set stages/psh/duration=2: stages/psh: the deck has no such section (did you mean 'push'?)");
+  deck.set("stages/psh/type=dynamic");  // a new one, then
+  EXPECT_EQ(deck.root().section("stages").section("psh").text("type"), "dynamic");
+}
+
+TEST_F(Overlay, SetErrors) {
+  EXPECT_EQ(set_error("stages/push/steps/more=2"),
+            "--set stages/push/steps/more=2: stages/push/steps: a parameter; it has no entries of its own");
   EXPECT_EQ(set_error("stages/push=2"), "--set stages/push=2: stages/push: a section; only parameters can be set");
   EXPECT_EQ(set_error("stages"), "--set stages: expected section/parameter=value, such as stages/push/duration=2.0");
   EXPECT_EQ(set_error("stages//duration=2"), "--set stages//duration=2: a name of the path before '=' is empty");

@@ -122,6 +122,15 @@ TEST(Parameters, UnknownAndMissingOnes) {
   EXPECT_EQ(error_of(""), "deck.xml:3: materials/clay: required parameter 'Young's modulus' is missing");
 }
 
+TEST(Parameters, MisspeltRequiredOnesAreNamedAtTheirLine) {
+  EXPECT_EQ(error_of(line("label", "string", "x") + line("Yuong's modulus", "double", "2e6")),
+            "deck.xml:5: materials/clay/Yuong's modulus: unknown parameter (did you mean 'Young's modulus'?)");
+  // nothing like it: the unknown one first, it may be what is missing
+  EXPECT_EQ(
+      error_of(line("stiff", "double", "2e6")).find("deck.xml:4: materials/clay/stiff: unknown parameter; allowed: "),
+      0u);
+}
+
 TEST(Parameters, OutOfRange) {
   EXPECT_EQ(error_with("Poisson's ratio", "double", "0.6"),
             "deck.xml:5: materials/clay/Poisson's ratio: 0.6 is out of range; allowed: [0, 0.5)");

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "discretisation/tests/mesh_fixture.hpp"
+#include "discretisation/without_gmsh.hpp"
 
 namespace mudline {
 namespace {
@@ -156,6 +157,15 @@ TEST(MeshSets, UnknownNamesAreMetWithASuggestion) {
                   "unknown mesh set 'xyz'; allowed: bottom, left, right, top");
   EXPECT_CONTAINS(input_error([&] { require_region(*mesh, section, "side", "sol"); }), "did you mean 'soil'?");
   EXPECT_THROW(mesh->nodes_of_set("tpo"), std::logic_error);
+}
+
+TEST(WithoutGmsh, NamesWhatIsMissing) {
+  Registry<MeshSource> sources("mesh source");
+  sources.add<MeshWithoutGmsh>("gmsh", "not in this build");
+  EXPECT_EQ(sources.document().size(), 1u);
+  const Section section = mesh_section(gmsh("cone.geo"));
+  EXPECT_CONTAINS(input_error([&] { make_mesh(world(), sources, section); }),
+                  "mesh/type: 'gmsh' needs Gmsh, and this program was built without it");
 }
 
 }  // namespace

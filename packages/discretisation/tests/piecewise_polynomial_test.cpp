@@ -25,7 +25,9 @@ TEST(PiecewisePolynomial, SmoothCurveWithItsDerivatives) {
 
 TEST(PiecewisePolynomial, CutsAtACornerAndAtAJumpOfCurvature) {
   const double corner = 0.3137, jump = 0.711;
-  const auto f = [&](double t) { return CurvePoint{t, std::abs(t - corner) + (t > jump ? (t - jump) * (t - jump) : 0.0)}; };
+  const auto f = [&](double t) {
+    return CurvePoint{t, std::abs(t - corner) + (t > jump ? (t - jump) * (t - jump) : 0.0)};
+  };
   const auto runs = polynomial_runs(f, 0, 1, 1e-11);
   ASSERT_GE(runs.size(), 3u);
   EXPECT_LE(runs.size(), 7u);

@@ -2,6 +2,7 @@
 
 #include <Tpetra_Core.hpp>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -9,11 +10,12 @@
 
 #include "algebra/mumps_solver.hpp"
 #include "integrator/stepper.hpp"
+#include "integrator/time_error.hpp"
 
 namespace mudline::testing {
 
-/// m d2u + c du + k u - l p = load(t),  l du + s dp + h p = source(t), d the derivative in time; p in balance equations as
-/// in soil: forces at n+1 are history, the rest is evaluated at the integrator's own level.
+/// m d2u + c du + k u - l p = load(t),  l du + s dp + h p = source(t), d the derivative in time; p in balance equations
+/// as in soil: forces at n+1 are history, the rest is evaluated at the integrator's own level.
 struct Mode {
   double m = 1, c = 0, k = 1, l = 0, s = 0, h = 0;
   std::function<double(double)> load = [](double) { return 0.0; }, source = [](double) { return 0.0; };
@@ -32,8 +34,9 @@ class Spring : public Term {
   void sparsity(Assembler& assembler) override { group_ = assembler.add_group(dofs_); }
   int residual(const StepView& view, const ResidualView& f) override {
     for (int i = 0; i < 3; ++i) {
-      f(dofs_(0, i)) += mode_.k * view.value_end(dofs_(0, i));
-      if (coupled_) f(dofs_(0, i)) -= mode_.l * view.value_end(dofs_(0, 3 + i));
+      const int u = dofs_(0, i), p = dofs_(0, 3 * coupled_ + i);
+      f.add(u, mode_.k * view.value_end(u), mode_.k * (view.value_end(u) - view.value_old(u)));
+      if (coupled_) f.add(u, -mode_.l * view.value_end(p), mode_.l * (view.value_old(p) - view.value_end(p)));
     }
     return 0;
   }
@@ -62,11 +65,15 @@ class Rest : public Term {
   int residual(const StepView& view, const ResidualView& f) override {
     for (int i = 0; i < 3; ++i) {
       const int u = dofs_(0, i);
-      if (view.inertia) f(u) += mode_.m * view.acceleration(u);
-      f(u) += mode_.c * view.velocity(u) - mode_.load(view.momentum.time);
+      if (view.inertia) f.add(u, mode_.m * view.acceleration(u));
+      f.add(u, mode_.c * view.velocity(u));
+      const double load = mode_.load(view.momentum.time);
+      f.add(u, -load, mode_.load(view.time_old) - load);
       if (!coupled_) continue;
       const int p = dofs_(0, 3 + i);
-      f(p) += mode_.l * view.rate(u) + mode_.s * view.rate(p) + mode_.h * view.value(p) - mode_.source(view.balance.time);
+      for (const double part :
+           {mode_.l * view.rate(u), mode_.s * view.rate(p), mode_.h * view.value(p), -mode_.source(view.balance.time)})
+        f.add(p, part);
     }
     return 0;
   }
@@ -93,8 +100,12 @@ class Rest : public Term {
 class ModalSystem {
  public:
   explicit ModalSystem(bool coupled, const Mode& what)
-      : mode(what), mesh_(Tpetra::getDefaultComm(), Geometry::plane_strain, triangle()), space_(mesh_, fields(coupled)),
-        store_(space_), spring_(space_, mode), rest_(space_, mode) {
+      : mode(what),
+        mesh_(Tpetra::getDefaultComm(), Geometry::plane_strain, triangle()),
+        space_(mesh_, fields(coupled)),
+        store_(space_),
+        spring_(space_, mode),
+        rest_(space_, mode) {
     if (!solver_.prepare(space_.dofs()).empty()) throw std::runtime_error("the solver refuses the modal system");
     stepper_ = std::make_unique<Stepper>(space_, store_, std::vector<Term*>{&spring_, &rest_}, solver_,
                                          [](const StepView&) { return BlockData(); });
@@ -117,6 +128,22 @@ class ModalSystem {
     ASSERT_TRUE(report.converged) << report.reason;
     ASSERT_LE(report.newton_iterations, 1) << "the problem is linear";
     store_.accept();
+  }
+  /// The same, with its time errors of displacement and of pressure over `tolerance`, norms over the three nodes.
+  static constexpr double tolerance = 1e-12;
+  std::array<LocalError, 2> measured_step(double dt, double dt_old, int index, const TimeScheme& scheme) {
+    const StepReport report = stepper_->attempt(request(dt, scheme), StepTolerances(), NewtonOptions());
+    EXPECT_TRUE(report.converged) << report.reason;
+    const TimeError error(space_);
+    const std::array<LocalError, 2> result{error.measure(stepper_->view(), scheme, dt_old, index, {1, 0}, tolerance),
+                                           error.measure(stepper_->view(), scheme, dt_old, index, {0, 1}, tolerance)};
+    store_.accept();
+    return result;
+  }
+  StateStore& store() { return store_; }
+  /// A step that need not take any iteration.
+  StepReport attempt(double dt, const TimeScheme& scheme) {
+    return stepper_->attempt(request(dt, scheme), StepTolerances(), NewtonOptions());
   }
   void run(double duration, int steps, const TimeScheme& scheme) {
     for (int i = 0; i < steps; ++i) step(duration / steps, scheme);

@@ -42,10 +42,12 @@ double algorithm(const Mode& m, const TimeScheme& s, double d, double v, double 
 
 TEST(Oscillator, ForcedVibrationHasThePublishedErrors) {
   const double exact = 0.37494178;
-  const struct { double radius, errors[3]; } cases[] = {{0, {0.0241856, 0.00720083, 0.00191679}},
-                                                        {0.5, {0.00819755, 0.00210104, 0.000529958}},
-                                                        {0.8, {0.00583674, 0.00147213, 0.000368864}},
-                                                        {1, {0.00551832, 0.00139079, 0.000348398}}};
+  const struct {
+    double radius, errors[3];
+  } cases[] = {{0, {0.0241856, 0.00720083, 0.00191679}},
+               {0.5, {0.00819755, 0.00210104, 0.000529958}},
+               {0.8, {0.00583674, 0.00147213, 0.000368864}},
+               {1, {0.00551832, 0.00139079, 0.000348398}}};
   for (const auto& c : cases)
     for (int i = 0; i < 3; ++i) {
       const int steps = 100 << i;
@@ -93,10 +95,12 @@ Spectrum spectrum(const TimeScheme& scheme, double step_over_period) {
 }
 
 TEST(Oscillator, OneStepHasThePublishedSpectrum) {
-  const struct { double radius, spectral_radius, damping, period_error; } cases[] = {{0, 0.969708, 0.0549879, 0.123206},
-                                                                                    {0.5, 0.997733, 0.00378005, 0.0467153},
-                                                                                    {0.8, 0.999904, 0.000157272, 0.0338284},
-                                                                                    {1, 1, 0, 0.0320749}};
+  const struct {
+    double radius, spectral_radius, damping, period_error;
+  } cases[] = {{0, 0.969708, 0.0549879, 0.123206},
+               {0.5, 0.997733, 0.00378005, 0.0467153},
+               {0.8, 0.999904, 0.000157272, 0.0338284},
+               {1, 1, 0, 0.0320749}};
   for (const auto& c : cases) {
     const Spectrum s = spectrum(generalised_alpha(c.radius), 0.1);
     EXPECT_NEAR(s.radius, c.spectral_radius, 1e-6);

@@ -60,7 +60,8 @@ TimeScheme scheme(const std::string& type, const std::vector<std::pair<std::stri
   list.set("type", type);
   for (const auto& [name, value] : numbers) list.set(name, value);
   if (!pressure.empty()) list.set("pore pressure integration", pressure);
-  return registry.create(Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""))->scheme(100);
+  return registry.create(Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""))
+      ->scheme(100);
 }
 
 TEST(TimeOrder, GeneralisedAlphaIsSecondOrderInBothFields) {

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/entry.hpp"
 #include "materials/fluid.hpp"
 
 namespace mudline {
@@ -12,9 +13,14 @@ class Water : public Fluid {
   void parameters(Parameters& p) {
     p.add("density", density_, "kg/m3", positive(), "Mass density of the pore fluid");
     p.add("bulk modulus", bulk_modulus_, "Pa", positive(), "Compressibility of the pore fluid, with any air it holds");
-    p.add("incompressible", incompressible_, "No compressibility; the bulk modulus is then not used");
+    p.add("incompressible", incompressible_, "No compressibility; a bulk modulus is then refused");
     p.add("unit weight", unit_weight_, "N/m3", non_negative(),
           "Weight that turns hydraulic conductivity into mobility; 0: density times 9.81 m/s2");
+  }
+  void check(const Section& section) const {
+    if (incompressible_ && section.has_parameter("bulk modulus") &&
+        !apart(section.source("incompressible"), section.source("bulk modulus")))
+      section.fail("has no effect beside 'incompressible' = true; remove one of them", "bulk modulus");
   }
   double density() const override { return density_; }
   double bulk_modulus() const override {

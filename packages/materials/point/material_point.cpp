@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/guarded.hpp"
+#include "materials/guarded_law.hpp"
 #include "materials/pore_volume.hpp"
 #include "tensor/sym6.hpp"
 
@@ -19,7 +21,7 @@ MaterialPoint::MaterialPoint(const Skeleton& law, const InitialPoint& start, dou
     if (variable.components == 6) tensors_.push_back(first);
     first += variable.components;
   }
-  refusal_ = law.initialise(start, state_.data());
+  refusal_ = start_guarded(law, start, state_.data());
 }
 
 PointTrial MaterialPoint::evaluate(const PointMotion& motion, double dt, bool want_tangent) const {
@@ -39,10 +41,19 @@ PointTrial MaterialPoint::evaluate(const PointMotion& motion, double dt, bool wa
   std::copy(motion.strain.begin(), motion.strain.end(), strain.data());
   std::copy(state.begin(), state.end(), state_old.data());
   void_ratio(0, 0) = void_ratio_;
-  const int failures = law_.evaluate({1, time_ + dt, dt, want_tangent, stress_old, strain, void_ratio, state_old,
-                                      stress_new, state_new, tangent, failed});
-
+  const SkeletonWorkset w{1,          time_ + dt, dt,         want_tangent, stress_old, strain,
+                          void_ratio, state_old,  stress_new, state_new,    tangent,    failed};
   PointTrial trial;
+  std::string reason;
+  int failures = 1;
+  try {
+    failures = law_.evaluate(w);
+    reason = failures != 0 ? "it refuses the increment" : "it returns a number that is not finite";
+  } catch (...) {
+    failed(0) = 1;
+    reason = "it throws: " + what_was_thrown();
+  }
+
   std::copy_n(stress_new.data(), 6, trial.stress.begin());
   std::copy_n(tangent.data(), 36, trial.tangent.begin());
   trial.state.assign(state_new.data(), state_new.data() + n);
@@ -54,6 +65,7 @@ PointTrial MaterialPoint::evaluate(const PointMotion& motion, double dt, bool wa
   trial.ok = failures == 0 && std::all_of(trial.stress.begin(), trial.stress.end(), finite) &&
              std::all_of(trial.state.begin(), trial.state.end(), finite) &&
              (!want_tangent || std::all_of(trial.tangent.begin(), trial.tangent.end(), finite));
+  if (!trial.ok) trial.failure = reason + " (" + increment_text(stress.data(), motion.strain.data()) + ")";
   return trial;
 }
 

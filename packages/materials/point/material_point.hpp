@@ -23,6 +23,7 @@ struct PointTrial {
   std::vector<double> state;
   std::array<double, 36> tangent{};  // row-major, if wanted
   bool ok = false;                   // the law's flag, and only finite numbers
+  std::string failure;               // why not: the law's answer, with stress and strain increment
   bool old_untouched = true;         // the law left its inputs alone
   bool flags_agree = true;           // the number of failures is that of the flags
 };

@@ -10,8 +10,8 @@ namespace mudline {
 
 namespace {
 
-// Newton that leaves this much strain behind it in one increment (or more than twice the prescribed one) has gone astray:
-// there a law with v = v0 exp(-strain) has no stiffness left and agrees to anything.
+// Newton that leaves this much strain behind it in one increment (or more than twice the prescribed one) has gone
+// astray: there a law with v = v0 exp(-strain) has no stiffness left and agrees to anything.
 constexpr double farthest = 0.5;
 constexpr int maximum_iterations = 40, maximum_cuts = 12;  // halvings of one increment: to 1/4096
 // Stresses agree to this part of the largest of them. A law with substepping may jump a little where their number
@@ -86,7 +86,10 @@ bool PointControl::solve(const PointIncrement& increment, const Six& guess) {
     const PointMotion motion = motion_of(increment, change);
     const PointTrial trial = point_.evaluate(motion, increment.dt, mixed);
     ++iterations_;
-    if (!trial.ok) return false;
+    if (!trial.ok) {
+      failure_ = trial.failure;
+      return false;
+    }
     double residual = 0.0, scale = std::max(largest(point_.stress()), largest(trial.stress));
     const Six stress = increment.tie.stress(trial.stress);
     for (int c = 0; c < 6; ++c)

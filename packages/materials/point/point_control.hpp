@@ -4,8 +4,8 @@
 
 namespace mudline {
 
-/// Ties strains to one of them: while the component `driver` changes by x, the others change by x `follow` more. What is
-/// stress-controlled there is the stress that does work on this, sigma_driver + follow . sigma: at constant volume
+/// Ties strains to one of them: while the component `driver` changes by x, the others change by x `follow` more. What
+/// is stress-controlled there is the stress that does work on this, sigma_driver + follow . sigma: at constant volume
 /// along y, with follow = (-1/2, 0, -1/2), the stress difference.
 struct StrainTie {
   int driver = -1;  // none
@@ -33,7 +33,7 @@ struct PointIncrement {
   Six stress{};  // values at the end of the stress-controlled ones [Pa]
   StrainTie tie;
   bool sliding = false;  // not with a tie
-  double dt = 0.0;  // [s]
+  double dt = 0.0;       // [s]
 };
 
 /// Drives a material point by Newton's method with the law's own tangent. An increment that does not converge, or that
@@ -49,6 +49,8 @@ class PointControl {
   const Six& strain() const { return strain_; }  // accumulated; of a sliding point see PointIncrement
   int iterations() const { return iterations_; }
   int cuts() const { return cuts_; }
+  /// What the law answered where it failed last; "" where it never has.
+  const std::string& failure() const { return failure_; }
 
  private:
   bool advance(const PointIncrement& increment, int depth);
@@ -59,6 +61,7 @@ class PointControl {
   MaterialPoint& point_;
   Six strain_{}, rate_{};  // rate of the last increment without what is tied, from which the next is guessed [1/s]
   int iterations_ = 0, cuts_ = 0;
+  std::string failure_;
 };
 
 }  // namespace mudline

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "materials/guarded_law.hpp"
 #include "tensor/sym6.hpp"
 
 namespace mudline {
@@ -62,7 +63,8 @@ void PointTest::begin(const PointSoil& soil, const Section& section) {
     start.fail("contradictory: components of the stress leave no room for 'K0'", "K0");
   double k0 = start_.k0 > 0.0 ? start_.k0 : 1.0;
   if (start_.vertical > 0.0 && start_.k0 == 0.0) {
-    k0 = soil.skeleton->k0(start_.ocr);
+    const std::string problem = guarded_k0(*soil.skeleton, start_.ocr, k0);
+    if (!problem.empty()) start.fail("material '" + soil.name + "': " + problem);
     if (k0 < 0.0) start.fail("the skeleton law of material '" + soil.name + "' has no K0 of its own; give 'K0'");
   }
   if (start_.has_components) {
@@ -77,7 +79,8 @@ void PointTest::begin(const PointSoil& soil, const Section& section) {
   if (start_.void_ratio == 0.0 && soil.void_ratio_from_law) {
     initial_.void_ratio = soil.skeleton->void_ratio(initial_);
     if (initial_.void_ratio == Skeleton::no_void_ratio)
-      start.fail("the skeleton law of material '" + soil.name + "' has no void ratio of its own here; give 'void ratio'");
+      start.fail("the skeleton law of material '" + soil.name +
+                 "' has no void ratio of its own here; give 'void ratio'");
   } else if (!(initial_.void_ratio > 0.0))
     start.fail("neither the material '" + soil.name + "' nor the test has a 'void ratio'");
   const std::string refusal = MaterialPoint(*soil.skeleton, initial_).refusal();
@@ -117,6 +120,8 @@ PointOutcome PointTest::run(const Row& row) const {
     }
     if (!outcome.complete) break;
   }
+  if (!outcome.complete && !control.failure().empty())
+    outcome.failure = "the law of material '" + soil_.name + "' fails: " + control.failure();
   outcome.cuts = control.cuts();
   outcome.iterations = control.iterations();
   return outcome;

@@ -14,7 +14,7 @@ namespace mudline {
 struct PointSoil {
   std::string name;
   std::shared_ptr<const Skeleton> skeleton;
-  double void_ratio = 0.0;        // [-] 0: not given
+  double void_ratio = 0.0;  // [-] 0: not given
   bool void_ratio_from_law = false;
   double biot_coefficient = 1.0;  // [-]
 };
@@ -41,6 +41,7 @@ struct PointOutcome {
   int steps = 0, cuts = 0, iterations = 0;
   double time = 0.0;             // [s] reached
   std::vector<PointValue> last;  // row of the end
+  std::string failure;           // of the law, where the test is not complete for that
 };
 
 /// Where a test starts; the deck's section "initial state" of a test. Compression positive, as in a full run.

@@ -14,7 +14,8 @@ class Targets {
  public:
   void strain(Parameters& p, const std::string& name, const std::string& doc) {
     name_ = name;
-    p.add(name, strains_, "-", any(), doc + "; several are reached one after the other (loading, unloading, reloading)");
+    p.add(name, strains_, "-", any(),
+          doc + "; several are reached one after the other (loading, unloading, reloading)");
   }
   void stress(Parameters& p, const std::string& name, const std::string& doc) {
     stress_name_ = name;
@@ -295,8 +296,11 @@ void register_point_tests(Registry<PointTest>& tests) {
   tests.add<Oedometer>("oedometer", "Vertical compression without lateral strain, by strain or by stress");
   tests.add<IsotropicCompression>("isotropic compression",
                                   "Compression alike in all directions, by strain or by stress");
-  tests.add<Triaxial<true>>("triaxial drained", "Axial loading, by strain or by stress, at constant lateral effective stress");
-  tests.add<Triaxial<false>>("triaxial undrained", "Axial loading, by strain or by stress, at constant volume and constant lateral total stress");
+  tests.add<Triaxial<true>>("triaxial drained",
+                            "Axial loading, by strain or by stress, at constant lateral effective stress");
+  tests.add<Triaxial<false>>(
+      "triaxial undrained",
+      "Axial loading, by strain or by stress, at constant volume and constant lateral total stress");
   tests.add<PlaneStrain>("plane strain", "Biaxial test: axial loading without strain in the third direction");
   tests.add<SimpleShear>("simple shear",
                          "Shear between rigid plates, by angle or by stress, at constant vertical stress or volume");

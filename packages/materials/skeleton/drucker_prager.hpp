@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
 namespace mudline {
@@ -37,6 +38,9 @@ struct DruckerPrager : ConeTip {
   std::string initialise(const InitialPoint& point, double* state) const;
   /// (1 - sin(phi)) R^sin(phi) as for Mohr-Coulomb; none for a cone given directly.
   double k0(double overconsolidation_ratio) const;
+  EarthPressures earth_pressures(double vertical, const Point&) const {
+    return cone_earth_pressures(vertical, slope, intercept);
+  }
 
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const {
     return elasticity.moduli();

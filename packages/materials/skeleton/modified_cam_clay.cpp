@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "materials/earth_pressure.hpp"
+
 namespace mudline {
 
 void ModifiedCamClay::parameters(Parameters& p) {
@@ -19,10 +21,13 @@ void ModifiedCamClay::parameters(Parameters& p) {
   p.choice("lode dependence", lode, {{"none", Lode::none}, {"sheng", Lode::sheng}},
            "Strength in triaxial extension: that of compression, or that of the same friction angle");
   p.add("normal compression volume", normal_volume, "-", non_negative(),
-        "N, specific volume of isotropic virgin compression at the reference pressure; the preconsolidation pressure then "
-        "follows from the initial void ratio, or the void ratio from the overconsolidation ratio ('void ratio from law')");
+        "N, specific volume of isotropic virgin compression at the reference pressure; the preconsolidation pressure "
+        "then "
+        "follows from the initial void ratio, or the void ratio from the overconsolidation ratio ('void ratio from "
+        "law')");
   p.add("critical state volume", critical_volume, "-", non_negative(),
-        "Gamma, specific volume at the critical state at the reference pressure; instead of the normal compression volume");
+        "Gamma, specific volume at the critical state at the reference pressure; instead of the normal compression "
+        "volume");
   p.add("reference pressure", reference_pressure, "Pa", positive(),
         "Mean effective stress at which the normal compression or critical state volume is read");
   p.add("minimum mean stress", minimum_mean_stress, "Pa", non_negative(),
@@ -84,7 +89,8 @@ std::string ModifiedCamClay::initialise(const InitialPoint& point, double* state
       return reason.str();
     }
     if (point.overconsolidation_ratio != 1.0 && std::abs(line / state[preconsolidation] - 1.0) > 1e-6)
-      return "with a normal compression line the overconsolidation follows from the void ratio; leave the ratio at 1, or let "
+      return "with a normal compression line the overconsolidation follows from the void ratio; leave the ratio at 1, "
+             "or let "
              "the void ratio follow ('void ratio from law')";
     state[preconsolidation] = std::fmax(line, on_surface);
   }
@@ -124,6 +130,20 @@ double ModifiedCamClay::k0(double overconsolidation_ratio) const {
   }
   const double eta = 0.5 * (low + high), sine = 3.0 * ratio / (6.0 + ratio);
   return (3.0 - eta) / (3.0 + 2.0 * eta) * std::pow(overconsolidation_ratio, sine);
+}
+
+SoilState ModifiedCamClay::soil_state(const double* stress, double, const double* state) const {
+  double s[6];
+  const double p = std::max(sym6::deviator(stress, s), minimum_mean_stress), pc = state[preconsolidation];
+  const double q2 = 1.5 * sym6::norm_squared(s), through_stress = p + q2 / (ratio * ratio * p);
+  return {0.5 * ratio * p * std::pow(0.5 * pc / p, (compression - swelling) / compression), pc / through_stress};
+}
+
+EarthPressures ModifiedCamClay::earth_pressures(double vertical, const Point&) const {
+  const double root3 = std::sqrt(3.0), sine = 3.0 * ratio / (6.0 + ratio);
+  const double extension = lode == Lode::sheng ? ratio * (3.0 - sine) / (3.0 + sine) : ratio;
+  return {cone_earth_pressures(vertical, ratio / root3, 0.0).active,
+          cone_earth_pressures(vertical, extension / root3, 0.0).passive};
 }
 
 }  // namespace mudline

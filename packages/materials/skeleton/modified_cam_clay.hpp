@@ -39,16 +39,23 @@ struct ModifiedCamClay {
   static std::vector<StateVariable> state();
   /// pc = R (p' + q^2/(M^2 p')): the yield surface through the initial stress, scaled by the overconsolidation ratio R.
   /// With N, the specific volume at p' = p_ref on the isotropic normal compression line v = N - lambda ln(p'/p_ref), pc
-  /// follows from the initial stress and void ratio instead: ln(pc/p_ref) = (N - v - kappa ln(p'/p_ref))/(lambda - kappa).
+  /// follows from the initial stress and void ratio instead: ln(pc/p_ref) = (N - v - kappa ln(p'/p_ref))/(lambda -
+  /// kappa).
   std::string initialise(const InitialPoint& point, double* state) const;
-  /// The void ratio that belongs to the pc of stress and overconsolidation ratio: v = N - lambda ln(pc/p_ref) + kappa ln(pc/p').
-  /// Negative without N. With Gamma, v on the critical state line at p_ref, where pc = 2 p': N = Gamma + (lambda - kappa) ln 2.
+  /// The void ratio that belongs to the pc of stress and overconsolidation ratio: v = N - lambda ln(pc/p_ref) + kappa
+  /// ln(pc/p'). Negative without N. With Gamma, v on the critical state line at p_ref, where pc = 2 p': N = Gamma +
+  /// (lambda - kappa) ln 2.
   double void_ratio(const InitialPoint& point) const;
   /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the ratio that one-dimensional
   /// virgin compression tends to: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g = G/K,
   /// K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. R is the ratio of
   /// vertical stresses here.
   double k0(double overconsolidation_ratio) const;
+  /// Undrained strength in triaxial compression from the stress as it is: s_u = M/2 p' (pc/(2 p'))^((lambda -
+  /// kappa)/lambda) (Wood 1990, ch. 7).
+  SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
+  /// Where the stress reaches the critical state.
+  EarthPressures earth_pressures(double vertical, const Point&) const;
 
   KOKKOS_INLINE_FUNCTION double specific_volume(double void_ratio, const double* state) const {
     return volume == Volume::initial ? state[initial_specific_volume] : 1.0 + void_ratio;
@@ -186,7 +193,9 @@ struct ModifiedCamClayModel {
   KOKKOS_INLINE_FUNCTION double hardening_scale(int i, double h) const { return i == 0 ? h : 1.0; }
   /// pc grows exponentially with the plastic volume strain: exact where v stays.
   template <class T>
-  KOKKOS_INLINE_FUNCTION T hardening_measure(int i, const T& h) const { return i == 0 ? h : T(1.0); }
+  KOKKOS_INLINE_FUNCTION T hardening_measure(int i, const T& h) const {
+    return i == 0 ? h : T(1.0);
+  }
   template <class S, class T>
   KOKKOS_INLINE_FUNCTION T hardened(int i, const S& h, const T& x) const {
     if (i == 0) return h * exponential(x);

@@ -10,7 +10,8 @@ void MohrCoulomb::parameters(Parameters& p) {
   elasticity.parameters(p);
   p.add("stiffness exponent", exponent, "-", half_open(0.0, 1.0),
         "Of the growth of Young's modulus with the mean effective stress; 0: it is constant; sands have about 0.5");
-  p.add("reference pressure", reference_pressure, "Pa", positive(), "Mean effective stress at which Young's modulus is the given one");
+  p.add("reference pressure", reference_pressure, "Pa", positive(),
+        "Mean effective stress at which Young's modulus is the given one");
   cohesion.parameters(p, "cohesion");
   p.required("friction angle [deg]", friction, "deg", closed(0.0, 60.0), "Of effective stress; 0 is Tresca");
   p.add("dilation angle [deg]", dilation, "deg", closed(0.0, 60.0), "Of plastic flow, not above the friction angle");
@@ -25,7 +26,8 @@ void MohrCoulomb::check(const Section& section) const {
   if (exponent == 0.0 && section.has_parameter("reference pressure"))
     section.fail("has a meaning only with a 'stiffness exponent' above 0", "reference pressure");
   if (exponent > 0.0 && !(friction > 0.0))
-    section.fail("needs a friction angle above 0, which says how strength and stiffness grow with the stress", "stiffness exponent");
+    section.fail("needs a friction angle above 0, which says how strength and stiffness grow with the stress",
+                 "stiffness exponent");
   if (dilation > friction)
     section.fail("the dilation angle must not be greater than the friction angle", "dilation angle [deg]");
   if (!(cohesion.value > 0.0) && !(cohesion.gradient > 0.0))

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
 namespace mudline {
 
-/// Mohr-Coulomb, linear elastic (or stiffer with the pressure) and perfectly plastic, smooth everywhere (Abbo & Sloan 1995, Computers & Structures
-/// 54:427; Abbo, Lyamin, Sloan & Hambleton 2011, IJSS 48:3001). p' compression positive:
+/// Mohr-Coulomb, linear elastic (or stiffer with the pressure) and perfectly plastic, smooth everywhere (Abbo & Sloan
+/// 1995, Computers & Structures 54:427; Abbo, Lyamin, Sloan & Hambleton 2011, IJSS 48:3001). p' compression positive:
 ///     yield      f = sqrt(J2 K(S)^2 + m^2) - p' sin(phi) - c cos(phi) = 0, m = a c cos(phi)
 ///     potential  g = sqrt(J2 K_psi(S)^2 + (a c cos(psi))^2) - p' sin(psi)
 /// K rounds the corners of the hexagon (lode_shape.hpp), the hyperbola rounds the tip: a is the fraction of the
@@ -15,7 +16,8 @@ namespace mudline {
 /// differ, and with psi = 0 none of them could be returned to the cone. c grows with depth, fixed to the material where
 /// it starts. Code: tension positive, [Pa].
 ///
-/// Stiffness (Ohde 1939; Schanz, Vermeer & Bonnier 1999, Beyond 2000 in Computational Geotechnics, p. 281): with an exponent n
+/// Stiffness (Ohde 1939; Schanz, Vermeer & Bonnier 1999, Beyond 2000 in Computational Geotechnics, p. 281): with an
+/// exponent n
 ///     E = E_ref ((c cos(phi) + p' sin(phi)) / (c cos(phi) + p_ref sin(phi)))^n,  p' >= 0 of the start of the increment
 ///
 /// An initial stress outside the surface is brought back to it, at fixed strain, when the law is first evaluated.
@@ -38,6 +40,13 @@ struct MohrCoulomb : ConeTip {
   std::string initialise(const InitialPoint& point, double* state) const;
   /// (1 - sin(phi)) R^sin(phi), at most the passive ratio (Jaky 1944; Mayne & Kulhawy 1982).
   double k0(double overconsolidation_ratio) const;
+  /// Without friction the cohesion is the undrained strength.
+  SoilState soil_state(const double*, double, const double* state) const {
+    return friction > 0.0 ? SoilState{} : SoilState{state[cohesion_here], {}};
+  }
+  EarthPressures earth_pressures(double vertical, const Point& position) const {
+    return rankine_earth_pressures(vertical, sine_, cohesion.at(position));
+  }
 
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double* stress, double, const double* state) const {
     return moduli_at(::fmax(sym6::mean_pressure(stress), 0.0), state[cohesion_here]);
@@ -80,8 +89,8 @@ KOKKOS_INLINE_FUNCTION FrictionalModel MohrCoulomb::model(double c, const double
 template <class T>
 KOKKOS_INLINE_FUNCTION bool MohrCoulomb::update(const SkeletonPoint& in, const T* strain, const double* state_old,
                                                 T* stress, double* state) const {
-  return integrate_point(model(state_old[cohesion_here], in.stress), integration, in, strain, state_old[plastic_shear_strain], stress,
-                         state[plastic_shear_strain]);
+  return integrate_point(model(state_old[cohesion_here], in.stress), integration, in, strain,
+                         state_old[plastic_shear_strain], stress, state[plastic_shear_strain]);
 }
 
 }  // namespace mudline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
 namespace mudline {
@@ -37,6 +38,10 @@ struct Tresca {
   void prepare() { shape_ = LodeShape::mohr_coulomb(0.0, transition); }
   static std::vector<StateVariable> state();
   std::string initialise(const InitialPoint& point, double* state) const;
+  SoilState soil_state(const double*, double, const double* state) const { return {state[strength_here], {}}; }
+  EarthPressures earth_pressures(double vertical, const Point& position) const {
+    return rankine_earth_pressures(vertical, 0.0, strength.at(position));
+  }
 
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double* state) const {
     const double shear = shear_modulus > 0.0 ? shear_modulus : rigidity * state[strength_here];

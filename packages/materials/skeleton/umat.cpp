@@ -1,11 +1,11 @@
 #include "materials/skeleton/umat.hpp"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "core/foreign_library.hpp"
+#include "core/guarded.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
@@ -92,11 +92,8 @@ void Umat::check(const Section& section) {
                    "tensor state");
     free = first + 6;
   }
-  handle_ = std::shared_ptr<void>(dlopen(library_.c_str(), RTLD_NOW | RTLD_LOCAL), [](void* h) {
-    if (h != nullptr) dlclose(h);
-  });
-  if (!handle_) section.fail(std::string("the library cannot be loaded: ") + dlerror(), "library");
-  routine_ = dlsym(handle_.get(), symbol_.c_str());
+  routine_ = guarded(section, "library", "the library cannot be loaded",
+                     [&] { return ForeignLibrary(library_).function(symbol_); });
   if (routine_ == nullptr)
     section.fail("the library '" + std::filesystem::path(library_).filename().string() + "' holds no subroutine '" +
                      symbol_ + "'; compilers usually write UMAT as umat_",
@@ -144,11 +141,7 @@ bool Umat::update(const SkeletonWorkset& w, int point, Scratch& s) const {
       for (int j = 0; j < components_; ++j) w.tangent(point, 6 * ours[i] + ours[j]) = s.ddsdde[i + components_ * j];
     for (int c = 3; c < 5 && components_ == 4; ++c) w.tangent(point, 7 * c) = shear_;  // never strained, but regular
   }
-  bool finite = true;
-  for (int i = 0; i < components_; ++i) finite = finite && std::isfinite(s.stress[i]);
-  for (int i = 0; i < state_count_; ++i) finite = finite && std::isfinite(s.statev[i]);
-  for (int i = 0; i < components_ * components_ && w.want_tangent; ++i) finite = finite && std::isfinite(s.ddsdde[i]);
-  return finite && !(pnewdt < 1.0);
+  return !(pnewdt < 1.0);
 }
 
 int Umat::evaluate(const SkeletonWorkset& w) const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,7 +47,6 @@ class Umat : public Skeleton {
   double k0_ = -1.0;
   std::vector<StateVariable> variables_;
   std::vector<int> source_;  // component of the state (behind the strain) -> index in STATEV
-  std::shared_ptr<void> handle_;
   void* routine_ = nullptr;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
 namespace mudline {
@@ -26,6 +27,11 @@ struct VonMises {
   std::string initialise(const InitialPoint&, double* state) const {
     state[equivalent_plastic_strain] = 0.0;
     return "";
+  }
+  /// In simple shear.
+  SoilState soil_state(const double*, double, const double*) const { return {yield_stress / std::sqrt(3.0), {}}; }
+  EarthPressures earth_pressures(double vertical, const Point&) const {
+    return cone_earth_pressures(vertical, 0.0, yield_stress / std::sqrt(3.0));
   }
 
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double*) const {

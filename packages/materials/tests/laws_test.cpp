@@ -37,6 +37,23 @@ TEST(LinearElastic, StressAddsToTheInitialStress) {
   EXPECT_NEAR(law->k0(1.0), 1.0 / 3.0, 1e-15);
 }
 
+TEST(StrengthProfile, GrowsBelowTheReferenceElevation) {
+  Teuchos::ParameterList sand, clay;
+  sand.set("type", "mohr-coulomb").set("Young's modulus", 1e7).set("Poisson's ratio", 0.25);
+  sand.set("friction angle [deg]", 30.0).set("cohesion", 5e3).set("cohesion gradient", 2e3);
+  clay.set("type", "tresca").set("rigidity index", 100.0).set("Poisson's ratio", 0.49);
+  clay.set("undrained strength", 5e3).set("undrained strength gradient", 2e3);
+  for (Teuchos::ParameterList* list : {&sand, &clay}) {
+    list->set("reference elevation", 3.0);
+    const auto law = Registries().skeletons.create(section(*list));
+    for (const double y : {5.0, 3.0, -1.0}) {
+      std::vector<double> state(law->state_size());
+      EXPECT_EQ(law->initialise({{0, y, 0}, {-1e5, -1e5, -1e5, 0, 0, 0}, 0.8}, state.data()), "");
+      EXPECT_EQ(std::count(state.begin(), state.end(), 5e3 + 2e3 * std::max(0.0, 3.0 - y)), 1) << y;
+    }
+  }
+}
+
 std::unique_ptr<Permeability> permeability(const std::string& type, double index = 0.0, double reference = 0.0) {
   Teuchos::ParameterList list;
   list.set("type", type);

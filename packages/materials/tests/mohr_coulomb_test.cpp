@@ -161,12 +161,14 @@ TEST(MohrCoulomb, CohesionGrowsWithDepthAndStaysWithTheMaterial) {
 }
 
 TEST(MohrCoulomb, StiffnessGrowsWithThePressure) {
-  // isotropic compression: dp' = K_ref ((p' + t)/(p_ref + t))^n deps_v with t = c cot(phi), so (p' + t)^(1 - n) grows linearly
+  // isotropic compression: dp' = K_ref ((p' + t)/(p_ref + t))^n deps_v with t = c cot(phi), so (p' + t)^(1 - n) grows
+  // linearly
   MohrCoulomb parameters = soil();
   parameters.exponent = 0.6;
   parameters.reference_pressure = 80e3;
   parameters.prepare();
-  const double bulk = parameters.elasticity.moduli().bulk, tip = 10e3 / std::tan(30.0 * degree), strain = 5e-3, start = 50e3;
+  const double bulk = parameters.elasticity.moduli().bulk, tip = 10e3 / std::tan(30.0 * degree), strain = 5e-3,
+               start = 50e3;
   const double grown = std::pow(start + tip, 0.4) + 0.4 * bulk * strain / std::pow(80e3 + tip, 0.6);
   const double exact = std::pow(grown, 1.0 / 0.4) - tip;
   double error[2];
@@ -174,7 +176,8 @@ TEST(MohrCoulomb, StiffnessGrowsWithThePressure) {
     const Law law(parameters);
     PointDriver point(law, {-start, -start, -start, 0, 0, 0}, 0.8);
     const int steps = fine ? 400 : 200;
-    for (int i = 0; i < steps; ++i) point.step({-strain / 3 / steps, -strain / 3 / steps, -strain / 3 / steps, 0, 0, 0});
+    for (int i = 0; i < steps; ++i)
+      point.step({-strain / 3 / steps, -strain / 3 / steps, -strain / 3 / steps, 0, 0, 0});
     error[fine] = point.p() - exact;
   }
   EXPECT_NEAR(error[1], 0.0, 1e-3 * (exact - start));
@@ -182,7 +185,8 @@ TEST(MohrCoulomb, StiffnessGrowsWithThePressure) {
   const double state[MohrCoulomb::state_size] = {10e3, 0.0};
   const double stress[6] = {-80e3, -80e3, -80e3, 0, 0, 0}, tension[6] = {1e3, 1e3, 1e3, 0, 0, 0};
   EXPECT_DOUBLE_EQ(parameters.moduli(stress, 0.8, state).shear, parameters.elasticity.moduli().shear);
-  EXPECT_NEAR(parameters.moduli(tension, 0.8, state).shear, parameters.elasticity.moduli().shear * std::pow(tip / (80e3 + tip), 0.6), 1.0);
+  EXPECT_NEAR(parameters.moduli(tension, 0.8, state).shear,
+              parameters.elasticity.moduli().shear * std::pow(tip / (80e3 + tip), 0.6), 1.0);
 }
 
 TEST(MohrCoulomb, LargeSimpleShearKeepsTheStressOnTheSurface) {

@@ -22,7 +22,8 @@ std::vector<std::vector<GlobalOrdinal>> node_parents(const Soil& soil) {
         const int node = b.nodes(e, a);
         if (node >= mesh.num_owned_nodes() || !parents[node].empty()) continue;
         if (a < 2 * corners)
-          parents[node] = {mesh.node_ids()[b.nodes(e, a - corners)], mesh.node_ids()[b.nodes(e, (a - corners + 1) % corners)]};
+          parents[node] = {mesh.node_ids()[b.nodes(e, a - corners)],
+                           mesh.node_ids()[b.nodes(e, (a - corners + 1) % corners)]};
         else
           for (int c = 0; c < corners; ++c) parents[node].push_back(mesh.node_ids()[b.nodes(e, c)]);
       }
@@ -30,13 +31,15 @@ std::vector<std::vector<GlobalOrdinal>> node_parents(const Soil& soil) {
   return parents;
 }
 
-/// Volume means of the coefficients, this rank's sums: volume, constrained modulus, drained modulus, density, 1/Q, kappa.
+/// Volume means of the coefficients, this rank's sums: volume, constrained modulus, drained modulus, density, 1/Q,
+/// kappa.
 struct Means {
   double sum[6] = {0, 0, 0, 0, 0, 0};
 };
 
 template <int NU, int NP>
-void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, Means& means, CrsMatrix* mass, CrsMatrix* laplacian) {
+void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, Means& means, CrsMatrix* mass,
+               CrsMatrix* laplacian) {
   const RCP<const Map>& overlap = soil.space->dofs()->overlap();
   for (int e = 0; e < b.elements; ++e) {
     double x[NU][2], q_e[NP > 0 ? NP : 1][NP > 0 ? NP : 1] = {{0}}, l_e[NP > 0 ? NP : 1][NP > 0 ? NP : 1] = {{0}};
@@ -47,12 +50,17 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, Means
       const double dv = at.volume(b.u.weights(q));
       const int row = e * b.points + q;
       const double void_ratio = view.committed->arrays[b.void_ratio](row, 0), n = void_ratio / (1 + void_ratio);
-      const ElasticModuli m = b.material->skeleton->moduli(&view.committed->arrays[b.stress](row, 0), void_ratio,
-                                                           view.committed->arrays[b.law].data() + row * view.committed->arrays[b.law].extent(1));
-      const double mobility = b.porous() ? b.material->permeability->conductivity(void_ratio, view.committed->arrays[b.void_ratio](row, 1)).k /
-                                               b.material->fluid->unit_weight()
-                                         : 0.0;
-      const double values[6] = {1, m.bulk + 4.0 / 3 * m.shear, m.bulk + m.shear / 3, b.material->density(n), b.material->storage(n), mobility};
+      const ElasticModuli m = b.material->skeleton->moduli(
+          &view.committed->arrays[b.stress](row, 0), void_ratio,
+          view.committed->arrays[b.law].data() + row * view.committed->arrays[b.law].extent(1));
+      const double mobility =
+          b.porous()
+              ? b.material->permeability->conductivity(void_ratio, view.committed->arrays[b.void_ratio](row, 1)).k /
+                    b.material->fluid->unit_weight()
+              : 0.0;
+      const double values[6] = {
+          1,       m.bulk + 4.0 / 3 * m.shear, m.bulk + m.shear / 3, b.material->density(n), b.material->storage(n),
+          mobility};
       for (int i = 0; i < 6; ++i) means.sum[i] += dv * values[i];
       if constexpr (NP > 0) {
         double j[2][2] = {{0, 0}, {0, 0}}, gp[NP][2];

@@ -6,13 +6,11 @@ namespace mudline {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // relative size of contributions below which a balance cannot be resolved
-
 /// Everything at one quadrature point that residual and tangent share.
 struct FluidPoint {
   double n, storage, mobility, mobility_slope;  // kappa [m2/(Pa s)], d kappa / d n
   double divergence, velocity_gradient[2][2], radial_velocity;
-  double pdot, flow[2];                          // grad p - rho_f g + rho_f a [Pa/m]
+  double pdot, flow[2];  // grad p - rho_f g + rho_f a [Pa/m]
   double grad_p[2];
 };
 
@@ -34,15 +32,35 @@ struct FluidMassKernel {
   ConstCoordinateView x_old, x_alpha;
   ConstNodalView value, value_old, rate, acceleration;
 
-  FluidMassKernel(const Soil& soil, const SoilBlock& b, const StepView& view, std::array<double, 2> g, bool fluid_acceleration)
-      : axisymmetric(soil.axisymmetric), accelerating(fluid_acceleration && view.inertia), points(b.points),
-        mixture(*b.material), permeability(b.material->permeability.get()), unit_weight(b.material->fluid->unit_weight()),
-        gravity{g[0], g[1]}, u(view.sensitivity[soil.displacement]), p(view.sensitivity[soil.pressure]),
-        geometry_slope(view.balance.geometry_weight), weights(b.u.weights), N(b.u.N), Np(b.p.N), dN(b.u.dN), dNp(b.p.dN),
-        nodes(b.nodes), dofs(b.dofs), void_ratio(view.committed->arrays[b.void_ratio]), x_old(view.x_old),
-        x_alpha(view.balance.x), value(view.value), value_old(view.value_old), rate(view.rate), acceleration(view.acceleration) {}
+  FluidMassKernel(const Soil& soil, const SoilBlock& b, const StepView& view, std::array<double, 2> g,
+                  bool fluid_acceleration)
+      : axisymmetric(soil.axisymmetric),
+        accelerating(fluid_acceleration && view.inertia),
+        points(b.points),
+        mixture(*b.material),
+        permeability(b.material->permeability.get()),
+        unit_weight(b.material->fluid->unit_weight()),
+        gravity{g[0], g[1]},
+        u(view.sensitivity[soil.displacement]),
+        p(view.sensitivity[soil.pressure]),
+        geometry_slope(view.balance.geometry_weight),
+        weights(b.u.weights),
+        N(b.u.N),
+        Np(b.p.N),
+        dN(b.u.dN),
+        dNp(b.p.dN),
+        nodes(b.nodes),
+        dofs(b.dofs),
+        void_ratio(view.committed->arrays[b.void_ratio]),
+        x_old(view.x_old),
+        x_alpha(view.balance.x),
+        value(view.value),
+        value_old(view.value_old),
+        rate(view.rate),
+        acceleration(view.acceleration) {}
 
-  /// Pressure gradients on the element's own (quadratic) map: the linear shapes' reference gradients pulled by its Jacobian.
+  /// Pressure gradients on the element's own (quadratic) map: the linear shapes' reference gradients pulled by its
+  /// Jacobian.
   KOKKOS_INLINE_FUNCTION void pressure_gradients(int q, const double (&x)[NU][2], double (&gp)[NP][2]) const {
     double j[2][2] = {{0, 0}, {0, 0}};
     for (int a = 0; a < NU; ++a)
@@ -95,8 +113,9 @@ struct FluidMassKernel {
     return true;
   }
 
-  int residual(int e, const ResidualView& f, double& squares) const {
-    double xo[NU][2], x[NU][2], r[NP] = {0}, scale[NP] = {0};
+  /// Both storage and flow act in the step, each by itself: in consolidation they cancel.
+  int residual(int e, const ResidualView& f) const {
+    double xo[NU][2], x[NU][2], stored[NP] = {0}, flown[NP] = {0}, r[NP], acting[NP];
     gather<NU>(nodes, e, x_old, xo);
     gather<NU>(nodes, e, x_alpha, x);
     for (int q = 0; q < points; ++q) {
@@ -108,24 +127,17 @@ struct FluidMassKernel {
       FluidPoint s;
       if (!point(e, q, xo, at, gp, s)) return 1;
       const double dv = at.volume(weights(q));
-      const double stored = mixture.alpha * s.divergence + s.storage * s.pdot;
-      // a uniform pressure or a rigid motion leaves rounding only: the floor of the scale
-      double uncancelled[2] = {0, 0}, motion = 0;
-      for (int c = 0; c < NP; ++c)
-        for (int i = 0; i < 2; ++i) uncancelled[i] += rounding * std::abs(gp[c][i] * value(dofs(e, 2 * NU + c)));
-      for (int b = 0; b < NU; ++b)
-        for (int i = 0; i < 2; ++i) motion += rounding * std::abs(at.g[b][i] * rate(dofs(e, 2 * b + i)));
-      const double stored_size = mixture.alpha * motion + std::abs(mixture.alpha * s.divergence) + std::abs(s.storage * s.pdot);
+      const double storage = mixture.alpha * s.divergence + s.storage * s.pdot;
       for (int c = 0; c < NP; ++c) {
-        r[c] += dv * (Np(q, c) * stored + s.mobility * (gp[c][0] * s.flow[0] + gp[c][1] * s.flow[1]));
-        // the parts' own size: they cancel in a hydrostatic or a steady state
-        for (int i = 0; i < 2; ++i)
-          scale[c] += dv * s.mobility * std::abs(gp[c][i]) * (std::abs(s.grad_p[i]) + std::abs(s.flow[i] - s.grad_p[i]) + uncancelled[i]);
-        scale[c] += dv * std::abs(Np(q, c)) * stored_size;
+        stored[c] += dv * Np(q, c) * storage;
+        flown[c] += dv * s.mobility * (gp[c][0] * s.flow[0] + gp[c][1] * s.flow[1]);
       }
     }
-    scatter_vector<NP>(dofs, e, 2 * NU, r, f);
-    for (int c = 0; c < NP; ++c) squares += scale[c] * scale[c];
+    for (int c = 0; c < NP; ++c) {
+      r[c] = stored[c] + flown[c];
+      acting[c] = std::abs(stored[c]) + std::abs(flown[c]);
+    }
+    scatter_vector<NP>(dofs, e, 2 * NU, r, acting, f);
     return 0;
   }
 
@@ -143,13 +155,15 @@ struct FluidMassKernel {
         const double D = at.g[b][j] + (j == 0 ? N(q, b) * over_r : 0.0);  // div of the variation
         double d_div = -(s.velocity_gradient[0][j] * at.g[b][0] + s.velocity_gradient[1][j] * at.g[b][1]);
         if (j == 0) d_div -= s.radial_velocity * over_r * N(q, b) * over_r;
-        const double volume = mixture.alpha * (u.rate * D + geometry_slope * d_div) + geometry_slope * D * (stored + storage_slope);
+        const double volume =
+            mixture.alpha * (u.rate * D + geometry_slope * d_div) + geometry_slope * D * (stored + storage_slope);
         const double flow_scale = geometry_slope * D * (s.mobility + s.mobility_slope * slope);
         const double inertia = accelerating ? mixture.fluid_density * u.acceleration * N(q, b) : 0.0;
         for (int c = 0; c < NP; ++c) {
           const double gg = gp[c][0] * at.g[b][0] + gp[c][1] * at.g[b][1];
-          ku[c][2 * b + j] += dv * (Np(q, c) * volume + conduct[c] * flow_scale +
-                                    s.mobility * (gp[c][j] * (inertia - geometry_slope * gq) - geometry_slope * gg * s.grad_p[j]));
+          ku[c][2 * b + j] +=
+              dv * (Np(q, c) * volume + conduct[c] * flow_scale +
+                    s.mobility * (gp[c][j] * (inertia - geometry_slope * gq) - geometry_slope * gg * s.grad_p[j]));
         }
       }
     }
@@ -160,7 +174,8 @@ struct FluidMassKernel {
                           s.mobility * p.value * (gp[c][0] * gp[d][0] + gp[c][1] * gp[d][1]));
         if (by_pressure != 0)
           kp[c][d] += dv * Np(q, d) * by_pressure *
-                      (Np(q, c) * s.pdot * (mixture.fluid_compliance - mixture.grain_compliance) + s.mobility_slope * conduct[c]);
+                      (Np(q, c) * s.pdot * (mixture.fluid_compliance - mixture.grain_compliance) +
+                       s.mobility_slope * conduct[c]);
       }
   }
 
@@ -185,7 +200,8 @@ struct FluidMassKernel {
 
 /// Calls f(kernel) for the block's pair; soil without pore fluid has no fluid mass.
 template <class F>
-int with_kernel(const Soil& soil, const SoilBlock& b, const StepView& view, std::array<double, 2> g, bool acceleration, F&& f) {
+int with_kernel(const Soil& soil, const SoilBlock& b, const StepView& view, std::array<double, 2> g, bool acceleration,
+                F&& f) {
   return dispatch_pair(b.shape, true, [&](auto pair) {
     using Pair = decltype(pair);
     if constexpr (Pair::NP > 0)
@@ -198,15 +214,15 @@ int with_kernel(const Soil& soil, const SoilBlock& b, const StepView& view, std:
 }  // namespace
 
 int FluidMass::residual(const StepView& view, const ResidualView& f) {
-  magnitude_squared_ = 0;
   if (!view.flow) return 0;
   int failures = 0;
   for (const SoilBlock& b : soil_->blocks)
-    failures += with_kernel(*soil_, b, view, gravity_.at(view.balance.time), fluid_acceleration_, [&](const auto& kernel) {
-      int failed = 0;
-      for (int e = 0; e < b.elements; ++e) failed += kernel.residual(e, f, magnitude_squared_);
-      return failed;
-    });
+    failures +=
+        with_kernel(*soil_, b, view, gravity_.at(view.balance.time), fluid_acceleration_, [&](const auto& kernel) {
+          int failed = 0;
+          for (int e = 0; e < b.elements; ++e) failed += kernel.residual(e, f);
+          return failed;
+        });
   return failures;
 }
 

@@ -9,7 +9,8 @@
 namespace mudline {
 
 /// Mass balance of the pore fluid on the configuration of the alpha level (design 2; convention B of the field):
-///   R_p = int Np^T [alpha div v + pdot/Q] dv + int grad(Np)^T kappa (grad p - rho_f g [+ rho_f a]) dv,  kappa = k(e)/gamma_w.
+///   R_p = int Np^T [alpha div v + pdot/Q] dv + int grad(Np)^T kappa (grad p - rho_f g [+ rho_f a]) dv,  kappa =
+///   k(e)/gamma_w.
 /// p: compression positive, outflow positive. In a geostatic stage the pore
 /// pressures are given and held, and the term is silent.
 class FluidMass : public Term {
@@ -19,12 +20,10 @@ class FluidMass : public Term {
   std::string name() const override { return "fluid mass"; }
   bool does_work() const override { return false; }
   int residual(const StepView& view, const ResidualView& f) override;
-  double magnitude_squared(int field) const override { return field == soil_->pressure ? magnitude_squared_ : 0.0; }
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
  private:
   std::shared_ptr<Soil> soil_;
-  double magnitude_squared_ = 0;
   Gravity gravity_;
   bool fluid_acceleration_;
 };

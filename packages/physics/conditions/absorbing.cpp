@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "physics/dof_ids.hpp"
+
 namespace mudline {
 
 void AbsorbingBoundary::parameters(Parameters& p) {
@@ -24,12 +26,18 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
 
 void AbsorbingBoundary::declare_state(StateStore& store) {
   store_ = &store;
-  held_ = store.declare({"absorbing/" + Condition::name, {{"held force", 1, "N"}}}, static_cast<int>(held_dofs_.size()));
+  ArrayInfo info{"absorbing/" + Condition::name, {{"held force", 1, "N"}}};
+  const std::vector<long long> ids = dof_ids(*space_->dofs());
+  for (int dof : held_dofs_) info.ids.push_back(ids[dof]);
+  held_ = store.declare(std::move(info), static_cast<int>(held_dofs_.size()));
 }
 
-void AbsorbingBoundary::activate(const State& committed, ConstNodalView unbalanced) {
-  // The held force balances what the soil exerts on the boundary at this instant.
-  for (std::size_t i = 0; i < held_dofs_.size(); ++i) store_->committed().arrays[held_](i, 0) = -unbalanced(held_dofs_[i]);
+void AbsorbingBoundary::activate(const State& committed, const NodalView& unbalanced) {
+  // The held force balances what the soil exerts on the boundary at this instant, and nobody else holds yet.
+  for (std::size_t i = 0; i < held_dofs_.size(); ++i) {
+    store_->committed().arrays[held_](i, 0) = -unbalanced(held_dofs_[i]);
+    unbalanced(held_dofs_[i]) = 0;
+  }
 }
 
 void AbsorbingBoundary::begin(const StepView& view) {
@@ -44,7 +52,8 @@ void AbsorbingBoundary::begin(const StepView& view) {
       const ElasticModuli moduli = b.material->skeleton->moduli(&view.committed->arrays[b.stress](row, 0), e,
                                                                 &view.committed->arrays[b.law](row, 0));
       const double storage = b.material->storage(n), alpha = b.material->biot_coefficient;
-      m += (moduli.bulk + 4.0 / 3 * moduli.shear + (b.porous() && storage > 0 ? alpha * alpha / storage : 0.0)) / b.points;
+      m += (moduli.bulk + 4.0 / 3 * moduli.shear + (b.porous() && storage > 0 ? alpha * alpha / storage : 0.0)) /
+           b.points;
       shear += moduli.shear / b.points;
       rho += b.material->density(n) / b.points;
     }
@@ -73,10 +82,13 @@ int AbsorbingBoundary::residual(const StepView& view, const ResidualView& f) {
     for (std::size_t s = 0; s < sides_.size(); ++s) {
       double c[6][6] = {{0}};
       side_matrix(static_cast<int>(s), view.x_old, c);
-      for (std::size_t a = 0; a < dofs_.extent(1); ++a)
-        for (std::size_t b = 0; b < dofs_.extent(1); ++b) f(dofs_(s, a)) += c[a][b] * view.velocity(dofs_(s, b));
+      for (std::size_t a = 0; a < dofs_.extent(1); ++a) {
+        double force = 0;
+        for (std::size_t b = 0; b < dofs_.extent(1); ++b) force += c[a][b] * view.velocity(dofs_(s, b));
+        f.add(dofs_(s, a), force);
+      }
     }
-  for (std::size_t i = 0; i < held_dofs_.size(); ++i) f(held_dofs_[i]) += view.committed->arrays[held_](i, 0);
+  for (std::size_t i = 0; i < held_dofs_.size(); ++i) f.add(held_dofs_[i], view.committed->arrays[held_](i, 0), 0);
   return 0;
 }
 

@@ -6,15 +6,17 @@
 
 namespace mudline {
 
-/// Viscous boundary (Lysmer and Kuhlemeyer 1969): traction -(rho c_p v_n n + rho c_s v_t) on a side set, with the elastic
-/// wave speeds of the committed state beside it; saturated soil uses the undrained c_p. While active it also holds the
-/// reaction that the boundary carried when it was activated (the static earth pressure), so that a stage may release the
-/// rollers of a geostatic stage without a jump.
+/// Viscous boundary (Lysmer and Kuhlemeyer 1969): traction -(rho c_p v_n n + rho c_s v_t) on a side set, with the
+/// elastic wave speeds of the committed state beside it; saturated soil uses the undrained c_p. While active it also
+/// holds the reaction that the boundary carried when it was activated (the static earth pressure), so that a stage may
+/// release the rollers of a geostatic stage without a jump.
 class AbsorbingBoundary : public SideLoad {
  public:
   void parameters(Parameters& p);
   void bind(const ConditionContext& context, const Section& section) override;
-  void activate(const State& committed, ConstNodalView unbalanced) override;
+  bool may_hold() override { return false; }
+  std::string holds() const override { return set_; }
+  void activate(const State& committed, const NodalView& unbalanced) override;
   void declare_state(StateStore& store) override;
   void begin(const StepView& view) override;
   int residual(const StepView& view, const ResidualView& f) override;
@@ -29,8 +31,8 @@ class AbsorbingBoundary : public SideLoad {
   std::shared_ptr<Soil> soil_;
   double normal_factor_ = 1, tangential_factor_ = 1;
   std::vector<double> impedance_p_, impedance_s_;  // rho c [Pa s/m] by side
-  int held_ = -1;                                   // state array: (overlap displacement node dof) held force
-  std::vector<int> held_dofs_;                      // owned dofs of the set
+  int held_ = -1;                                  // state array: (overlap displacement node dof) held force
+  std::vector<int> held_dofs_;                     // owned dofs of the set
   StateStore* store_ = nullptr;
 };
 

@@ -16,6 +16,21 @@ void Prescribed::bind(const ConditionContext& context, const Section& section) {
   const Mesh& mesh = space_->mesh();
   if (!mesh.has_set(set_)) section.fail("unknown mesh set '" + set_ + "'" + suggestion(set_, mesh.set_names()), "set");
   nodes_ = mesh.nodes_of_set(set_);
+  if (field_name() == "pore pressure" && mesh.has_side_set(set_)) exchange_ = std::make_unique<NodalExchange>(mesh);
+}
+
+void Prescribed::set_closed(const ClosedSides& closed) {
+  open_.clear();
+  if (!exchange_ || !closed.possible) return;
+  const Mesh& mesh = space_->mesh();
+  std::vector<double> open_sides(mesh.num_nodes(), 0.0);
+  for (const Side& side : mesh.side_sets().at(set_)) {
+    if (closed.sides.count({side.block, side.element, side.side})) continue;
+    const ElementBlock& block = mesh.blocks()[side.block];
+    for (int local : side_nodes(block.shape, side.side)) open_sides[block.nodes(side.element, local)] += 1;
+  }
+  exchange_->sum_shared(open_sides);
+  for (double sides : open_sides) open_.push_back(sides > 0);
 }
 
 void Prescribed::reactions(const NodalView& reaction, std::map<std::string, double>& shares) const {
@@ -33,7 +48,8 @@ void DisplacementCondition::parameters(Parameters& p) {
   declare_set(p);
   const char* names[2] = {"x", "y"};
   for (int i = 0; i < 2; ++i) {
-    p.add(names[i], component_[i], "m", "displacement since the last reset, a function of time and initial position; free when absent");
+    p.add(names[i], component_[i], "m",
+          "displacement since the last reset, a function of time and initial position; free when absent");
     given_[i] = p.given(names[i]);
   }
 }
@@ -73,7 +89,8 @@ double VelocityCondition::ramp(double time) const {
 
 void VelocityCondition::prescribe(double t_old, double t_end, const State& committed, Constraints& to) const {
   // Three Gauss points integrate the cubic ramp exactly within a step.
-  const double dt = t_end - t_old, node[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  const double dt = t_end - t_old, node[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)},
+               weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
   for_each_node([&](int dof, int, const Point& x) {
     for (int i = 0; i < 2; ++i) {
       if (!given_[i]) continue;
@@ -106,7 +123,7 @@ void PorePressureCondition::parameters(Parameters& p) {
 }
 
 void PorePressureCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  for_each_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof, value_(t_end, x)); });
+  for_each_open_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof, value_(t_end, x)); });
 }
 
 void HydrostaticCondition::parameters(Parameters& p) {
@@ -116,7 +133,7 @@ void HydrostaticCondition::parameters(Parameters& p) {
 }
 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
-  for_each_node([&](int dof, int node, const Point& x) {
+  for_each_open_node([&](int dof, int node, const Point& x) {
     prescribe_dof(to, dof, std::max(0.0, unit_weight_ * (level_(t_end, x) - committed.coordinates(node, 1))));
   });
 }
@@ -132,11 +149,12 @@ void ValueCondition::bind(const ConditionContext& context, const Section& sectio
   Prescribed::bind(context, section);
   const Field& field = space_->field(field_);
   if (component_ >= field.components)
-    section.fail("field '" + name_ + "' has " + std::to_string(field.components) + " component(s), counted from 0", "component");
+    section.fail("field '" + name_ + "' has " + std::to_string(field.components) + " component(s), counted from 0",
+                 "component");
 }
 
 void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  for_each_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof + component_, value_(t_end, x)); });
+  for_each_open_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof + component_, value_(t_end, x)); });
 }
 
 }  // namespace mudline

@@ -1,17 +1,22 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "physics/closed_sides.hpp"
 #include "physics/condition.hpp"
+#include "physics/nodal_exchange.hpp"
 
 namespace mudline {
 
 /// Conditions that prescribe nodal unknowns on a set.
-class Prescribed : public Condition {
+class Prescribed : public Condition, public HoldsOnOpenSides {
  public:
+  void set_closed(const ClosedSides& closed) override;
   void bind(const ConditionContext& context, const Section& section) override;
   void reactions(const NodalView& reaction, std::map<std::string, double>& shares) const override;
+  std::string holds() const override { return field_name() == "displacement" ? set_ : ""; }
 
  protected:
   /// Field that must exist: its name; its components when `component` is empty.
@@ -28,6 +33,14 @@ class Prescribed : public Condition {
       f(dof, node, Point{x(node, 0), x(node, 1), 0});
     }
   }
+  /// The same for a field that may be the pore pressure, without the nodes all of whose sides in the set are closed to
+  /// water by bodies. Another field, and a set of nodes without sides, has no such nodes.
+  template <class F>
+  void for_each_open_node(F&& f) const {
+    for_each_node([&](int dof, int node, const Point& x) {
+      if (open_.empty() || open_[node]) f(dof, node, x);
+    });
+  }
   static void prescribe_dof(Constraints& to, int dof, double value) {
     to.mask(dof) = 1;
     to.value(dof) = value;
@@ -36,6 +49,10 @@ class Prescribed : public Condition {
   const Space* space_ = nullptr;
   int field_ = -1;
   std::vector<int> nodes_;
+
+ private:
+  std::unique_ptr<const NodalExchange> exchange_;  // of a pore pressure on sides, else null
+  std::vector<char> open_;                         // (local node) has an open side in the set; empty: all nodes count
 };
 
 /// Total displacement since the last reset (a geostatic stage resets it to zero).

@@ -7,7 +7,8 @@ namespace mudline {
 void register_conditions(Registry<Condition>& registry) {
   registry.add<DisplacementCondition>("displacement", "prescribed displacement of a set, component by component");
   registry.add<VelocityCondition>("velocity", "prescribed velocity of a set with an optional smooth ramp from rest");
-  registry.add<FixedCondition>("fixed", "zero displacement of a set in one or both directions (rollers, clamped edges)");
+  registry.add<FixedCondition>("fixed",
+                               "zero displacement of a set in one or both directions (rollers, clamped edges)");
   registry.add<PorePressureCondition>("pore pressure", "prescribed pore pressure, compression positive (0: drained)");
   registry.add<HydrostaticCondition>("hydrostatic pressure", "hydrostatic pore pressure below a water level");
   registry.add<ValueCondition>("value", "prescribed value of any field, e.g. one of a plugin");

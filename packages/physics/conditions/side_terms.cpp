@@ -1,4 +1,5 @@
 #include "physics/conditions/side_terms.hpp"
+#include "discretisation/mesh_topology.hpp"
 
 #include <cmath>
 
@@ -24,7 +25,7 @@ void SideLoad::bind(const ConditionContext& context, const Section& section) {
   if (field_ < 0 || space_->field(field_).support == Support::apart)
     section.fail("this model has no field '" + field_name() + "'" + suggestion(field_name(), fields), "type");
   const Mesh& mesh = space_->mesh();
-  if (!mesh.has_side_set(set_)) section.fail("unknown side set '" + set_ + "'" + suggestion(set_, mesh.side_set_names()), "set");
+  require_boundary(mesh, section, "set", set_);
   for (const Side& side : mesh.side_sets().at(set_)) {
     const ElementBlock& block = mesh.blocks()[side.block];
     LoadedSide loaded{{}, side.block, side.element};
@@ -36,7 +37,8 @@ void SideLoad::bind(const ConditionContext& context, const Section& section) {
   const int components = space_->field(field_).components;
   for (std::size_t s = 0; s < sides_.size(); ++s)
     for (int a = 0; a < width / components; ++a)
-      for (int c = 0; c < components; ++c) dofs(s, a * components + c) = space_->node_dof(field_)(sides_[s].nodes[a]) + c;
+      for (int c = 0; c < components; ++c)
+        dofs(s, a * components + c) = space_->node_dof(field_)(sides_[s].nodes[a]) + c;
   dofs_ = dofs;
   rule_ = line_quadrature(5);
 }
@@ -81,8 +83,10 @@ int Traction::residual(const StepView& view, const ResidualView& f) {
     for_each_point(sides_[s], view.momentum.x, [&](const SidePoint& p) {
       const double ds = std::hypot(p.tangent[0], p.tangent[1]);
       for (int i = 0; i < 2; ++i) {
-        const double t = component_[i](view.momentum.time, p.initial) * ds * p.weight;
-        for (std::size_t a = 0; a < sides_[s].nodes.size(); ++a) f(dofs_(s, 2 * a + i)) -= p.N[a] * t;
+        const double area = ds * p.weight, t = component_[i](view.momentum.time, p.initial) * area,
+                     old = component_[i](view.time_old, p.initial) * area;
+        for (std::size_t a = 0; a < sides_[s].nodes.size(); ++a)
+          f.add(dofs_(s, 2 * a + i), -p.N[a] * t, p.N[a] * (old - t));
       }
     });
   return 0;
@@ -111,13 +115,14 @@ void Traction::jacobian(const StepView& view, Assembler& assembler, double weigh
 
 void SurfacePressure::parameters(Parameters& p) {
   declare_set(p);
-  p.required("value", value_, "Pa", "pressure on the current surface, positive against the body; a function of time and position");
+  p.required("value", value_, "Pa",
+             "pressure on the current surface, positive against the body; a function of time and position");
   p.choice("position", position_, {{"initial", Position::initial}, {"present", Position::present}},
            "where a point is for the function: where it stood in the mesh as it was made, or where it is now");
 }
 
-double SurfacePressure::value(const StepView& view, const SidePoint& p) const {
-  return value_(view.momentum.time, position_ == Position::present ? p.present : p.initial);
+double SurfacePressure::value(double time, const SidePoint& p) const {
+  return value_(time, position_ == Position::present ? p.present : p.initial);
 }
 
 std::array<double, 2> SurfacePressure::gradient(const StepView& view, const SidePoint& p) const {
@@ -128,7 +133,7 @@ std::array<double, 2> SurfacePressure::gradient(const StepView& view, const Side
     SidePoint low = p, high = p;
     low.present[i] -= h;
     high.present[i] += h;
-    result[i] = (value(view, high) - value(view, low)) / (2 * h);
+    result[i] = (value(view.momentum.time, high) - value(view.momentum.time, low)) / (2 * h);
   }
   return result;
 }
@@ -136,10 +141,10 @@ std::array<double, 2> SurfacePressure::gradient(const StepView& view, const Side
 int SurfacePressure::residual(const StepView& view, const ResidualView& f) {
   for (std::size_t s = 0; s < sides_.size(); ++s)
     for_each_point(sides_[s], view.momentum.x, [&](const SidePoint& p) {
-      const double load = value(view, p) * p.weight;
+      const double load = value(view.momentum.time, p) * p.weight, old = value(view.time_old, p) * p.weight;
       const double n[2] = {p.tangent[1], -p.tangent[0]};
       for (std::size_t a = 0; a < sides_[s].nodes.size(); ++a)
-        for (int i = 0; i < 2; ++i) f(dofs_(s, 2 * a + i)) += p.N[a] * load * n[i];
+        for (int i = 0; i < 2; ++i) f.add(dofs_(s, 2 * a + i), p.N[a] * load * n[i], p.N[a] * (load - old) * n[i]);
     });
   return 0;
 }
@@ -150,7 +155,7 @@ void SurfacePressure::jacobian(const StepView& view, Assembler& assembler, doubl
     double k[6][6] = {{0}};
     const std::size_t nodes = sides_[s].nodes.size();
     for_each_point(sides_[s], view.momentum.x, [&](const SidePoint& p) {
-      const double share = view.momentum.geometry_weight * p.weight, load = value(view, p) * share;
+      const double share = view.momentum.geometry_weight * p.weight, load = value(view.momentum.time, p) * share;
       const double n[2] = {p.tangent[1], -p.tangent[0]};
       const auto slope = gradient(view, p);
       for (std::size_t a = 0; a < nodes; ++a)
@@ -170,17 +175,19 @@ void SurfacePressure::jacobian(const StepView& view, Assembler& assembler, doubl
 void NormalFlux::parameters(Parameters& p) {
   declare_set(p);
   p.add("field", name_, "scalar field whose flux is prescribed");
-  p.required("value", value_, "m/s", "outward flux per initial area (discharge of pore water; heat flux density of a temperature)");
+  p.required("value", value_, "m/s",
+             "outward flux per initial area (discharge of pore water; heat flux density of a temperature)");
 }
 
-// The flux is measured per initial area: the discharge through a surface does not change because the surface is stretched.
+// The flux is measured per initial area: the discharge through a surface does not change because the surface is
+// stretched.
 int NormalFlux::residual(const StepView& view, const ResidualView& f) {
   const ConstCoordinateView initial = space_->mesh().coordinates();
   const bool linear = space_->field(field_).support == Support::vertices;
   for (std::size_t s = 0; s < sides_.size(); ++s)
     for_each_point(sides_[s], initial, [&](const SidePoint& p) {
       const double q = value_(view.balance.time, p.initial) * std::hypot(p.tangent[0], p.tangent[1]) * p.weight;
-      for (std::size_t a = 0; a < dofs_.extent(1); ++a) f(dofs_(s, a)) += (linear ? p.Np[a] : p.N[a]) * q;
+      for (std::size_t a = 0; a < dofs_.extent(1); ++a) f.add(dofs_(s, a), (linear ? p.Np[a] : p.N[a]) * q);
     });
   return 0;
 }

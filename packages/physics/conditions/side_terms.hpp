@@ -10,16 +10,16 @@ namespace mudline {
 
 /// One side of the boundary with the dofs and nodes that a load on it touches.
 struct LoadedSide {
-  std::vector<int> nodes;   // two corners, then the middle of a quadratic side
+  std::vector<int> nodes;  // two corners, then the middle of a quadratic side
   int block, element;
 };
 
 /// Quantities at a quadrature point of a side, on a given configuration.
 struct SidePoint {
   double N[3], dN[3], Np[2];
-  double tangent[2];     // dx/dxi [m]; the outward normal times ds/dxi is (tangent[1], -tangent[0])
-  double r;              // [m] 1/(2 pi) in plane strain
-  double weight;         // quadrature weight times 2 pi r
+  double tangent[2];       // dx/dxi [m]; the outward normal times ds/dxi is (tangent[1], -tangent[0])
+  double r;                // [m] 1/(2 pi) in plane strain
+  double weight;           // quadrature weight times 2 pi r
   Point initial, present;  // [m] positions, the argument of functions
 };
 
@@ -49,7 +49,7 @@ class SideLoad : public Condition, public Term {
   int field_ = -1, group_ = -1;
   bool axisymmetric_ = false;
   std::vector<LoadedSide> sides_;
-  ElementDofs dofs_;          // (side, dof)
+  ElementDofs dofs_;  // (side, dof)
   QuadratureRule rule_;
 
  private:
@@ -60,6 +60,7 @@ class SideLoad : public Condition, public Term {
 class Traction : public SideLoad {
  public:
   void parameters(Parameters& p);
+  bool may_hold() override { return false; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
@@ -70,11 +71,13 @@ class Traction : public SideLoad {
   Function component_[2];
 };
 
-/// Pressure that follows the current surface; positive pushes against the body. A function of the point's initial position, or of its
-/// present one (of water in a hole that a body opens, say): then the tangent has its gradient, by central differences.
+/// Pressure that follows the current surface; positive pushes against the body. A function of the point's initial
+/// position, or of its present one (of water in a hole that a body opens, say): then the tangent has its gradient, by
+/// central differences.
 class SurfacePressure : public SideLoad {
  public:
   void parameters(Parameters& p);
+  bool may_hold() override { return false; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
@@ -83,7 +86,7 @@ class SurfacePressure : public SideLoad {
 
  private:
   enum class Position { initial, present };
-  double value(const StepView& view, const SidePoint& p) const;
+  double value(double time, const SidePoint& p) const;
   std::array<double, 2> gradient(const StepView& view, const SidePoint& p) const;
 
   Function value_;
@@ -95,6 +98,7 @@ class NormalFlux : public SideLoad {
  public:
   void parameters(Parameters& p);
   bool does_work() const override { return false; }
+  bool may_hold() override { return false; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 

@@ -31,6 +31,16 @@ BodyLoad load(const RigidBody& body, const StepView& view) {
   return body.released()->load(body.properties(), instant(body, view.momentum.time, value, rate));
 }
 
+/// Loads of the committed state.
+BodyLoad load_at_start(const RigidBody& body, const StepView& view) {
+  double value[body_directions], rate[body_directions];
+  for (int k = 0; k < body.unknowns().count; ++k) {
+    value[k] = view.value_old(body.unknowns().dof[k]);
+    rate[k] = view.committed->rate(body.unknowns().dof[k]);
+  }
+  return body.released()->load(body.properties(), instant(body, view.time_old, value, rate));
+}
+
 }  // namespace
 
 void BodyPaths::begin(const StepView& view) {
@@ -54,10 +64,6 @@ void BodyTerm::sparsity(Assembler& assembler) {
   group_ = assembler.add_group(dofs);
 }
 
-double BodyTerm::magnitude_squared(int field) const {
-  return field == bodies_.front()->unknowns().field ? magnitude_ : 0.0;
-}
-
 void BodyInertia::constrain(const StepView& view, Constraints& constraints) {
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
@@ -72,7 +78,6 @@ void BodyInertia::constrain(const StepView& view, Constraints& constraints) {
 }
 
 int BodyInertia::residual(const StepView& view, const ResidualView& f) {
-  magnitude_ = 0;
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
     const BodyState end = body->prescribed(*view.committed, view.time_old, view.time_end);
@@ -87,10 +92,7 @@ int BodyInertia::residual(const StepView& view, const ResidualView& f) {
         view.trial->acceleration(dof) = acceleration;
       }
       if (!view.inertia || !unknowns.owned) continue;
-      f(dof) += mass * acceleration;
-      // the acceleration is a small difference of large terms: a body in uniform motion has nothing but their rounding
-      const double uncancelled = view.sensitivity[unknowns.field].acceleration * (view.value_end(dof) - view.value_old(dof));
-      magnitude_ += std::pow(mass * acceleration, 2) + std::pow(1e-4 * mass * uncancelled, 2);
+      f.add(dof, mass * acceleration);
     }
   }
   return 0;
@@ -131,15 +133,14 @@ void BodyInertia::histories(const StepView& view, std::map<std::string, double>&
 }
 
 int BodyLoads::residual(const StepView& view, const ResidualView& f) {
-  magnitude_ = 0;
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
     if (!body->released() || !unknowns.owned) continue;
-    const BodyLoad acting = load(*body, view);
+    const BodyLoad acting = load(*body, view), old = load_at_start(*body, view);
     for (int k = 0; k < unknowns.count; ++k) {
-      const double force = acting.force[unknowns.direction[k]] * unknowns.scale[k];
-      f(unknowns.dof[k]) -= force;
-      magnitude_ += force * force;
+      const int direction = unknowns.direction[k];
+      const double force = acting.force[direction] * unknowns.scale[k];
+      f.add(unknowns.dof[k], -force, old.force[direction] * unknowns.scale[k] - force);
     }
   }
   return 0;

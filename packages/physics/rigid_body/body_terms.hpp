@@ -14,12 +14,10 @@ class BodyTerm : public Term {
  public:
   explicit BodyTerm(Bodies bodies) : bodies_(std::move(bodies)) {}
   void sparsity(Assembler& assembler) override;
-  double magnitude_squared(int field) const override;
 
  protected:
   Bodies bodies_;
   int group_ = -1;
-  double magnitude_ = 0;  // of the last residual call
 };
 
 /// Moves all bodies over a step, before the other terms look at them: what is prescribed, and the clocks. No force.

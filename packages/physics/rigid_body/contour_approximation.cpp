@@ -55,11 +55,13 @@ Contour approximated(const Contour& contour, Approximation kind, double chord) {
     } while (true);
     const std::vector<PlanePoint> points = points_along(run, chord);
     if (kind == Approximation::facets) {
-      for (std::size_t k = 1; k < points.size(); ++k) result.push_back(std::make_shared<LinePiece>(points[k - 1], points[k]));
+      for (std::size_t k = 1; k < points.size(); ++k)
+        result.push_back(std::make_shared<LinePiece>(points[k - 1], points[k]));
       continue;
     }
     const PlanePoint first = points.front(), last = points.back();
-    const bool closed = begin == 0 && i == all.size() && !half && std::hypot(last[0] - first[0], last[1] - first[1]) <= tolerance;
+    const bool closed =
+        begin == 0 && i == all.size() && !half && std::hypot(last[0] - first[0], last[1] - first[1]) <= tolerance;
     PlanePoint start = end_direction(points, true, closed, half && std::abs(first[0]) <= tolerance);
     PlanePoint end = end_direction(points, false, closed, half && std::abs(last[0]) <= tolerance);
     // a straight neighbour that it joins smoothly gives the direction
@@ -86,7 +88,8 @@ std::string contour_fault(const Contour& contour) {
     area += p[n - 1][0] * p[0][1] - p[0][0] * p[n - 1][1];
   }
   if (area < -1e-12 * contour.length() * contour.length())
-    return "the contour is inverted: the body must lie on the left of the path from the first point to the last (from the tip "
+    return "the contour is inverted: the body must lie on the left of the path from the first point to the last (from "
+           "the tip "
            "up the right-hand side)";
   const auto side = [](const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

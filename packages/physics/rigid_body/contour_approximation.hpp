@@ -6,9 +6,9 @@
 
 namespace mudline {
 
-/// How faithfully contact sees a contour. facets: chords between points on it, with corners between them; bezier: smooth
-/// cubic pieces through the same points, whose tangents are those of the neighbouring points, as a contour known by its
-/// points only would be smoothed.
+/// How faithfully contact sees a contour. facets: chords between points on it, with corners between them; bezier:
+/// smooth cubic pieces through the same points, whose tangents are those of the neighbouring points, as a contour known
+/// by its points only would be smoothed.
 enum class Approximation { exact, facets, bezier };
 
 /// The contour with every curved piece replaced; chords are at most `chord` [m] long. Straight pieces stay.

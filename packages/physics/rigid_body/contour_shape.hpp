@@ -17,6 +17,9 @@ class ContourShape {
   /// Height [m] above the reference point that separates tip from shaft; 0: all is shaft.
   virtual double tip_height() const { return 0; }
 
+  /// A body of revolution by its name, which in plane strain would be a wedge or a wall.
+  virtual bool of_revolution() const { return false; }
+
  protected:
   /// Declares what all shapes share.
   void common_parameters(Parameters& p);
@@ -37,6 +40,7 @@ class ConeShape : public ContourShape {
   void check(const Section& section);
   Contour build() const override;
   double tip_height() const override;
+  bool of_revolution() const override { return true; }
 
  protected:
   void fillet_parameters(Parameters& p);
@@ -73,9 +77,16 @@ class SphereShape : public ContourShape {
   void parameters(Parameters& p);
   Contour build() const override;
   double tip_height() const override { return diameter_; }
+  bool of_revolution() const override { return true; }
 
  private:
   double diameter_ = 0;
+};
+
+/// The same circle, meant to lie across the plane.
+class CylinderShape : public SphereShape {
+ public:
+  bool of_revolution() const override { return false; }
 };
 
 /// Straight lines through given points with rounded corners, in the body's own frame.

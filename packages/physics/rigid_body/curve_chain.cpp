@@ -20,8 +20,11 @@ std::vector<CadCurve> backwards(const std::vector<CadCurve>& chain) {
   return result;
 }
 
-std::vector<CadCurve> chained(const std::vector<CadCurve>& curves, double tolerance, const Section& section, const std::string& entry) {
-  const auto meet = [tolerance](const CurvePoint& a, const CurvePoint& b) { return std::hypot(a[0] - b[0], a[1] - b[1]) <= tolerance; };
+std::vector<CadCurve> chained(const std::vector<CadCurve>& curves, double tolerance, const Section& section,
+                              const std::string& entry) {
+  const auto meet = [tolerance](const CurvePoint& a, const CurvePoint& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1]) <= tolerance;
+  };
   std::vector<CadCurve> chain{curves.front()}, rest(curves.begin() + 1, curves.end());
   // appends what fits at the end, as often as something does
   const auto extend = [&] {
@@ -33,8 +36,9 @@ std::vector<CadCurve> chained(const std::vector<CadCurve>& curves, double tolera
         if (meet(rest[i].start(), end) || meet(rest[i].end(), end)) fitting.push_back(i);
       if (fitting.empty()) return;
       if (fitting.size() > 1)
-        section.fail("curves " + std::to_string(chain.back().tag) + ", " + std::to_string(rest[fitting[0]].tag) + " and " +
-                         std::to_string(rest[fitting[1]].tag) + " meet at " + place(end) + ": a contour does not branch",
+        section.fail("curves " + std::to_string(chain.back().tag) + ", " + std::to_string(rest[fitting[0]].tag) +
+                         " and " + std::to_string(rest[fitting[1]].tag) + " meet at " + place(end) +
+                         ": a contour does not branch",
                      entry);
       const CadCurve& next = rest[fitting[0]];
       chain.push_back(meet(next.start(), end) ? next : next.reversed());
@@ -48,8 +52,9 @@ std::vector<CadCurve> chained(const std::vector<CadCurve>& curves, double tolera
     chain = backwards(chain);
   }
   if (!rest.empty())
-    section.fail("curve " + std::to_string(rest[0].tag) + " from " + place(rest[0].start()) + " to " + place(rest[0].end()) +
-                     " does not meet the others, whose ends are " + place(chain.front().start()) + " and " + place(chain.back().end()),
+    section.fail("curve " + std::to_string(rest[0].tag) + " from " + place(rest[0].start()) + " to " +
+                     place(rest[0].end()) + " does not meet the others, whose ends are " +
+                     place(chain.front().start()) + " and " + place(chain.back().end()),
                  entry);
   return chain;
 }

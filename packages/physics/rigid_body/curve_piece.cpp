@@ -57,7 +57,8 @@ double CurvePiece::arc(double from, double to) const {
 double CurvePiece::parameter(double s) const {
   if (s <= 0) return 0;
   if (s >= length()) return 1;
-  const int run = std::min(runs - 1, static_cast<int>(std::upper_bound(start_.begin(), start_.end(), s) - start_.begin()) - 1);
+  const int run =
+      std::min(runs - 1, static_cast<int>(std::upper_bound(start_.begin(), start_.end(), s) - start_.begin()) - 1);
   const double from = static_cast<double>(run) / runs;
   double t = from + (s - start_[run]) / (start_[run + 1] - start_[run]) / runs;
   for (int i = 0; i < 20; ++i) {
@@ -94,7 +95,8 @@ double CurvePiece::closest(const PlanePoint& x) const {
     const ParametricCurve::Point p = curve_->at(t);
     return dot(minus(x, p.x), p.d);
   };
-  double low = std::max(0, nearest - 1) / static_cast<double>(runs), high = std::min(runs, nearest + 1) / static_cast<double>(runs);
+  double low = std::max(0, nearest - 1) / static_cast<double>(runs),
+         high = std::min(runs, nearest + 1) / static_cast<double>(runs);
   if (low == 0 && ahead(0) <= 0) return 0;
   if (high == 1 && ahead(1) >= 0) return length();
   double t = static_cast<double>(nearest) / runs;
@@ -128,8 +130,13 @@ ParametricCurve::Point CubicBezier::at(double t) const {
   return p;
 }
 
-NurbsSpan::NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoint> points, std::vector<double> weights, int span)
-    : degree_(degree), span_(span), knots_(std::move(knots)), points_(std::move(points)), weights_(std::move(weights)) {}
+NurbsSpan::NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoint> points, std::vector<double> weights,
+                     int span)
+    : degree_(degree),
+      span_(span),
+      knots_(std::move(knots)),
+      points_(std::move(points)),
+      weights_(std::move(weights)) {}
 
 // De Boor's algorithm on homogeneous coordinates (w x, w y, w); the derivatives are splines of their control points'
 // divided differences.
@@ -137,7 +144,8 @@ ParametricCurve::Point NurbsSpan::at(double t) const {
   using Homogeneous = std::array<double, 3>;
   const double width = knots_[span_ + 1] - knots_[span_], u = knots_[span_] + t * width;
   std::vector<Homogeneous> control;
-  for (int i = span_ - degree_; i <= span_; ++i) control.push_back({weights_[i] * points_[i][0], weights_[i] * points_[i][1], weights_[i]});
+  for (int i = span_ - degree_; i <= span_; ++i)
+    control.push_back({weights_[i] * points_[i][0], weights_[i] * points_[i][1], weights_[i]});
   Homogeneous level[3] = {};
   for (int order = 0; order < 3 && order <= degree_; ++order) {
     const int p = degree_ - order;
@@ -146,7 +154,8 @@ ParametricCurve::Point NurbsSpan::at(double t) const {
       for (std::size_t j = 0; j + 1 < control.size(); ++j) {
         const int i = span_ - degree_ + order + static_cast<int>(j);
         Homogeneous d{};
-        for (int c = 0; c < 3; ++c) d[c] = (p + 1) * (control[j + 1][c] - control[j][c]) / (knots_[i + p + 1] - knots_[i]);
+        for (int c = 0; c < 3; ++c)
+          d[c] = (p + 1) * (control[j + 1][c] - control[j][c]) / (knots_[i + p + 1] - knots_[i]);
         next.push_back(d);
       }
       control = std::move(next);

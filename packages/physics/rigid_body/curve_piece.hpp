@@ -17,8 +17,8 @@ class ParametricCurve {
   virtual Point at(double t) const = 0;
 };
 
-/// A curve as a piece of a contour. Arc length by Gauss' rule over short runs; nearest point by Newton's method from the
-/// nearest of the runs' ends, kept between its neighbours by bisection.
+/// A curve as a piece of a contour. Arc length by Gauss' rule over short runs; nearest point by Newton's method from
+/// the nearest of the runs' ends, kept between its neighbours by bisection.
 class CurvePiece : public ContourPiece {
  public:
   /// std::logic_error where the curve stands still.
@@ -35,7 +35,7 @@ class CurvePiece : public ContourPiece {
   /// Arc length between two parameters of one run.
   double arc(double from, double to) const;
   std::shared_ptr<const ParametricCurve> curve_;
-  std::vector<double> start_;      // arc length at the runs' ends
+  std::vector<double> start_;       // arc length at the runs' ends
   std::vector<PlanePoint> sample_;  // points there
 };
 
@@ -53,7 +53,8 @@ class CubicBezier : public ParametricCurve {
 class NurbsSpan : public ParametricCurve {
  public:
   /// All of the spline and the span [knots[span], knots[span + 1]], which is not empty.
-  NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoint> points, std::vector<double> weights, int span);
+  NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoint> points, std::vector<double> weights,
+            int span);
   Point at(double t) const override;
 
  private:
@@ -66,9 +67,10 @@ class NurbsSpan : public ParametricCurve {
 using ContourPieces = std::vector<std::shared_ptr<const ContourPiece>>;
 
 /// Smooth (C1) cubic pieces through points: the tangent at a point is parallel to the line between its neighbours, the
-/// handles are a third of the chord. Ends: the given directions, or (zero vectors) the slope of the parabola through the
-/// last three points.
-ContourPieces hermite_pieces(const std::vector<PlanePoint>& points, const PlanePoint& first = {}, const PlanePoint& last = {});
+/// handles are a third of the chord. Ends: the given directions, or (zero vectors) the slope of the parabola through
+/// the last three points.
+ContourPieces hermite_pieces(const std::vector<PlanePoint>& points, const PlanePoint& first = {},
+                             const PlanePoint& last = {});
 
 /// Every non-empty span of a clamped spline.
 ContourPieces nurbs_pieces(int degree, const std::vector<double>& knots, const std::vector<PlanePoint>& points,

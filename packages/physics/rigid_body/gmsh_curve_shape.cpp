@@ -54,7 +54,8 @@ double size_of(const std::vector<CadCurve>& curves) {
   double size = 0;
   const CurvePoint origin = curves.front().start();
   for (const CadCurve& curve : curves)
-    for (const CurvePoint& x : {curve.start(), curve.end(), curve.kind == CadCurve::Kind::circle ? curve.points[1] : curve.start()})
+    for (const CurvePoint& x :
+         {curve.start(), curve.end(), curve.kind == CadCurve::Kind::circle ? curve.points[1] : curve.start()})
       size = std::max(size, std::hypot(x[0] - origin[0], x[1] - origin[1]));
   return size;
 }
@@ -64,17 +65,17 @@ double size_of(const std::vector<CadCurve>& curves) {
 void GmshCurveShape::parameters(Parameters& p) {
   position_.remember(p);
   common_parameters(p);
-  p.required_file("file", file_, "Geometry (.geo) or CAD model (.step, .stp, .brep) in the x-y plane");
+  file_.parameters(p, "Geometry (.geo) or CAD model (.step, .stp, .brep) in the x-y plane");
   p.add("physical curve", group_, "Name (or number) of the physical curve that is the contour");
   p.add("curves", curves_, "-", positive(), "Instead of that: numbers of the curves, in any order");
   p.add("origin", origin_, "-", "Point of the model, in its own unit, that becomes the body's reference point");
   p.add("scale", scale_, "m", positive(), "One unit of the model in metres: 0.001 for a model in millimetres");
-  p.passes_on("parameters", "Values for the geometry's named constants (DefineConstant with a Name), by these names");
 }
 
 CurveSelection GmshCurveShape::selection(const Section& section) const {
   if (group_.empty() == curves_.empty())
-    section.fail(group_.empty() ? "which curves are the contour? give a 'physical curve' or 'curves'" : "give either 'physical curve' or 'curves', not both",
+    section.fail(group_.empty() ? "which curves are the contour? give a 'physical curve' or 'curves'"
+                                : "give either 'physical curve' or 'curves', not both",
                  group_.empty() ? "physical curve" : "curves");
   CurveSelection result{group_, {}};
   for (double value : curves_) {
@@ -103,19 +104,21 @@ ContourPieces GmshCurveShape::pieces_of(const CadCurve& curve) const {
 }
 
 void GmshCurveShape::check(const Section& section) {
-  const std::string extension = std::filesystem::path(file_).extension().string();
+  const std::string extension = std::filesystem::path(file_.name).extension().string();
   if (extension != ".geo" && extension != ".step" && extension != ".stp" && extension != ".brep")
-    section.fail("expected a .geo, .step, .stp or .brep file, given '" + short_name(file_) + "'", "file");
+    section.fail("expected a .geo, .step, .stp or .brep file, given '" + short_name(file_.name) + "'", "file");
   const std::string entry = group_.empty() ? "curves" : "physical curve";
-  const auto curves = read_gmsh_curves(file_, gmsh_overrides(section, file_), selection(section), position_);
+  file_.overrides = gmsh_overrides(section, file_.name);
+  const auto curves = read_gmsh_curves(file_, selection(section), position_);
   const double size = size_of(curves), tolerance = 1e-9 * size;
   std::vector<CadCurve> chain = chained(curves, tolerance, section, entry);
   const CurvePoint first = chain.front().start(), last = chain.back().end();
   const auto on_axis = [&](const CurvePoint& x) { return std::abs(x[0] - origin_[0]) <= tolerance; };
   if (extent_ == ContourExtent::half) {
     if (!on_axis(first) && !on_axis(last))
-      section.fail("a half contour starts on its axis, x = " + number_text(origin_[0]) + " of the model; the curves end at (" + number_text(first[0]) +
-                       ", " + number_text(first[1]) + ") and (" + number_text(last[0]) + ", " + number_text(last[1]) + ")",
+      section.fail("a half contour starts on its axis, x = " + number_text(origin_[0]) +
+                       " of the model; the curves end at (" + number_text(first[0]) + ", " + number_text(first[1]) +
+                       ") and (" + number_text(last[0]) + ", " + number_text(last[1]) + ")",
                    entry);
     if (!on_axis(first) || (on_axis(last) && last[1] < first[1])) chain = backwards(chain);
   } else if (signed_area(chain) < 0) {
@@ -125,7 +128,8 @@ void GmshCurveShape::check(const Section& section) {
     for (auto& piece : pieces_of(curve)) pieces_.push_back(std::move(piece));
   for (const auto& piece : pieces_)
     for (int i = 0; i <= 8 && extent_ == ContourExtent::half; ++i)
-      if (piece->point(piece->length() * i / 8)[0] < -tolerance * scale_) section.fail("a half contour has no points left of its axis", entry);
+      if (piece->point(piece->length() * i / 8)[0] < -tolerance * scale_)
+        section.fail("a half contour has no points left of its axis", entry);
   continue_open_end(pieces_, extent_);
 }
 

@@ -9,8 +9,8 @@
 
 namespace mudline {
 
-/// A contour of curves of a Gmsh geometry or a CAD model. They are joined end to end whatever their order and direction,
-/// and traversed so that the body lies on the left: a half contour from its lower end on the axis.
+/// A contour of curves of a Gmsh geometry or a CAD model. They are joined end to end whatever their order and
+/// direction, and traversed so that the body lies on the left: a half contour from its lower end on the axis.
 class GmshCurveShape : public ContourShape {
  public:
   void parameters(Parameters& p);
@@ -23,7 +23,8 @@ class GmshCurveShape : public ContourShape {
   ContourPieces pieces_of(const CadCurve& curve) const;
   PlanePoint placed(const CurvePoint& x) const { return {scale_ * (x[0] - origin_[0]), scale_ * (x[1] - origin_[1])}; }
 
-  std::string file_, group_;
+  GmshFile file_;
+  std::string group_;
   std::vector<double> curves_;
   std::array<double, 2> origin_{};  // in the file's unit
   double scale_ = 1;                // [m] per unit of the file

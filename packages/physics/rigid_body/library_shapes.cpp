@@ -16,24 +16,30 @@ void TorpedoShape::parameters(Parameters& p) {
   p.required("diameter", diameter_, "m", positive(), "Diameter of the shaft");
   p.required("length", length_, "m", positive(), "From the tip to the top");
   p.required("tip length", tip_length_, "m", positive(), "Height of the tip, from its point to the shaft");
-  p.choice("tip", tip_, {{"ogive", Tip::ogive}, {"cone", Tip::cone}}, "ogive: an arc tangent to the shaft; cone: a straight flank");
+  p.choice("tip", tip_, {{"ogive", Tip::ogive}, {"cone", Tip::cone}},
+           "ogive: an arc tangent to the shaft; cone: a straight flank");
   p.add("tip radius", tip_radius_, "m", non_negative(), "Cone: fillet of the apex; 0 is sharp");
   p.add("shoulder radius", shoulder_radius_, "m", non_negative(), "Cone: fillet between flank and shaft; 0 is sharp");
-  p.add("tail length", tail_length_, "m", non_negative(), "Height over which the shaft tapers to the tail's diameter; 0: no taper");
+  p.add("tail length", tail_length_, "m", non_negative(),
+        "Height over which the shaft tapers to the tail's diameter; 0: no taper");
   p.add("tail diameter", tail_diameter_, "m", non_negative(), "Diameter of the top; 0: that of the shaft");
   p.add("top radius", top_radius_, "m", non_negative(), "Fillet of the closed top's edge; 0 is sharp");
-  p.choice("top", top_, {{"closed", Top::closed}, {"continuing", Top::continuing}}, "closed: a flat top; continuing: a follower of the tail's diameter");
+  p.choice("top", top_, {{"closed", Top::closed}, {"continuing", Top::continuing}},
+           "closed: a flat top; continuing: a follower of the tail's diameter");
 }
 
 void TorpedoShape::check(const Section& section) {
   const double radius = 0.5 * diameter_;
   if (tail_diameter_ == 0) tail_diameter_ = diameter_;
   if (tip_length_ + tail_length_ > length_) section.fail("tip and tail are longer than the body", "length");
-  if (tip_ == Tip::ogive && tip_length_ < radius) section.fail("an ogive that is tangent to the shaft is at least as high as half its diameter", "tip length");
+  if (tip_ == Tip::ogive && tip_length_ < radius)
+    section.fail("an ogive that is tangent to the shaft is at least as high as half its diameter", "tip length");
   if (tip_ == Tip::ogive && (tip_radius_ > 0 || shoulder_radius_ > 0))
-    section.fail("only a cone has a fillet at its apex and shoulder", tip_radius_ > 0 ? "tip radius" : "shoulder radius");
+    section.fail("only a cone has a fillet at its apex and shoulder",
+                 tip_radius_ > 0 ? "tip radius" : "shoulder radius");
   if (tail_length_ == 0 && tail_diameter_ != diameter_) section.fail("a taper needs a 'tail length'", "tail diameter");
-  if (tail_length_ > 0 && tip_length_ + tail_length_ == length_) section.fail("there is no shaft between tip and tail", "length");
+  if (tail_length_ > 0 && tip_length_ + tail_length_ == length_)
+    section.fail("there is no shaft between tip and tail", "length");
   if (top_ == Top::continuing && top_radius_ > 0) section.fail("a continuing top has no edge", "top radius");
   if (top_radius_ > 0.5 * tail_diameter_) section.fail("the fillet is larger than the top", "top radius");
 }

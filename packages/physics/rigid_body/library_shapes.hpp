@@ -12,6 +12,7 @@ class TorpedoShape : public ContourShape {
   void check(const Section& section);
   Contour build() const override;
   double tip_height() const override { return tip_length_; }
+  bool of_revolution() const override { return true; }
 
  private:
   enum class Tip { ogive, cone };

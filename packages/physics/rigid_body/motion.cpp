@@ -66,7 +66,8 @@ void register_motions(Registry<BodyMotion>& registry) {
   registry.add<PrescribedDisplacement>("prescribed displacement", "Displacement given as functions of time");
   registry.add<PrescribedVelocity>("prescribed velocity", "Velocity given as functions of time, with a smooth start");
   registry.add<ForceMotion>("force", "Moves under given forces, with or without mass, against what touches it");
-  registry.add<FreeMotion>("free", "Falls or floats: weight, buoyancy, drag and added mass of the water, initial velocity");
+  registry.add<FreeMotion>("free",
+                           "Falls or floats: weight, buoyancy, drag and added mass of the water, initial velocity");
   registry.add<Held>("held", "Stays where it is");
 }
 

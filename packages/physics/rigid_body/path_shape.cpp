@@ -42,12 +42,14 @@ class PathArc : public PathPiece {
   }
   ContourPieces build(const PlanePoint& from) const override {
     const double dx = to_[0] - from[0], dy = to_[1] - from[1], chord = std::hypot(dx, dy), radius = std::abs(radius_);
-    if (!(chord > 0) || chord > 2 * radius * (1 + 1e-12)) throw std::logic_error("the arc's ends must be different and at most its diameter apart");
+    if (!(chord > 0) || chord > 2 * radius * (1 + 1e-12))
+      throw std::logic_error("the arc's ends must be different and at most its diameter apart");
     const double half = std::asin(std::min(1.0, chord / (2 * radius))), sweep = large_ ? 2 * pi - 2 * half : 2 * half;
     // the centre lies on the left of a bulge's short arc
     const double sign = radius_ > 0 ? 1 : -1, away = sign * (large_ ? -1 : 1) * radius * std::cos(half);
     const PlanePoint centre{0.5 * (from[0] + to_[0]) - away * dy / chord, 0.5 * (from[1] + to_[1]) + away * dx / chord};
-    return {std::make_shared<ArcPiece>(centre, radius, std::atan2(from[1] - centre[1], from[0] - centre[0]), sign * sweep)};
+    return {
+        std::make_shared<ArcPiece>(centre, radius, std::atan2(from[1] - centre[1], from[0] - centre[0]), sign * sweep)};
   }
 
  private:
@@ -65,7 +67,8 @@ class PathBezier : public PathPiece {
   void check(const Section& section) {
     check_pairs(section, x_, y_);
     if (x_.empty() || x_.size() % 3 != 0)
-      section.fail("cubic pieces take three control points each after the present one, given " + std::to_string(x_.size()), "x");
+      section.fail(
+          "cubic pieces take three control points each after the present one, given " + std::to_string(x_.size()), "x");
   }
   ContourPieces build(const PlanePoint& from) const override {
     ContourPieces pieces;
@@ -112,24 +115,39 @@ class PathNurbs : public PathPiece {
     p.required("y", y_, "m", any(), "Their heights");
     p.add("degree", degree_, "-", closed(1, 9), "Of the spline");
     p.add("weights", weights_, "-", positive(), "Of all control points, the present one's first; left out: all 1");
-    p.add("knots", knots_, "-", any(), "Non-decreasing, as many as control points + degree + 1, clamped at both ends; left out: uniform");
+    p.add("knots", knots_, "-", any(),
+          "Non-decreasing, as many as control points + degree + 1, clamped at both ends; left out: uniform");
   }
   void check(const Section& section) {
     check_pairs(section, x_, y_);
     const std::size_t n = x_.size() + 1, degree = static_cast<std::size_t>(degree_);
-    if (n < degree + 1) section.fail("a spline of degree " + std::to_string(degree) + " needs at least " + std::to_string(degree) + " points after the present one", "x");
+    if (n < degree + 1)
+      section.fail("a spline of degree " + std::to_string(degree) + " needs at least " + std::to_string(degree) +
+                       " points after the present one",
+                   "x");
     if (weights_.empty()) weights_.assign(n, 1.0);
-    if (weights_.size() != n) section.fail("'weights' has " + std::to_string(weights_.size()) + " values for " + std::to_string(n) + " control points", "weights");
+    if (weights_.size() != n)
+      section.fail(
+          "'weights' has " + std::to_string(weights_.size()) + " values for " + std::to_string(n) + " control points",
+          "weights");
     if (knots_.empty())
       for (std::size_t i = 0; i < n + degree + 1; ++i)
-        knots_.push_back(i <= degree ? 0.0 : i >= n ? static_cast<double>(n - degree) : static_cast<double>(i - degree));
+        knots_.push_back(i <= degree ? 0.0
+                         : i >= n    ? static_cast<double>(n - degree)
+                                     : static_cast<double>(i - degree));
     if (knots_.size() != n + degree + 1)
-      section.fail("'knots' has " + std::to_string(knots_.size()) + " values, needed are " + std::to_string(n + degree + 1), "knots");
+      section.fail(
+          "'knots' has " + std::to_string(knots_.size()) + " values, needed are " + std::to_string(n + degree + 1),
+          "knots");
     if (!std::is_sorted(knots_.begin(), knots_.end())) section.fail("the knots must not decrease", "knots");
     if (knots_[0] != knots_[degree] || knots_[n] != knots_[n + degree] || !(knots_[degree] < knots_[n]))
-      section.fail("the spline must start and end at its first and last control point: the first and the last knot are there degree + 1 times", "knots");
+      section.fail(
+          "the spline must start and end at its first and last control point: the first and the last knot are there "
+          "degree + 1 times",
+          "knots");
     for (std::size_t i = degree + 1; i + degree < n; ++i)
-      if (knots_[i] == knots_[i + degree]) section.fail("a knot inside is there more than degree times: the curve would break", "knots");
+      if (knots_[i] == knots_[i + degree])
+        section.fail("a knot inside is there more than degree times: the curve would break", "knots");
   }
   ContourPieces build(const PlanePoint& from) const override {
     auto points = paired(x_, y_);
@@ -157,9 +175,11 @@ void continue_open_end(ContourPieces& pieces, ContourExtent extent) {
   double length = 0;
   for (const auto& piece : pieces) length += piece->length();
   const bool half = extent == ContourExtent::half;
-  const bool ended = half ? std::abs(at[0]) <= 1e-9 * length : std::hypot(at[0] - first[0], at[1] - first[1]) <= 1e-9 * length;
+  const bool ended =
+      half ? std::abs(at[0]) <= 1e-9 * length : std::hypot(at[0] - first[0], at[1] - first[1]) <= 1e-9 * length;
   const auto* last = dynamic_cast<const LinePiece*>(pieces.back().get());
-  if (!ended && last) pieces.back() = std::make_shared<LinePiece>(last->point(0), last->point(last->length()), false, true);
+  if (!ended && last)
+    pieces.back() = std::make_shared<LinePiece>(last->point(0), last->point(last->length()), false, true);
 }
 
 void PathShape::parameters(Parameters& p) {

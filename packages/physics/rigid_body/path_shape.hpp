@@ -17,7 +17,8 @@ class PathPiece {
 /// "line", "arc", "bezier", "hermite", "nurbs"; a plain list.
 void register_path_pieces(Registry<PathPiece>& registry);
 
-/// A path that is open, neither ending on the axis of a half contour nor closed, goes on for ever where its last piece is a line.
+/// A path that is open, neither ending on the axis of a half contour nor closed, goes on for ever where its last piece
+/// is a line.
 void continue_open_end(ContourPieces& pieces, ContourExtent extent);
 
 /// A contour of lines, arcs and curves, piece after piece.

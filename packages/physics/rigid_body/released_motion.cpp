@@ -12,13 +12,17 @@ const char* const direction_names[body_directions] = {"x", "y", "rotation"};
 void ReleasedMotion::common_parameters(Parameters& p) {
   p.add("freedom", freedom_, "directions in which the body may move: x, y, rotation; the others rest");
   p.add("gravity", gravity_, "m/s2", "acceleration whose force on the mass is the body's weight");
-  p.add("force x", force_[0], "N", "horizontal force on the body, a function of time and of the reference point's position");
-  p.add("force y", force_[1], "N", "vertical force on the body, upwards positive; a function of time and of the reference point's position");
-  p.add("moment", force_[2], "N m", "moment on the body about its centre of mass, counter-clockwise, a function of time");
+  p.add("force x", force_[0], "N",
+        "horizontal force on the body, a function of time and of the reference point's position");
+  p.add("force y", force_[1], "N",
+        "vertical force on the body, upwards positive; a function of time and of the reference point's position");
+  p.add("moment", force_[2], "N m",
+        "moment on the body about its centre of mass, counter-clockwise, a function of time");
   if (p.documenting()) return;
   for (const std::string& name : freedom_) {
     const auto* known = std::find(std::begin(direction_names), std::end(direction_names), name);
-    if (known == std::end(direction_names)) p.deck().fail("unknown direction '" + name + "'; known: x, y, rotation", "freedom");
+    if (known == std::end(direction_names))
+      p.deck().fail("unknown direction '" + name + "'; known: x, y, rotation", "freedom");
     released_[known - std::begin(direction_names)] = true;
   }
   if (freedom_.empty()) p.deck().fail("a body without a free direction has the motion 'held'", "freedom");
@@ -57,7 +61,9 @@ void ReleasedMotion::check_body(const BodyProperties& body, const Section& secti
   const char* const forces[body_directions] = {"force x", "force y", "moment"};
   for (int i = 0; i < body_directions; ++i)
     if (!releases(i) && !force_[i].is_zero())
-      section.fail(std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")", forces[i]);
+      section.fail(
+          std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")",
+          forces[i]);
   if (releases(2) && body.mass > 0 && body.moment_of_inertia <= 0)
     section.fail("a body that may rotate needs a 'moment of inertia'", "freedom");
 }
@@ -65,15 +71,19 @@ void ReleasedMotion::check_body(const BodyProperties& body, const Section& secti
 void BodyWater::parameters(Parameters& p) {
   p.add("density", density, "kg/m3", non_negative(), "of the water around the body; 0: no water");
   p.add("drag coefficient", drag, "-", non_negative(), "C_d of the drag 1/2 rho C_d A |v| v");
-  p.add("drag area", area, "m2", non_negative(), "A of the drag; 0: the largest section of the contour across the vertical");
-  p.add("added mass coefficient", added_mass, "-", non_negative(), "mass of water accelerated with the body over that of its volume");
-  p.add("mudline", mudline, "m", any(), "height of the seabed: buoyancy and drag act on the volume above it; absent: on all of it");
+  p.add("drag area", area, "m2", non_negative(),
+        "A of the drag; 0: the largest section of the contour across the vertical");
+  p.add("added mass coefficient", added_mass, "-", non_negative(),
+        "mass of water accelerated with the body over that of its volume");
+  p.add("mudline", mudline, "m", any(),
+        "height of the seabed: buoyancy and drag act on the volume above it; absent: on all of it");
   has_mudline = p.given("mudline");
 }
 
 void FreeMotion::parameters(Parameters& p) {
   common_parameters(p);
-  p.add("initial velocity", initial_velocity_, "m/s", "velocity with which the body is set free; absent: the one it has");
+  p.add("initial velocity", initial_velocity_, "m/s",
+        "velocity with which the body is set free; absent: the one it has");
   starts_ = p.given("initial velocity");
   p.section("water", water_, "buoyancy, drag and added mass");
 }
@@ -111,10 +121,14 @@ void FreeMotion::check_body(const BodyProperties& body, const Section& section) 
   if (body.mass <= 0) section.fail("a free body needs a 'mass' greater than 0", "type");
   for (int i = 0; i < 2; ++i)
     if (!releases(i) && initial_velocity_[i] != 0)
-      section.fail(std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")", "initial velocity");
+      section.fail(
+          std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")",
+          "initial velocity");
   const Section water = section.section("water");
   if (water_.density == 0 && (water_.drag > 0 || water_.added_mass > 0 || water_.has_mudline))
-    water.fail("there is no water: its 'density' is 0 or missing", water_.drag > 0 ? "drag coefficient" : water_.has_mudline ? "mudline" : "added mass coefficient");
+    water.fail("there is no water: its 'density' is 0 or missing", water_.drag > 0      ? "drag coefficient"
+                                                                   : water_.has_mudline ? "mudline"
+                                                                                        : "added mass coefficient");
   if (water_.area > 0 && water_.drag == 0) water.fail("without a 'drag coefficient' it does nothing", "drag area");
   if (water_.density > 0 && body.volume <= 0)
     water.fail("the body's contour is open: its buoyancy needs a 'volume' of the body", "density");

@@ -34,7 +34,8 @@ struct BodyLoad {
   double by_velocity[body_directions][body_directions] = {};
 };
 
-/// A body that moves as Newton's law says: its released directions are unknowns of the nonlinear system, the others rest.
+/// A body that moves as Newton's law says: its released directions are unknowns of the nonlinear system, the others
+/// rest.
 class ReleasedMotion : public BodyMotion {
  public:
   BodyState advance(const BodyState& old, double t_old, double t_end) const override;
@@ -82,7 +83,9 @@ class FreeMotion : public ReleasedMotion {
   FreeMotion() { gravity_ = {0, -9.81}; }
   void parameters(Parameters& p);
   BodyLoad load(const BodyProperties& body, const BodyInstant& at) const override;
-  double added_mass(const BodyProperties& body) const override { return water_.added_mass * water_.density * body.volume; }
+  double added_mass(const BodyProperties& body) const override {
+    return water_.added_mass * water_.density * body.volume;
+  }
   bool initial_velocity(std::array<double, 2>& velocity) const override;
   void check_body(const BodyProperties& body, const Section& section) const override;
 

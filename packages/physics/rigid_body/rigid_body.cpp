@@ -1,5 +1,7 @@
 #include "physics/rigid_body/rigid_body.hpp"
 
+#include "core/guarded.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,14 +19,17 @@ PlanePoint turned(double angle, const PlanePoint& v) {
 
 void RigidBody::parameters(Parameters& p) {
   p.add("position", position_, "m", "Where the body's reference point (the tip of its contour) is before any motion");
-  p.add("mass", properties_.mass, "kg", non_negative(),
-        "Axisymmetric: of the whole body; plane strain: per metre of depth, of the modelled half if the contour is half");
+  p.add(
+      "mass", properties_.mass, "kg", non_negative(),
+      "Axisymmetric: of the whole body; plane strain: per metre of depth, of the modelled half if the contour is half");
   p.add("moment of inertia", properties_.moment_of_inertia, "kg m2", non_negative(),
         "About the centre of mass, per metre of depth; needed by a body that may rotate");
   p.add("centre of mass", centre_, "m", "In the body's frame, from the reference point");
-  p.add("volume", properties_.volume, "m3", non_negative(), "Volume that displaces water; 0: that of the contour, if it is closed");
+  p.add("volume", properties_.volume, "m3", non_negative(),
+        "Volume that displaces water; 0: that of the contour, if it is closed");
   p.add("tip height", tip_height_, "m", non_negative(),
-        "Height above the reference point below which contact forces are the tip's, above it the shaft's; 0: the shape's own");
+        "Height above the reference point below which contact forces are the tip's, above it the shaft's; 0: the "
+        "shape's own");
   p.passes_on("contour", "Shape of the body; 'type' names a contour");
   p.passes_on("motion", "How the body moves, unless a stage says otherwise; 'type' names a motion");
 }
@@ -37,8 +42,9 @@ std::shared_ptr<RigidBody> RigidBody::read(const Section& section, Geometry geom
   body->parameters(p);
   p.finish();
   const Section contour = section.section("contour");
-  const auto shape = registries.contours.create(contour);
+  const auto shape = create_guarded(registries.contours, contour);
   body->contour_ = std::make_unique<Contour>(shape->contour(contour));
+  body->of_revolution_ = shape->of_revolution();
   body->enclosed_ = std::make_unique<ContourVolume>(body->contour(), geometry);
   if (body->tip_height_ == 0) body->tip_height_ = shape->tip_height();
   const bool half = body->contour().extent() == ContourExtent::half;
@@ -47,7 +53,8 @@ std::shared_ptr<RigidBody> RigidBody::read(const Section& section, Geometry geom
   if (geometry == Geometry::axisymmetric && body->position_[0] != 0)
     section.fail("the axis of an axisymmetric body is r = 0: the first value must be 0", "position");
   if (half && body->centre_[0] != 0)
-    section.fail("the centre of mass of a body with a half contour is on its axis: the first value must be 0", "centre of mass");
+    section.fail("the centre of mass of a body with a half contour is on its axis: the first value must be 0",
+                 "centre of mass");
   BodyProperties& properties = body->properties_;
   properties.geometry = geometry;
   properties.enclosed = body->enclosed_.get();
@@ -57,7 +64,7 @@ std::shared_ptr<RigidBody> RigidBody::read(const Section& section, Geometry geom
 }
 
 std::shared_ptr<const BodyMotion> RigidBody::read_motion(const Section& section, const Registry<BodyMotion>& motions) {
-  std::shared_ptr<const BodyMotion> motion = motions.create(section);
+  std::shared_ptr<const BodyMotion> motion = create_guarded(motions, section);
   if (motion->released()) {
     motion->released()->check_body(properties_, section);
     may_be_free_ = true;
@@ -134,7 +141,8 @@ double RigidBody::speed(const State& state, double dt) const {
     double now[2] = {0, 0}, then[2] = {0, 0}, spin = 0;
     for (int k = 0; k < unknowns_.count; ++k) {
       const int direction = unknowns_.direction[k];
-      const double v = state.rate(unknowns_.dof[k]) * unknowns_.scale[k], a = state.acceleration(unknowns_.dof[k]) * unknowns_.scale[k];
+      const double v = state.rate(unknowns_.dof[k]) * unknowns_.scale[k],
+                   a = state.acceleration(unknowns_.dof[k]) * unknowns_.scale[k];
       if (direction == 2) {
         spin = std::max(std::abs(v), std::abs(v + a * dt));
         continue;

@@ -28,11 +28,11 @@ struct BodyPlacement {
 /// Translations are those of the centre of mass [m]; the rotation is carried as an arc, the angle times the radius of
 /// gyration, so that all components have the unit m, the mass as inertia, and one norm.
 struct BodyUnknowns {
-  int count = 0;                                      // 0: the body's motion is prescribed in every stage
+  int count = 0;  // 0: the body's motion is prescribed in every stage
   int direction[body_directions] = {0, 1, 2};
-  double scale[body_directions] = {1, 1, 1};          // direction's value per unit of the unknown
-  int dof[body_directions] = {-1, -1, -1};            // local (overlap)
-  bool owned = false;                                 // by this rank
+  double scale[body_directions] = {1, 1, 1};  // direction's value per unit of the unknown
+  int dof[body_directions] = {-1, -1, -1};    // local (overlap)
+  bool owned = false;                         // by this rank
   int field = -1;
 };
 
@@ -57,6 +57,8 @@ class RigidBody {
   BodyPlacement initial_placement() const;
   /// Height [m] above the reference point, in the body's frame, below which contact counts as the tip's.
   double tip_height() const { return tip_height_; }
+  /// A body of revolution by the name of its shape.
+  bool of_revolution() const { return of_revolution_; }
 
   /// Whether one of the motions read so far releases the body: it then needs unknowns.
   bool may_be_free() const { return may_be_free_; }
@@ -114,7 +116,7 @@ class RigidBody {
   std::unique_ptr<const ContourVolume> enclosed_;
   std::shared_ptr<const BodyMotion> own_motion_, motion_;
   BodyUnknowns unknowns_;
-  bool may_be_free_ = false;
+  bool may_be_free_ = false, of_revolution_ = false;
   int array_ = -1;
 };
 

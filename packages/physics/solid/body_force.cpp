@@ -11,7 +11,7 @@ struct BodyForceKernel {
   bool axisymmetric, inertia;
   int points;
   Mixture mixture;
-  double lift, gravity[2], acceleration_slope, geometry_slope, pressure_slope;
+  double lift, gravity[2], gravity_old[2], acceleration_slope, geometry_slope, pressure_slope;
   Kokkos::View<double*> weights;
   Kokkos::View<double**, Kokkos::LayoutRight> N, Np;
   Kokkos::View<double***, Kokkos::LayoutRight> dN;
@@ -21,13 +21,29 @@ struct BodyForceKernel {
   ConstCoordinateView x_old, x_alpha;
   ConstNodalView acceleration, value, value_old;
 
-  BodyForceKernel(const Soil& soil, const SoilBlock& b, const StepView& view, bool is_inertia, std::array<double, 2> g)
-      : axisymmetric(soil.axisymmetric), inertia(is_inertia), points(b.points), mixture(*b.material),
-        lift(is_inertia ? 0.0 : soil.uplift(*b.material)), gravity{g[0], g[1]},
-        acceleration_slope(view.sensitivity[soil.displacement].acceleration), geometry_slope(view.momentum.geometry_weight),
-        pressure_slope(soil.pressure >= 0 ? view.sensitivity[soil.pressure].value : 0.0), weights(b.u.weights), N(b.u.N),
-        Np(b.p.N), dN(b.u.dN), nodes(b.nodes), dofs(b.dofs), void_ratio(view.committed->arrays[b.void_ratio]),
-        x_old(view.x_old), x_alpha(view.momentum.x), acceleration(view.acceleration), value(view.value), value_old(view.value_old) {}
+  BodyForceKernel(const Soil& soil, const SoilBlock& b, const StepView& view, bool is_inertia, const Gravity& g)
+      : axisymmetric(soil.axisymmetric),
+        inertia(is_inertia),
+        points(b.points),
+        mixture(*b.material),
+        lift(is_inertia ? 0.0 : soil.uplift(*b.material)),
+        gravity{g.at(view.momentum.time)[0], g.at(view.momentum.time)[1]},
+        gravity_old{g.at(view.time_old)[0], g.at(view.time_old)[1]},
+        acceleration_slope(view.sensitivity[soil.displacement].acceleration),
+        geometry_slope(view.momentum.geometry_weight),
+        pressure_slope(soil.pressure >= 0 ? view.sensitivity[soil.pressure].value : 0.0),
+        weights(b.u.weights),
+        N(b.u.N),
+        Np(b.p.N),
+        dN(b.u.dN),
+        nodes(b.nodes),
+        dofs(b.dofs),
+        void_ratio(view.committed->arrays[b.void_ratio]),
+        x_old(view.x_old),
+        x_alpha(view.momentum.x),
+        acceleration(view.acceleration),
+        value(view.value),
+        value_old(view.value_old) {}
 
   /// Porosity and body acceleration b at a point; false where the configuration is inverted.
   KOKKOS_INLINE_FUNCTION bool point(int e, int q, const PointGeometry<NU>& at, const PointGeometry<NU>& old, double& n,
@@ -50,8 +66,9 @@ struct BodyForceKernel {
     return true;
   }
 
-  KOKKOS_INLINE_FUNCTION int residual(int e, const ResidualView& f, double& squares) const {
-    double xo[NU][2], x[NU][2], r[2 * NU] = {0};
+  /// Inertia acts in the step as a whole, of the weight only its change.
+  KOKKOS_INLINE_FUNCTION int residual(int e, const ResidualView& f) const {
+    double xo[NU][2], x[NU][2], r[2 * NU] = {0}, change[2 * NU] = {0};
     gather<NU>(nodes, e, x_old, xo);
     gather<NU>(nodes, e, x_alpha, x);
     for (int q = 0; q < points; ++q) {
@@ -62,11 +79,13 @@ struct BodyForceKernel {
       if (!point(e, q, at, old, n, b)) return 1;
       const double mass = (mixture.density(n) - lift) * at.volume(weights(q));
       for (int a = 0; a < NU; ++a) {
-        r[2 * a] += mass * b[0] * N(q, a);
-        r[2 * a + 1] += mass * b[1] * N(q, a);
+        for (int i = 0; i < 2; ++i) {
+          r[2 * a + i] += mass * b[i] * N(q, a);
+          change[2 * a + i] += mass * (inertia ? b[i] : b[i] + gravity_old[i]) * N(q, a);
+        }
       }
     }
-    squares += scatter_vector<2 * NU>(dofs, e, 0, r, f);
+    scatter_vector<2 * NU>(dofs, e, 0, r, change, f);
     return 0;
   }
 
@@ -115,19 +134,16 @@ bool BodyForce::active(const StepView& view) const {
 }
 
 int BodyForce::residual(const StepView& view, const ResidualView& f) {
-  magnitude_squared_ = 0;
   if (!active(view)) return 0;
   int failures = 0;
   for (const SoilBlock& b : soil_->blocks)
     failures += dispatch_pair(b.shape, b.porous(), [&](auto pair) {
       const BodyForceKernel<decltype(pair)::NU, decltype(pair)::NP> kernel(*soil_, b, view, kind_ == Kind::inertia,
-                                                                           gravity_.at(view.momentum.time));
+                                                                           gravity_);
       int failed = 0;
-      double squares = 0;
-      Kokkos::parallel_reduce("body force", Kokkos::RangePolicy<>(0, b.elements),
-                              KOKKOS_LAMBDA(int e, int& sum, double& squares) { sum += kernel.residual(e, f, squares); }, failed,
-                              squares);
-      magnitude_squared_ += squares;
+      Kokkos::parallel_reduce(
+          "body force", Kokkos::RangePolicy<>(0, b.elements),
+          KOKKOS_LAMBDA(int e, int& sum) { sum += kernel.residual(e, f); }, failed);
       return failed;
     });
   return failures;
@@ -139,9 +155,10 @@ void BodyForce::jacobian(const StepView& view, Assembler& assembler, double weig
     const MatrixScatter to = assembler.scatter(b.group);
     dispatch_pair(b.shape, b.porous(), [&](auto pair) {
       const BodyForceKernel<decltype(pair)::NU, decltype(pair)::NP> kernel(*soil_, b, view, kind_ == Kind::inertia,
-                                                                           gravity_.at(view.momentum.time));
-      Kokkos::parallel_for("body force tangent", Kokkos::RangePolicy<>(0, b.elements),
-                           KOKKOS_LAMBDA(int e) { kernel.tangent(e, to, weight); });
+                                                                           gravity_);
+      Kokkos::parallel_for(
+          "body force tangent", Kokkos::RangePolicy<>(0, b.elements),
+          KOKKOS_LAMBDA(int e) { kernel.tangent(e, to, weight); });
     });
   }
 }

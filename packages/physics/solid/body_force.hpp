@@ -17,21 +17,21 @@ struct Gravity {
   }
 };
 
-/// R_u = int N^T rho b dv at the alpha level with b = a (inertia) or b = -g (gravity); rho = n rho_f + (1-n) rho_s follows
-/// the deformation. With pore pressures in excess of water at rest, gravity acts on rho - alpha rho_f. Two instances, so that the balances tell them apart.
+/// R_u = int N^T rho b dv at the alpha level with b = a (inertia) or b = -g (gravity); rho = n rho_f + (1-n) rho_s
+/// follows the deformation. With pore pressures in excess of water at rest, gravity acts on rho - alpha rho_f. Two
+/// instances, so that the balances tell them apart.
 class BodyForce : public Term {
  public:
   enum class Kind { inertia, gravity };
-  BodyForce(std::shared_ptr<Soil> soil, Kind kind, Gravity gravity = {}) : soil_(std::move(soil)), kind_(kind), gravity_(gravity) {}
+  BodyForce(std::shared_ptr<Soil> soil, Kind kind, Gravity gravity = {})
+      : soil_(std::move(soil)), kind_(kind), gravity_(gravity) {}
   std::string name() const override { return kind_ == Kind::inertia ? "inertia" : "gravity"; }
   int residual(const StepView& view, const ResidualView& f) override;
-  double magnitude_squared(int field) const override { return field == soil_->displacement ? magnitude_squared_ : 0.0; }
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
  private:
   bool active(const StepView& view) const;
   std::shared_ptr<Soil> soil_;
-  double magnitude_squared_ = 0;
   Kind kind_;
   Gravity gravity_;
 };

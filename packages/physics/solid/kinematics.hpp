@@ -8,19 +8,20 @@
 namespace mudline {
 
 /// The midpoint rule between the committed configuration x_n and x_{n+1} at a point of an element, and its variation.
-/// Everything is built from the increments of displacement, not from differences of positions: strains of 1e-12 would drown
-/// in the rounding of coordinates.
+/// Everything is built from the increments of displacement, not from differences of positions: strains of 1e-12 would
+/// drown in the rounding of coordinates.
 template <int N>
 struct IncrementKinematics : MidpointRule {
-  double g[N][2];      // dN/dx at the midpoint [1/m]
-  double g_end[N][2];  // dN/dx at n+1 [1/m]
+  double g[N][2];                               // dN/dx at the midpoint [1/m]
+  double g_end[N][2];                           // dN/dx at n+1 [1/m]
   double shape_over_r[N], shape_over_r_end[N];  // N_a / r at the midpoint and at n+1 (axisymmetric), else 0
   double H[2][2], hoop;
   bool ok;
 
   /// du: the nodes' displacement of the step, x_end - x_old without its rounding.
-  KOKKOS_INLINE_FUNCTION void compute(const double (&x_old)[N][2], const double (&x_end)[N][2], const double (&du)[N][2],
-                                      const double* dN, const double* shape, bool axisymmetric) {
+  KOKKOS_INLINE_FUNCTION void compute(const double (&x_old)[N][2], const double (&x_end)[N][2],
+                                      const double (&du)[N][2], const double* dN, const double* shape,
+                                      bool axisymmetric) {
     double middle[N][2];
     for (int a = 0; a < N; ++a)
       for (int i = 0; i < 2; ++i) middle[a][i] = 0.5 * (x_old[a][i] + x_end[a][i]);

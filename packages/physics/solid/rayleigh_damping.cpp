@@ -5,7 +5,8 @@
 namespace mudline {
 
 template <int NU>
-void RayleighDamping::element_matrix(const SoilBlock& b, const StepView& view, int e, double (&k)[2 * NU][2 * NU]) const {
+void RayleighDamping::element_matrix(const SoilBlock& b, const StepView& view, int e,
+                                     double (&k)[2 * NU][2 * NU]) const {
   double x[NU][2];
   gather<NU>(b.nodes, e, view.x_old, x);
   for (int q = 0; q < b.points; ++q) {

@@ -7,8 +7,8 @@
 
 namespace mudline {
 
-/// R_u = (a M + b K_el) v: mass and elastic stiffness of the committed configuration and state (frozen during the step, so
-/// the term is linear in v). Damping ratio of a mode: a/(2 w) + b w/2.
+/// R_u = (a M + b K_el) v: mass and elastic stiffness of the committed configuration and state (frozen during the step,
+/// so the term is linear in v). Damping ratio of a mode: a/(2 w) + b w/2.
 class RayleighDamping : public Term {
  public:
   RayleighDamping(std::shared_ptr<Soil> soil, double mass_factor, double stiffness_factor)

@@ -1,7 +1,10 @@
 #include "physics/solid/stress_divergence.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
+#include "discretisation/agree.hpp"
 #include "physics/solid/kinematics.hpp"
 #include "physics/solid/stress_update.hpp"
 
@@ -31,43 +34,69 @@ struct StressKernel {
   Kokkos::View<double***, Kokkos::LayoutRight> dN;
   Kokkos::View<int**, Kokkos::LayoutRight> nodes;
   ElementDofs dofs;
-  PointView stress;
+  PointView stress, stress_old;
   ConstCoordinateView x_old, x_end;
   ConstNodalView value_old, value;
 
   StressKernel(const Soil& soil, const SoilBlock& b, const StepView& view)
-      : axisymmetric(soil.axisymmetric), points(b.points), alpha(b.material->biot_coefficient), weights(b.u.weights), N(b.u.N),
-        Np(b.p.N), dN(b.u.dN), nodes(b.nodes), dofs(b.dofs), stress(view.trial->arrays[b.stress]), x_old(view.x_old),
-        x_end(view.x_end), value_old(view.value_old), value(view.value_end) {}
+      : axisymmetric(soil.axisymmetric),
+        points(b.points),
+        alpha(b.material->biot_coefficient),
+        weights(b.u.weights),
+        N(b.u.N),
+        Np(b.p.N),
+        dN(b.u.dN),
+        nodes(b.nodes),
+        dofs(b.dofs),
+        stress(view.trial->arrays[b.stress]),
+        stress_old(view.committed->arrays[b.stress]),
+        x_old(view.x_old),
+        x_end(view.x_end),
+        value_old(view.value_old),
+        value(view.value_end) {}
 
   KOKKOS_INLINE_FUNCTION void gather_pressure(int e, double (&p)[NP > 0 ? NP : 1]) const {
     p[0] = 0;
     for (int c = 0; c < NP; ++c) p[c] = value(dofs(e, 2 * NU + c));
   }
 
-  KOKKOS_INLINE_FUNCTION double residual(int e, const ResidualView& f) const {
-    double x[NU][2], p[NP > 0 ? NP : 1], r[2 * NU] = {0};
+  /// What acts in the step is what the changes of effective stress and of pore pressure exert, each by itself: they may
+  /// cancel, as in consolidation.
+  KOKKOS_INLINE_FUNCTION void residual(int e, const ResidualView& f) const {
+    double x[NU][2], p[NP > 0 ? NP : 1], r[2 * NU] = {0}, skeleton[2 * NU] = {0}, water[2 * NU] = {0};
     gather<NU>(nodes, e, x_end, x);
     gather_pressure(e, p);
+    double dp[NP > 0 ? NP : 1];
+    for (int c = 0; c < NP; ++c) dp[c] = p[c] - value_old(dofs(e, 2 * NU + c));
     for (int q = 0; q < points; ++q) {
       PointGeometry<NU> geometry;
       geometry.compute(x, &dN(q, 0, 0), &N(q, 0), axisymmetric);
       double s[4];
       total_stress<NP>(&stress(e * points + q, 0), NP > 0 ? &Np(q, 0) : nullptr, p, alpha, s);
-      const double dv = geometry.volume(weights(q));
-      const double hoop = axisymmetric && geometry.ok ? s[2] / geometry.r : 0.0;
+      double ds[4], change = 0;
+      constexpr int full[4] = {0, 1, 2, 5};
+      for (int i = 0; i < 4; ++i) ds[i] = stress(e * points + q, full[i]) - stress_old(e * points + q, full[i]);
+      for (int c = 0; c < NP; ++c) change -= alpha * Np(q, c) * dp[c];
+      const double dv = geometry.volume(weights(q)), over_r = axisymmetric && geometry.ok ? 1 / geometry.r : 0.0;
       for (int a = 0; a < NU; ++a) {
-        r[2 * a] += dv * (s[0] * geometry.g[a][0] + s[3] * geometry.g[a][1] + hoop * N(q, a));
-        r[2 * a + 1] += dv * (s[3] * geometry.g[a][0] + s[1] * geometry.g[a][1]);
+        const double g0 = dv * geometry.g[a][0], g1 = dv * geometry.g[a][1], hoop = dv * over_r * N(q, a);
+        r[2 * a] += s[0] * g0 + s[3] * g1 + s[2] * hoop;
+        r[2 * a + 1] += s[3] * g0 + s[1] * g1;
+        skeleton[2 * a] += ds[0] * g0 + ds[3] * g1 + ds[2] * hoop;
+        skeleton[2 * a + 1] += ds[3] * g0 + ds[1] * g1;
+        water[2 * a] += change * (g0 + hoop);
+        water[2 * a + 1] += change * g1;
       }
     }
-    return scatter_vector<2 * NU>(dofs, e, 0, r, f);
+    for (int a = 0; a < 2 * NU; ++a) skeleton[a] = std::abs(skeleton[a]) + std::abs(water[a]);
+    scatter_vector<2 * NU>(dofs, e, 0, r, skeleton, f);
   }
 
   /// Adds one point to the element tangent. D: 36 values of the law.
-  KOKKOS_INLINE_FUNCTION void tangent_point(int q, const double (&xo)[NU][2], const double (&x)[NU][2], const double (&du)[NU][2],
-                                            const double* p, const double* effective, const double* D,
-                                            double (&k)[2 * NU][2 * NU], double (&kp)[2 * NU][NP > 0 ? NP : 1]) const {
+  KOKKOS_INLINE_FUNCTION void tangent_point(int q, const double (&xo)[NU][2], const double (&x)[NU][2],
+                                            const double (&du)[NU][2], const double* p, const double* effective,
+                                            const double* D, double (&k)[2 * NU][2 * NU],
+                                            double (&kp)[2 * NU][NP > 0 ? NP : 1]) const {
     PointGeometry<NU> at;
     at.compute(x, &dN(q, 0, 0), &N(q, 0), axisymmetric);
     IncrementKinematics<NU> inc;
@@ -120,8 +149,10 @@ struct StressKernel {
       }
   }
 
-  KOKKOS_INLINE_FUNCTION void tangent(int e, const PointView& D, int first, const MatrixScatter& to, double weight) const {
-    double xo[NU][2], x[NU][2], du[NU][2], p[NP > 0 ? NP : 1], k[2 * NU][2 * NU] = {{0}}, kp[2 * NU][NP > 0 ? NP : 1] = {{0}};
+  KOKKOS_INLINE_FUNCTION void tangent(int e, const PointView& D, int first, const MatrixScatter& to,
+                                      double weight) const {
+    double xo[NU][2], x[NU][2], du[NU][2], p[NP > 0 ? NP : 1], k[2 * NU][2 * NU] = {{0}},
+                                                                             kp[2 * NU][NP > 0 ? NP : 1] = {{0}};
     gather<NU>(nodes, e, x_old, xo);
     gather<NU>(nodes, e, x_end, x);
     gather_increment<NU>(dofs, e, value_old, value, du);
@@ -137,37 +168,44 @@ struct StressKernel {
 
 int StressDivergence::residual(const StepView& view, const ResidualView& f) {
   int failures = 0;
-  magnitude_squared_ = 0;
+  failure_.clear();
   for (const SoilBlock& b : soil_->blocks) {
     StressUpdate update(*soil_, b, false);
     for (int first = 0; first < b.elements; first += StressUpdate::batch)
       failures += update.run(view, first, std::min(first + StressUpdate::batch, b.elements));
+    if (failure_.empty()) failure_ = update.failure();
     dispatch_pair(b.shape, b.porous(), [&](auto pair) {
       const StressKernel<decltype(pair)::NU, decltype(pair)::NP> kernel(*soil_, b, view);
-      double squares = 0;
-      Kokkos::parallel_reduce("stress divergence", Kokkos::RangePolicy<>(0, b.elements),
-                              KOKKOS_LAMBDA(int e, double& sum) { sum += kernel.residual(e, f); }, squares);
-      magnitude_squared_ += squares;
+      Kokkos::parallel_for(
+          "stress divergence", Kokkos::RangePolicy<>(0, b.elements), KOKKOS_LAMBDA(int e) { kernel.residual(e, f); });
     });
   }
   return failures;
 }
 
 void StressDivergence::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  std::string broken;
   for (const SoilBlock& b : soil_->blocks) {
     StressUpdate update(*soil_, b, true);
     const MatrixScatter to = assembler.scatter(b.group);
     for (int first = 0; first < b.elements; first += StressUpdate::batch) {
       const int last = std::min(first + StressUpdate::batch, b.elements);
       update.run(view, first, last);
+      if (broken.empty() && update.law_is_broken()) broken = update.failure();
       const PointView D = update.tangent();
       dispatch_pair(b.shape, b.porous(), [&](auto pair) {
         const StressKernel<decltype(pair)::NU, decltype(pair)::NP> kernel(*soil_, b, view);
-        Kokkos::parallel_for("tangent", Kokkos::RangePolicy<>(first, last),
-                             KOKKOS_LAMBDA(int e) { kernel.tangent(e, D, first, to, weight); });
+        Kokkos::parallel_for(
+            "tangent", Kokkos::RangePolicy<>(first, last),
+            KOKKOS_LAMBDA(int e) { kernel.tangent(e, D, first, to, weight); });
       });
     }
   }
+  if (!broken.empty()) throw std::runtime_error(broken);  // all element matrices are there: the ranks stay together
+}
+
+std::string StressDivergence::hint(const StepView&) const {
+  return of_first_rank(*soil_->space->dofs()->comm(), failure_);
 }
 
 void StressDivergence::adopt(const State& evaluated, State& committed) {

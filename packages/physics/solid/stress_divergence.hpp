@@ -7,9 +7,10 @@
 
 namespace mudline {
 
-/// R_u = int B^T (sigma' - alpha p m) dv on the configuration at n+1: the history term of the soil. Runs the stress update
-/// (Hughes-Winget rotation around the skeleton law) and writes effective stress, law state and void ratio of the trial
-/// state. Consistent tangent incl. geometric stiffness and the variation of the rotation (exact for isotropic laws).
+/// R_u = int B^T (sigma' - alpha p m) dv on the configuration at n+1: the history term of the soil. Runs the stress
+/// update (Hughes-Winget rotation around the skeleton law) and writes effective stress, law state and void ratio of the
+/// trial state. Consistent tangent incl. geometric stiffness and the variation of the rotation (exact for isotropic
+/// laws).
 class StressDivergence : public Term {
  public:
   explicit StressDivergence(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
@@ -19,13 +20,14 @@ class StressDivergence : public Term {
   void declare_state(StateStore& store) override { soil_->declare_state(store); }
   void sparsity(Assembler& assembler) override { soil_->sparsity(assembler); }
   int residual(const StepView& view, const ResidualView& f) override;
-  double magnitude_squared(int field) const override { return field == soil_->displacement ? magnitude_squared_ : 0.0; }
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void adopt(const State& evaluated, State& committed) override;
+  /// The law's failure in the last evaluation.
+  std::string hint(const StepView& view) const override;
 
  private:
   std::shared_ptr<Soil> soil_;
-  double magnitude_squared_ = 0;
+  std::string failure_;  // of the last evaluation, on this rank
 };
 
 }  // namespace mudline

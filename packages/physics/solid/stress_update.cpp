@@ -1,6 +1,9 @@
 #include "physics/solid/stress_update.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <vector>
 
 #include "materials/pore_volume.hpp"
 #include "physics/solid/kinematics.hpp"
@@ -18,10 +21,13 @@ StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, bool want_t
   tangent_ = PointView("tangent", want_tangent ? rows : 0, 36);
   failed_ = Kokkos::View<int*>("failed", rows);
   int column = 0;
+  std::vector<int> tensors;
   for (const StateVariable& v : block.material->skeleton->state_variables()) {
-    if (v.components == 6) tensors_.push_back(column);
+    if (v.components == 6) tensors.push_back(column);
     column += v.components;
   }
+  tensors_ = Kokkos::View<int*>("tensors", tensors.size());
+  std::copy(tensors.begin(), tensors.end(), tensors_.data());
 }
 
 template <int NU, int NP>
@@ -37,11 +43,10 @@ int StressUpdate::kinematics(const StepView& view, int first, int last) {
   const auto dofs = block_.dofs;
   const bool axisymmetric = soil_.axisymmetric;
   const double alpha = block_.material->biot_coefficient;
-  const double grain_compliance = block_.material->grain_bulk_modulus > 0 ? 1 / block_.material->grain_bulk_modulus : 0.0;
+  const double grain_compliance =
+      block_.material->grain_bulk_modulus > 0 ? 1 / block_.material->grain_bulk_modulus : 0.0;
   const int state_size = static_cast<int>(state_old.extent(1));
-  int tensors[8], num_tensors = 0;
-  for (int t : tensors_)
-    if (num_tensors < 8) tensors[num_tensors++] = t;
+  const auto tensors = tensors_;
   int inverted = 0;
   Kokkos::parallel_reduce(
       "kinematics", Kokkos::RangePolicy<>(first, last),
@@ -70,8 +75,8 @@ int StressUpdate::kinematics(const StepView& view, int first, int last) {
           for (int c = 0; c < 6; ++c) strain(i, c) = full[c];
           rotate_symmetric(&committed(row, 0), k.cosine, k.sine, &stress_old(i, 0));
           for (int c = 0; c < state_size; ++c) state_old(i, c) = committed_law(row, c);
-          for (int t = 0; t < num_tensors; ++t)
-            rotate_symmetric(&committed_law(row, tensors[t]), k.cosine, k.sine, &state_old(i, tensors[t]));
+          for (std::size_t t = 0; t < tensors.extent(0); ++t)
+            rotate_symmetric(&committed_law(row, tensors(t)), k.cosine, k.sine, &state_old(i, tensors(t)));
           void_ratio_old(i, 0) = e_old(row, 0);
           double dp = 0;
           if constexpr (NP > 0)
@@ -105,8 +110,26 @@ int StressUpdate::run(const StepView& view, int first, int last) {
   w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
   w.tangent = tangent_;
   w.failed = failed_;
-  failures += block_.material->skeleton->evaluate(w);
+  if (failures > 0 && failure_.empty())
+    failure_ = "material '" + block_.material->name + "': the motion turns elements inside out";
+  LawFailure failure;
+  failures += evaluate_guarded(*block_.material->skeleton, w, failure);
+  if (failure.point >= 0 && failure_.empty()) {
+    failure_ = describe(view, first, failure);
+    law_is_broken_ = !failure.refused;
+  }
   return failures;
+}
+
+std::string StressUpdate::describe(const StepView& view, int first, const LawFailure& failure) const {
+  const int e = first + failure.point / block_.points, q = failure.point % block_.points;
+  double at[2] = {0, 0};
+  for (int a = 0; a < block_.u.nodes; ++a)
+    for (int i = 0; i < 2; ++i) at[i] += block_.u.N(q, a) * view.x_end(block_.nodes(e, a), i);
+  char place[80];
+  std::snprintf(place, sizeof place, "(%.4g, %.4g)", at[0], at[1]);
+  return "the law of material '" + block_.material->name + "' fails at " + place + ": " + failure.reason + " (" +
+         increment_text(&stress_old_(failure.point, 0), &strain_(failure.point, 0)) + ")";
 }
 
 }  // namespace mudline

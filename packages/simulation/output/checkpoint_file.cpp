@@ -1,27 +1,30 @@
 #include "simulation/output/checkpoint_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "core/errors.hpp"
+#include "core/run_error.hpp"
 #include "discretisation/mesh.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/hdf5_tools.hpp"
+#include "simulation/output/seal.hpp"
 #include "simulation/output/whole_file.hpp"
 
 namespace mudline {
 
 namespace {
 
-constexpr const char* format_name = "mudline checkpoint";
-constexpr long long format_version = 1;
-constexpr int signature_length = 6;
+constexpr const char* kind = "checkpoint";
+constexpr int format_version = 2;
+constexpr int signature_length = 8;
 
 std::vector<long long> row_of(const MeshSignature& mesh) {
-  return {mesh.global_nodes, mesh.global_elements, mesh.local_nodes,
-          mesh.owned_nodes,  mesh.local_elements,  mesh.numbering};
+  return {mesh.global_nodes, mesh.global_elements, mesh.topology,       mesh.coordinates,
+          mesh.local_nodes,  mesh.owned_nodes,     mesh.local_elements, mesh.numbering};
 }
 
 /// Array names may hold "/", which HDF5 would take for a group.
@@ -60,11 +63,11 @@ h5::Slab part(const std::vector<long long>& offsets, int rank) {
 }
 
 template <class T>
-void write_arrays(MPI_Comm comm, hid_t file, const std::string& kind,
+void write_arrays(MPI_Comm comm, hid_t file, const std::string& group,
                   const std::map<std::string, std::vector<T>>& arrays) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  const auto values = h5::create_group(file, kind), tables = h5::create_group(file, kind + " offsets");
+  const auto values = h5::create_group(file, group), tables = h5::create_group(file, group + " offsets");
   for (const auto& [name, array] : arrays) {
     const std::vector<long long> offsets = offsets_of(comm, static_cast<long long>(array.size()));
     h5::write(values, escaped(name), array, part(offsets, rank));
@@ -73,13 +76,22 @@ void write_arrays(MPI_Comm comm, hid_t file, const std::string& kind,
   }
 }
 
+/// The part of `rank`, or of all where it is negative.
 template <class T>
-std::map<std::string, std::vector<T>> read_arrays(int rank, hid_t file, const std::string& kind) {
+std::map<std::string, std::vector<T>> read_arrays(int rank, hid_t file, const std::string& group) {
   std::map<std::string, std::vector<T>> arrays;
-  const auto values = h5::open_group(file, kind), tables = h5::open_group(file, kind + " offsets");
+  const auto values = h5::open_group(file, group), tables = h5::open_group(file, group + " offsets");
   for (const std::string& link : h5::names(values))
-    arrays[unescaped(link)] = h5::read<T>(values, link, part(h5::read_all<long long>(tables, link), rank));
+    arrays[unescaped(link)] = rank < 0 ? h5::read_all<T>(values, link)
+                                       : h5::read<T>(values, link, part(h5::read_all<long long>(tables, link), rank));
   return arrays;
+}
+
+std::map<std::string, std::string> read_texts(hid_t file) {
+  std::map<std::string, std::string> texts;
+  const auto group = h5::open_group(file, "texts");
+  for (const std::string& link : h5::names(group)) texts[unescaped(link)] = h5::read_text(group, link);
+  return texts;
 }
 
 template <class Map>
@@ -92,8 +104,6 @@ void write_content(MPI_Comm comm, hid_t file, const MeshSignature& mesh, const C
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  h5::set_attribute(file, "format", std::string(format_name));
-  h5::set_attribute(file, "format version", format_version);
   h5::set_attribute(file, "ranks", static_cast<long long>(ranks));
   h5::write(file, "mesh", row_of(mesh), {hsize_t(ranks), signature_length, hsize_t(rank), 1});
   write_arrays(comm, file, "arrays", data.arrays);
@@ -108,26 +118,12 @@ std::string count(long long number, const std::string& thing) {
   return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
-/// Why this run cannot continue from the open file, or "".
-std::string mismatch(hid_t file, int rank, int ranks, const MeshSignature& mesh) {
-  if (!h5::has_attribute(file, "format") || h5::text_attribute(file, "format") != format_name)
-    return "not a checkpoint of mudline";
-  const long long version = h5::integer_attribute(file, "format version");
-  if (version != format_version)
-    return "format version " + std::to_string(version) + ", but this program reads version " +
-           std::to_string(format_version);
-  const long long written = h5::integer_attribute(file, "ranks");
-  if (written != ranks)
-    return "checkpoint was written on " + count(written, "rank") + "; run it on " + count(written, "rank");
-  const auto all = h5::read_all<long long>(file, "mesh");
-  const long long* old = &all[signature_length * rank];
-  const auto now = row_of(mesh);
+/// Why this run cannot continue from a file of this mesh, or "".
+std::string mismatch(const std::vector<long long>& old, const std::vector<long long>& now) {
   if (old[0] != now[0] || old[1] != now[1])
     return "checkpoint belongs to a mesh of " + count(old[0], "node") + " and " + count(old[1], "element") +
            ", but this mesh has " + count(now[0], "node") + " and " + count(now[1], "element");
-  if (!std::equal(now.begin(), now.end(), old))
-    return "checkpoint belongs to a mesh of the same size that is numbered or partitioned differently; "
-           "restart with the mesh and the build of the first run";
+  if (old[2] != now[2]) return "checkpoint belongs to a mesh of the same size whose nodes are numbered differently";
   return "";
 }
 
@@ -140,11 +136,26 @@ MeshSignature signature_of(const Mesh& mesh) {
   signature.local_nodes = mesh.num_nodes();
   signature.owned_nodes = mesh.num_owned_nodes();
   std::uint64_t hash = fingerprint(mesh.node_ids().data(), mesh.node_ids().size() * sizeof(long long));
+  // Sums over items that stand on one rank each: the same however the mesh is partitioned.
+  std::uint64_t here[2] = {0, 0}, all[2];
   for (const auto& block : mesh.blocks()) {
     signature.local_elements += block.num_elements;
     hash = fingerprint(block.global_ids.data(), block.global_ids.size() * sizeof(long long), hash);
+    for (int e = 0; e < block.num_elements; ++e) {
+      std::vector<long long> item{block.global_ids[e]};
+      for (int a = 0; a < num_nodes(block.shape); ++a) item.push_back(mesh.node_ids()[block.nodes(e, a)]);
+      here[0] += fingerprint(item.data(), item.size() * sizeof(long long),
+                             fingerprint(block.region.data(), block.region.size()));
+    }
   }
+  for (int node = 0; node < mesh.num_owned_nodes(); ++node) {
+    const double at[2] = {mesh.coordinates()(node, 0), mesh.coordinates()(node, 1)};
+    here[1] += fingerprint(at, sizeof at, fingerprint(&mesh.node_ids()[node], sizeof(long long)));
+  }
+  MPI_Allreduce(here, all, 2, MPI_UINT64_T, MPI_SUM, raw_communicator(*mesh.comm()));
   signature.numbering = static_cast<long long>(hash);
+  signature.topology = static_cast<long long>(all[0]);
+  signature.coordinates = static_cast<long long>(all[1]);
   return signature;
 }
 
@@ -161,41 +172,77 @@ void CheckpointWriter::write(const std::string& path, const CheckpointData& data
   for (const auto& [name, text] : data.texts) names += text + '\n';
   if (!same_everywhere(mpi, names)) throw std::logic_error("the ranks give different names or texts to a checkpoint");
 
-  const std::string error = write_whole(mpi, path, [&](hid_t file) { write_content(mpi, file, mesh_, data); });
-  if (!error.empty()) throw std::runtime_error("checkpoint '" + path + "': " + error);
+  FileSize size{0, 8 + 2 * (data.arrays.size() + data.integers.size()) + data.scalars.size() + data.texts.size()};
+  for (const auto& [name, array] : data.arrays) size.bytes += array.size() * sizeof(double);
+  for (const auto& [name, array] : data.integers) size.bytes += array.size() * sizeof(long long);
+  for (const auto& [name, text] : data.texts) size.bytes += text.size();
+  const std::string error = write_whole_and_seal(mpi, path, size, kind, format_version,
+                                                 [&](hid_t file) { write_content(mpi, file, mesh_, data); });
+  if (!error.empty()) throw RunError("checkpoint '" + path + "': " + error);
 }
 
 CheckpointReader::CheckpointReader(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh)
     : comm_(std::move(comm)), mesh_(mesh) {}
 
-CheckpointData CheckpointReader::read(const std::string& path) const {
-  const MPI_Comm mpi = raw_communicator(*comm_);
-  const int rank = comm_->getRank();
-  std::error_code ignored;
+void CheckpointReader::check_seal(const std::string& path) const {
   std::string error;
-  if (rank == 0 && !std::filesystem::is_regular_file(path, ignored)) error = path + ": there is no such checkpoint";
-  error = agreed_message(mpi, error);
-  if (!error.empty()) throw InputError(error);
+  if (comm_->getRank() == 0) {
+    std::error_code ignored;
+    error = !std::filesystem::is_regular_file(path, ignored) ? "there is no such checkpoint"
+                                                             : broken_seal(path, kind, format_version);
+  }
+  error = agreed_message(raw_communicator(*comm_), error);
+  if (!error.empty()) throw InputError(path + ": " + error);
+}
 
-  CheckpointData data;
+namespace {
+
+/// What reads an HDF5 file of ours: every rank gets the same description of what is wrong with it.
+template <class Action>
+void reading(const std::string& path, Action&& action) {
   try {
-    const auto file = h5::open_file(mpi, path, false);
-    error = mismatch(file, rank, comm_->getSize(), mesh_);
-    // The ranks agree before the collective reads begin.
-    error = agreed_message(mpi, error);
-    if (error.empty()) {
-      data.arrays = read_arrays<double>(rank, file, "arrays");
-      data.integers = read_arrays<int>(rank, file, "integers");
-      const auto scalars = h5::open_group(file, "scalars"), texts = h5::open_group(file, "texts");
-      for (const std::string& link : h5::names(scalars))
-        data.scalars[unescaped(link)] = h5::read_all<double>(scalars, link).at(0);
-      for (const std::string& link : h5::names(texts)) data.texts[unescaped(link)] = h5::read_text(texts, link);
-    }
+    action();
+  } catch (const InputError&) {
+    throw;
   } catch (const std::runtime_error& failure) {
-    // A damaged file: every rank reads the same description of it, so every rank arrives here.
     throw InputError(path + ": the checkpoint cannot be read: " + failure.what());
   }
-  if (!error.empty()) throw InputError(path + ": " + error);
+}
+
+}  // namespace
+
+std::map<std::string, std::string> CheckpointReader::texts(const std::string& path) const {
+  check_seal(path);
+  std::map<std::string, std::string> result;
+  reading(path, [&] { result = read_texts(h5::open_file(raw_communicator(*comm_), path, false)); });
+  return result;
+}
+
+CheckpointData CheckpointReader::read(const std::string& path) const {
+  check_seal(path);
+  const MPI_Comm mpi = raw_communicator(*comm_);
+  const int rank = comm_->getRank();
+  CheckpointData data;
+  reading(path, [&] {
+    const auto file = h5::open_file(mpi, path, false);
+    const long long written = h5::integer_attribute(file, "ranks");
+    const auto all = h5::read_all<long long>(file, "mesh");
+    const auto now = row_of(mesh_);
+    const std::string error = mismatch(all, now);
+    if (!error.empty()) throw InputError(path + ": " + error);
+    data.moved_nodes = all[3] != now[3];
+    const long long* mine = &all[signature_length * std::min<long long>(rank, written - 1)];
+    const bool same = written == comm_->getSize() && std::equal(now.begin() + 4, now.end(), mine + 4);
+    // the ranks agree on what each of them reads
+    const bool same_partition = agreed_message(mpi, same ? "" : "no").empty();
+    data.ranks = same_partition ? 0 : static_cast<int>(written);
+    data.arrays = read_arrays<double>(same_partition ? rank : -1, file, "arrays");
+    data.integers = read_arrays<long long>(same_partition ? rank : -1, file, "integers");
+    const auto scalars = h5::open_group(file, "scalars");
+    for (const std::string& link : h5::names(scalars))
+      data.scalars[unescaped(link)] = h5::read_all<double>(scalars, link).at(0);
+    data.texts = read_texts(file);
+  });
   return data;
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/errors.hpp"
+#include "core/run_error.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/field_index.hpp"
 #include "simulation/output/field_layout.hpp"
@@ -42,7 +43,7 @@ struct FieldFile::File {
   File(const Mesh& mesh, const std::string& stem);
 
   void create(const Mesh& mesh);
-  void open(double restart_time);
+  void open(const FieldRestart& restart);
   std::string wrong_fields(const std::vector<OutputField>& fields, std::size_t rows) const;
   std::string bad_value(const std::vector<OutputField>& fields) const;
   std::map<std::string, xdmf::Field> write_fields(hid_t file, const std::string& group,
@@ -72,7 +73,7 @@ FieldFile::File::File(const Mesh& mesh, const std::string& path_stem)
 
 void FieldFile::File::fail_alike(const std::string& message) const {
   const std::string agreed = agreed_message(comm, message);
-  if (!agreed.empty()) throw std::runtime_error(index.path() + ": " + agreed);
+  if (!agreed.empty()) throw RunError(index.path() + ": " + agreed);
 }
 
 void FieldFile::File::create(const Mesh& mesh) {
@@ -83,20 +84,25 @@ void FieldFile::File::create(const Mesh& mesh) {
     std::filesystem::create_directories(index.folder(), problem);
   }
   fail_alike(problem ? "cannot create the folder '" + index.folder() + "': " + problem.message() : "");
-  fail_alike(write_whole(comm, index.mesh_path(), [&](hid_t file) {
+  fail_alike(write_whole(comm, index.mesh_path(), field_layout::mesh_size(mesh), [&](hid_t file) {
     index.model.topology_length = field_layout::write_mesh(file, comm, mesh, nodes, elements);
   }));
   publish();
 }
 
-void FieldFile::File::open(double restart_time) {
+void FieldFile::File::open(const FieldRestart& restart) {
   const std::size_t old = index.read();
+  if (static_cast<long long>(old) < restart.steps && !restart.accept_loss)
+    throw InputError(index.path() + ": only " + std::to_string(old) + " of the " + std::to_string(restart.steps) +
+                     " outputs up to the checkpoint are left; put a copy of the fields back, run without --restart, or "
+                     "go on with outputs lost by --accept-changes");
+  const bool by_time = static_cast<long long>(old) < restart.steps;
   std::string error;
   try {
     for (std::size_t k = 0; rank == 0 && k < old; ++k) {
       const auto file = h5::open_file(MPI_COMM_SELF, index.step_path(k), false);
       const double time = h5::number_attribute(file, "time");
-      if (time > restart_time) break;
+      if (by_time ? time > restart.time : static_cast<long long>(k) >= restart.steps) break;
       index.append({FieldIndex::step_name(k), time, h5::integer_attribute(file, "step"),
                     h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell")});
     }
@@ -174,7 +180,8 @@ void FieldFile::File::write_bodies(hid_t file, const std::map<std::string, BodyP
         if (pose.angle == 0)
           points.insert(points.end(), {point[0] + pose.shift[0], point[1] + pose.shift[1], 0.0});
         else
-          points.insert(points.end(), {pose.centre[0] + pose.shift[0] + c * x - s * y, pose.centre[1] + pose.shift[1] + s * x + c * y, 0.0});
+          points.insert(points.end(), {pose.centre[0] + pose.shift[0] + c * x - s * y,
+                                       pose.centre[1] + pose.shift[1] + s * x + c * y, 0.0});
       }
     h5::write(place, "coordinates", points, {hsize_t(body.points), 3, 0, rank == 0 ? hsize_t(body.points) : 0});
   }
@@ -183,12 +190,33 @@ void FieldFile::File::write_bodies(hid_t file, const std::map<std::string, BodyP
 /// Brings the steps so far before the readers' eyes.
 void FieldFile::File::publish() const { fail_alike(index.write()); }
 
-FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<double> restart_time)
+std::optional<std::map<std::string, std::string>> metadata_of(const std::string& path_stem) {
+  const std::string path = FieldIndex(path_stem, false).path();
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+  try {
+    const auto file = h5::open_file(MPI_COMM_SELF, path, false);
+    if (h5::names(h5::open_group(file, "steps")).empty()) return std::nullopt;
+    std::map<std::string, std::string> texts;
+    for (const std::string& link : h5::names(h5::open_group(file, "metadata")))
+      texts[link] = h5::read_text(file, "metadata/" + link);
+    return texts;
+  } catch (const std::runtime_error&) {
+    return std::map<std::string, std::string>{};  // something is there, and nobody knows what
+  }
+}
+
+FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart)
     : file_(std::make_unique<File>(mesh, path_stem)) {
   std::error_code ignored;
-  const bool found = std::filesystem::is_regular_file(file_->index.path(), ignored);
-  if (restart_time && broadcast(file_->comm, found ? "found" : "") == "found")
-    file_->open(*restart_time);
+  const std::string path = file_->index.path();
+  const bool found = broadcast(file_->comm, std::filesystem::is_regular_file(path, ignored) ? "found" : "") == "found";
+  if (restart && !found && restart->steps > 0 && !restart->accept_loss)
+    throw InputError(path + ": the file is missing, which should lead to the " + std::to_string(restart->steps) +
+                     " outputs up to the checkpoint; put a copy of it back, run without --restart, or go on with "
+                     "outputs lost by --accept-changes");
+  if (restart && found)
+    file_->open(*restart);
   else
     file_->create(mesh);
 }
@@ -235,7 +263,12 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
   f.fail_alike(bad);
 
   xdmf::Step written{FieldIndex::step_name(f.index.steps), time, step, stage, {}, {}};
-  f.fail_alike(write_whole(f.comm, f.index.step_path(f.index.steps), [&](hid_t file) {
+  FileSize size{coordinates.size() * sizeof(double), nodal.size() + cell.size() + 2 * poses.size() + 4};
+  for (const auto* fields : {&nodal, &cell})
+    for (const OutputField& field : *fields) size.bytes += field.values.size() * sizeof(double);
+  size.bytes += size.bytes / 2;  // plane vectors get a third component
+  for (const auto& [link, body] : f.index.model.bodies) size.bytes += 3 * sizeof(double) * body.points;
+  f.fail_alike(write_whole(f.comm, f.index.step_path(f.index.steps), size, [&](hid_t file) {
     h5::set_attribute(file, "time", std::vector<double>{time});
     h5::set_attribute(file, "step", static_cast<long long>(step));
     h5::set_attribute(file, "stage", stage);

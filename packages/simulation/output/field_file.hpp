@@ -19,29 +19,41 @@ struct OutputField {
   std::vector<double> values;
 };
 
-/// How a body has moved from its reference position: turned about `centre` (of the reference position) by `angle` [rad],
-/// then shifted [m].
+/// How a body has moved from its reference position: turned about `centre` (of the reference position) by `angle`
+/// [rad], then shifted [m].
 struct BodyPose {
   std::array<double, 2> shift{};
   double angle = 0;
   std::array<double, 2> centre{};
 };
 
-/// The fields of a run: an HDF5 file for the mesh and one for every step, written by all ranks together in a folder, and
-/// beside it an HDF5 file of links to them and an XDMF file for ParaView. Every file is written under a temporary name
-/// and renamed when it is complete, so they can be looked at while the run goes on, and a killed run leaves every step
-/// that was written. (HDF5 changes a growing file in place: a program killed in the middle of that leaves a file that
-/// cannot be read.) Rows are ordered by global ids: nothing depends on the number of ranks. docs/output_format.md has the
-/// layout.
+/// Where the fields of a run are continued: after so many steps. `accept_loss`: with those up to `time` [s] that are
+/// left.
+struct FieldRestart {
+  long long steps = 0;
+  double time = 0;
+  bool accept_loss = false;
+};
+
+/// The texts that set_metadata gave to the fields of this stem, by name with "_" for what is no letter, digit, "." or
+/// "-"; nothing where there are none, or no step of them. Not collective.
+std::optional<std::map<std::string, std::string>> metadata_of(const std::string& path_stem);
+
+/// The fields of a run: an HDF5 file for the mesh and one for every step, written by all ranks together in a folder,
+/// and beside it an HDF5 file of links to them and an XDMF file for ParaView. Every file is written under a temporary
+/// name and renamed when it is complete, so they can be looked at while the run goes on, and a killed run leaves every
+/// step that was written. (HDF5 changes a growing file in place: a program killed in the middle of that leaves a file
+/// that cannot be read.) Rows are ordered by global ids: nothing depends on the number of ranks. docs/output_format.md
+/// has the layout.
 ///
 /// Every member is collective and wants the same names, times and texts on every rank. Errors are thrown alike:
-/// std::runtime_error for a value that is not finite or a disk that refuses, std::invalid_argument for a wrong call.
+/// RunError for a value that is not finite or a disk that refuses, std::invalid_argument for a wrong call.
 class FieldFile {
  public:
-  /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".xdmf". Without `restart_time` old files are
-  /// replaced. With it steps up to and including that time stay and later ones go; missing files are started anew.
-  /// InputError when the old file cannot be continued: no result of mudline, or of another mesh.
-  FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<double> restart_time = {});
+  /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".xdmf".
+  /// Without `restart` old files are replaced. With it so many steps stay and later ones go. InputError when the old
+  /// file cannot be continued: no result of mudline, of another mesh, or with steps missing.
+  FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart = {});
   ~FieldFile();
   FieldFile(const FieldFile&) = delete;
   FieldFile& operator=(const FieldFile&) = delete;

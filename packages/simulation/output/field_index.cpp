@@ -65,7 +65,10 @@ void FieldIndex::append(const xdmf::Step& step) {
 
 std::string FieldIndex::write() const {
   if (!writer_) return "";
-  std::string error = write_whole(MPI_COMM_SELF, path(), [this](hid_t file) {
+  FileSize size{0, 8 + metadata.size() + 2 * contours.size() + steps};
+  for (const auto& [link, text] : metadata) size.bytes += text.size();
+  for (const auto& [link, contour] : contours) size.bytes += contour.size() * sizeof(contour[0]);
+  std::string error = write_whole(MPI_COMM_SELF, path(), size, [this](hid_t file) {
     h5::set_attribute(file, "format", std::string(format_name));
     h5::set_attribute(file, "format version", format_version);
     h5::set_attribute(file, "geometry", geometry);

@@ -31,7 +31,8 @@ struct FieldIndex {
   /// Adds a complete step.
   void append(const xdmf::Step& step);
 
-  /// Writes both files, if it is the writer; without steps there is no XDMF file. Returns what went wrong, "" when nothing did.
+  /// Writes both files, if it is the writer; without steps there is no XDMF file. Returns what went wrong, "" when
+  /// nothing did.
   std::string write() const;
 
   /// Removes both files and the steps from `first` on from the folder.

@@ -79,6 +79,13 @@ h5::Handle write_rows(hid_t parent, const std::string& name, const std::vector<d
   return h5::write(parent, name, stored_columns(order.gather(values, components), components), slab);
 }
 
+FileSize mesh_size(const Mesh& mesh) {
+  FileSize size{3 * sizeof(double) * mesh.num_owned_nodes(), 6};
+  for (const auto& block : mesh.blocks()) size.bytes += (width + 2) * sizeof(long long) * block.num_elements;
+  for (const std::string& region : mesh.regions()) size.bytes += region.size() + 1;
+  return size;
+}
+
 long long write_mesh(hid_t file, MPI_Comm comm, const Mesh& mesh, const IdOrder& nodes, const IdOrder& elements) {
   const std::vector<long long> rows = elements.gather(element_rows(mesh), width);
   std::vector<long long> topology, offsets;

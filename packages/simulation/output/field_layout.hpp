@@ -7,6 +7,7 @@
 #include "discretisation/mesh.hpp"
 #include "simulation/output/hdf5_tools.hpp"
 #include "simulation/output/id_order.hpp"
+#include "simulation/output/whole_file.hpp"
 
 namespace mudline::field_layout {
 
@@ -20,6 +21,9 @@ int stored_components(int components);
 /// Writes (own row, component) values as a dataset in the order of the ids. Collective.
 h5::Handle write_rows(hid_t parent, const std::string& name, const std::vector<double>& values, int components,
                       const IdOrder& order);
+
+/// Of what write_mesh will write.
+FileSize mesh_size(const Mesh& mesh);
 
 /// Writes the group "mesh": topology, regions and reference coordinates. Returns the topology's length. Collective.
 long long write_mesh(hid_t file, MPI_Comm comm, const Mesh& mesh, const IdOrder& nodes, const IdOrder& elements);

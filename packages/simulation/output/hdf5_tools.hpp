@@ -35,7 +35,8 @@ class Handle {
 void check(herr_t status, const std::string& doing);
 
 // Files and groups. Collective.
-Handle create_file(MPI_Comm comm, const std::string& path);
+/// `user_block`: bytes at the start that are left to others; 0, or a power of two from 512 on.
+Handle create_file(MPI_Comm comm, const std::string& path, hsize_t user_block);
 Handle open_file(MPI_Comm comm, const std::string& path, bool writable);
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);

@@ -1,11 +1,15 @@
 #include "simulation/output/history_file.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/errors.hpp"
+#include "core/log.hpp"
+#include "core/run_error.hpp"
 #include "simulation/output/atomic_file.hpp"
 #include "simulation/output/collective.hpp"
 
@@ -32,25 +36,55 @@ std::string cell(const std::string& text) {
 }  // namespace
 
 HistoryFile::HistoryFile(Teuchos::RCP<const Teuchos::Comm<int>> comm, std::string path,
-                         std::optional<double> restart_time)
+                         std::optional<HistoryRestart> restart)
     : comm_(std::move(comm)), path_(std::move(path)) {
-  if (!restart_time) return;
+  mark_.fingerprint = fingerprint(nullptr, 0);
+  if (!restart) return;
+  accept_loss_ = restart->accept_loss;
   const MPI_Comm mpi = raw_communicator(*comm_);
-  const std::string error = agreed_message(mpi, comm_->getRank() == 0 ? truncate(*restart_time) : "");
+  const std::string error = agreed_message(mpi, comm_->getRank() == 0 ? truncate(*restart) : "");
   if (!error.empty()) throw InputError(error);
   header_ = broadcast(mpi, header_);
   continued_ = !header_.empty();
 }
 
-/// Rank 0: drops what lies after the restart and opens the file behind the last row. Returns what is wrong, or "".
-std::string HistoryFile::truncate(double restart_time) {
-  std::ifstream old(path_, std::ios::binary);
-  if (!old) return "";
-  std::ostringstream content;
-  content << old.rdbuf();
-  const std::string text = content.str();
+void HistoryFile::count(const std::string& text) {
+  mark_.rows += std::count(text.begin(), text.end(), '\n');
+  mark_.bytes += static_cast<long long>(text.size());
+  mark_.fingerprint = fingerprint(text.data(), text.size(), mark_.fingerprint);
+}
 
-  std::string kept;
+/// Rank 0: drops what lies after the restart and opens the file behind the last row. Returns what is wrong, or "".
+std::string HistoryFile::truncate(const HistoryRestart& restart) {
+  std::ifstream old(path_, std::ios::binary);
+  std::ostringstream content;
+  if (old) content << old.rdbuf();
+  const std::string text = content.str();
+  const auto expected = static_cast<std::size_t>(restart.mark.bytes);
+  std::string kept = text.substr(0, expected);
+  if (kept.size() != expected || fingerprint(kept.data(), kept.size()) != restart.mark.fingerprint) {
+    const std::string found = !old                     ? "the file is missing"
+                              : text.empty()           ? "the file is empty"
+                              : text.size() < expected ? "the file was shortened"
+                                                       : "the file was changed";
+    if (!restart.accept_loss)
+      return path_ + ": " + found + ", which should hold the " + std::to_string(restart.mark.rows) +
+             " lines up to the checkpoint; put a copy of it back, run without --restart, or go on with rows lost by "
+             "--accept-changes";
+    kept.clear();
+    if (const std::string error = keep_rows_until(restart.time, text, kept); !error.empty()) return error;
+    log::warn(path_ + ": " + found + "; going on with " + std::to_string(std::count(kept.begin(), kept.end(), '\n')) +
+              " of the " + std::to_string(restart.mark.rows) + " lines");
+  }
+  if (kept.empty()) return "";
+  header_ = kept.substr(0, kept.find('\n'));
+  count(kept);
+  if (const std::string error = write_atomically(path_, kept); !error.empty()) return error;
+  file_.open(path_, std::ios::binary | std::ios::app);
+  return file_ ? "" : "cannot append to '" + path_ + "'";
+}
+
+std::string HistoryFile::keep_rows_until(double time, const std::string& text, std::string& kept) const {
   for (std::size_t start = 0, line = 1; start < text.size(); ++line) {
     const std::size_t end = text.find('\n', start);
     if (end == std::string::npos) break;  // a last line cut short is dropped
@@ -60,38 +94,56 @@ std::string HistoryFile::truncate(double restart_time) {
       if (row.rfind(time_column, 0) != 0)
         return path_ + ":1: not a history of mudline (the first column is not '" + time_column +
                "'); move the file away";
-      header_ = row.substr(0, row.size() - 1);
     } else {
-      double time = 0;
-      const auto read = std::from_chars(row.data(), row.data() + row.size(), time);
+      double at = 0;
+      const auto read = std::from_chars(row.data(), row.data() + row.size(), at);
       if (read.ec != std::errc() || (*read.ptr != ',' && *read.ptr != '\n'))
         return path_ + ":" + std::to_string(line) + ": the row does not begin with a time; move the file away";
-      if (time > restart_time) continue;
+      if (at > time) continue;
     }
     kept += row;
   }
-  if (header_.empty()) return "";
-  if (const std::string error = write_atomically(path_, kept); !error.empty()) return error;
-  file_.open(path_, std::ios::binary | std::ios::app);
-  return file_ ? "" : "cannot append to '" + path_ + "'";
+  return "";
+}
+
+/// Rank 0: the file of before the restart gets a free name. Returns what is wrong, or "".
+std::string HistoryFile::set_aside() {
+  file_.close();
+  const std::filesystem::path path(path_);
+  std::filesystem::path other;
+  for (int k = 1; other.empty() || std::filesystem::exists(other); ++k)
+    other = path.parent_path() / (path.stem().string() + "." + std::to_string(k) + path.extension().string());
+  log::warn(path_ + ": the columns are others from here on; the rows so far are kept in " + other.string());
+  return rename_file(path_, other.string());
 }
 
 void HistoryFile::fix_columns(const std::string& header) {
   if (header == header_) return;
-  if (continued_)
+  if (continued_ && !accept_loss_)
     throw InputError(path_ +
-                     ": the history has other columns than this run; move it away, or restart with the outputs "
-                     "of the first run");
-  if (!header_.empty()) throw std::logic_error(path_ + ": the columns of a history changed during the run");
-  header_ = header;
+                     ": the history has other columns than this run; restart with the outputs of the first run, or "
+                     "begin a new file by --accept-changes");
+  if (!header_.empty() && !continued_)
+    throw std::logic_error(path_ + ": the columns of a history changed during the run");
   std::string error;
   if (comm_->getRank() == 0) {
+    if (continued_) error = set_aside();
+    mark_ = {0, 0, fingerprint(nullptr, 0)};
     file_.open(path_, std::ios::binary | std::ios::trunc);
-    file_ << header_ << '\n';
-    if (!file_) error = "cannot write '" + path_ + "'";
+    if (error.empty()) error = append(header + '\n');
   }
+  header_ = header;
+  continued_ = false;
   error = agreed_message(raw_communicator(*comm_), error);
-  if (!error.empty()) throw std::runtime_error(error);
+  if (!error.empty()) throw RunError(error);
+}
+
+/// Rank 0. Returns what is wrong, or "".
+std::string HistoryFile::append(const std::string& line) {
+  file_ << line << std::flush;
+  if (!file_) return "cannot write '" + path_ + "' (disk full?)";
+  count(line);
+  return "";
 }
 
 void HistoryFile::write(double time, const std::vector<HistoryValue>& values) {
@@ -103,11 +155,10 @@ void HistoryFile::write(double time, const std::vector<HistoryValue>& values) {
   if (comm_->getRank() == 0) {
     std::string row = number(time);
     for (const auto& value : values) row += ',' + number(value.value);
-    file_ << row << '\n' << std::flush;
-    if (!file_) error = "cannot write '" + path_ + "' (disk full?)";
+    error = append(row + '\n');
   }
   error = agreed_message(raw_communicator(*comm_), error);
-  if (!error.empty()) throw std::runtime_error(error);
+  if (!error.empty()) throw RunError(error);
 }
 
 }  // namespace mudline

@@ -3,6 +3,7 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
 
+#include <cstdint>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -16,32 +17,55 @@ struct HistoryValue {
   double value;
 };
 
+/// How far a history had come: what a checkpoint keeps of it.
+struct HistoryMark {
+  long long rows = 0, bytes = 0;
+  std::uint64_t fingerprint = 0;  // of these bytes
+};
+
+/// Where a history is continued. `accept_loss`: with what is left of it up to `time` [s], where it is not what the mark
+/// says; or as a new file, the old one kept under another name, where the columns are others.
+struct HistoryRestart {
+  HistoryMark mark;
+  double time = 0;
+  bool accept_loss = false;
+};
+
 /// A CSV of scalars over time, written by rank 0 and flushed with each row. The first row fixes the columns; the header
 /// reads "time [s],body/cone/force y [N],...". Numbers are the shortest text that reads back as the same double, so a
 /// restarted run leaves the same bytes as one that was never stopped.
 class HistoryFile {
  public:
-  /// Without `restart_time` an old file is replaced when the first row is written. With it the rows up to and including
-  /// that time stay, later ones (and a last line cut short by a crash) go; a missing file is started anew.
-  /// Throws InputError when the old file is not a history. Collective.
-  HistoryFile(Teuchos::RCP<const Teuchos::Comm<int>> comm, std::string path, std::optional<double> restart_time = {});
+  /// Without `restart` an old file is replaced when the first row is written. With it the bytes that its mark speaks of
+  /// stay and what follows them goes. InputError when they are not there: the file is missing, shortened or changed.
+  /// Collective.
+  HistoryFile(Teuchos::RCP<const Teuchos::Comm<int>> comm, std::string path,
+              std::optional<HistoryRestart> restart = {});
 
   /// Appends a row. Every rank gives the same columns in the same order; the values of rank 0 are written.
   /// Throws std::logic_error when the columns change within a run, InputError when a restarted run has other columns
-  /// than the file, std::runtime_error when the disk refuses; on every rank alike. Collective.
+  /// than the file, RunError when the disk refuses; on every rank alike. Collective.
   void write(double time, const std::vector<HistoryValue>& values);
 
+  /// Right on rank 0 only.
+  const HistoryMark& mark() const { return mark_; }
   const std::string& path() const { return path_; }
 
  private:
-  std::string truncate(double restart_time);
+  std::string truncate(const HistoryRestart& restart);
+  std::string keep_rows_until(double time, const std::string& text, std::string& kept) const;
   void fix_columns(const std::string& header);
+  std::string set_aside();
+  std::string append(const std::string& line);
+  void count(const std::string& text);
 
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   std::string path_;
   std::string header_;      // "" until the first row
   bool continued_ = false;  // the header is that of the file found at the restart
-  std::ofstream file_;      // open on rank 0 after the first row
+  bool accept_loss_ = false;
+  HistoryMark mark_;
+  std::ofstream file_;  // open on rank 0 after the first row
 };
 
 }  // namespace mudline

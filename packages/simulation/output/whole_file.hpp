@@ -8,9 +8,21 @@
 
 namespace mudline {
 
-/// All ranks write an HDF5 file together under a temporary name beside `path`, which is renamed when it is complete on disk: a
-/// reader, or whoever comes after a crash, finds the old file or the new one. Returns what went wrong, the same on every
-/// rank, "" when nothing did; then nothing is left behind. Collective.
-std::string write_whole(MPI_Comm comm, const std::string& path, const std::function<void(hid_t file)>& content);
+/// What a file will hold, by which its room on the disk is tried beforehand: this rank's bytes, rank 0's texts among
+/// them, and the datasets, groups and links of the file. An estimate from above.
+struct FileSize {
+  std::size_t bytes = 0, objects = 0;
+};
+
+/// All ranks write an HDF5 file together under a temporary name beside `path`, which is renamed when it is complete on
+/// disk: a reader, or whoever comes after a crash, finds the old file or the new one. Returns what went wrong, the same
+/// on every rank, "" when nothing did; then nothing is left behind. HDF5 on MPI may hang or crash on a full disk, so it
+/// does not begin where there is no room. Collective.
+std::string write_whole(MPI_Comm comm, const std::string& path, const FileSize& size,
+                        const std::function<void(hid_t file)>& content);
+
+/// The same with a seal (see seal.hpp) of this kind and version.
+std::string write_whole_and_seal(MPI_Comm comm, const std::string& path, const FileSize& size, const std::string& kind,
+                                 int version, const std::function<void(hid_t file)>& content);
 
 }  // namespace mudline

@@ -15,8 +15,8 @@ std::string number(double value) {
 
 std::string heavy(const Model& model, const std::string& file, const std::string& path, const std::string& dimensions,
                   const std::string& type) {
-  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + model.path(file) + ":" +
-         path + "</DataItem>";
+  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + model.path(file) + ":" + path +
+         "</DataItem>";
 }
 
 const char* const real = "NumberType=\"Float\" Precision=\"8\"";

@@ -14,12 +14,14 @@ inline std::string precise(double value) {
 }
 
 inline std::string elastic_skeleton() {
-  return list("skeleton", text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
+  return list("skeleton",
+              text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
 }
 
 inline std::string cam_clay_skeleton() {
   return list("skeleton", text("type", "modified cam clay") + number("critical stress ratio", 1.2) +
-                              number("compression slope", 0.15) + number("swelling slope", 0.03) + number("Poisson's ratio", 0.3));
+                              number("compression slope", 0.15) + number("swelling slope", 0.03) +
+                              number("Poisson's ratio", 0.3));
 }
 
 /// Conditions on the box's four sides.
@@ -38,23 +40,27 @@ inline std::string pressure_on_all_sides(const std::string& p) {
 /// A distorted block of soil, 1.5 m x 1 m, void ratio 0.8, under a quasi-static stage of backward Euler steps.
 class Block {
  public:
-  Block(const std::string& cell, const std::string& geometry, const std::string& skeleton, const std::string& conditions,
-        const std::string& physics = "", const std::string& fluid = number("bulk modulus", 5e7))
+  Block(const std::string& cell, const std::string& geometry, const std::string& skeleton,
+        const std::string& conditions, const std::string& physics = "",
+        const std::string& fluid = number("bulk modulus", 5e7), const std::function<void(Registries&)>& more = {})
       : fixture_(list("deck", mesh(cell, geometry) + list("materials", list("soil", soil(skeleton, fluid))) +
                                   list("physics", list("ground", text("type", "biot") + physics)) +
-                                  list("boundary conditions", conditions) + list("stages", list("only", steps())))) {
+                                  list("boundary conditions", conditions) + list("stages", list("only", steps()))),
+                 more) {
     model().activate(stage(), true);
     model().stepper().refresh_history();
   }
   Model& model() { return *fixture_.model; }
   const Stage& stage() { return *model().stages().front(); }
   StepRequest request(double dt) {
-    return {dt, stage().scheme(0),
-            [this](double t0, double t1, const State& old, Constraints& to) { model().prescribe(stage(), t0, t1, old, to); }};
+    return {dt, stage().scheme(0), [this](double t0, double t1, const State& old, Constraints& to) {
+              model().prescribe(stage(), t0, t1, old, to);
+            }};
   }
   /// One step, not accepted yet.
   StepReport step(double dt, const StepTolerances& tolerances = StepTolerances()) {
-    NewtonOptions tangents;  // a fresh Jacobian each time: the last iteration then overshoots the tolerance, and tests are sharp
+    NewtonOptions
+        tangents;  // a fresh Jacobian each time: the last iteration then overshoots the tolerance, and tests are sharp
     tangents.reuse_jacobian = false;
     return model().stepper().attempt(request(dt), tolerances, tangents);
   }

@@ -24,24 +24,30 @@ std::string deck(const Case& c) {
       (plane ? text("force x", "-300*x*x+50*y") + text("moment", "20*sin(t)") : "") + text("force y", "-2e3*y*(1+y)") +
       list("water", number("density", 1e3) + number("drag coefficient", 0.7) + number("added mass coefficient", 0.5) +
                         (plane ? "" : number("mudline", 1.3)));
-  const std::string body = par("position", "Array(double)", plane ? "{1.0, 0.97}" : "{0.0, 0.97}") + number("mass", 600) +
-                           (plane ? number("moment of inertia", 20) + par("centre of mass", "Array(double)", "{0.1, 0.35}") : "") +
-                           list("contour", text("type", "cylinder") + text("extent", plane ? "full" : "half") + number("diameter", 0.8)) +
-                           list("motion", motion);
+  const std::string body =
+      par("position", "Array(double)", plane ? "{1.0, 0.97}" : "{0.0, 0.97}") + number("mass", 600) +
+      (plane ? number("moment of inertia", 20) + par("centre of mass", "Array(double)", "{0.1, 0.35}") : "") +
+      list("contour", text("type", "cylinder") + text("extent", plane ? "full" : "half") + number("diameter", 0.8)) +
+      list("motion", motion);
   const std::string material = number("void ratio", 0.8) +
-                               list("skeleton", text("type", "linear elastic") + number("Young's modulus", 1e6) + number("Poisson's ratio", 0.3)) +
+                               list("skeleton", text("type", "linear elastic") + number("Young's modulus", 1e6) +
+                                                    number("Poisson's ratio", 0.3)) +
                                list("fluid", text("type", "water") + number("bulk modulus", 5e7)) +
                                list("permeability", text("type", "constant") + number("hydraulic conductivity", 1e-4));
-  return list("deck",
-              list("mesh", text("type", "box") + text("geometry", c.geometry) + text("cell", "quad9") + par("cells", "Array(double)", "{6, 2}") +
-                               par("upper", "Array(double)", "{2.0, 1.0}")) +
-                  list("materials", list("soil", material)) + list("physics", list("ground", text("type", "biot"))) + list("bodies", list("b", body)) +
-                  list("boundary conditions", list("base", text("type", "fixed") + text("set", "bottom"))) +
-                  list("contacts", list("c", text("type", "penalty") + text("body", "b") + text("surface", "top") + number("penalty", 1e6) +
-                                                 list("friction", text("type", "coulomb") + number("coefficient", c.friction) + number("adhesion", 10)))) +
-                  list("stages", list("s", text("type", c.stage) + number("duration", 1.0) +
-                                               list("integrator", text("type", dynamic ? "generalised alpha" : "theta")) +
-                                               list("time step", number("initial", 0.01)))));
+  return list(
+      "deck",
+      list("mesh", text("type", "box") + text("geometry", c.geometry) + text("cell", "quad9") +
+                       par("cells", "Array(double)", "{6, 2}") + par("upper", "Array(double)", "{2.0, 1.0}")) +
+          list("materials", list("soil", material)) + list("physics", list("ground", text("type", "biot"))) +
+          list("bodies", list("b", body)) +
+          list("boundary conditions", list("base", text("type", "fixed") + text("set", "bottom"))) +
+          list("contacts",
+               list("c", text("type", "penalty") + text("body", "b") + text("surface", "top") + number("penalty", 1e6) +
+                             list("friction", text("type", "coulomb") + number("coefficient", c.friction) +
+                                                  number("adhesion", 10)))) +
+          list("stages", list("s", text("type", c.stage) + number("duration", 1.0) +
+                                       list("integrator", text("type", dynamic ? "generalised alpha" : "theta")) +
+                                       list("time step", number("initial", 0.01)))));
 }
 
 void check(const Case& c) {
@@ -58,7 +64,9 @@ void check(const Case& c) {
   StepRequest request;
   request.dt = 0.01;
   request.scheme = stage.scheme(0);
-  request.prescribe = [&](double t0, double t1, const State& committed, Constraints& to) { model.prescribe(stage, t0, t1, committed, to); };
+  request.prescribe = [&](double t0, double t1, const State& committed, Constraints& to) {
+    model.prescribe(stage, t0, t1, committed, to);
+  };
   const BodyUnknowns& unknowns = model.bodies().at("b")->unknowns();
   // a first step leaves shear stresses and velocities behind
   Vector x = stepper.begin(request, StepTolerances()), f(stepper.map());
@@ -79,7 +87,8 @@ void check(const Case& c) {
   const double scale[] = {0.01, 1e4, 0.01};
   for (int moved = 0; moved < dofs.num_fields(); ++moved) {
     const double h = moved == 1 ? 1e-3 : 1e-5;  // little of the body's force comes from pressures: against rounding
-    Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy), above(stepper.map()), below(stepper.map()), jv(stepper.map());
+    Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy), above(stepper.map()),
+        below(stepper.map()), jv(stepper.map());
     {
       auto data = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (int i = 0; i < dofs.num_owned_dofs(); ++i)
@@ -91,14 +100,16 @@ void check(const Case& c) {
     ASSERT_TRUE(stepper.residual(plus, above));
     ASSERT_TRUE(stepper.residual(minus, below));
     above.update(-0.5 / h, below, 0.5 / h);
-    const auto exact = above.getLocalViewHost(Tpetra::Access::ReadOnly), mine = jv.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto exact = above.getLocalViewHost(Tpetra::Access::ReadOnly),
+               mine = jv.getLocalViewHost(Tpetra::Access::ReadOnly);
     for (int field = 0; field < dofs.num_fields(); ++field) {
       double difference = 0, size = 0;
       for (int i = dofs.owned_begin(field); i < dofs.owned_end(field); ++i) {
         difference = std::max(difference, std::abs(exact(i, 0) - mine(i, 0)));
         size = std::max(size, std::abs(exact(i, 0)));
       }
-      EXPECT_LE(difference, 1e-6 * size) << model.space().field(field).name << " by " << model.space().field(moved).name;
+      EXPECT_LE(difference, 1e-6 * size) << model.space().field(field).name << " by "
+                                         << model.space().field(moved).name;
     }
   }
   const State &old = model.store().committed(), &now = model.store().trial();

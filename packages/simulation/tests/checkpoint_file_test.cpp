@@ -5,16 +5,18 @@
 #include <limits>
 
 #include "core/errors.hpp"
+#include "core/run_error.hpp"
 #include "simulation/tests/output_fixture.hpp"
 
 namespace mudline {
 namespace {
 
+using output_test::content;
 using output_test::Folder;
 using output_test::message_of;
 using output_test::world;
 
-const MeshSignature mesh{9, 4, 9, 9, 4, 77};
+const MeshSignature mesh{9, 4, 9, 9, 4, 77, 7, 8};
 
 CheckpointData example() {
   CheckpointData data;
@@ -42,6 +44,9 @@ TEST(CheckpointFile, ReturnsEveryBit) {
   EXPECT_EQ(back.integers, data.integers);
   EXPECT_EQ(back.scalars, data.scalars);
   EXPECT_EQ(back.texts, data.texts);
+  EXPECT_EQ(back.ranks, 0);
+  EXPECT_FALSE(back.moved_nodes);
+  EXPECT_EQ(CheckpointReader(world(), MeshSignature{}).texts(folder / "c.h5"), data.texts);
 }
 
 TEST(CheckpointFile, ReplacesTheOldOneAndLeavesNoTemporary) {
@@ -53,7 +58,7 @@ TEST(CheckpointFile, ReplacesTheOldOneAndLeavesNoTemporary) {
   writer.write(folder / "c.h5", data);
   EXPECT_EQ(CheckpointReader(world(), mesh).read(folder / "c.h5").scalars.at("time"), 2.0);
   EXPECT_FALSE(std::filesystem::exists(folder / "c.h5.part"));
-  EXPECT_THROW(writer.write(folder / "missing/c.h5", data), std::runtime_error);
+  EXPECT_THROW(writer.write(folder / "missing/c.h5", data), RunError);
 }
 
 TEST(CheckpointFile, SaysWhyItCannotBeUsed) {
@@ -71,18 +76,42 @@ TEST(CheckpointFile, SaysWhyItCannotBeUsed) {
                                       ": checkpoint belongs to a mesh of 9 nodes and 4 elements, but this mesh has 25 "
                                       "nodes and 16 elements");
   MeshSignature renumbered = mesh;
-  renumbered.numbering = 78;
-  EXPECT_NE(refusal(renumbered, path).find("numbered or partitioned differently"), std::string::npos);
+  renumbered.topology = 78;
+  EXPECT_NE(refusal(renumbered, path).find("nodes are numbered differently"), std::string::npos);
   std::ofstream(folder / "text.h5") << "no HDF5 at all";
-  EXPECT_NE(refusal(mesh, folder / "text.h5").find("cannot be read"), std::string::npos);
+  EXPECT_NE(refusal(mesh, folder / "text.h5").find("cut short"), std::string::npos);
+  std::ofstream(folder / "long.h5") << std::string(2000, 'x');
+  EXPECT_NE(refusal(mesh, folder / "long.h5").find("not a checkpoint of this version"), std::string::npos);
+}
 
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  const hid_t version = H5Aopen(file, "format version", H5P_DEFAULT);
-  const long long future = 99;
-  H5Awrite(version, H5T_NATIVE_LLONG, &future);
-  H5Aclose(version);
-  H5Fclose(file);
-  EXPECT_EQ(refusal(mesh, path), path + ": format version 99, but this program reads version 1");
+TEST(CheckpointFile, AnotherPartitionGetsThePartsOfAllRanks) {
+  Folder folder;
+  const CheckpointData data = example();
+  CheckpointWriter(world(), mesh).write(folder / "c.h5", data);
+  MeshSignature other = mesh;
+  other.numbering = 78;
+  other.coordinates = 5;
+  const CheckpointData back = CheckpointReader(world(), other).read(folder / "c.h5");
+  EXPECT_EQ(back.ranks, 1);
+  EXPECT_TRUE(back.moved_nodes);
+  EXPECT_EQ(back.integers, data.integers);
+}
+
+TEST(CheckpointFile, EveryFlippedBitIsFound) {
+  Folder folder;
+  CheckpointWriter(world(), mesh).write(folder / "c.h5", example());
+  const std::string good = content(folder / "c.h5");
+  ASSERT_GT(good.size(), 100000u);
+  for (std::size_t k = 0; k < 500; ++k) {
+    std::string bad = good;
+    const std::size_t byte = k < 250 ? k : (k * 7919 * 131) % good.size();
+    bad[byte] = static_cast<char>(bad[byte] ^ (1 << k % 8));
+    std::ofstream(folder / "bad.h5", std::ios::binary) << bad;
+    EXPECT_THROW(CheckpointReader(world(), mesh).texts(folder / "bad.h5"), InputError) << byte;
+  }
+  std::ofstream(folder / "short.h5", std::ios::binary) << good.substr(0, good.size() - 1);
+  EXPECT_NE(message_of<InputError>([&] { CheckpointReader(world(), mesh).read(folder / "short.h5"); }).find("damaged"),
+            std::string::npos);
 }
 
 TEST(CheckpointFile, TakesItsSignatureFromTheMesh) {
@@ -92,8 +121,14 @@ TEST(CheckpointFile, TakesItsSignatureFromTheMesh) {
   EXPECT_EQ(signature.owned_nodes, 35);
   EXPECT_EQ(signature.local_elements, 8);
   EXPECT_EQ(signature_of(small).numbering, signature.numbering);
-  EXPECT_NE(signature_of(Mesh(world(), Geometry::plane_strain, output_test::two_shapes(3))).numbering,
-            signature.numbering);
+  const MeshSignature larger = signature_of(Mesh(world(), Geometry::plane_strain, output_test::two_shapes(3)));
+  EXPECT_NE(larger.numbering, signature.numbering);
+  EXPECT_NE(larger.topology, signature.topology);
+  GlobalMesh moved = output_test::two_shapes(2);
+  moved.coordinates[1][0] *= 1 + 1e-15;
+  const MeshSignature other = signature_of(Mesh(world(), Geometry::plane_strain, moved));
+  EXPECT_EQ(other.topology, signature.topology);
+  EXPECT_NE(other.coordinates, signature.coordinates);
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ TEST(FieldFile, StepsAreCompleteOnDiskWhileTheFileIsOpen) {
 TEST(FieldFile, RestartDropsLaterStepsAndGoesOn) {
   Folder folder;
   Result result;
-  const auto run = [&](const std::string& stem, std::optional<double> restart, int first, int last, double factor) {
+  const auto run = [&](const std::string& stem, std::optional<FieldRestart> restart, int first, int last,
+                       double factor) {
     FieldFile file(result.mesh, stem, restart);
     file.add_body("cone", contour);
     for (int step = first; step <= last; ++step) result.write(file, step, factor);
@@ -88,13 +89,12 @@ TEST(FieldFile, RestartDropsLaterStepsAndGoesOn) {
   run(folder / "whole", {}, 0, 4, 1.0);
   run(folder / "parts", {}, 0, 2, 1.0);
   {
-    FieldFile wrong_future(result.mesh, folder / "parts", 2.0);
+    FieldFile wrong_future(result.mesh, folder / "parts", FieldRestart{3});
     result.write(wrong_future, 3, 99.0);
   }
-  run(folder / "parts", 2.0, 3, 4, 1.0);
+  run(folder / "parts", FieldRestart{3}, 3, 4, 1.0);
   std::string parts = content(folder / "parts.xdmf");
-  for (std::size_t at = 0; (at = parts.find("parts.fields", at)) != std::string::npos;)
-    parts.replace(at, 5, "whole");
+  for (std::size_t at = 0; (at = parts.find("parts.fields", at)) != std::string::npos;) parts.replace(at, 5, "whole");
   EXPECT_EQ(parts, content(folder / "whole.xdmf"));
   for (const char* name :
        {"/steps/000001/nodal/pore_pressure", "/steps/000003/nodal/pore_pressure", "/steps/000004/coordinates"})
@@ -102,7 +102,7 @@ TEST(FieldFile, RestartDropsLaterStepsAndGoesOn) {
   EXPECT_TRUE(dataset(folder / "parts.h5", "/steps/000005/coordinates").empty());
   EXPECT_FALSE(std::filesystem::exists(folder / "parts.fields/000005.h5"));
 
-  FieldFile from_the_start(result.mesh, folder / "parts", -1.0);
+  FieldFile from_the_start(result.mesh, folder / "parts", FieldRestart{});
   EXPECT_EQ(from_the_start.num_steps(), 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "parts.xdmf"));
 }
@@ -119,7 +119,7 @@ TEST(FieldFile, AStepThatWasCutShortHarmsNothing) {
   std::ofstream(folder / "r.fields/000002.h5.part") << "half a step";
   std::filesystem::copy_file(folder / "r.fields/000001.h5", folder / "r.fields/000002.h5");
   std::ofstream(folder / "r.h5.part") << "half an index";
-  FieldFile file(result.mesh, folder / "r", 1.0);
+  FieldFile file(result.mesh, folder / "r", FieldRestart{2});
   file.add_body("cone", contour);
   EXPECT_EQ(file.num_steps(), 2);
   EXPECT_TRUE(dataset(folder / "r.h5", "/steps/000002/coordinates").empty());
@@ -138,10 +138,42 @@ TEST(FieldFile, RestartNeedsTheStepsThatTheIndexNames) {
     result.write(file, 0);
   }
   std::filesystem::remove(folder / "r.fields/000000.h5");
-  EXPECT_NE(message_of<InputError>([&] {
-              FieldFile(result.mesh, folder / "r", 1.0);
-            }).find("r.h5: the result of the first run cannot be continued: cannot open '" + (folder / "r.fields/000000.h5")),
-            std::string::npos);
+  EXPECT_NE(
+      message_of<InputError>([&] {
+        FieldFile(result.mesh, folder / "r", FieldRestart{1});
+      }).find("r.h5: the result of the first run cannot be continued: cannot open '" + (folder / "r.fields/000000.h5")),
+      std::string::npos);
+}
+
+TEST(FieldFile, RefusesToGoOnWithStepsLost) {
+  Folder folder;
+  Result result;
+  {
+    FieldFile file(result.mesh, folder / "r");
+    file.add_body("cone", contour);
+    for (int step = 0; step < 2; ++step) result.write(file, step);
+  }
+  const auto refusal = [&](const std::string& stem) {
+    return message_of<InputError>([&] { FieldFile(result.mesh, stem, FieldRestart{3, 5.0}); });
+  };
+  EXPECT_NE(refusal(folder / "r").find("only 2 of the 3 outputs up to the checkpoint are left"), std::string::npos);
+  EXPECT_NE(refusal(folder / "none").find("the file is missing"), std::string::npos);
+  EXPECT_EQ(FieldFile(result.mesh, folder / "r", FieldRestart{3, 0.5, true}).num_steps(), 1);
+  EXPECT_EQ(FieldFile(result.mesh, folder / "none", FieldRestart{3, 0.5, true}).num_steps(), 0);
+}
+
+TEST(FieldFile, KnowsWhoseResultsThereAre) {
+  Folder folder;
+  Result result;
+  EXPECT_FALSE(metadata_of(folder / "r").has_value());
+  FieldFile file(result.mesh, folder / "r");
+  file.set_metadata("deck file", "a.xml");
+  file.add_body("cone", contour);
+  EXPECT_FALSE(metadata_of(folder / "r").has_value());  // nothing to lose yet
+  result.write(file, 0);
+  EXPECT_EQ(metadata_of(folder / "r").value().at("deck_file"), "a.xml");
+  std::ofstream(folder / "text.h5") << "no HDF5 at all";
+  EXPECT_TRUE(metadata_of(folder / "text").value().empty());
 }
 
 TEST(FieldFile, RestartRefusesAnotherMeshOrAForeignFile) {
@@ -149,12 +181,13 @@ TEST(FieldFile, RestartRefusesAnotherMeshOrAForeignFile) {
   FieldFile(Result(2).mesh, folder / "r");
   const Result finer(3);
   EXPECT_NE(message_of<InputError>([&] {
-              FieldFile(finer.mesh, folder / "r", 0.0);
+              FieldFile(finer.mesh, folder / "r", FieldRestart{1});
             }).find("belongs to a mesh of 35 nodes and 8 elements, but this mesh has 45 and 10"),
             std::string::npos);
   std::ofstream(folder / "text.h5") << "no HDF5 at all";
-  EXPECT_NE(message_of<InputError>([&] { FieldFile(finer.mesh, folder / "text", 0.0); }).find("cannot be opened"),
-            std::string::npos);
+  EXPECT_NE(
+      message_of<InputError>([&] { FieldFile(finer.mesh, folder / "text", FieldRestart{1}); }).find("cannot be opened"),
+      std::string::npos);
 }
 
 TEST(FieldFile, NeverWritesWhatIsNotFinite) {

@@ -55,7 +55,7 @@ TEST(FieldFile, RestartsOnTwoRanks) {
   Folder folder;
   const Mesh mesh(world(), Geometry::plane_strain, world()->getRank() == 0 ? two_shapes(3) : GlobalMesh());
   write_run(mesh, folder / "r");
-  FieldFile file(mesh, folder / "r", 0.5);
+  FieldFile file(mesh, folder / "r", FieldRestart{1});
   EXPECT_EQ(file.num_steps(), 1);
   file.write(2, 2, "push", owned_coordinates(mesh), {}, {}, {{"cone", {0.0, -5.0}}});
   EXPECT_EQ(file.num_steps(), 2);

@@ -16,10 +16,14 @@ struct Case {
   double tolerance;
 };
 
-std::string elastic() { return list("skeleton", text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3)); }
+std::string elastic() {
+  return list("skeleton",
+              text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
+}
 std::string cam_clay() {
-  return list("skeleton", text("type", "modified cam clay") + number("critical stress ratio", 1.2) + number("compression slope", 0.15) +
-                              number("swelling slope", 0.03) + number("Poisson's ratio", 0.3));
+  return list("skeleton", text("type", "modified cam clay") + number("critical stress ratio", 1.2) +
+                              number("compression slope", 0.15) + number("swelling slope", 0.03) +
+                              number("Poisson's ratio", 0.3));
 }
 
 std::string deck(const Case& c) {
@@ -27,27 +31,36 @@ std::string deck(const Case& c) {
       number("void ratio", 0.8) + number("Biot coefficient", 0.9) + number("grain bulk modulus", 3e7) + c.skeleton +
       list("fluid", text("type", "water") + number("bulk modulus", 5e7)) +
       list("permeability", text("type", "kozeny-carman") + number("hydraulic conductivity", 1e-4));
-  const std::string physics = text("type", "biot") + par("gravity", "Array(double)", "{1.0, -9.81}") + par("fluid acceleration", "bool", "true") +
-                              number("mass damping", 2.0) + number("stiffness damping", 1e-3) +
-                              list("initial state", text("type", "uniform") + number("effective stress xx", 8e4) + number("effective stress yy", 1e5) +
-                                                        number("effective stress zz", 8e4) + number("pore pressure", 2e4));
+  const std::string physics =
+      text("type", "biot") + par("gravity", "Array(double)", "{1.0, -9.81}") +
+      par("fluid acceleration", "bool", "true") + number("mass damping", 2.0) + number("stiffness damping", 1e-3) +
+      list("initial state", text("type", "uniform") + number("effective stress xx", 8e4) +
+                                number("effective stress yy", 1e5) + number("effective stress zz", 8e4) +
+                                number("pore pressure", 2e4));
   const std::string conditions =
       list("base", text("type", "fixed") + text("set", "bottom")) +
       list("drain", text("type", "pore pressure") + text("set", "top") + number("value", 1e3)) +
       list("shear", text("type", "traction") + text("set", "top") + number("x", 3e4) + number("y", -2e4)) +
       list("push", text("type", "pressure") + text("set", "right") + number("value", 5e4)) +
-      list("mud", text("type", "pressure") + text("set", "left") + text("value", "4e4*(1.2-y)*(1+x)") + text("position", "present")) +
-      list("leave", text("type", "absorbing") + text("set", "right")) + list("leak", text("type", "flux") + text("set", "left") + number("value", 1e-3));
-  return list("deck",
-              list("mesh", text("type", "box") + text("geometry", c.geometry) + text("cell", c.cell) + par("cells", "Array(double)", "{3, 2}") +
-                               par("lower", "Array(double)", "{0.5, 0.0}") + par("upper", "Array(double)", "{2.0, 1.0}") + number("distortion", 0.2)) +
-                  list("materials", list("soil", material)) + list("physics", list("ground", physics)) + list("boundary conditions", conditions) +
-                  list("stages", list("shake", text("type", c.integrator == "theta" ? "quasi-static" : "dynamic") + number("duration", 1.0) +
-                                                   list("integrator", text("type", c.integrator)) + list("time step", number("initial", 0.01)))));
+      list("mud", text("type", "pressure") + text("set", "left") + text("value", "4e4*(1.2-y)*(1+x)") +
+                      text("position", "present")) +
+      list("leave", text("type", "absorbing") + text("set", "right")) +
+      list("leak", text("type", "flux") + text("set", "left") + number("value", 1e-3));
+  return list(
+      "deck",
+      list("mesh", text("type", "box") + text("geometry", c.geometry) + text("cell", c.cell) +
+                       par("cells", "Array(double)", "{3, 2}") + par("lower", "Array(double)", "{0.5, 0.0}") +
+                       par("upper", "Array(double)", "{2.0, 1.0}") + number("distortion", 0.2)) +
+          list("materials", list("soil", material)) + list("physics", list("ground", physics)) +
+          list("boundary conditions", conditions) +
+          list("stages", list("shake", text("type", c.integrator == "theta" ? "quasi-static" : "dynamic") +
+                                           number("duration", 1.0) + list("integrator", text("type", c.integrator)) +
+                                           list("time step", number("initial", 0.01)))));
 }
 
 /// Relative difference between J v and (F(x + h v) - F(x - h v)) / 2h, worst over the fields.
-double jacobian_error(Model& model, const StepRequest& request, const Vector& x, double scale_u, double scale_p, std::mt19937& random) {
+double jacobian_error(Model& model, const StepRequest& request, const Vector& x, double scale_u, double scale_p,
+                      std::mt19937& random) {
   Stepper& stepper = model.stepper();
   const DofMap& dofs = *model.space().dofs();
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -100,7 +113,9 @@ void check(const Case& c) {
   StepRequest request;
   request.dt = 0.01;
   request.scheme = stage.scheme(0);
-  request.prescribe = [&](double t0, double t1, const State& committed, Constraints& to) { model.prescribe(stage, t0, t1, committed, to); };
+  request.prescribe = [&](double t0, double t1, const State& committed, Constraints& to) {
+    model.prescribe(stage, t0, t1, committed, to);
+  };
   std::vector<Term*> all = stepper.active();
   std::vector<std::vector<Term*>> groups{all};
   for (Term* term : all) groups.push_back({term});
@@ -110,20 +125,24 @@ void check(const Case& c) {
     {
       auto data = x.getLocalViewHost(Tpetra::Access::ReadWrite);
       for (int i = 0; i < model.space().dofs()->num_owned_dofs(); ++i)
-        if (!stepper.constraints().mask(i)) data(i, 0) += uniform(random) * (model.space().dofs()->field_of(i) == 0 ? 0.004 : 3e3);
+        if (!stepper.constraints().mask(i))
+          data(i, 0) += uniform(random) * (model.space().dofs()->field_of(i) == 0 ? 0.004 : 3e3);
     }
-    EXPECT_LT(jacobian_error(model, request, x, 0.01, 1e4, random), c.tolerance) << (group.size() == 1 ? group[0]->name() : "all terms");
+    EXPECT_LT(jacobian_error(model, request, x, 0.01, 1e4, random), c.tolerance)
+        << (group.size() == 1 ? group[0]->name() : "all terms");
   }
 }
 
 TEST(Jacobian, EqualsDifferencedResidualOfElasticSoil) {
   for (const char* cell : {"tri6", "quad9"})
     for (const char* geometry : {"plane strain", "axisymmetric"})
-      for (const char* integrator : {"generalised alpha", "newmark", "theta"}) check({cell, geometry, elastic(), integrator, 1e-6});
+      for (const char* integrator : {"generalised alpha", "newmark", "theta"})
+        check({cell, geometry, elastic(), integrator, 1e-6});
 }
 
 TEST(Jacobian, EqualsDifferencedResidualOfYieldingClay) {
-  for (const char* geometry : {"plane strain", "axisymmetric"}) check({"tri6", geometry, cam_clay(), "generalised alpha", 1e-3});
+  for (const char* geometry : {"plane strain", "axisymmetric"})
+    check({"tri6", geometry, cam_clay(), "generalised alpha", 1e-3});
 }
 
 }  // namespace

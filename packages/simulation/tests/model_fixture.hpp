@@ -2,6 +2,8 @@
 
 #include <Tpetra_Core.hpp>
 
+#include <functional>
+#include <memory>
 #include <string>
 
 #include "core/deck.hpp"
@@ -11,9 +13,11 @@ namespace mudline::testing {
 
 /// A model built from deck text, with everything it refers to.
 struct ModelFixture {
-  explicit ModelFixture(const std::string& xml) {
+  /// `more`: registers types of the test's own.
+  explicit ModelFixture(const std::string& xml, const std::function<void(Registries&)>& more = {}) {
     deck.overlay(xml, "test.xml");
     register_all(registries);
+    if (more) more(registries);
     root = std::make_unique<Section>(deck.root());
     model = std::make_unique<Model>(Tpetra::getDefaultComm(), *root, registries);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "block_fixture.hpp"
+#include "materials/pointwise.hpp"
 
 namespace mudline {
 namespace {
@@ -41,11 +42,9 @@ void expect_turned(Block& block, const State& state, double angle) {
   }
 }
 
-/// The rotated block fulfils the equations, and its trial state is the rotated one. (Newton is not asked: with the interior
-/// left behind, the first guess of so large a step would be folded.)
-void turn(const std::string& cell, const std::string& skeleton, int steps) {
-  SCOPED_TRACE(cell + " in " + std::to_string(steps) + " steps");
-  Block block(cell, "plane strain", skeleton, turning(), stressed());
+/// The rotated block fulfils the equations, and its trial state is the rotated one. (Newton is not asked: with the
+/// interior left behind, the first guess of so large a step would be folded.)
+void turn(Block& block, int steps) {
   Model& model = block.model();
   const auto& initial = model.mesh().coordinates();
   for (int n = 1; n <= steps; ++n) {
@@ -60,11 +59,71 @@ void turn(const std::string& cell, const std::string& skeleton, int steps) {
         data(dof + 1, 0) = X * std::sin(angle) + Y * std::cos(angle) - Y;
       }
     }
+    ASSERT_TRUE(model.stepper().jacobian(x));  // from it the stepper knows how far the rounding of x shows
     ASSERT_TRUE(model.stepper().residual(x, f));
     for (const double ratio : model.stepper().residual_ratios(f)) EXPECT_LT(ratio, 1);
     model.store().accept();
     expect_turned(block, model.store().committed(), angle);
   }
+}
+
+void turn(const std::string& cell, const std::string& skeleton, int steps) {
+  SCOPED_TRACE(cell + " in " + std::to_string(steps) + " steps");
+  Block block(cell, "plane strain", skeleton, turning(), stressed());
+  turn(block, steps);
+}
+
+constexpr int many = 12;  // tensors
+
+/// Elastic in volume only, with tensors that are carried along: 1, 2, ... times the same one.
+struct ManyTensors {
+  static constexpr double tensor[6] = {3, 1, 2, 0, 0, 0.5};
+  void parameters(Parameters&) {}
+  static std::vector<StateVariable> state() {
+    std::vector<StateVariable> variables;
+    for (int k = 0; k < many; ++k) {
+      variables.push_back({"number " + std::to_string(k), 1, "-"});
+      variables.push_back({"tensor " + std::to_string(k), 6, "-", RemapRule::tensor});
+    }
+    return variables;
+  }
+  std::string initialise(const InitialPoint&, double* to) const {
+    for (int k = 0; k < many; ++k) {
+      *to++ = k;
+      for (double t : tensor) *to++ = (k + 1) * t;
+    }
+    return "";
+  }
+  ElasticModuli moduli(const double*, double, const double*) const { return {1e7, 1e7}; }
+  KOKKOS_FUNCTION bool operator()(const SkeletonPoint& in, const double* old, double* now,
+                                  SkeletonResponse& out) const {
+    for (int i = 0; i < 7 * many; ++i) now[i] = old[i];
+    for (int i = 0; i < 6; ++i) {
+      out.stress[i] = in.stress[i] + (i < 3 ? 1e7 * (in.strain[0] + in.strain[1] + in.strain[2]) : 0.0);
+      if (in.want_tangent)
+        for (int j = 0; j < 6; ++j) out.tangent[6 * i + j] = i < 3 && j < 3 ? 1e7 : 0.0;
+    }
+    return true;
+  }
+};
+constexpr double ManyTensors::tensor[6];
+
+TEST(Objectivity, EveryTensorOfTheStateTurnsWithTheBlock) {
+  Block block("tri6", "plane strain", list("skeleton", text("type", "many tensors")), turning(), stressed(),
+              number("bulk modulus", 5e7), [](Registries& registries) {
+                registries.skeletons.add<PointwiseSkeleton<ManyTensors>>("many tensors", "of a test");
+              });
+  turn(block, 2);
+  // after the quarter turn x and y have changed places
+  const double* t = ManyTensors::tensor;
+  const double turned[6] = {t[1], t[0], t[2], 0, 0, -t[5]};
+  const State& state = block.model().store().committed();
+  const PointView law = state.arrays[block.model().soil()->blocks.front().law];
+  for (std::size_t i = 0; i < law.extent(0); ++i)
+    for (int k = 0; k < many; ++k) {
+      ASSERT_EQ(law(i, 7 * k), k);
+      for (int c = 0; c < 6; ++c) ASSERT_NEAR(law(i, 7 * k + 1 + c), (k + 1) * turned[c], 1e-12) << "tensor " << k;
+    }
 }
 
 TEST(Objectivity, StressTurnsWithTheBlock) {

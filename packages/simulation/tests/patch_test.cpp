@@ -53,10 +53,12 @@ TEST(Patch, HomogeneousDeformationOfSealedSoil) {
     Block block(patch.cell, patch.geometry, elastic_skeleton(), move_all_sides(x, y));
     ASSERT_TRUE(block.step(1.0, tight()).converged);
     const State& state = block.model().store().trial();
-    EXPECT_LT(error(block.model(), state, "displacement", [&](double X, double Y, int i) {
-      if (patch.axisymmetric()) return i == 0 ? 0.03 * X : -0.04 * Y;
-      return i == 0 ? 0.02 * X + 0.05 * Y : 0.01 * X - 0.03 * Y;
-    }), 1e-9);
+    EXPECT_LT(error(block.model(), state, "displacement",
+                    [&](double X, double Y, int i) {
+                      if (patch.axisymmetric()) return i == 0 ? 0.03 * X : -0.04 * Y;
+                      return i == 0 ? 0.02 * X + 0.05 * Y : 0.01 * X - 0.03 * Y;
+                    }),
+              1e-9);
     const double pressure = state.value(block.model().space().node_dof(1)(0));
     EXPECT_GT(std::abs(pressure), 1e4);
     EXPECT_LT(error(block.model(), state, "pore pressure", [&](double, double, int) { return pressure; }), 1e-9);
@@ -79,12 +81,15 @@ TEST(Patch, LinearPressureAndUniformFlow) {
       if (patch.axisymmetric()) return i == 0 ? wide * X : high * Y;
       return i == 0 ? 1e-3 * Y : 0.0;
     };
-    const std::string at_x = patch.axisymmetric() ? "0" : "(x + 1e-3*y)", at_y = patch.axisymmetric() ? precise(1 + high) + "*z" : "y";
-    const std::string p = precise(density) + "*(" + precise(gx) + "*" + at_x + " + " + precise(gy) + "*" + at_y + ") + 4e4";
+    const std::string at_x = patch.axisymmetric() ? "0" : "(x + 1e-3*y)",
+                      at_y = patch.axisymmetric() ? precise(1 + high) + "*z" : "y";
+    const std::string p =
+        precise(density) + "*(" + precise(gx) + "*" + at_x + " + " + precise(gy) + "*" + at_y + ") + 4e4";
     const std::string moving = patch.axisymmetric() ? move_all_sides(precise(wide) + "*r", precise(high) + "*z")
                                                     : move_all_sides("1e-3*y", "0");
     Block block(patch.cell, patch.geometry, elastic_skeleton(), moving + pressure_on_all_sides(p),
-                par("gravity", "Array(double)", "{" + precise(gx) + ", " + precise(gy) + "}"), par("incompressible", "bool", "true"));
+                par("gravity", "Array(double)", "{" + precise(gx) + ", " + precise(gy) + "}"),
+                par("incompressible", "bool", "true"));
     ASSERT_TRUE(block.step(1.0, tight()).converged);
     const State& state = block.model().store().trial();
     EXPECT_LT(error(block.model(), state, "displacement", moved), 1e-9);

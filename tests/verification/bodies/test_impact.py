@@ -86,8 +86,9 @@ class EnergyOfImpacts(MudlineCase):
                 lost, _ = self.lost(deck("ram_on_bar"), radius, resolution, 0.026)
                 self.assertGreater(lost[-1], -1e-7, (resolution, radius))
                 self.assertLess(lost[-1], 0.06, (resolution, radius))
-                # while it touches, energy is where the conjugate positions are, which the velocities do not show
-                self.assertGreater(lost.min(), -2e-3, (resolution, radius))
+                # while it touches, energy is where the conjugate positions are, which the velocities do not show; at 30
+                # radians per step several sets of touching points balance, and Newton's way decides which is found
+                self.assertGreater(lost.min(), -1e-2, (resolution, radius))
 
     def test_rigid_ground(self):
         """Nothing but the ram and the spring: restitution of energy, the table in theory.md."""

@@ -55,6 +55,18 @@ class ActiveSet(ContactCase):
         loose = self.run_deck(self.deck("hertz_line"), common + ("contacts/face/gap tolerance=5e-6",))
         self.assertEqual(len(loose.time), len(inside.time))
 
+    def test_too_few_updates(self):
+        """The set of the first step of 0.1 s takes eight updates: with five it is cut, and the answer is the same."""
+        common = ("stages/press/duration=0.1", LOOP)
+        settings = common + ("contacts/face/most active set updates=5",)
+        done = program(["run", self.deck("hertz_line")] + [x for s in settings for x in ("--set", s)], 1, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+        self.assertIn("the active set of contact 'face' does not settle in 5 updates", done.stdout)
+        cut, whole = self.run_deck(self.deck("hertz_line"), settings), self.run_deck(self.deck("hertz_line"), common)
+        self.assertGreater(len(cut.time), len(whole.time))
+        for column in ("reaction y", "contact area", "maximum penetration"):
+            self.assert_within("after cut steps: " + column, cut["contact/face/" + column][-1], whole["contact/face/" + column][-1], 1e-6)
+
     def test_errors(self):
         def message(deck, *settings):
             done = program(["check", self.deck(deck)] + [x for s in settings for x in ("--set", s)], 1, self.folder)

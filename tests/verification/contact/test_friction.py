@@ -37,8 +37,17 @@ class Sliding(ContactCase):
 
 
 class PartialSlip(ContactCase):
-    def test_cattaneo_mindlin(self):
-        history = self.run_deck(self.deck("partial_slip"))
+    def test_penalty(self):
+        self.cattaneo_mindlin()
+
+    def test_augmented_lagrangian(self):
+        """The stretch of what sticks is followed as far as the load deserves, without a tolerance in the deck."""
+        # with so soft a penalty the multipliers of corners and middles differ by up to 0.2 of the limit, however small the tolerance
+        history = self.cattaneo_mindlin(("contacts/face/enforcement=augmented Lagrangian", "contacts/face/penalty factor=2"), 0.25, 0.06)
+        self.assertLess(history["step/newton iterations"].mean(), 20)
+
+    def cattaneo_mindlin(self, settings=(), largest=0.08, mean=0.03):
+        history = self.run_deck(self.deck("partial_slip"), settings)
         force, shear = history["contact/face/reaction y"][-1], -history["contact/face/reaction x"][-1]
         a, p0 = reference.hertz_line(force, 1.0, reference.plane_modulus(2e8, 0.49))
         stick = reference.stick_half_width(a, shear, 0.3 * force)
@@ -50,12 +59,13 @@ class PartialSlip(ContactCase):
         # nodal stresses are means over the elements around: away from the edges, where the slope is infinite
         error = np.abs(stress - reference.partial_slip(x, a, stick, 0.3 * p0)) / (0.3 * p0)
         smooth = np.minimum(np.abs(np.abs(x) - a), np.abs(np.abs(x) - stick)) > 0.0014
-        self.assert_within("shear stress", error[smooth], 0.0, 0.08, 1.0)
-        self.assert_within("mean error of the shear stress", error[np.abs(x) < a].mean(), 0.0, 0.03, 1.0)
+        self.assert_within("shear stress", error[smooth], 0.0, largest, 1.0)
+        self.assert_within("mean error of the shear stress", error[np.abs(x) < a].mean(), 0.0, mean, 1.0)
         self.assert_within("shear stress in the middle", np.interp(0.0, x, stress), reference.partial_slip(0.0, a, stick, 0.3 * p0), 0.02, 0.3 * p0)
         # the points that slide are those outside the stick zone
         slides = history["contact/face/sliding points"][-1] / history["contact/face/active points"][-1]
         self.assert_within("sliding share", slides, 1 - stick / a, 0.07, 1.0)
+        return history
 
 
 if __name__ == "__main__":

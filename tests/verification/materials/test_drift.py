@@ -96,6 +96,16 @@ class Drift(MudlineCase):
                     self.assertLess(f.max(), 2 * TOLERANCE, f"{name}, {method}")
                     self.assertGreater(np.mean(np.abs(f) < TOLERANCE * 10), 0.8, "it should yield most of the way")
 
+    def test_yield_tolerance(self):
+        """What lies outside by less than the tolerance is left there; the rest is taken back."""
+        skeleton, yield_function = LAWS["sand"]
+        for tolerance in (1e-4, 1e-6):
+            test = {"shear": {"type": "simple shear", "shear strain": [5.0], "steps": 250, "initial state": {"mean effective stress": 1e5}}}
+            law = dict(skeleton, **{"integration": "modified euler", "yield tolerance": tolerance})
+            f = yield_function(self.run_point(self.write("soil.xml", point_deck(law, test)))["shear"]).max()
+            self.assertLess(f, 2 * tolerance)
+            self.assertGreater(f, 10 * TOLERANCE)
+
 
 if __name__ == "__main__":
     unittest.main()

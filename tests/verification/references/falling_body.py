@@ -1,5 +1,7 @@
-"""A rigid body that falls through water or is stopped by a given resistance (Newton's equation, closed forms)."""
+"""A rigid body that falls through water or is stopped by a given resistance (Newton's equation; closed forms, and one of any force)."""
 import math
+
+from scipy.integrate import solve_ivp
 
 
 def fall_in_water(t, mass, volume, area, density, drag, g=9.81):
@@ -25,3 +27,14 @@ def sphere_below(height, radius):
 def ram_on_bar(t, mass, impedance, speed):
     """Speed of a mass that hits a long bar, before the wave returns (St Venant)."""
     return speed * math.exp(-impedance * t / mass)
+
+
+def stopped(depth, speed, mass, force):
+    """Times, depths and speeds from the given ones to the first rest. force(depth, speed): all that acts downwards [N], as in True (1976)."""
+
+    def rests(_, state):
+        return state[1]
+
+    rests.terminal, rests.direction = True, -1
+    solution = solve_ivp(lambda _, state: [state[1], force(*state) / mass], (0, 60), [depth, speed], events=rests, rtol=1e-8, atol=1e-8, max_step=0.02)
+    return solution.t, *solution.y

@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 from scipy.optimize import brentq
 
-from mudline_case import program
+from mudline_case import deck_text, program
 from strength_case import StrengthCase
 
 G, WATER = 9.81, 1000 * 9.81
@@ -137,6 +137,63 @@ class VoidRatioFromLaw(StrengthCase):
             done = program(["run", "-q", self.deck("initial_state", "void_ratio_from_law"), "--set", "materials/clay/" + setting], 1, self.folder)
             self.assertEqual(done.returncode, 2, what)
             self.assertIn(what, done.stderr)
+
+
+class TwoFluids(StrengthCase):
+    """Fresh water over brine, each in 5 m of soil, the water level 1 m above the surface: the weight of both columns counts."""
+    GRAVITY, FRESH, BRINE, LEVEL = 10.0, 1000.0, 1200.0, 1.0
+
+    def soil(self, region, density, alpha):
+        return {"regions": [region], "void ratio": 1.0, "grain density": 2700.0, "Biot coefficient": alpha,
+                "skeleton": {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.3},
+                "fluid": {"type": "water", "density": density}, "permeability": {"type": "constant", "hydraulic conductivity": 1e-4}}
+
+    def deck_of_two(self, layered=True, excess=False):
+        start = {"type": "geostatic", "K0": 0.5, "surcharge": 5e3}
+        if not excess:
+            start["water level"] = self.LEVEL
+        on_top = 0.0 if excess else self.FRESH * self.GRAVITY * self.LEVEL
+        mesh = {"type": "box", "cell": "quad9", "cells": [2, 10], "lower": [0.0, -10.0], "upper": [2.0, 0.0]}
+        if layered:
+            mesh.update({"layer tops": [-5.0], "layer regions": ["deep", "shallow"]})
+            if layered == "upside down":
+                mesh["layer regions"] = ["shallow", "deep"]
+        sides = {name: {"type": "fixed", "set": name, "components": "x"} for name in ("left", "right")}
+        # the material of the deep region first: its Biot coefficient must not count at the surface
+        return deck_text("fluids", {
+            "mesh": mesh,
+            "materials": {"a": self.soil("deep", self.BRINE, 0.8), "b": self.soil("shallow", self.FRESH, 1.0)},
+            "physics": {"ground": {"type": "biot", "pore pressure": "excess" if excess else "total", "gravity": [0.0, -self.GRAVITY],
+                                   "initial state": start}},
+            "boundary conditions": {"base": {"type": "fixed", "set": "bottom"}, **sides,
+                                    "water": {"type": "pore pressure", "set": "top", "value": on_top},
+                                    "load": {"type": "pressure", "set": "top", "value": on_top + 5e3}},
+            "stages": {"rest": {"type": "geostatic", "balance tolerance": 1e-9},
+                       "wait": {"type": "quasi-static", "duration": 1e5, "time step": {"initial": 1e4}}},
+            "output": {"probes": {"top": [1.0, 0.0], "interface": [1.0, -5.0], "base": [1.0, -10.0]}}})
+
+    def test_the_start_is_in_balance_and_stays(self):
+        for ranks in (1, 2):
+            history = self.run_deck(self.write("fluids.xml", self.deck_of_two()), ranks=ranks)
+            for place, pressure in (("top", 10e3), ("interface", 60e3), ("base", 120e3)):
+                values = history[f"probe/{place}/pore pressure"]
+                self.assertLess(np.abs(values - pressure).max(), 1e-6 * pressure, place)
+                self.assertLess(np.abs(history[f"probe/{place}/displacement y"]).max(), 1e-9, place)  # 2.1 mm of heave once
+            with h5py.File(os.path.join(self.folder, "results", "fluids.h5"), "r") as file:
+                excess = file["steps"][sorted(file["steps"])[-1]]["nodal/excess_pore_pressure"][:]
+            self.assertLess(np.abs(excess).max(), 0.1)
+            weight = 2.0 * (15e3 + 10 * 5 * (0.5 * 2700 + 0.5 * self.FRESH) + 10 * 5 * (0.5 * 2700 + 0.5 * self.BRINE))
+            self.assertAlmostEqual(history["reaction/base y"][-1] / weight, 1, delta=1e-6)
+
+    def refused(self, deck, message):
+        done = program(["check", self.write("fluids.xml", deck)], 1, self.folder)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn(message, done.stderr)
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1)
+
+    def test_excess_pressures_need_one_density(self):
+        self.refused(self.deck_of_two(excess=True), "with 'pore pressure' = 'excess' all pore fluids have one density; it is 1000 kg/m3 "
+                     "here and 1200 in 'a'")
 
 
 class Slope(StrengthCase):

@@ -1,0 +1,196 @@
+#include "core/foreign_library.hpp"
+
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <link.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+
+#include "core/guarded.hpp"
+
+namespace mudline {
+
+namespace {
+
+// What a signal handler may read: nothing here allocates once it is set.
+
+struct LoadedCode {
+  std::uintptr_t begin, end;
+  char name[128];
+};
+constexpr int most_libraries = 256;
+LoadedCode loaded[most_libraries];
+std::atomic<int> libraries{0};
+
+char being_loaded[sizeof LoadedCode::name];  // the file whose static initialisers run
+
+int own_rank = 0;
+std::atomic<bool> armed{false}, ending{false};
+constexpr int deadly[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+std::array<char, 1 << 16> signal_stack;  // a recursion without end has used up the ordinary one
+
+/// The foreign library nearest on the stack; null: none.
+const char* library_on_stack() {
+  void* frames[128];
+  const int depth = backtrace(frames, 128);
+  for (int i = 0; i < depth; ++i)
+    for (int k = 0; k < libraries; ++k) {
+      const auto at = reinterpret_cast<std::uintptr_t>(frames[i]);
+      if (at >= loaded[k].begin && at < loaded[k].end) return loaded[k].name;
+    }
+  return being_loaded[0] != '\0' ? being_loaded : nullptr;
+}
+
+/// Writes the pieces as one line with one system call, so that ranks do not mix, and ends the process.
+[[noreturn]] void end(std::initializer_list<const char*> pieces, int code) {
+  if (own_rank > 0) {
+    signal(SIGTERM, SIG_DFL);  // the launcher's, once the first rank has ended
+    sleep(2);
+  }
+  char line[2000];
+  std::size_t length = 0;
+  for (const char* piece : pieces)
+    for (; *piece != '\0' && length + 1 < sizeof line; ++piece) line[length++] = *piece == '\n' ? ' ' : *piece;
+  line[length++] = '\n';
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, line, length);
+  _exit(code);
+}
+
+const char* words(int number) {
+  switch (number) {
+    case SIGSEGV:
+      return "invalid memory access, SIGSEGV";
+    case SIGBUS:
+      return "invalid memory access, SIGBUS";
+    case SIGFPE:
+      return "arithmetic fault such as an integer division by zero, SIGFPE";
+    case SIGILL:
+      return "illegal instruction, SIGILL";
+    default:
+      return "abort, SIGABRT";
+  }
+}
+
+void on_deadly_signal(int number) {
+  // The search of the stack may fail in turn where the stack is damaged.
+  if (ending.exchange(true)) end({"error: the program crashed (", words(number), ")"}, 1);
+  if (const char* library = library_on_stack())
+    end({"error: the library '", library, "' crashed (", words(number), ") while it was being called"}, 1);
+  end({"error: the program crashed (", words(number), "); this is a fault in mudline or in a library it is built on"},
+      1);
+}
+
+void at_exit() {
+  if (!armed.exchange(false)) return;
+  std::fflush(stdout);
+  if (const char* library = library_on_stack())
+    end({"error: the library '", library, "' ended the program (a STOP or a call of exit) while it was being called"},
+        1);
+  end({"error: the program was ended from inside by a call of exit"}, 1);
+}
+
+void on_terminate() {
+  std::string what = "an exception was thrown where none may leave";
+  if (std::current_exception()) {
+    try {
+      throw;
+    } catch (...) {
+      what = what_was_thrown();
+    }
+  }
+  const char* library = library_on_stack();
+  end({"error: ", library ? "the library '" : "the program", library ? library : "", library ? "'" : "",
+       " ended by an exception that could not be caught: ", what.c_str()},
+      1);
+}
+
+void copy_name(const std::string& path, char (&name)[sizeof LoadedCode::name]) {
+  std::strncpy(name, path.c_str() + (path.find_last_of('/') + 1), sizeof name - 1);
+}
+
+/// The address range of a library that has just been loaded.
+void remember(void* handle, const std::string& path) {
+  struct Search {
+    const char* file;
+    std::uintptr_t begin, end;
+  };
+  const link_map* map = nullptr;
+  if (dlinfo(handle, RTLD_DI_LINKMAP, &map) != 0 || map == nullptr) return;
+  Search search{map->l_name, 0, 0};
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* data) {
+        auto& s = *static_cast<Search*>(data);
+        if (std::strcmp(info->dlpi_name, s.file) != 0) return 0;
+        for (int i = 0; i < info->dlpi_phnum; ++i) {
+          if (info->dlpi_phdr[i].p_type != PT_LOAD) continue;
+          const std::uintptr_t begin = info->dlpi_addr + info->dlpi_phdr[i].p_vaddr;
+          if (s.end == 0 || begin < s.begin) s.begin = begin;
+          s.end = std::max<std::uintptr_t>(s.end, begin + info->dlpi_phdr[i].p_memsz);
+        }
+        return 1;
+      },
+      &search);
+  const int k = libraries;
+  for (int i = 0; i < k; ++i)
+    if (loaded[i].begin == search.begin) return;  // loaded before
+  if (search.end == 0 || k == most_libraries) return;
+  loaded[k].begin = search.begin;
+  loaded[k].end = search.end;
+  copy_name(path, loaded[k].name);
+  libraries = k + 1;
+}
+
+}  // namespace
+
+ForeignLibrary::ForeignLibrary(const std::string& path) {
+  copy_name(path, being_loaded);
+  try {
+    handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  } catch (...) {
+    being_loaded[0] = '\0';
+    throw std::runtime_error("its initialisation throws: " + what_was_thrown());
+  }
+  being_loaded[0] = '\0';
+  if (!handle_) throw std::runtime_error(last_line(dlerror()));
+  remember(handle_, path);
+}
+
+void* ForeignLibrary::function(const std::string& name) const { return dlsym(handle_, name.c_str()); }
+
+ExitGuard::ExitGuard(int rank, int ranks) {
+  own_rank = ranks > 1 ? rank : 0;
+  void* frame[1];
+  backtrace(frame, 1);  // loads what it needs now and not in a signal handler
+  stack_t stack{};
+  stack.ss_sp = signal_stack.data();
+  stack.ss_size = signal_stack.size();
+  sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_handler = on_deadly_signal;
+  action.sa_flags = SA_ONSTACK | SA_NODEFER;
+  for (const int number : deadly) sigaction(number, &action, nullptr);
+  std::set_terminate(on_terminate);
+  static const int registered = std::atexit(at_exit);
+  (void)registered;
+  armed = true;
+}
+
+ExitGuard::~ExitGuard() { armed = false; }
+
+void end_with_error(const std::string& message, int code) {
+  armed = false;
+  std::fflush(stdout);
+  end({"error: ", message.c_str()}, code);
+}
+
+}  // namespace mudline

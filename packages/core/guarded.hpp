@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "core/section.hpp"
+
+namespace mudline {
+
+/// The last line of `text` with something in it: long messages of libraries end with what happened.
+std::string last_line(const std::string& text);
+
+/// What was thrown, in one line, inside a catch block: the last line of a std::exception's text, or that it is none.
+std::string what_was_thrown();
+
+/// The result of `action`, code that may be a plugin's. Whatever it throws becomes an InputError at `entry` of the
+/// section, "<what it was to do>: <what was thrown>"; an InputError stays as it is.
+template <class Action>
+auto guarded(const Section& section, const std::string& entry, const std::string& failure, Action&& action)
+    -> decltype(action()) {
+  try {
+    return action();
+  } catch (const InputError&) {
+    throw;
+  } catch (...) {
+    section.fail(failure + ": " + what_was_thrown(), entry);
+  }
+}
+
+/// Registry::create for types that a plugin may have registered: whatever making the object throws is an error of the
+/// section's type.
+template <class Registered, class... Context>
+auto create_guarded(const Registered& registry, const Section& section, Context&&... context) {
+  return guarded(section, "type", "the " + registry.kind() + " cannot be made",
+                 [&] { return registry.create(section, std::forward<Context>(context)...); });
+}
+
+}  // namespace mudline

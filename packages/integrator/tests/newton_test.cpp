@@ -1,0 +1,142 @@
+// Newton's method on one unknown: the guarded step, and the line searches of NOX, read from a deck.
+#include <gtest/gtest.h>
+#include <Tpetra_Core.hpp>
+
+#include <cmath>
+
+#include "core/deck.hpp"
+#include "core/tests/input_error.hpp"
+#include "integrator/newton.hpp"
+
+namespace mudline {
+namespace {
+
+/// F(x) = 0 on rank 0; F may be NaN where it cannot be evaluated.
+class Scalar : public NonlinearProblem {
+ public:
+  Scalar(double (*f)(double), double (*slope)(double))
+      : map_(Teuchos::rcp(new Map(1, 1, 0, Tpetra::getDefaultComm()))), f_(f), slope_(slope) {}
+  RCP<const Map> map() const override { return map_; }
+  bool residual(const Vector& x, Vector& f) override {
+    visited.push_back(value(x));
+    f.putScalar(f_(value(x)));
+    return std::isfinite(value(f));
+  }
+  bool jacobian(const Vector& x) override {
+    tangent_ = slope_(value(x));
+    return true;
+  }
+  void apply_jacobian(const Vector& v, Vector& jv) override { jv.update(tangent_, v, 0.0); }
+  bool solve(const Vector& f, Vector& dx) override {
+    dx.update(1 / tangent_, f, 0.0);
+    return true;
+  }
+  std::vector<double> residual_ratios(const Vector& f) override { return {std::abs(value(f)) / 1e-6}; }
+  std::vector<double> update_ratios(const Vector& dx, const Vector&) override { return {std::abs(value(dx)) / 1e-3}; }
+  static double value(const Vector& x) { return x.getData()[0]; }
+
+  std::vector<double> visited;
+
+ private:
+  RCP<const Map> map_;
+  double (*f_)(double);
+  double (*slope_)(double);
+  double tangent_ = 0;
+};
+
+NewtonOptions read(const std::string& body) {
+  Deck deck;
+  deck.overlay("<ParameterList>" + body + "</ParameterList>", "deck.xml");
+  Parameters p(deck.root());
+  NewtonOptions options;
+  options.parameters(p);
+  p.finish();
+  return options;
+}
+
+std::string parameter(const std::string& name, const std::string& type, const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
+}
+
+std::string nox(const std::string& body) {
+  return "<ParameterList name=\"nox\"><ParameterList name=\"Line Search\">" + body + "</ParameterList></ParameterList>";
+}
+
+std::string list(const std::string& name, const std::string& body) {
+  return "<ParameterList name=\"" + name + "\">" + body + "</ParameterList>";
+}
+
+NewtonReport solve(Scalar& problem, const std::string& options, double start) {
+  Vector x(problem.map());
+  x.putScalar(start);
+  return newton_solve(problem, read(options), x);
+}
+
+double logarithm(double x) { return x > 0 ? std::log(x) : std::nan(""); }
+double inverse(double x) { return 1 / x; }
+double arctangent(double x) { return std::atan(x); }
+double arctangent_slope(double x) { return 1 / (1 + x * x); }
+double itself(double x) { return x; }
+double one(double) { return 1; }
+
+TEST(Newton, HalvesAStepWhoseResidualCannotBeEvaluated) {
+  // the first step from 3 goes to 3 - 3 ln 3 < 0, half of it to 1.35
+  Scalar problem(logarithm, inverse);
+  EXPECT_TRUE(solve(problem, "", 3).converged);
+  EXPECT_LT(problem.visited[1], 0);
+  EXPECT_NEAR(problem.visited[2], 3 - 1.5 * std::log(3.0), 1e-12);
+  Scalar again(logarithm, inverse);
+  EXPECT_FALSE(solve(again, parameter("halvings", "int", "0"), 3).converged);
+  EXPECT_EQ(again.visited.size(), 2u);
+}
+
+TEST(Newton, FullStepOfNoxTakesItsShare) {
+  Scalar problem(itself, one);
+  const auto report = solve(
+      problem,
+      nox(parameter("Method", "string", "Full Step") + list("Full Step", parameter("Full Step", "double", "0.25"))) +
+          parameter("maximum iterations", "int", "3"),
+      1);
+  EXPECT_FALSE(report.converged);
+  ASSERT_EQ(report.history.size(), 4u);
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(report.history[i][0], 1e6 * std::pow(0.75, i), 1e-3);
+}
+
+TEST(Newton, BacktrackOfNoxShortensTheStep) {
+  Scalar full(arctangent, arctangent_slope);
+  EXPECT_FALSE(solve(full, nox(parameter("Method", "string", "Full Step")), 3).converged);  // it runs away
+  Scalar searched(arctangent, arctangent_slope);
+  const std::string method = parameter("Method", "string", "Backtrack");
+  EXPECT_TRUE(
+      solve(searched, nox(method + list("Backtrack", parameter("Reduction Factor", "double", "0.25"))), 3).converged);
+  const double step = -10 * std::atan(3.0);
+  EXPECT_NEAR(searched.visited[1], 3 + step, 1e-12);
+  EXPECT_NEAR(searched.visited[2], 3 + 0.25 * step, 1e-12);
+}
+
+TEST(Newton, BacktrackOfNoxFailsAsTheDeckSays) {
+  Scalar problem(arctangent, arctangent_slope);
+  const auto report = solve(
+      problem,
+      nox(parameter("Method", "string", "Backtrack") +
+          list("Backtrack", parameter("Default Step", "double", "0.9") + parameter("Minimum Step", "double", "0.8") +
+                                parameter("Max Iters", "int", "7") + parameter("Recovery Step", "double", "0.1"))),
+      3);
+  // 0.45 of the step is below the smallest: the recovery step is taken, and ends the solve
+  const double step = -10 * std::atan(3.0);
+  EXPECT_NEAR(problem.visited[1], 3 + 0.9 * step, 1e-12);
+  EXPECT_NEAR(problem.visited[2], 3 + 0.1 * step, 1e-12);
+  EXPECT_GE(report.evaluations, 3);
+}
+
+TEST(Newton, WhatDoesNotFitNoxIsRefused) {
+  EXPECT_EQ(input_error([] { read(nox(parameter("Method", "string", "More'-Thuente"))); }),
+            "deck.xml:1: nox/Line Search/Method: 'More'-Thuente' is not a choice; allowed: Full Step, Backtrack");
+  EXPECT_EQ(input_error([] { read(nox(list("Backtrack", ""))); }),
+            "deck.xml:1: nox/Line Search/Backtrack: has no effect with another 'Method'");
+  EXPECT_EQ(input_error([] { read(nox("") + parameter("largest growth", "double", "1.2")); }),
+            "deck.xml:1: largest growth: has no effect beside a line search of NOX (section 'nox')");
+}
+
+}  // namespace
+}  // namespace mudline

@@ -1,0 +1,205 @@
+#include "simulation/body_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace mudline {
+
+namespace {
+
+constexpr int parts_of_a_stage = 200;
+
+using Vec = std::array<double, 2>;
+
+std::vector<int> nodes_of(const WholeMesh& mesh, int element, int side) {
+  std::vector<int> nodes;
+  for (int k : side_nodes(mesh.elements()[element].shape, side)) nodes.push_back(mesh.elements()[element].nodes[k]);
+  return nodes;
+}
+
+double distance(const Vec& a, const Vec& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+}  // namespace
+
+BodyWay::BodyWay(const Model& model, const RigidBody& body, const WholeMesh& mesh, const Positions& positions)
+    : body_(body), positions_(positions) {
+  for (const PlanePoint& p : body.contour().sample(1e-3 * body.contour().length()))
+    radius_ = std::max(radius_, std::abs(p[0]));
+  follow(model);
+  find_surface(model, mesh);
+  find_boundaries(model, mesh);
+}
+
+void BodyWay::follow(const Model& model) {
+  BodyState now;
+  std::shared_ptr<const BodyMotion> before;
+  double time = 0;
+  places_ = {{0, {0, 0}}};
+  for (const auto& stage : model.stages()) {
+    const auto motion = model.motion_in(*stage, body_.name());
+    if (motion && motion->released() && !release_) release_ = motion;
+    if (motion && motion->released()) free_time_ += stage->duration;
+    if (motion != before) now.moving_time = 0;
+    before = motion;
+    const double dt = stage->duration / parts_of_a_stage;
+    for (int i = 0; i < parts_of_a_stage && motion && !release_ && dt > 0; ++i) {
+      now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
+      places_.push_back({time + (i + 1) * dt, now.displacement});
+    }
+    time += stage->duration;
+  }
+}
+
+void BodyWay::find_surface(const Model& model, const WholeMesh& mesh) {
+  std::set<int> nodes;
+  const double middle = body_.initial_position()[0];
+  for (const auto& [name, contact] : model.contacts()) {
+    const ContactPartners partners = contact->partners();
+    if (partners.body != &body_) continue;
+    for (const auto& side : mesh.side_sets().at(partners.surface)) {
+      const std::vector<int> ends = nodes_of(mesh, side.element, side.side);
+      nodes.insert(ends.begin(), ends.end());
+      if (std::abs(0.5 * (positions_[ends[0]][0] + positions_[ends[1]][0]) - middle) < radius_) ++sides_under_;
+      for (int node : ends) reach_ = std::max(reach_, std::abs(positions_[node][0] - middle));
+    }
+    if (body_.contour().extent() == ContourExtent::half) find_corner(mesh, partners.surface);
+  }
+  surface_.assign(nodes.begin(), nodes.end());
+}
+
+/// A side set that is a part of the surface ends where the mesh was made for the body's edge.
+void BodyWay::find_corner(const WholeMesh& mesh, const std::string& surface) {
+  std::set<std::pair<int, int>> whole;
+  for (const auto& side : mesh.side_sets().at(surface)) whole.insert({side.element, side.side});
+  for (const auto& [name, sides] : mesh.side_sets()) {
+    const bool part = sides.size() < whole.size() && std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
+                        return whole.count({side.element, side.side}) > 0;
+                      });
+    std::map<int, int> met;  // sides at a corner node
+    for (const auto& side : part ? sides : decltype(sides){}) {
+      const std::vector<int> ends = nodes_of(mesh, side.element, side.side);
+      ++met[ends[0]];
+      ++met[ends[1]];
+    }
+    for (const auto& [node, count] : met) {
+      double r = positions_[node][0];
+      if (count != 1 || r < 1e-9 * reach_ || r > reach_ * (1 - 1e-9)) continue;
+      const ContourFoot foot = foot_at({0, 0}, positions_[node]);
+      const bool on_flank = std::abs(foot.gap) < 0.02 * radius_ && std::abs(foot.normal[0]) > 0.3;
+      if (on_flank) r = radius_;  // a mould that fits
+      if (corner_ == 0 || std::abs(std::log(r / radius_)) < std::abs(std::log(corner_ / radius_))) corner_ = r;
+    }
+  }
+}
+
+/// Where the soil changes, or where the mesh moves and regions keep their common nodes.
+void BodyWay::find_boundaries(const Model& model, const WholeMesh& mesh) {
+  if (surface_.empty()) return;
+  const auto& blocks = model.mesh().blocks();
+  for (int e = 0; e < static_cast<int>(mesh.elements().size()); ++e)
+    for (int s = 0; s < num_sides(mesh.elements()[e].shape); ++s) {
+      const int other = mesh.elements()[e].neighbours[s];
+      if (other < e) continue;
+      const int one = mesh.elements()[e].block, two = mesh.elements()[other].block;
+      if (blocks[one].region == blocks[two].region) continue;
+      if (!model.ale() && model.soil()->blocks[one].material == model.soil()->blocks[two].material) continue;
+      const std::vector<int> ends = nodes_of(mesh, e, s);
+      const Vec &a = positions_[ends[0]], &b = positions_[ends[1]];
+      const std::string name = "'" + blocks[one].region + "' and '" + blocks[two].region + "'";
+      const double length = distance(a, b);
+      boundaries_.push_back({a, {(b[0] - a[0]) / length, (b[1] - a[1]) / length}, name});
+      boundaries_.push_back({b, boundaries_.back().along, name});
+    }
+}
+
+ContourFoot BodyWay::foot_at(const Vec& displacement, const Vec& point) const {
+  BodyPlacement placement = body_.initial_placement();
+  for (int i = 0; i < 2; ++i) placement.centre[i] += displacement[i];
+  return body_.closest(placement, {point[0], point[1]});
+}
+
+double BodyWay::gap(const Vec& displacement) const {
+  double least = 1e300;
+  for (int node : surface_) least = std::min(least, gap_at(displacement, positions_[node]));
+  return least;
+}
+
+std::optional<std::size_t> BodyWay::arrival() const {
+  const double touching = 1e-6 * radius_;
+  double left = first_gap();  // lower bound of the gap
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (i > 0) left -= distance(places_[i].displacement, places_[i - 1].displacement);
+    if (left > touching) continue;
+    left = gap(places_[i].displacement);
+    if (left <= touching) return i;
+  }
+  return std::nullopt;
+}
+
+bool BodyWay::leaves() const {
+  const double rounding = 1e-3 * radius_, start = first_gap();
+  Vec step{0, 0};
+  if (places_.size() > 1) {
+    double least = 1e300;
+    for (std::size_t i = 0; i < places_.size(); i += 10) least = std::min(least, gap(places_[i].displacement));
+    return least >= start - rounding && gap(places_.back().displacement) > start + rounding;
+  }
+  const auto [velocity, acceleration] = start_of_fall();
+  step[1] = (velocity != 0 ? velocity : acceleration) > 0 ? 0.1 * radius_ : 0;
+  return step[1] > 0 && gap(step) > start + rounding;
+}
+
+double BodyWay::largest_speed() const {
+  double fastest = 0;
+  for (std::size_t i = 1; i < places_.size(); ++i)
+    if (places_[i].time > places_[i - 1].time)
+      fastest = std::max(fastest, distance(places_[i].displacement, places_[i - 1].displacement) /
+                                      (places_[i].time - places_[i - 1].time));
+  return fastest;
+}
+
+std::array<double, 2> BodyWay::start_of_fall() const {
+  if (!release()) return {0, 0};
+  Vec velocity{0, 0};
+  release()->initial_velocity(velocity);
+  const double mass = body_.properties().mass + release()->added_mass(body_.properties());
+  const auto& at = body_.initial_position();
+  const BodyLoad load =
+      release()->load(body_.properties(), {places_.back().time, {at[0], at[1], 0}, {velocity[0], velocity[1], 0}});
+  return {velocity[1], mass > 0 ? load.force[1] / mass : 0.0};
+}
+
+std::string BodyWay::crossing() const {
+  const double inside = -0.01 * radius_;
+  for (const Boundary& boundary : boundaries_) {
+    double left = gap_at({0, 0}, boundary.at);
+    if (left < 0) continue;
+    for (std::size_t i = 1; i < places_.size(); ++i) {
+      const Vec &now = places_[i].displacement, &before = places_[i - 1].displacement;
+      const double step = distance(now, before);
+      left -= step;
+      if (left > inside || step == 0) continue;
+      // a boundary along the way is pushed aside with the soil on both of its sides
+      const double across =
+          std::abs((now[0] - before[0]) * boundary.along[1] - (now[1] - before[1]) * boundary.along[0]);
+      left = gap_at(now, boundary.at);
+      if (left <= inside && across > 0.5 * step) return boundary.name;
+    }
+  }
+  return "";
+}
+
+std::string BodyWay::crossing_below(double below) const {
+  if (!release() || !release()->releases(1)) return "";
+  const Vec& last = places_.back().displacement;
+  const double tip = body_.initial_position()[1] + last[1], middle = body_.initial_position()[0] + last[0];
+  for (const Boundary& boundary : boundaries_)
+    if (std::abs(boundary.along[0]) > 0.5 && std::abs(boundary.at[0] - middle) < radius_ && boundary.at[1] < tip &&
+        boundary.at[1] > tip - below)
+      return boundary.name;
+  return "";
+}
+
+}  // namespace mudline

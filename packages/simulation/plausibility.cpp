@@ -1,0 +1,401 @@
+#include "simulation/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "core/log.hpp"
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+namespace {
+
+struct Usual {
+  const char* name;
+  const char* unit;
+  std::array<double, 2> range;
+  const char* meaning;
+};
+
+constexpr double any_size = 1e300;
+
+/// By UsualRanges::Quantity. Of what varies over a mesh the largest value counts.
+const Usual table[UsualRanges::count] = {
+    {"undrained strength", "Pa", {200, 2e6}, "of a material, its largest: soft seabed to weak rock"},
+    {"shear modulus", "Pa", {2e4, 2e11}, "of a material, its largest"},
+    {"mean effective stress", "Pa", {0, 1e8}, "of a material, its largest"},
+    {"overconsolidation ratio", "-", {1 - 1e-6, 200}, "of a material, its largest"},
+    {"void ratio", "-", {0.05, 15}, "of a saturated material, its largest"},
+    {"hydraulic conductivity", "m/s", {1e-14, 1}, "of a material, its largest"},
+    {"consolidation coefficient", "m2/s", {1e-11, 1e3}, "k M / unit weight of a material, its largest"},
+    {"body density", "kg/m3", {1000, 20000}, "mass over volume of a body that may move freely"},
+    {"first gap", "-", {0, 5}, "distance of a body from the soil over its largest width"},
+    {"speed", "m/s", {0, 100}, "of a body where it meets the soil"},
+    {"corner",
+     "-",
+     {0.9, 1.25},
+     "radius of the corner that the mesh has on the contact's surface, over that of the body"},
+    {"sides under a body", "-", {1, any_size}, "sides of the contact's surface that the body covers"},
+    {"layer depth", "-", {10, any_size}, "depth of a layer below a released body, over the body's largest width"},
+    {"pressure step",
+     "-",
+     {1, any_size},
+     "first step of a stage over h^2/(6 c_v) of the elements at a surface that is drained and suddenly loaded"},
+    {"steps", "-", {1, 1e6}, "expected of a stage"}};
+
+std::string text(const char* pattern, double a, double b = 0, double c = 0, double d = 0) {
+  char buffer[300];
+  std::snprintf(buffer, sizeof buffer, pattern, a, b, c, d);
+  return buffer;
+}
+
+/// Smallest and largest value over a mesh.
+struct Extent {
+  double low = 1e300, high = -1e300;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  bool known() const { return high >= low; }
+};
+
+/// Steps that a stage takes when each is an easy one.
+double expected_steps(const Stage& stage) {
+  const StepControl& control = stage.control;
+  double time = 0, dt = control.initial, steps = 0;
+  while (time < stage.duration && steps < 1e5 && dt < control.maximum && control.growth > 1) {
+    time += dt;
+    dt *= control.growth;
+    ++steps;
+  }
+  return steps + std::max(0.0, std::ceil((stage.duration - time) / std::min(dt, control.maximum) - 1e-9));
+}
+
+}  // namespace
+
+UsualRanges::UsualRanges() {
+  for (int q = 0; q < count; ++q) range_[q] = table[q].range;
+}
+
+void UsualRanges::parameters(Parameters& p) {
+  for (int q = 0; q < count; ++q) {
+    p.add(table[q].name, range_[q], table[q].unit, std::string("usual {lowest, highest} ") + table[q].meaning);
+    if (!p.documenting() && range_[q][0] > range_[q][1])
+      p.deck().fail("the first value, the lowest, is above the second", table[q].name);
+  }
+}
+
+std::string UsualRanges::doubt(Quantity quantity, double value) const {
+  const auto& range = range_[quantity];
+  if (value >= range[0] && value <= range[1]) return "";
+  const std::string unit = std::string(table[quantity].unit) == "-" ? "" : std::string(" ") + table[quantity].unit;
+  const std::string usual =
+      range[1] == any_size ? text("%.4g or more", range[0]) : text("%.4g to %.4g", range[0], range[1]);
+  return text("%.4g", value) + unit + ", usual is " + usual + " (plausibility/" + table[quantity].name + ")";
+}
+
+/// What an element of soil is like, as means over its points.
+struct Plausibility::Element {
+  const SoilBlock& block;
+  int number;
+  double shortest, longest;  // [m] sides
+  double height;             // [m] area over the longest side
+  double shear, modulus;     // [Pa] G, drained constrained modulus
+  double wave;               // [m/s] fastest
+  double consolidation;      // [m2/s] c_v; 0 without pore fluid
+};
+
+template <class F>
+void Plausibility::for_each_element(F&& f) const {
+  const State& state = model_.store().committed();
+  for (const SoilBlock& b : model_.soil()->blocks)
+    for (int e = 0; e < b.elements; ++e) {
+      Element at{b, e, 1e300, 0, 0, 0, 0, 0, 0};
+      const int corners = num_corners(b.shape);
+      double area = 0;
+      for (int c = 0; c < corners; ++c) {
+        const auto& x = state.coordinates;
+        const int i = b.nodes(e, c), j = b.nodes(e, (c + 1) % corners);
+        const double side = std::hypot(x(j, 0) - x(i, 0), x(j, 1) - x(i, 1));
+        at.shortest = std::min(at.shortest, side);
+        at.longest = std::max(at.longest, side);
+        area += 0.5 * (x(i, 0) * x(j, 1) - x(j, 0) * x(i, 1));
+      }
+      at.height = area / at.longest;
+      const SoilMaterial& material = *b.material;
+      for (int q = 0; q < b.points; ++q) {
+        const int row = e * b.points + q;
+        const double ratio = state.arrays[b.void_ratio](row, 0), n = ratio / (1 + ratio), share = 1.0 / b.points;
+        const PointView& law = state.arrays[b.law];
+        const ElasticModuli m =
+            material.skeleton->moduli(&state.arrays[b.stress](row, 0), ratio, law.data() + row * law.extent(1));
+        const double modulus = m.bulk + 4.0 / 3 * m.shear, storage = material.storage(n);
+        const double alpha = material.biot_coefficient;
+        const double undrained = b.porous() && storage > 0 ? modulus + alpha * alpha / storage : modulus;
+        at.shear += share * m.shear;
+        at.modulus += share * modulus;
+        at.wave += share * std::sqrt(undrained / material.density(n));
+        if (!b.porous()) continue;
+        const double k = material.permeability->conductivity(ratio, state.arrays[b.void_ratio](row, 1)).k;
+        at.consolidation += share * k * modulus / material.fluid->unit_weight();
+      }
+      f(at);
+    }
+}
+
+Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
+  Parameters p(deck.section("plausibility"));
+  usual_.parameters(p);
+  p.finish();
+  if (!model.soil()) return;
+  if (!model.bodies().empty()) {
+    const WholeMesh mesh(model.mesh());
+    const Positions positions = mesh.gather(model.mesh().coordinates());
+    for (const auto& [name, body] : model.bodies()) {
+      const BodyWay way(model, *body, mesh, positions);
+      const std::string crossed = way.crossing();
+      if (!crossed.empty())
+        deck.section("bodies").section(name).fail("its prescribed way crosses the boundary between the regions " +
+                                                  crossed +
+                                                  ": a body cannot pass from one region to another, a film of the "
+                                                  "first would stay under its tip; end its way "
+                                                  "before, or make them one region of one material");
+      tell_body(way);
+    }
+  }
+  tell_materials();
+  tell_mesh();
+  tell_stages(deck);
+}
+
+void Plausibility::print() const {
+  for (const std::string& fact : facts_) log::info(fact);
+  for (const std::string& doubt : doubts_) log::warn(doubt);
+}
+
+void Plausibility::doubt(UsualRanges::Quantity quantity, double value, const std::string& what) {
+  const std::string end = usual_.doubt(quantity, value);
+  if (!end.empty()) doubts_.push_back(what + " is " + end);
+}
+
+void Plausibility::tell_materials() {
+  enum { strength, shear, mean, ocr, voids, k, cv, count };
+  const UsualRanges::Quantity quantity[count] = {UsualRanges::undrained_strength, UsualRanges::shear_modulus,
+                                                 UsualRanges::mean_stress,        UsualRanges::overconsolidation,
+                                                 UsualRanges::void_ratio,         UsualRanges::conductivity,
+                                                 UsualRanges::consolidation};
+  const char* const symbol[count] = {"s_u", "G", "p'", "OCR", "e", "k", "c_v"};
+  std::map<std::string, std::array<Extent, count>> found;  // by material, the same names on every rank
+  for (const SoilBlock& b : model_.soil()->blocks) found[b.material->name];
+  const State& state = model_.store().committed();
+  for_each_element([&](const Element& at) {
+    auto& of = found[at.block.material->name];
+    of[shear].add(at.shear);
+    if (at.block.porous()) of[cv].add(at.consolidation);
+    for (int q = 0; q < at.block.points; ++q) {
+      const int row = at.number * at.block.points + q;
+      const PointView& law = state.arrays[at.block.law];
+      const double* stress = &state.arrays[at.block.stress](row, 0);
+      const double ratio = state.arrays[at.block.void_ratio](row, 0);
+      const SoilState soil = at.block.material->skeleton->soil_state(stress, ratio, law.data() + row * law.extent(1));
+      if (soil.undrained_strength) of[strength].add(*soil.undrained_strength);
+      if (soil.overconsolidation_ratio) of[ocr].add(*soil.overconsolidation_ratio);
+      of[mean].add(-(stress[0] + stress[1] + stress[2]) / 3);
+      if (!at.block.porous()) continue;
+      of[voids].add(ratio);
+      of[k].add(at.block.material->permeability->conductivity(ratio, state.arrays[at.block.void_ratio](row, 1)).k);
+    }
+  });
+  const Comm& comm = *model_.mesh().comm();
+  for (auto& [name, of] : found) {
+    std::string line;
+    for (int i = 0; i < count; ++i) {
+      of[i] = {min_over_ranks(comm, of[i].low), max_over_ranks(comm, of[i].high)};
+      if (!of[i].known()) continue;
+      const std::string unit =
+          std::string(table[quantity[i]].unit) == "-" ? "" : std::string(" ") + table[quantity[i]].unit;
+      line += (line.empty() ? " " : ", ") + std::string(symbol[i]) +
+              (of[i].low == of[i].high ? text(" %.3g", of[i].low) : text(" %.3g to %.3g", of[i].low, of[i].high)) +
+              unit;
+      if (i == mean) stressed_ = stressed_ || of[i].high > 0;
+      doubt(quantity[i], of[i].high, "material '" + name + "': the " + table[quantity[i]].name);
+    }
+    facts_.push_back("material '" + name + "':" + line);
+  }
+}
+
+void Plausibility::tell_mesh() {
+  Extent side, wave, diffusion;
+  for_each_element([&](const Element& at) {
+    side.add(at.shortest);
+    side.add(at.longest);
+    wave.add(at.height / at.wave);
+    if (at.consolidation > 0) diffusion.add(at.height * at.height / at.consolidation);
+  });
+  const Comm& comm = *model_.mesh().comm();
+  for (Extent* extent : {&side, &wave, &diffusion})
+    *extent = {min_over_ranks(comm, extent->low), max_over_ranks(comm, extent->high)};
+  shortest_wave_ = wave.low;
+  std::string line = text("elements: sides of %.3g to %.3g m; a wave crosses one in %.2g to %.2g s", side.low,
+                          side.high, wave.low, wave.high);
+  if (diffusion.known())
+    line += text(", pore pressure spreads through one in %.2g to %.2g s", diffusion.low, diffusion.high);
+  facts_.push_back(line);
+}
+
+void Plausibility::tell_body(const BodyWay& way) {
+  const RigidBody& body = way.body();
+  const BodyProperties& properties = body.properties();
+  const std::string name = "body '" + body.name() + "'";
+  const char* const per = properties.geometry == Geometry::plane_strain ? " per metre" : "";
+  std::string line = name + text(": %.3g m wide", 2 * way.radius());
+  if (properties.volume > 0) line += text(", volume %.3g m3", properties.volume) + per;
+  if (properties.mass > 0) line += text(", mass %.4g kg", properties.mass) + per;
+  if (properties.mass > 0 && properties.volume > 0) {
+    const double density = properties.mass / properties.volume, lost = 1000.0 * properties.volume;
+    line += text(", %.4g kg/m3, weight in water %.4g N", density, 9.81 * (properties.mass - lost));
+    if (way.release()) doubt(UsualRanges::body_density, density, name + ": mass over volume");
+  }
+  if (way.touches_anything()) line += text(", %.3g m from the soil", std::max(0.0, way.first_gap()));
+  facts_.push_back(line);
+  if (!way.touches_anything()) return;
+  doubt_body(way, name);
+  doubt_shape(way, name);
+}
+
+void Plausibility::doubt_body(const BodyWay& way, const std::string& name) {
+  const double gap = std::max(0.0, way.first_gap()), width = 2 * way.radius();
+  doubt(UsualRanges::first_gap, gap / width, name + ": its distance from the soil, in widths,");
+  if (way.leaves()) {
+    doubts_.push_back(name + " moves away from the soil: down is negative");
+    return;
+  }
+  const auto arrival = way.arrival();
+  if (!arrival && !way.release() && way.largest_speed() > 0) doubts_.push_back(name + " never reaches the soil");
+  double speed = way.largest_speed();
+  if (way.release() && (!arrival || way.places().size() == 1)) {
+    const auto [velocity, acceleration] = way.start_of_fall();
+    const double square = velocity * velocity - 2 * acceleration * gap;
+    speed = std::sqrt(std::max(0.0, square));
+    const double time = velocity != 0 || acceleration < 0 ? 2 * gap / std::max(1e-300, std::abs(velocity) + speed) : 0;
+    if (gap > 0 && time > way.free_time())
+      doubts_.push_back(name + text(" needs %.3g s to reach the soil, and is free for %.3g s", time, way.free_time()));
+  }
+  if (speed > 0) {
+    facts_.push_back(name + text(": %.3g m/s where it meets the soil", speed));
+    doubt(UsualRanges::speed, speed, name + ": its speed at the soil");
+  }
+  const std::string layer = way.crossing_below(usual_.lowest(UsualRanges::layer_depth) * width);
+  if (!layer.empty())
+    doubts_.push_back(name + " may come to the boundary between the regions " + layer +
+                      ", which a body cannot cross (plausibility/layer depth)");
+}
+
+void Plausibility::doubt_shape(const BodyWay& way, const std::string& name) {
+  const RigidBody& body = way.body();
+  if (body.of_revolution() && body.properties().geometry == Geometry::plane_strain)
+    doubts_.push_back(name +
+                      " is a body of revolution by its contour, but the mesh is in plane strain, where it is a wedge "
+                      "or a wall: 'mesh/geometry' = axisymmetric?");
+  if (way.surface_corner() > 0)
+    doubt(UsualRanges::corner, way.surface_corner() / way.radius(),
+          name + text(": the mesh has a corner of the surface at %.4g m, the body's radius is %.4g m; their ratio",
+                      way.surface_corner(), way.radius()));
+  if (way.release() || way.largest_speed() > 0)
+    doubt(UsualRanges::sides, way.sides_under(), name + ": the number of sides of the surface that it covers");
+}
+
+/// A load of a stage on one side set.
+struct Plausibility::Load {
+  std::string set;
+  std::vector<Function> components;
+  bool anew;              // it did not act before
+  double time, duration;  // [s] begin of the stage, and of the stage
+  /// Whether the first step brings more than a tenth of what the stage does.
+  bool sudden(double dt, const Point& x) const {
+    for (const Function& f : components) {
+      const double before = anew ? 0.0 : f(time, x), first = std::abs(f(time + dt, x) - before);
+      double most = first;
+      for (int i = 1; i <= 20; ++i) most = std::max(most, std::abs(f(time + duration * i / 20, x) - before));
+      if (first > 0.1 * most) return true;
+    }
+    return false;
+  }
+};
+
+std::vector<Plausibility::Load> Plausibility::loads(const Section& deck, std::size_t number) const {
+  const Stage& stage = *model_.stages()[number];
+  double time = 0;
+  for (std::size_t i = 0; i < number; ++i) time += model_.stages()[i]->duration;
+  std::vector<Load> result;
+  for (const std::string& name : stage.conditions) {
+    const Section entry = deck.section("boundary conditions").section(name);
+    const std::string type = entry.text("type");
+    if (type != "traction" && type != "pressure") continue;
+    Load load{entry.text("set"), {}, number == 0 && !stressed_, time, stage.duration};
+    if (number > 0) {
+      const auto& before = model_.stages()[number - 1]->conditions;
+      load.anew = std::find(before.begin(), before.end(), name) == before.end();
+    }
+    for (const char* component : {"x", "y", "value"}) {
+      Function function;
+      Parameters(entry).add(component, function, "", "");
+      load.components.push_back(function);
+    }
+    result.push_back(load);
+  }
+  return result;
+}
+
+double Plausibility::pressure_time(const Section& deck, std::size_t number) const {
+  const Stage& stage = *model_.stages()[number];
+  const Space& space = model_.space();
+  const int p = space.find("pore pressure"), n = space.dofs()->num_overlap_dofs();
+  Constraints held{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+  model_.prescribe(stage, 0, stage.duration, model_.store().committed(), held);
+  std::set<std::pair<int, int>> beside;  // (block, element)
+  const auto& x = model_.mesh().coordinates();
+  for (const Load& load : loads(deck, number))
+    for (const Side& side : model_.mesh().side_sets().at(load.set)) {
+      const ElementBlock& block = model_.mesh().blocks()[side.block];
+      const std::vector<int> local = side_nodes(block.shape, side.side);
+      const int a = block.nodes(side.element, local[0]), b = block.nodes(side.element, local[1]);
+      const bool drained = held.mask(space.node_dof(p)(a)) && held.mask(space.node_dof(p)(b));
+      const Point middle{0.5 * (x(a, 0) + x(b, 0)), 0.5 * (x(a, 1) + x(b, 1)), 0};
+      if (drained && load.sudden(stage.control.initial, middle)) beside.insert({side.block, side.element});
+    }
+  double longest = 0;
+  for_each_element([&](const Element& at) {
+    if (at.consolidation > 0 && beside.count({at.block.block, at.number}))
+      longest = std::max(longest, at.height * at.height / (6 * at.consolidation));
+  });
+  return max_over_ranks(*model_.mesh().comm(), longest);
+}
+
+void Plausibility::tell_stages(const Section& deck) {
+  const bool porous = model_.soil()->pressure >= 0;
+  for (std::size_t i = 0; i < model_.stages().size(); ++i) {
+    const Stage& stage = *model_.stages()[i];
+    if (stage.type == Stage::Type::geostatic) continue;
+    const std::string name = "stage '" + stage.name + "'";
+    const double steps = expected_steps(stage), dt = stage.control.initial;
+    std::string line = name + text(": about %.0f steps, the first of %.3g s", steps, dt);
+    if (stage.type == Stage::Type::dynamic)
+      line += text(", %.2g times that of a wave through an element", dt / shortest_wave_);
+    facts_.push_back(line);
+    doubt(UsualRanges::steps, steps, name + ": the expected number of steps");
+    const double time = porous ? pressure_time(deck, i) : 0;
+    if (time > 0)
+      doubt(
+          UsualRanges::pressure_step, dt / time,
+          name +
+              text(": the first step of %.3g s at a drained surface that is loaded, over h^2/(6 c_v) = %.3g s (refine "
+                   "there, or pore pressures oscillate),",
+                   dt, time));
+  }
+}
+
+}  // namespace mudline

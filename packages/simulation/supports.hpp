@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ale/whole_mesh.hpp"
+#include "simulation/model.hpp"
+
+namespace mudline {
+
+/// Looks for what nothing holds: rigid motions of the connected parts of the mesh and of the released bodies that no
+/// prescribed displacement, no contact and no spring resists. In a stage without inertia they make the equations
+/// singular.
+///
+/// A motion has one amplitude per part (or body) and direction: x, y, rotation in the plane; y in axisymmetry. Every
+/// support is a row, the displacement that it resists as a linear function of the amplitudes; what is free is the null
+/// space of all rows. A prescribed unknown gives one row. A contact resists the relative displacement along the normal
+/// of its surface, with friction also the one across. Where it may have been pressed in (a stage before this one took
+/// time), or where its body is released, it counts as holding both, so that nothing is called free that could be held.
+/// Absorbing boundaries hold nothing at rest.
+class Supports {
+ public:
+  /// Collective.
+  explicit Supports(Model& model);
+  /// What is free to move in the stage that begins at `time` [s], "body 'anchor' is free to move in x"; "": nothing.
+  /// `pressed_in`: contacts may have been. Collective, the same answer on every rank.
+  std::string missing(const Stage& stage, double time, bool pressed_in) const;
+
+ private:
+  enum Direction { x, y, rotation };
+  /// What moves as a whole, a connected part of the mesh or a released body. It turns about its centre; a rotation of 1
+  /// moves a point at the distance `size` by 1.
+  struct Mover {
+    std::string name;
+    const RigidBody* body = nullptr;
+    std::array<double, 2> centre{};
+    double size = 1;
+  };
+  struct Motion {
+    int mover;
+    Direction direction;
+  };
+  using Row = std::vector<double>;  // by motion
+  class Gram;                       // of the rows
+  class Collector;
+
+  void find_parts();
+  std::vector<Mover> movers(const Stage& stage) const;
+  std::vector<Motion> motions(const Stage& stage, const std::vector<Mover>& movers) const;
+  /// The part of a side set's node that is nearest to a point.
+  int nearest_part(const std::string& set, const std::array<double, 2>& at) const;
+
+  Model& model_;
+  WholeMesh mesh_;
+  Positions positions_;
+  std::vector<int> part_of_;  // (node)
+  std::vector<Mover> parts_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,23 @@
+"""Every deck that is shipped, as it is meant to be run."""
+import os
+import pathlib
+import re
+
+from mudline_case import ROOT
+
+# how an overlay says in its head what it is laid over
+OVER = re.compile(r"(?:Laid over|Overlay for|to be given after) (\w+)\.xml(?:, after (\w+)\.xml)?")
+
+
+def shipped_decks():
+    """{name: files} of all decks of a run; sweeps and decks of material points are none."""
+    inputs = pathlib.Path(ROOT, "inputs")
+    decks = {}
+    for path in sorted(inputs.rglob("*.xml")):
+        text = path.read_text()
+        over = OVER.search(re.sub(r"\s+", " ", text[:text.index("-->")]))
+        if not over and not re.search(r'^  <ParameterList name="mesh">', text, flags=re.M):
+            continue
+        below = [str(path.with_name(name + ".xml")) for name in over.groups() if name] if over else []
+        decks[os.path.relpath(path.with_suffix(""), inputs)] = below + [str(path)]
+    return decks
