@@ -1,0 +1,143 @@
+"""Golden histories: short runs of every deck that is shipped, every column of them, to compare another program with.
+
+    golden.py record [NAME ...]      runs the decks and writes tests/regression/golden/NAME.csv
+    golden.py compare [NAME ...]     runs them again and says which columns differ
+
+NAME is a deck's path below inputs/ without ".xml", say pile/clay. The program is that of the environment variable MUDLINE.
+A refactoring keeps them to 1e-9. A change of a default that changes answers is compared with the old setting by --set, and
+the decks are recorded anew with a note of the figure.
+
+A deck runs for as many steps as about five seconds allow, decided when it is recorded and kept in the file's first line; at
+most twelve rows are kept, spread over the run.
+"""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import resource
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "support"))
+sys.path.insert(0, str(HERE.parent / "plausibility"))
+
+import numpy as np  # noqa: E402
+from mudline_case import History, program  # noqa: E402
+from shipped_decks import shipped_decks  # noqa: E402
+
+GOLDEN = HERE / "golden"
+SECONDS = 5.0   # of a deck
+ROWS = 12
+TIMES = re.compile(r"wall|cpu", re.IGNORECASE)  # columns that no program repeats
+
+
+def run(files, steps, folder, settings=(), ranks=1):
+    """History of so many steps of a deck; all of its rows."""
+    arguments = ["run", "-q", *files, "--steps", steps] + [word for s in settings for word in ("--set", s)]
+    done = program(arguments, ranks, folder, timeout=300)
+    results = list(pathlib.Path(folder, "results").glob("*.csv"))
+    if done.returncode not in (0, 4) or len(results) != 1:
+        raise RuntimeError((done.stdout + done.stderr)[-600:])
+    history = History(results[0])
+    return history, len(history.data) < steps
+
+
+def find_steps(files):
+    """As many steps as take about SECONDS, and their history."""
+    steps = 4
+    while True:
+        with tempfile.TemporaryDirectory() as folder:
+            start = time.monotonic()
+            history, finished = run(files, steps, folder)
+            spent = time.monotonic() - start
+        if finished or spent > 0.5 * SECONDS or steps >= 1500:
+            return steps, history
+        steps = int(min(max(2, 0.9 * SECONDS / max(spent, 0.1)), 12) * steps)
+
+
+def path_of(name):
+    return GOLDEN / (name.replace("/", "-") + ".csv")
+
+
+def record(name, files):
+    steps, history = find_steps(files)
+    keep = np.unique(np.linspace(0, len(history.data) - 1, ROWS).round().astype(int))
+    with open(path_of(name), "w") as out:
+        out.write(f"# {steps} steps\n")
+        out.write(",".join(["row"] + history.header) + "\n")
+        for row in keep:
+            out.write(",".join([str(row)] + [f"{v:.12g}" for v in history.data[row]]) + "\n")
+    return f"{steps} steps, {len(keep)} rows of {len(history.header)} columns"
+
+
+def unit(column):
+    found = re.search(r"\[([^\]]*)\]$", column)
+    return found.group(1) if found else ""
+
+
+def compare(name, files, tolerance, settings=(), ranks=1):
+    """List of differences; empty where the histories agree. What is the rounding of larger columns of its unit may differ."""
+    lines = path_of(name).read_text().splitlines()
+    header = lines[1].split(",")[1:]
+    golden = np.array([[float(v) for v in line.split(",")] for line in lines[2:]])
+    rows, golden = golden[:, 0].astype(int), golden[:, 1:]
+    with tempfile.TemporaryDirectory() as folder:
+        history, _ = run(files, int(lines[0].split()[1]), folder, settings, ranks)
+    if rows[-1] != len(history.data) - 1:
+        return [f"{len(history.data)} rows, {rows[-1] + 1} expected"]
+    found = {column: history.data[rows, i] for i, column in enumerate(history.header)}
+    problems = [f"column '{c}' is missing" for c in header if c not in found]
+    problems += [f"column '{c}' is new" for c in found if c not in header]
+    largest = {}
+    for i, column in enumerate(header):
+        largest[unit(column)] = max(largest.get(unit(column), 0.0), np.abs(golden[:, i]).max())
+    for i, column in enumerate(header):
+        if column not in found or TIMES.search(column):
+            continue
+        allowed = tolerance * (np.abs(golden[:, i]).max() + 1e-2 * largest[unit(column)]) + 1e-11 * np.abs(golden[:, i]).max()
+        worst = np.abs(found[column] - golden[:, i]).max()
+        if not worst <= allowed:
+            problems.append(f"'{column}' differs by {worst:.2e}, its largest value is {np.abs(golden[:, i]).max():.4g}")
+    return problems
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("command", choices=("record", "compare"))
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("--tolerance", type=float, default=1e-9, help="of a column's largest value")
+    parser.add_argument("--set", action="append", default=[], dest="settings", help="as of the program")
+    parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    arguments = parser.parse_args()
+    GOLDEN.mkdir(exist_ok=True)
+    decks = shipped_decks()
+    unknown = [name for name in arguments.names if name not in decks]
+    if unknown:
+        parser.error(f"no deck '{unknown[0]}'; there are {', '.join(decks)}")
+    names = arguments.names or [n for n in decks if arguments.command == "record" or path_of(n).exists()]
+
+    def work(name):
+        try:
+            if arguments.command == "record":
+                return name, record(name, decks[name]), True
+            problems = compare(name, decks[name], arguments.tolerance, arguments.settings, arguments.ranks)
+            return name, "\n    ".join(problems[:6]) if problems else "equal", not problems
+        except RuntimeError as error:
+            return name, str(error), False
+
+    failed = 0
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        for name, text, good in pool.map(work, names):
+            failed += not good
+            print(f"{name}: {text}", flush=True)
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(f"{len(names) - failed} of {len(names)} decks, {spent.ru_utime:.0f} s CPU")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
