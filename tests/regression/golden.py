@@ -8,7 +8,8 @@ A refactoring keeps them to 1e-9. A change of a default that changes answers is 
 the decks are recorded anew with a note of the figure.
 
 A deck runs for as many steps as about five seconds allow, decided when it is recorded and kept in the file's first line; at
-most twelve rows are kept, spread over the run.
+most twelve rows are kept, spread over the run. A second run on two ranks tells what rounding does to each column (the row
+`noise`): what is a difference of large numbers cannot be kept to 1e-9. Ten times that is allowed for.
 """
 import argparse
 import concurrent.futures
@@ -31,6 +32,9 @@ from shipped_decks import shipped_decks  # noqa: E402
 GOLDEN = HERE / "golden"
 SECONDS = 5.0   # of a deck
 ROWS = 12
+# steps before Newton's iterates wander about, where rounding decides what becomes of a step
+CALM = {"footing/tresca_penetration": 14, "cpt/guide_tube": 12}
+DIFFERENCES = re.compile(r"^balance/.*(change|error|outflow)")  # of sums over the mesh: their last digits are rounding
 TIMES = re.compile(r"wall|cpu", re.IGNORECASE)  # columns that no program repeats
 
 
@@ -40,7 +44,7 @@ def run(files, steps, folder, settings=(), ranks=1):
     done = program(arguments, ranks, folder, timeout=300)
     results = list(pathlib.Path(folder, "results").glob("*.csv"))
     if done.returncode not in (0, 4) or len(results) != 1:
-        raise RuntimeError((done.stdout + done.stderr)[-600:])
+        raise RuntimeError((done.stdout + done.stderr)[:600])
     history = History(results[0])
     return history, len(history.data) < steps
 
@@ -62,12 +66,39 @@ def path_of(name):
     return GOLDEN / (name.replace("/", "-") + ".csv")
 
 
+def rounding(files, steps, history):
+    """Largest difference of each column on two ranks; None where the steps go another way."""
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            other, _ = run(files, steps, folder, ranks=2)
+        except RuntimeError as error:
+            if "fewer than the 2 ranks" in str(error):
+                return np.zeros(len(history.header))
+            raise
+    way = "step/newton iterations"
+    if other.data.shape != history.data.shape or not np.array_equal(other[way], history[way]):
+        return None
+    columns = [other.header.index(column) for column in history.header]
+    return np.abs(other.data[:, columns] - history.data).max(axis=0)
+
+
 def record(name, files):
     steps, history = find_steps(files)
+    noise, limit = None, CALM.get(name, steps)
+    while noise is None:
+        if limit < steps or history is None:
+            steps = limit
+            with tempfile.TemporaryDirectory() as folder:
+                history, _ = run(files, steps, folder)
+        noise = rounding(files, steps, history)
+        limit = max(1, steps * 2 // 3)
+        if noise is None and steps == 1:
+            raise RuntimeError("one step differs between one rank and two")
     keep = np.unique(np.linspace(0, len(history.data) - 1, ROWS).round().astype(int))
     with open(path_of(name), "w") as out:
         out.write(f"# {steps} steps\n")
         out.write(",".join(["row"] + history.header) + "\n")
+        out.write(",".join(["noise"] + [f"{v:.1e}" for v in noise]) + "\n")
         for row in keep:
             out.write(",".join([str(row)] + [f"{v:.12g}" for v in history.data[row]]) + "\n")
     return f"{steps} steps, {len(keep)} rows of {len(history.header)} columns"
@@ -79,10 +110,11 @@ def unit(column):
 
 
 def compare(name, files, tolerance, settings=(), ranks=1):
-    """List of differences; empty where the histories agree. What is the rounding of larger columns of its unit may differ."""
+    """List of differences; empty where the histories agree."""
     lines = path_of(name).read_text().splitlines()
     header = lines[1].split(",")[1:]
-    golden = np.array([[float(v) for v in line.split(",")] for line in lines[2:]])
+    noise = [float(v) for v in lines[2].split(",")[1:]]
+    golden = np.array([[float(v) for v in line.split(",")] for line in lines[3:]])
     rows, golden = golden[:, 0].astype(int), golden[:, 1:]
     with tempfile.TemporaryDirectory() as folder:
         history, _ = run(files, int(lines[0].split()[1]), folder, settings, ranks)
@@ -97,7 +129,8 @@ def compare(name, files, tolerance, settings=(), ranks=1):
     for i, column in enumerate(header):
         if column not in found or TIMES.search(column):
             continue
-        allowed = tolerance * (np.abs(golden[:, i]).max() + 1e-2 * largest[unit(column)]) + 1e-11 * np.abs(golden[:, i]).max()
+        share = max(tolerance, 1e-4) if DIFFERENCES.search(column) else tolerance
+        allowed = share * np.abs(golden[:, i]).max() + 1e-2 * tolerance * largest[unit(column)] + 10 * noise[i]
         worst = np.abs(found[column] - golden[:, i]).max()
         if not worst <= allowed:
             problems.append(f"'{column}' differs by {worst:.2e}, its largest value is {np.abs(golden[:, i]).max():.4g}")
