@@ -130,7 +130,7 @@ def compare(name, files, tolerance, settings=(), ranks=1):
         if column not in found or TIMES.search(column):
             continue
         share = max(tolerance, 1e-4) if DIFFERENCES.search(column) else tolerance
-        allowed = share * np.abs(golden[:, i]).max() + 1e-2 * tolerance * largest[unit(column)] + 10 * noise[i]
+        allowed = share * np.abs(golden[:, i]).max() + 0.1 * tolerance * largest[unit(column)] + 10 * noise[i] + 1e-20
         worst = np.abs(found[column] - golden[:, i]).max()
         if not worst <= allowed:
             problems.append(f"'{column}' differs by {worst:.2e}, its largest value is {np.abs(golden[:, i]).max():.4g}")
