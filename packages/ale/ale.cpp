@@ -201,7 +201,7 @@ double Ale::carry_points(StateStore& store, const Positions& x_old, const Positi
     const PointTransfer transfer{mesh_, b, x_old, x_new, variables, columns, old, now};
     remap_->transfer(transfer);
     if (deck_.conserve) {
-      const double share = restore_grains(transfer, soil_.axisymmetric, dry);
+      const double share = restore_grains(transfer, soil_.axisymmetric(), dry);
       restored = std::abs(share) > std::abs(restored) ? share : restored;
     }
     const ElementBlock& elements = space_.mesh().blocks()[b.block];

@@ -32,7 +32,7 @@ double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x) 
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block))
       for (int q = 0; q < block.points; ++q)
-        sum += PointMap(mesh.elements()[e], block, q, x, soil.axisymmetric).volume();
+        sum += PointMap(mesh.elements()[e], block, q, x, soil.axisymmetric()).volume();
   return sum;
 }
 
@@ -46,13 +46,13 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
                        [&](int node) { return freedom[node] > 0; }))
         continue;
       for (int q = 0; q < block.points; ++q) {
-        const PointMap at(element, block, q, x, soil.axisymmetric);
+        const PointMap at(element, block, q, x, soil.axisymmetric());
         for (int a = 0; a < block.u.nodes; ++a) {
           const double d[2] = {block.u.dN(q, a, 0), block.u.dN(q, a, 1)};
           auto& g = gradient[element.nodes[a]];
           g[0] += at.factor * (d[0] * at.j[1][1] - d[1] * at.j[1][0]);
           g[1] += at.factor * (at.j[0][0] * d[1] - at.j[0][1] * d[0]);
-          if (soil.axisymmetric) g[0] += 2 * std::acos(-1.0) * block.u.weights(q) * block.u.N(q, a) * at.det;
+          if (soil.axisymmetric()) g[0] += 2 * std::acos(-1.0) * block.u.weights(q) * block.u.N(q, a) * at.det;
         }
       }
     }

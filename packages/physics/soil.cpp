@@ -185,7 +185,7 @@ std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::share
                                 bool porous, int degree, const Section& where) {
   auto soil = std::make_shared<Soil>();
   soil->space = &space;
-  soil->axisymmetric = space.mesh().geometry() == Geometry::axisymmetric;
+  soil->geometry = space.mesh().geometry();
   soil->displacement = space.find("displacement");
   soil->pressure = porous ? space.find("pore pressure") : -1;
   for (const std::string& region : space.mesh().regions()) material_of(region, space.mesh(), materials, where);
@@ -202,15 +202,8 @@ std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::share
                      "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
                      "'permeability', or use physics 'biot'",
                  b.material->name);
-    b.shape = elements.shape;
-    const QuadratureRule rule = cell_quadrature(elements.shape, degree);
-    b.u = tabulate(elements.shape, rule);
-    if (porous) b.p = tabulate(linear_partner(elements.shape), rule);
-    b.dofs = space.element_dofs(
-        b.block, porous ? std::vector<int>{soil->displacement, soil->pressure} : std::vector<int>{soil->displacement});
-    b.nodes = elements.nodes;
-    b.elements = elements.num_elements;
-    b.points = b.u.points;
+    static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement,
+                                             porous ? std::vector<int>{soil->pressure} : std::vector<int>{}, degree);
     soil->blocks.push_back(b);
   }
   return soil;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "materials/register_materials.hpp"
+#include "physics/field_block.hpp"
 #include "physics/space.hpp"
 #include "physics/state.hpp"
 
@@ -53,24 +54,18 @@ class SoilMaterial {
   double storage(double porosity) const;
 };
 
-/// The elements of one mesh block with their soil, quadrature and state; shared by the terms of a physics.
-struct SoilBlock {
+/// The elements of one mesh block with their soil and its state; shared by the terms of a physics.
+struct SoilBlock : FieldBlock {
   int block;
   std::shared_ptr<const SoilMaterial> material;
-  CellShape shape;
-  ShapeTable u, p;   // tabulated at the same quadrature points; p.nodes == 0 without pore fluid
-  ElementDofs dofs;  // displacement, then pore pressure
-  Kokkos::View<int**, Kokkos::LayoutRight> nodes;
-  int elements, points;
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
-  int group = -1;                              // of the assembler
-  bool porous() const { return p.nodes > 0; }
+  bool porous() const { return scalars > 0; }
 };
 
 /// All soil of a model.
 struct Soil {
   const Space* space;
-  bool axisymmetric;
+  Geometry geometry;
   int displacement, pressure;  // field indices; pressure -1 without pore fluid
   std::vector<SoilBlock> blocks;
   bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water
@@ -78,6 +73,7 @@ struct Soil {
   /// in excess of water at rest.
   std::function<std::array<double, 2>(double time)> water_gravity = [](double) { return std::array<double, 2>{}; };
 
+  bool axisymmetric() const { return geometry == Geometry::axisymmetric; }
   /// Density of the water whose weight a soil does not feel, alpha rho_f [kg/m3]; zero where pore pressures are total.
   double uplift(const SoilMaterial& material) const;
   void declare_state(StateStore& store);

@@ -124,6 +124,12 @@ KOKKOS_INLINE_FUNCTION Dual<N> exponential(const Dual<N>& a) {
   return a.chain(f, f);
 }
 
+KOKKOS_INLINE_FUNCTION double logarithm(double a) { return ::log(a); }
+template <int N>
+KOKKOS_INLINE_FUNCTION Dual<N> logarithm(const Dual<N>& a) {
+  return a.chain(::log(a.v), 1.0 / a.v);
+}
+
 namespace detail {
 /// (exp(z) - 1)/z and its derivative; a Taylor series near 0, where the closed form of the derivative cancels.
 KOKKOS_INLINE_FUNCTION void exponential_quotient(double z, double& f, double& slope) {

@@ -4,51 +4,215 @@
 
 #include <cmath>
 
+#include "tensor/small_matrix.hpp"
+#include "tensor/sym6.hpp"
+
 namespace mudline {
 
-/// Objective increment of a motion in the plane (Hughes and Winget 1980) from its gradient on the midpoint
-/// configuration, H = d(Delta u)/d x_{n+1/2}, and the hoop strain Delta u_r/r_{n+1/2}: strain = sym H, rotation by the
-/// angle 2 atan(w/2) with the spin w = (H_yx - H_xy)/2. A pure rotation gives no strain. The trace of the strain
-/// increment is replaced by ln J, so that the skeleton's volume strain is the one that the void ratio and the pore
-/// water see, whatever the size of the step. sym H has the axes of the midpoint: it is turned on by half the angle to
-/// those of the end, where stress and state are. Without that the stress would be of first order only in the step where
-/// strain and rotation come together.
+/// Place of the tensor component (i, j) among the six xx yy zz yz xz xy.
+KOKKOS_INLINE_FUNCTION constexpr int six(int i, int j) { return i == j ? i : 6 - i - j; }
+
+/// Objective increment of a motion (Hughes and Winget 1980) from its gradient on the midpoint configuration,
+/// H = d(Delta u)/d x_{n+1/2}, and the hoop strain Delta u_r/r_{n+1/2} of axial symmetry: strain = sym H, rotation by
+/// (1 - W/2)^-1 (1 + W/2) with the spin W = skew H. A pure rotation gives no strain. The trace of the strain increment
+/// is replaced by ln J, so that the skeleton's volume strain is the one that the void ratio and the pore water see,
+/// whatever the size of the step. sym H has the axes of the midpoint: it is turned on by half the rotation to those of
+/// the end, where stress and state are. Without that the stress would be of first order only in the step where strain
+/// and rotation come together.
+///
+/// Dim: 2, in the plane, with the third direction apart as the hoop; 3 in space, where the hoop is 0 and stays out.
+template <int Dim>
 struct MidpointRule {
-  double spin;                    // w [-]
-  double cosine, sine;            // of the rotation
-  double half_cosine, half_sine;  // of half of it
-  double increment[4];            // strain xx yy zz(hoop) xy (engineering shear), axes of the end
+  static constexpr int spins = Dim == 3 ? 3 : 1;       // rotations that the space has; in the plane about z
+  static constexpr int components = Dim == 3 ? 6 : 4;  // of a strain that are not always 0
+  /// Place of component k among the six.
+  KOKKOS_INLINE_FUNCTION static constexpr int place(int k) { return Dim == 2 && k == 3 ? 5 : k; }
+
+  double gradient[Dim][Dim], hoop_gradient;  // H
+  double spin[spins];                        // axial vector of skew H [-]
+  double rotation[Dim][Dim], half[Dim][Dim];
+  double strain[Dim][Dim], hoop;  // increment, tensor components, axes of the end
   double log_volume;              // ln J, J = dv_{n+1} / dv_n
 
   /// `valid`: the configurations are not inverted; otherwise ln J is 0 and the increment means nothing.
-  KOKKOS_INLINE_FUNCTION void evaluate(const double (&H)[2][2], double hoop, bool valid) {
+  KOKKOS_INLINE_FUNCTION void evaluate(const double (&H)[Dim][Dim], double hoop_of_H, bool valid) {
+    double trace = 0;
+    for (int i = 0; i < Dim; ++i) {
+      trace += H[i][i];
+      for (int j = 0; j < Dim; ++j) {
+        gradient[i][j] = H[i][j];
+        strain[i][j] = 0.5 * (H[i][j] + H[j][i]);
+      }
+    }
+    hoop = hoop_gradient = hoop_of_H;
     // exactly: dx_{n+1} = (I + H/2) dx_{n+1/2} and dx_n = (I - H/2) dx_{n+1/2}
-    const double half_trace = 0.5 * (H[0][0] + H[1][1]), quarter = 0.25 * (H[0][0] * H[1][1] - H[0][1] * H[1][0]);
-    log_volume = valid ? ::log1p(quarter + half_trace) - ::log1p(quarter - half_trace) + ::log1p(0.5 * hoop) -
-                             ::log1p(-0.5 * hoop)
-                       : 0.0;
-    spin = 0.5 * (H[1][0] - H[0][1]);
-    const double q = 1 + 0.25 * spin * spin;
-    cosine = (1 - 0.25 * spin * spin) / q;
-    sine = spin / q;
-    half_cosine = 1 / ::sqrt(q);
-    half_sine = 0.5 * spin * half_cosine;
-    increment[0] = H[0][0];
-    increment[1] = H[1][1];
-    increment[2] = hoop;
-    increment[3] = H[0][1] + H[1][0];
-    const double shift = (log_volume - (increment[0] + increment[1] + increment[2])) / 3;
-    for (int i = 0; i < 3; ++i) increment[i] += shift;
-    turn_half(increment);
+    const double even = 0.25 * second_invariant(H);
+    double odd = 0.5 * trace;
+    if constexpr (Dim == 3) odd += 0.125 * determinant(H);
+    log_volume = valid ? ::log1p(even + odd) - ::log1p(even - odd) : 0.0;
+    if constexpr (Dim == 2)
+      if (valid) log_volume += ::log1p(0.5 * hoop) - ::log1p(-0.5 * hoop);
+    axial(H, spin);
+    double v[spins], square = 0;
+    for (int k = 0; k < spins; ++k) {
+      v[k] = 0.5 * spin[k];
+      square += v[k] * v[k];
+    }
+    turn_by(1.0, v, square, rotation);
+    turn_by(1.0 + ::sqrt(1.0 + square), v, square, half);
+    set_volume(strain, hoop, log_volume);
+    turn_half(strain);
   }
 
-  /// A strain from the axes of the midpoint to those of the end.
-  KOKKOS_INLINE_FUNCTION void turn_half(double (&e)[4]) const {
-    const double cc = half_cosine * half_cosine, ss = half_sine * half_sine, cs = half_cosine * half_sine;
-    const double xx = cc * e[0] - cs * e[3] + ss * e[1], yy = ss * e[0] + cs * e[3] + cc * e[1];
-    e[3] = 2 * cs * (e[0] - e[1]) + (cc - ss) * e[3];
-    e[0] = xx;
-    e[1] = yy;
+  /// The increment as six numbers with engineering shear.
+  KOKKOS_INLINE_FUNCTION void increment(double* e) const { to_six(strain, hoop, e); }
+
+  /// R s R^T of a symmetric tensor xx yy zz yz xz xy with stress-like components.
+  KOKKOS_INLINE_FUNCTION void rotate(const double* s, double* out) const {
+    if constexpr (Dim == 3) {
+      sym6::rotate(&rotation[0][0], s, out);
+    } else {
+      const double c = rotation[0][0], n = rotation[1][0], cc = c * c, nn = n * n, cn = c * n;
+      out[0] = cc * s[0] - 2 * cn * s[5] + nn * s[1];
+      out[1] = nn * s[0] + 2 * cn * s[5] + cc * s[1];
+      out[2] = s[2];
+      out[3] = n * s[4] + c * s[3];
+      out[4] = c * s[4] - n * s[3];
+      out[5] = cn * (s[0] - s[1]) + (cc - nn) * s[5];
+    }
+  }
+
+  /// Change of the increment, less what the turning of its own axes adds, for a further displacement with the gradient
+  /// d(u_j)/d(x_m) = 1 in the configuration of the end: six numbers with engineering shear, by which an isotropic law
+  /// answers. `turn`: the rotation [-] of that displacement.
+  KOKKOS_INLINE_FUNCTION void variation(int j, int m, double* e, double (&turn)[spins]) const {
+    // dH = (1 - H/2) G (1 + H/2), exactly: the midpoint moves with half the displacement
+    double dH[Dim][Dim];
+    for (int i = 0; i < Dim; ++i)
+      for (int l = 0; l < Dim; ++l)
+        dH[i][l] = ((i == j ? 1.0 : 0.0) - 0.5 * gradient[i][j]) * ((m == l ? 1.0 : 0.0) + 0.5 * gradient[m][l]);
+    vary(dH, 0.0, j == m ? 1.0 : 0.0, e, turn);
+  }
+  /// The same for a unit of u_r / r.
+  KOKKOS_INLINE_FUNCTION void hoop_variation(double* e, double (&turn)[spins]) const {
+    const double dH[Dim][Dim] = {};
+    vary(dH, (1 - 0.5 * hoop_gradient) * (1 + 0.5 * hoop_gradient), 1.0, e, turn);
+  }
+
+  /// W s - s W of a symmetric tensor of six stress-like components, W the skew tensor of a spin.
+  KOKKOS_INLINE_FUNCTION static void turn_stress(const double (&w)[spins], const double* s, double* out) {
+    double full[Dim][Dim], change[Dim][Dim];
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) full[i][j] = s[six(i, j)];
+    commute(w, full, change);
+    for (int c = 0; c < 6; ++c) out[c] = 0;
+    for (int i = 0; i < Dim; ++i)
+      for (int j = i; j < Dim; ++j) out[six(i, j)] = change[i][j];
+  }
+
+ private:
+  KOKKOS_INLINE_FUNCTION static void axial(const double (&a)[Dim][Dim], double (&w)[spins]) {
+    if constexpr (Dim == 3) {
+      w[0] = 0.5 * (a[2][1] - a[1][2]);
+      w[1] = 0.5 * (a[0][2] - a[2][0]);
+      w[2] = 0.5 * (a[1][0] - a[0][1]);
+    } else {
+      w[0] = 0.5 * (a[1][0] - a[0][1]);
+    }
+  }
+  KOKKOS_INLINE_FUNCTION static void skew(const double (&w)[spins], double (&out)[Dim][Dim]) {
+    const double z = w[spins - 1];
+    for (int i = 0; i < Dim; ++i) out[i][i] = 0;
+    out[0][1] = -z;
+    out[1][0] = z;
+    if constexpr (Dim == 3) {
+      out[0][2] = w[1];
+      out[2][0] = -w[1];
+      out[1][2] = -w[0];
+      out[2][1] = w[0];
+    }
+  }
+  /// The rotation of the quaternion (s, v), whose length is free; square = v.v.
+  KOKKOS_INLINE_FUNCTION static void turn_by(double s, const double (&v)[spins], double square,
+                                             double (&out)[Dim][Dim]) {
+    double V[Dim][Dim];
+    skew(v, V);
+    const double factor = 1.0 / (s * s + square);
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) {
+        double sum = (i == j ? s * s - square : 0.0) + 2 * s * V[i][j];
+        if constexpr (Dim == 3) sum += 2 * v[i] * v[j];
+        out[i][j] = factor * sum;
+      }
+  }
+  /// W a - a W.
+  KOKKOS_INLINE_FUNCTION static void commute(const double (&w)[spins], const double (&a)[Dim][Dim],
+                                             double (&out)[Dim][Dim]) {
+    double W[Dim][Dim];
+    skew(w, W);
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) {
+        out[i][j] = 0;
+        for (int k = 0; k < Dim; ++k) out[i][j] += W[i][k] * a[k][j] - a[i][k] * W[k][j];
+      }
+  }
+  KOKKOS_INLINE_FUNCTION static void set_volume(double (&e)[Dim][Dim], double& out_of_plane, double volume) {
+    double trace = Dim == 2 ? out_of_plane : 0.0;
+    for (int i = 0; i < Dim; ++i) trace += e[i][i];
+    const double shift = (volume - trace) / 3;
+    for (int i = 0; i < Dim; ++i) e[i][i] += shift;
+    out_of_plane += shift;
+  }
+  /// From the axes of the midpoint to those of the end.
+  KOKKOS_INLINE_FUNCTION void turn_half(double (&e)[Dim][Dim]) const {
+    double left[Dim][Dim];
+    for (int i = 0; i < Dim; ++i)
+      for (int l = 0; l < Dim; ++l) {
+        left[i][l] = 0;
+        for (int k = 0; k < Dim; ++k) left[i][l] += half[i][k] * e[k][l];
+      }
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) {
+        e[i][j] = 0;
+        for (int l = 0; l < Dim; ++l) e[i][j] += left[i][l] * half[j][l];
+      }
+  }
+  KOKKOS_INLINE_FUNCTION static void to_six(const double (&e)[Dim][Dim], double out_of_plane, double* out) {
+    for (int c = 0; c < 6; ++c) out[c] = 0;
+    out[2] = out_of_plane;
+    for (int i = 0; i < Dim; ++i) {
+      out[i] = e[i][i];
+      for (int j = i + 1; j < Dim; ++j) out[six(i, j)] = e[i][j] + e[j][i];
+    }
+  }
+  KOKKOS_INLINE_FUNCTION void vary(const double (&dH)[Dim][Dim], double dhoop, double volume, double* e,
+                                   double (&turn)[spins]) const {
+    double d[Dim][Dim], dw[spins];
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) d[i][j] = 0.5 * (dH[i][j] + dH[j][i]);
+    set_volume(d, dhoop, volume);
+    turn_half(d);
+    axial(dH, dw);
+    // spin of the rotation of the quaternion (s, v): 2 (s dv - ds v + v x dv) / (s^2 + v.v); of the half rotation too
+    double v[spins], square = 0, along = 0, cross[3] = {0, 0, 0};
+    for (int k = 0; k < spins; ++k) {
+      v[k] = 0.5 * spin[k];
+      square += v[k] * v[k];
+      along += v[k] * 0.5 * dw[k];
+    }
+    if constexpr (Dim == 3)
+      for (int k = 0; k < 3; ++k)
+        cross[k] = 0.5 * (v[(k + 1) % 3] * dw[(k + 2) % 3] - v[(k + 2) % 3] * dw[(k + 1) % 3]);
+    const double root = ::sqrt(1 + square), s = 1 + root, ds = along / root;
+    double less[spins], change[Dim][Dim];
+    for (int k = 0; k < spins; ++k) {
+      turn[k] = 2 * (0.5 * dw[k] + cross[k]) / (1 + square);
+      less[k] = 2 * (s * 0.5 * dw[k] - ds * v[k] + cross[k]) / (s * s + square) - turn[k];
+    }
+    commute(less, strain, change);
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) d[i][j] += change[i][j];
+    to_six(d, dhoop, e);
   }
 };
 

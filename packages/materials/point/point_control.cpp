@@ -34,11 +34,11 @@ PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& 
   const double height = std::exp(strain_[1]), stretch = std::exp(change[1]);  // heights over that before
   const double slide = change[5] / height;
   const double H[2][2] = {{0.0, 2.0 * slide / (1.0 + stretch)}, {0.0, 2.0 * (stretch - 1.0) / (1.0 + stretch)}};
-  MidpointRule rule;
+  MidpointRule<2> rule;
   rule.evaluate(H, 0.0, true);
-  motion.cosine = rule.cosine;
-  motion.sine = rule.sine;
-  motion.strain = {rule.increment[0], rule.increment[1], rule.increment[2], 0.0, 0.0, rule.increment[3]};
+  motion.cosine = rule.rotation[0][0];
+  motion.sine = rule.rotation[1][0];
+  rule.increment(motion.strain.data());
   return motion;
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "physics/element.hpp"
+#include "physics/element_loop.hpp"
 
 namespace mudline {
 
@@ -37,50 +37,36 @@ struct Means {
   double sum[6] = {0, 0, 0, 0, 0, 0};
 };
 
-template <int NU, int NP>
-void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, Means& means, CrsMatrix* mass,
-               CrsMatrix* laplacian) {
+template <class Loop>
+void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const Loop& loop, Means& means,
+               CrsMatrix* mass, CrsMatrix* laplacian) {
+  constexpr int NP = Loop::NS;
   const RCP<const Map>& overlap = soil.space->dofs()->overlap();
+  const PointView void_ratios = view.committed->arrays[b.void_ratio], stress = view.committed->arrays[b.stress],
+                  law = view.committed->arrays[b.law];
   for (int e = 0; e < b.elements; ++e) {
-    double x[NU][2], q_e[NP > 0 ? NP : 1][NP > 0 ? NP : 1] = {{0}}, l_e[NP > 0 ? NP : 1][NP > 0 ? NP : 1] = {{0}};
-    gather<NU>(b.nodes, e, view.x_end, x);
-    for (int q = 0; q < b.points; ++q) {
-      PointGeometry<NU> at;
-      at.compute(x, &b.u.dN(q, 0, 0), &b.u.N(q, 0), soil.axisymmetric);
-      const double dv = at.volume(b.u.weights(q));
+    double q_e[Loop::NQ][Loop::NQ] = {}, l_e[Loop::NQ][Loop::NQ] = {};
+    loop.for_each_point(e, false, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
       const int row = e * b.points + q;
-      const double void_ratio = view.committed->arrays[b.void_ratio](row, 0), n = void_ratio / (1 + void_ratio);
-      const ElasticModuli m = b.material->skeleton->moduli(
-          &view.committed->arrays[b.stress](row, 0), void_ratio,
-          view.committed->arrays[b.law].data() + row * view.committed->arrays[b.law].extent(1));
-      const double mobility =
-          b.porous()
-              ? b.material->permeability->conductivity(void_ratio, view.committed->arrays[b.void_ratio](row, 1)).k /
-                    b.material->fluid->unit_weight()
-              : 0.0;
+      const double void_ratio = void_ratios(row, 0), n = void_ratio / (1 + void_ratio);
+      const ElasticModuli m =
+          b.material->skeleton->moduli(&stress(row, 0), void_ratio, law.data() + row * law.extent(1));
+      const double mobility = b.porous() ? b.material->permeability->conductivity(void_ratio, void_ratios(row, 1)).k /
+                                               b.material->fluid->unit_weight()
+                                         : 0.0;
       const double values[6] = {
           1,       m.bulk + 4.0 / 3 * m.shear, m.bulk + m.shear / 3, b.material->density(n), b.material->storage(n),
           mobility};
-      for (int i = 0; i < 6; ++i) means.sum[i] += dv * values[i];
-      if constexpr (NP > 0) {
-        double j[2][2] = {{0, 0}, {0, 0}}, gp[NP][2];
-        for (int a = 0; a < NU; ++a)
-          for (int i = 0; i < 2; ++i)
-            for (int k = 0; k < 2; ++k) j[i][k] += x[a][i] * b.u.dN(q, a, k);
-        for (int c = 0; c < NP; ++c) {
-          gp[c][0] = (j[1][1] * b.p.dN(q, c, 0) - j[1][0] * b.p.dN(q, c, 1)) / at.det;
-          gp[c][1] = (-j[0][1] * b.p.dN(q, c, 0) + j[0][0] * b.p.dN(q, c, 1)) / at.det;
+      for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];
+      for (int c = 0; c < NP; ++c)
+        for (int d = 0; d < NP; ++d) {
+          q_e[c][d] += s.dv * s.Np[c] * s.Np[d];
+          for (int i = 0; i < Loop::D; ++i) l_e[c][d] += s.dv * s.gp[c][i] * s.gp[d][i];
         }
-        for (int c = 0; c < NP; ++c)
-          for (int d = 0; d < NP; ++d) {
-            q_e[c][d] += dv * b.p.N(q, c) * b.p.N(q, d);
-            l_e[c][d] += dv * (gp[c][0] * gp[d][0] + gp[c][1] * gp[d][1]);
-          }
-      }
-    }
+    });
     if constexpr (NP > 0) {
       GlobalOrdinal ids[NP];
-      for (int c = 0; c < NP; ++c) ids[c] = overlap->getGlobalElement(b.dofs(e, 2 * NU + c));
+      for (int c = 0; c < NP; ++c) ids[c] = overlap->getGlobalElement(b.dofs(e, Loop::D * Loop::NU + c));
       for (int c = 0; c < NP; ++c) {
         mass->insertGlobalValues(ids[c], NP, q_e[c], ids);
         laplacian->insertGlobalValues(ids[c], NP, l_e[c], ids);
@@ -108,9 +94,11 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
       data.pressure_constrained.push_back(constrained(i));
   }
   Means means;
+  const LoopLevel level = loop_level(view, {view.time_end, view.x_end, 0.0}, soil.displacement, soil.pressure);
   for (const SoilBlock& b : soil.blocks)
-    dispatch_pair(b.shape, b.porous(), [&](auto pair) {
-      add_block<decltype(pair)::NU, decltype(pair)::NP>(soil, b, view, means, mass.get(), laplacian.get());
+    with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
+      const ElementLoop<decltype(coordinates), decltype(shapes)> loop{b, level};
+      add_block(soil, b, view, loop, means, mass.get(), laplacian.get());
     });
   if (!mass.is_null()) {
     mass->fillComplete();

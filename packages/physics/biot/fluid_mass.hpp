@@ -23,6 +23,9 @@ class FluidMass : public Term {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
  private:
+  /// Calls f(block, law of balance).
+  template <class F>
+  void for_each_block(const StepView& view, F&& f) const;
   std::shared_ptr<Soil> soil_;
   Gravity gravity_;
   bool fluid_acceleration_;

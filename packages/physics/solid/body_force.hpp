@@ -31,6 +31,9 @@ class BodyForce : public Term {
 
  private:
   bool active(const StepView& view) const;
+  /// Calls f(block, law of balance).
+  template <class F>
+  void for_each_block(const StepView& view, F&& f) const;
   std::shared_ptr<Soil> soil_;
   Kind kind_;
   Gravity gravity_;

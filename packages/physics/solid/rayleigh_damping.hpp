@@ -18,8 +18,9 @@ class RayleighDamping : public Term {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
  private:
-  template <int NU>
-  void element_matrix(const SoilBlock& b, const StepView& view, int e, double (&k)[2 * NU][2 * NU]) const;
+  /// Calls f(block, level, law of balance).
+  template <class F>
+  void for_each_block(const StepView& view, F&& f) const;
   std::shared_ptr<Soil> soil_;
   double mass_factor_, stiffness_factor_;
 };

@@ -1,168 +1,259 @@
 #include "physics/solid/stress_divergence.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <stdexcept>
+#include <vector>
 
 #include "discretisation/agree.hpp"
-#include "physics/solid/kinematics.hpp"
-#include "physics/solid/stress_update.hpp"
+#include "materials/guarded_law.hpp"
+#include "physics/element_loop.hpp"
+#include "physics/mixture.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// Total stress xx yy zz xy at a point.
-template <int NP>
-KOKKOS_INLINE_FUNCTION void total_stress(const double* effective, const double* Np, const double* p, double alpha,
-                                         double (&s)[4]) {
-  double pressure = 0;
-  for (int c = 0; c < NP; ++c) pressure += Np[c] * p[c];
-  s[0] = effective[0] - alpha * pressure;
-  s[1] = effective[1] - alpha * pressure;
-  s[2] = effective[2] - alpha * pressure;
-  s[3] = effective[5];
+constexpr int batch = 64;  // elements at a time, few enough that the staging arrays stay in the cache
+
+/// The midpoint rule of a step from the gradients that a point has in the configuration of the end. False where the
+/// configuration half way is inverted.
+template <class C, int S, class T>
+KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, MidpointRule<C::dim>& motion) {
+  constexpr int D = C::dim;
+  double half[D][D], back[D][D], H[D][D];  // dx_{n+1/2} / dx_{n+1} = 1 - moved/2
+  for (int i = 0; i < C::dim; ++i)
+    for (int j = 0; j < C::dim; ++j) half[i][j] = (i == j ? 1.0 : 0.0) - 0.5 * at.moved[i][j];
+  const double det = determinant(half), hoop = 1 - 0.5 * at.hoop_moved;
+  const bool valid = det > 0 && hoop > 0;
+  if (valid) invert(half, det, back);
+  for (int i = 0; i < C::dim; ++i)
+    for (int j = 0; j < C::dim; ++j) {
+      H[i][j] = 0;
+      for (int k = 0; k < D && valid; ++k) H[i][j] += at.moved[i][k] * back[k][j];
+    }
+  motion.evaluate(H, valid ? at.hoop_moved / hoop : 0.0, valid);
+  return valid;
 }
 
-template <int NU, int NP>
-struct StressKernel {
-  bool axisymmetric;
-  int points;
+/// Total stress sigma' - alpha p from the point data. Its derivatives are the law's, D, which an isotropic law gives for
+/// a strain increment in the axes of the end, and the turning of the stress with the material.
+struct TotalStress : PointLaw {
+  static constexpr bool stresses = true, stands = true;
   double alpha;
-  Kokkos::View<double*> weights;
-  Kokkos::View<double**, Kokkos::LayoutRight> N, Np;
-  Kokkos::View<double***, Kokkos::LayoutRight> dN;
-  Kokkos::View<int**, Kokkos::LayoutRight> nodes;
-  ElementDofs dofs;
   PointView stress, stress_old;
-  ConstCoordinateView x_old, x_end;
-  ConstNodalView value_old, value;
+  ConstPointView tangent;  // of the batch
+  int first_row = 0;       // of the batch
 
-  StressKernel(const Soil& soil, const SoilBlock& b, const StepView& view)
-      : axisymmetric(soil.axisymmetric),
-        points(b.points),
-        alpha(b.material->biot_coefficient),
-        weights(b.u.weights),
-        N(b.u.N),
-        Np(b.p.N),
-        dN(b.u.dN),
-        nodes(b.nodes),
-        dofs(b.dofs),
-        stress(view.trial->arrays[b.stress]),
-        stress_old(view.committed->arrays[b.stress]),
-        x_old(view.x_old),
-        x_end(view.x_end),
-        value_old(view.value_old),
-        value(view.value_end) {}
-
-  KOKKOS_INLINE_FUNCTION void gather_pressure(int e, double (&p)[NP > 0 ? NP : 1]) const {
-    p[0] = 0;
-    for (int c = 0; c < NP; ++c) p[c] = value(dofs(e, 2 * NU + c));
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    T pressure = 0.0;
+    if constexpr (S > 0) pressure = alpha * at.value[0];
+    for (int i = 0; i < C::dim; ++i)
+      for (int j = 0; j < C::dim; ++j) out.stress[i][j] = stress(row, six(i, j));
+    out.hoop_stress = stress(row, 2);
+    if constexpr (std::is_same_v<T, double>)
+      change(row, at, out);
+    else
+      derivatives(row, at, out);
+    for (int i = 0; i < C::dim; ++i) out.stress[i][i] -= pressure;
+    out.hoop_stress -= pressure;
   }
 
-  /// What acts in the step is what the changes of effective stress and of pore pressure exert, each by itself: they may
-  /// cancel, as in consolidation.
-  KOKKOS_INLINE_FUNCTION void residual(int e, const ResidualView& f) const {
-    double x[NU][2], p[NP > 0 ? NP : 1], r[2 * NU] = {0}, skeleton[2 * NU] = {0}, water[2 * NU] = {0};
-    gather<NU>(nodes, e, x_end, x);
-    gather_pressure(e, p);
-    double dp[NP > 0 ? NP : 1];
-    for (int c = 0; c < NP; ++c) dp[c] = p[c] - value_old(dofs(e, 2 * NU + c));
-    for (int q = 0; q < points; ++q) {
-      PointGeometry<NU> geometry;
-      geometry.compute(x, &dN(q, 0, 0), &N(q, 0), axisymmetric);
-      double s[4];
-      total_stress<NP>(&stress(e * points + q, 0), NP > 0 ? &Np(q, 0) : nullptr, p, alpha, s);
-      double ds[4], change = 0;
-      constexpr int full[4] = {0, 1, 2, 5};
-      for (int i = 0; i < 4; ++i) ds[i] = stress(e * points + q, full[i]) - stress_old(e * points + q, full[i]);
-      for (int c = 0; c < NP; ++c) change -= alpha * Np(q, c) * dp[c];
-      const double dv = geometry.volume(weights(q)), over_r = axisymmetric && geometry.ok ? 1 / geometry.r : 0.0;
-      for (int a = 0; a < NU; ++a) {
-        const double g0 = dv * geometry.g[a][0], g1 = dv * geometry.g[a][1], hoop = dv * over_r * N(q, a);
-        r[2 * a] += s[0] * g0 + s[3] * g1 + s[2] * hoop;
-        r[2 * a + 1] += s[3] * g0 + s[1] * g1;
-        skeleton[2 * a] += ds[0] * g0 + ds[3] * g1 + ds[2] * hoop;
-        skeleton[2 * a + 1] += ds[3] * g0 + ds[1] * g1;
-        water[2 * a] += change * (g0 + hoop);
-        water[2 * a + 1] += change * g1;
-      }
-    }
-    for (int a = 0; a < 2 * NU; ++a) skeleton[a] = std::abs(skeleton[a]) + std::abs(water[a]);
-    scatter_vector<2 * NU>(dofs, e, 0, r, skeleton, f);
+ private:
+  template <class C, int S>
+  KOKKOS_INLINE_FUNCTION void change(int row, const PointFields<C, S, double>& at,
+                                     PointBalance<C, S, double>& out) const {
+    for (int i = 0; i < C::dim; ++i)
+      for (int j = 0; j < C::dim; ++j) out.stress_change[i][j] = stress(row, six(i, j)) - stress_old(row, six(i, j));
+    out.hoop_change = stress(row, 2) - stress_old(row, 2);
+    out.pressure_change = 0;
+    if constexpr (S > 0) out.pressure_change = -alpha * at.change[0];
   }
 
-  /// Adds one point to the element tangent. D: 36 values of the law.
-  KOKKOS_INLINE_FUNCTION void tangent_point(int q, const double (&xo)[NU][2], const double (&x)[NU][2],
-                                            const double (&du)[NU][2], const double* p, const double* effective,
-                                            const double* D, double (&k)[2 * NU][2 * NU],
-                                            double (&kp)[2 * NU][NP > 0 ? NP : 1]) const {
-    PointGeometry<NU> at;
-    at.compute(x, &dN(q, 0, 0), &N(q, 0), axisymmetric);
-    IncrementKinematics<NU> inc;
-    inc.compute(xo, x, du, &dN(q, 0, 0), &N(q, 0), axisymmetric);
-    double s[4], de0[4];
-    total_stress<NP>(effective, NP > 0 ? &Np(q, 0) : nullptr, p, alpha, s);
-    inc.strain(de0);
-    const double dv = at.volume(weights(q));
-    const double over_r = axisymmetric ? 1.0 / at.r : 0.0;
-    constexpr int full[4] = {0, 1, 2, 5};
-    // d sigma' = D (de - dtheta [W, strain]) + dtheta [W, sigma'], exact for an isotropic law
-    const double spin_stress[4] = {-2 * effective[5], 2 * effective[5], 0, effective[0] - effective[1]};
-    const double spin_strain[4] = {-de0[3], de0[3], 0, 2 * (de0[0] - de0[1])};
-    double D4[4][4], shift[4];
-    for (int i = 0; i < 4; ++i) {
-      shift[i] = spin_stress[i];
-      for (int j = 0; j < 4; ++j) {
-        D4[i][j] = D[6 * full[i] + full[j]];
-        shift[i] -= D4[i][j] * spin_strain[j];
+  /// d sigma' = D (de - [W, e]) + [W, sigma'] for a further displacement of gradient de with the turn W.
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION void derivatives(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    constexpr int D = C::dim;
+    using Rule = MidpointRule<D>;
+    Rule motion;
+    find_motion(at, motion);
+    const double* stiffness = &tangent(row - first_row, 0);
+    const auto put = [&](int way, const double* e, const double (&turn)[Rule::spins]) {
+      double turned[6], by[6];
+      Rule::turn_stress(turn, &stress(row, 0), turned);
+      for (int a = 0; a < Rule::components; ++a) {
+        const int k = Rule::place(a);
+        by[k] = turned[k];
+        for (int b = 0; b < Rule::components; ++b) by[k] += stiffness[6 * k + Rule::place(b)] * e[Rule::place(b)];
       }
+      for (int i = 0; i < C::dim; ++i)
+        for (int j = 0; j < C::dim; ++j) out.stress[i][j].d[way] = by[six(i, j)];
+      out.hoop_stress.d[way] = by[2];
+    };
+    double e[6], turn[Rule::spins];
+    for (int j = 0; j < C::dim; ++j)
+      for (int m = 0; m < D; ++m) {
+        motion.variation(j, m, e, turn);
+        put(D * j + m, e, turn);
+      }
+    if constexpr (C::hoop) {
+      motion.hoop_variation(e, turn);
+      put(D * D, e, turn);
     }
-    for (int b = 0; b < NU; ++b) {
-      const double g0 = at.g[b][0], g1 = at.g[b][1], shape = N(q, b) * over_r;
-      const double traction[2] = {s[0] * g0 + s[3] * g1, s[3] * g0 + s[1] * g1};
-      for (int j = 0; j < 2; ++j) {
-        double de[4], dtheta;
-        inc.variation(b, j, de, dtheta);
-        const double divergence = at.g[b][j] + (j == 0 ? shape : 0.0);
-        double ds[4];
-        for (int i = 0; i < 4; ++i) {
-          ds[i] = shift[i] * dtheta + s[i] * divergence;
-          for (int l = 0; l < 4; ++l) ds[i] += D4[i][l] * de[l];
-        }
-        // P_il = d sigma_il + sigma_il div - (sigma g_b)_i delta_lj
-        double P[2][2] = {{ds[0], ds[3]}, {ds[3], ds[1]}};
-        P[0][j] -= traction[0];
-        P[1][j] -= traction[1];
-        const double hoop = over_r * (ds[2] - (j == 0 ? s[2] * shape : 0.0));
-        for (int a = 0; a < NU; ++a) {
-          k[2 * a][2 * b + j] += dv * (P[0][0] * at.g[a][0] + P[0][1] * at.g[a][1] + hoop * N(q, a));
-          k[2 * a + 1][2 * b + j] += dv * (P[1][0] * at.g[a][0] + P[1][1] * at.g[a][1]);
-        }
-      }
-    }
-    for (int a = 0; a < NU; ++a)
-      for (int c = 0; c < NP; ++c) {
-        const double factor = -dv * alpha * Np(q, c);
-        kp[2 * a][c] += factor * (at.g[a][0] + N(q, a) * over_r);
-        kp[2 * a + 1][c] += factor * at.g[a][1];
-      }
-  }
-
-  KOKKOS_INLINE_FUNCTION void tangent(int e, const PointView& D, int first, const MatrixScatter& to,
-                                      double weight) const {
-    double xo[NU][2], x[NU][2], du[NU][2], p[NP > 0 ? NP : 1], k[2 * NU][2 * NU] = {{0}},
-                                                                             kp[2 * NU][NP > 0 ? NP : 1] = {{0}};
-    gather<NU>(nodes, e, x_old, xo);
-    gather<NU>(nodes, e, x_end, x);
-    gather_increment<NU>(dofs, e, value_old, value, du);
-    gather_pressure(e, p);
-    for (int q = 0; q < points; ++q)
-      tangent_point(q, xo, x, du, p, &stress(e * points + q, 0), &D((e - first) * points + q, 0), k, kp);
-    scatter_matrix<2 * NU, 2 * NU>(to, e, 0, 0, k, weight);
-    if constexpr (NP > 0) scatter_matrix<2 * NU, NP>(to, e, 0, 2 * NU, kp, weight);
   }
 };
+
+/// Runs the law over batches of elements: strains from the motion, stress, state and void ratio into the trial state.
+class StressUpdate {
+ public:
+  StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, bool want_tangent);
+  /// Elements [first, last); returns the number of failed points (law, or an inverted configuration).
+  int run(int first, int last);
+  /// d stress / d strain of the last batch: (point of the batch, 36); empty unless wanted.
+  const PointView& tangent() const { return tangent_; }
+  const LoopLevel& level() const { return level_; }
+  /// What failed first, material, place, stress and strain increment included; "" where nothing has.
+  const std::string& failure() const { return failure_; }
+  /// Whether that is an answer of the law's which is none: not finite, or an exception.
+  bool law_is_broken() const { return law_is_broken_; }
+
+ private:
+  int stage_motion(int first, int last);
+  template <class Loop>
+  int stage_element(const Loop& loop, int e, int row) const;
+  std::string describe(int first, const LawFailure& failure) const;
+
+  const Soil& soil_;
+  const SoilBlock& block_;
+  const StepView& view_;
+  LoopLevel level_;
+  bool want_tangent_;
+  PointView strain_, stress_old_, void_ratio_old_, state_old_, tangent_;
+  Kokkos::View<int*> failed_;
+  Kokkos::View<int*> tensors_;  // first columns of the law's tensor variables
+  std::string failure_;
+  bool law_is_broken_ = false;
+};
+
+/// The end of the step, where the state lives.
+LoopLevel end_level(const Soil& soil, const StepView& view) {
+  LoopLevel level = loop_level(view, {view.time_end, view.x_end, 1.0}, soil.displacement, soil.pressure);
+  level.value = view.value_end;
+  level.displacement.value = level.scalar.value = 1;
+  return level;
+}
+
+StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, bool want_tangent)
+    : soil_(soil), block_(block), view_(view), level_(end_level(soil, view)), want_tangent_(want_tangent) {
+  const int rows = batch * block.points;
+  const int state_size = block.material->skeleton->state_size();
+  strain_ = PointView("strain", rows, 6);
+  stress_old_ = PointView("rotated stress", rows, 6);
+  void_ratio_old_ = PointView("void ratio", rows, 1);
+  state_old_ = PointView("rotated state", rows, state_size);
+  tangent_ = PointView("tangent", want_tangent ? rows : 0, 36);
+  failed_ = Kokkos::View<int*>("failed", rows);
+  int column = 0;
+  std::vector<int> tensors;
+  for (const StateVariable& v : block.material->skeleton->state_variables()) {
+    if (v.components == 6) tensors.push_back(column);
+    column += v.components;
+  }
+  tensors_ = Kokkos::View<int*>("tensors", tensors.size());
+  std::copy(tensors.begin(), tensors.end(), tensors_.data());
+}
+
+/// What the law sees of the points of element e, the first of which is row `row` of the batch; void ratios of the end.
+template <class Loop>
+int StressUpdate::stage_element(const Loop& loop, int e, int row) const {
+  constexpr int D = Loop::D;
+  const PointView stress = view_.committed->arrays[block_.stress], law = view_.committed->arrays[block_.law];
+  const PointView e_old = view_.committed->arrays[block_.void_ratio], e_new = view_.trial->arrays[block_.void_ratio];
+  const Mixture mixture(*block_.material);
+  int inverted = 0;
+  const auto stage = [&](int q, const typename Loop::Fields& at) {
+    MidpointRule<D> motion;
+    const int from = e * block_.points + q, i = row + q;
+    const bool valid = find_motion(at, motion);
+    if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
+    motion.increment(&strain_(i, 0));
+    for (int c = 0; c < 6 && !valid; ++c) strain_(i, c) = 0;
+    motion.rotate(&stress(from, 0), &stress_old_(i, 0));
+    for (std::size_t c = 0; c < state_old_.extent(1); ++c) state_old_(i, c) = law(from, c);
+    for (std::size_t t = 0; t < tensors_.extent(0); ++t)
+      motion.rotate(&law(from, tensors_(t)), &state_old_(i, tensors_(t)));
+    void_ratio_old_(i, 0) = e_old(from, 0);
+    const double n = mixture.porosity(e_old(from, 0), at);
+    e_new(from, 0) = n / (1 - n);
+    e_new(from, 1) = e_old(from, 1);
+  };
+  int next = 0;
+  if (loop.for_each_point(e, false, [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
+        stage(q, at);
+        next = q + 1;
+      })) {
+    typename Loop::Fields still{};  // from the folded point on: as if nothing moved
+    still.volume_ratio = 1;
+    inverted += block_.points - next;
+    for (; next < block_.points; ++next) stage(next, still);
+  }
+  return inverted;
+}
+
+int StressUpdate::stage_motion(int first, int last) {
+  return with_element(soil_.geometry, block_, [&](auto coordinates, auto shapes) {
+    const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block_, level_};
+    int inverted = 0;
+    Kokkos::parallel_reduce(
+        "kinematics", Kokkos::RangePolicy<>(first, last),
+        [&](int e, int& sum) { sum += stage_element(loop, e, (e - first) * block_.points); }, inverted);
+    return inverted;
+  });
+}
+
+int StressUpdate::run(int first, int last) {
+  int failures = stage_motion(first, last);
+  const int count = (last - first) * block_.points, row = first * block_.points;
+  const PointView stress = view_.trial->arrays[block_.stress], law = view_.trial->arrays[block_.law];
+  SkeletonWorkset w;
+  w.points = count;
+  w.time = view_.time_end;
+  w.dt = view_.flow ? view_.dt : 0.0;
+  w.want_tangent = want_tangent_;
+  w.stress_old = stress_old_;
+  w.strain = strain_;
+  w.void_ratio_old = void_ratio_old_;
+  w.state_old = state_old_;
+  w.stress = PointView(stress.data() + row * 6, count, 6);
+  w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
+  w.tangent = tangent_;
+  w.failed = failed_;
+  if (failures > 0 && failure_.empty())
+    failure_ = "material '" + block_.material->name + "': the motion turns elements inside out";
+  LawFailure failure;
+  failures += evaluate_guarded(*block_.material->skeleton, w, failure);
+  if (failure.point >= 0 && failure_.empty()) {
+    failure_ = describe(first, failure);
+    law_is_broken_ = !failure.refused;
+  }
+  return failures;
+}
+
+std::string StressUpdate::describe(int first, const LawFailure& failure) const {
+  const int e = first + failure.point / block_.points, q = failure.point % block_.points;
+  double at[2] = {0, 0};
+  for (int a = 0; a < block_.u.nodes; ++a)
+    for (int i = 0; i < 2; ++i) at[i] += block_.u.N(q, a) * view_.x_end(block_.nodes(e, a), i);
+  char place[80];
+  std::snprintf(place, sizeof place, "(%.4g, %.4g)", at[0], at[1]);
+  return "the law of material '" + block_.material->name + "' fails at " + place + ": " + failure.reason + " (" +
+         increment_text(&stress_old_(failure.point, 0), &strain_(failure.point, 0)) + ")";
+}
+
+TotalStress total_stress(const SoilBlock& b, const StepView& view) {
+  return {{}, b.material->biot_coefficient, view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
+}
 
 }  // namespace
 
@@ -170,15 +261,11 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
   int failures = 0;
   failure_.clear();
   for (const SoilBlock& b : soil_->blocks) {
-    StressUpdate update(*soil_, b, false);
-    for (int first = 0; first < b.elements; first += StressUpdate::batch)
-      failures += update.run(view, first, std::min(first + StressUpdate::batch, b.elements));
+    StressUpdate update(*soil_, b, view, false);
+    for (int first = 0; first < b.elements; first += batch)
+      failures += update.run(first, std::min(first + batch, b.elements));
     if (failure_.empty()) failure_ = update.failure();
-    dispatch_pair(b.shape, b.porous(), [&](auto pair) {
-      const StressKernel<decltype(pair)::NU, decltype(pair)::NP> kernel(*soil_, b, view);
-      Kokkos::parallel_for(
-          "stress divergence", Kokkos::RangePolicy<>(0, b.elements), KOKKOS_LAMBDA(int e) { kernel.residual(e, f); });
-    });
+    add_residual(soil_->geometry, b, update.level(), total_stress(b, view), f);
   }
   return failures;
 }
@@ -186,19 +273,16 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
 void StressDivergence::jacobian(const StepView& view, Assembler& assembler, double weight) {
   std::string broken;
   for (const SoilBlock& b : soil_->blocks) {
-    StressUpdate update(*soil_, b, true);
+    StressUpdate update(*soil_, b, view, true);
+    TotalStress law = total_stress(b, view);
     const MatrixScatter to = assembler.scatter(b.group);
-    for (int first = 0; first < b.elements; first += StressUpdate::batch) {
-      const int last = std::min(first + StressUpdate::batch, b.elements);
-      update.run(view, first, last);
+    for (int first = 0; first < b.elements; first += batch) {
+      const int last = std::min(first + batch, b.elements);
+      update.run(first, last);
       if (broken.empty() && update.law_is_broken()) broken = update.failure();
-      const PointView D = update.tangent();
-      dispatch_pair(b.shape, b.porous(), [&](auto pair) {
-        const StressKernel<decltype(pair)::NU, decltype(pair)::NP> kernel(*soil_, b, view);
-        Kokkos::parallel_for(
-            "tangent", Kokkos::RangePolicy<>(first, last),
-            KOKKOS_LAMBDA(int e) { kernel.tangent(e, D, first, to, weight); });
-      });
+      law.tangent = update.tangent();
+      law.first_row = first * b.points;
+      add_tangent(soil_->geometry, b, update.level(), law, to, weight, first, last);
     }
   }
   if (!broken.empty()) throw std::runtime_error(broken);  // all element matrices are there: the ranks stay together
