@@ -30,7 +30,8 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
     const bool corners = block.p.nodes < N;
     if (!block.moves) {
       if (block.scalars != 1) throw std::logic_error("one scalar field at a time without displacements");
-      return corners ? f(coordinates, ElementShapes<N, P, 1, false>{}) : f(coordinates, ElementShapes<N, N, 1, false>{});
+      return corners ? f(coordinates, ElementShapes<N, P, 1, false>{})
+                     : f(coordinates, ElementShapes<N, N, 1, false>{});
     }
     if (block.scalars == 0) return f(coordinates, ElementShapes<N, 0, 0>{});
     if constexpr (P < N)
@@ -54,14 +55,15 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
 
 /// The state that a loop looks at: places and fields of one level, and how they follow from the unknowns.
 struct LoopLevel {
-  ConstCoordinateView x;  // [m]
+  ConstCoordinateView x;                // [m]
   ConstNodalView value_old, value_end;  // of the step; places move by geometry_weight times their difference
   ConstNodalView value, rate, acceleration;
   double geometry_weight = 0;  // d x / d u_{n+1}
   Sensitivity displacement, scalar;
 };
 
-/// At one of the levels of a step. `scalar`: the scalar field whose dependence on its unknowns the others share; -1: none.
+/// At one of the levels of a step. `scalar`: the scalar field whose dependence on its unknowns the others share; -1:
+/// none.
 inline LoopLevel loop_level(const StepView& view, const Level& level, int displacement, int scalar) {
   LoopLevel at;
   at.x = level.x;
@@ -87,9 +89,9 @@ struct PointLaw {
   static constexpr bool stands = false;     // its stress stood before the step, the change is given beside it
 };
 
-/// One generic loop over the elements of a block. A law is called once per quadrature point: law(row, fields, out), with
-/// the row of the point's data, PointFields and PointBalance. It is written once for numbers and for dual numbers, so
-/// that it has no derivatives of its own.
+/// One generic loop over the elements of a block. A law is called once per quadrature point: law(row, fields, out),
+/// with the row of the point's data, PointFields and PointBalance. It is written once for numbers and for dual numbers,
+/// so that it has no derivatives of its own.
 template <class Coordinates, class Shapes>
 struct ElementLoop {
   static constexpr int D = Coordinates::dim, NU = Shapes::NU, NS = Shapes::NS, S = Shapes::S;
@@ -193,8 +195,8 @@ struct ElementLoop {
     return true;
   }
 
-  /// Calls f(point, shape, fields) for the points of an element; stops with 1 where it is folded. `rates`: whether rates
-  /// are looked at.
+  /// Calls f(point, shape, fields) for the points of an element; stops with 1 where it is folded. `rates`: whether
+  /// rates are looked at.
   template <class F>
   KOKKOS_INLINE_FUNCTION int for_each_point(int e, bool rates, F&& f) const {
     Nodes n;
@@ -274,9 +276,8 @@ struct ElementLoop {
   // Directions of the dual numbers of a law.
   template <class Law>
   struct Directions {
-    static constexpr int motion = 0, inertia = Law::motion ? gradients_u : 0,
-                         value = inertia + (Law::inertia ? D : 0), gradient = value + (Law::scalars ? S : 0),
-                         count = gradient + (Law::gradients ? S * D : 0);
+    static constexpr int motion = 0, inertia = Law::motion ? gradients_u : 0, value = inertia + (Law::inertia ? D : 0),
+                         gradient = value + (Law::scalars ? S : 0), count = gradient + (Law::gradients ? S * D : 0);
     static constexpr int hoop = D * D;  // within `motion`
   };
 
@@ -365,7 +366,8 @@ struct ElementLoop {
     }
   }
 
-  // The rows of a point's matrix: forces, stresses, hoop stress, storages, fluxes; what a law does not have is left out.
+  // The rows of a point's matrix: forces, stresses, hoop stress, storages, fluxes; what a law does not have is left
+  // out.
   template <class Law>
   struct Rows {
     static constexpr int force = 0, stress = force + (Law::forces ? D : 0), hoop = stress + (Law::stresses ? D * D : 0),
@@ -469,8 +471,8 @@ struct ElementLoop {
 
  private:
   template <int R>
-  KOKKOS_INLINE_FUNCTION static void scatter_rows(const MatrixScatter& to, int e, int row0, const double (&k)[R][columns],
-                                                  double weight) {
+  KOKKOS_INLINE_FUNCTION static void scatter_rows(const MatrixScatter& to, int e, int row0,
+                                                  const double (&k)[R][columns], double weight) {
     bool fixed[columns];
     for (int c = 0; c < columns; ++c) fixed[c] = to.constrained(to.dofs(e, c));
     for (int r = 0; r < R; ++r)
@@ -511,8 +513,7 @@ void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& le
     if constexpr (fits<Law, decltype(shapes)>) {
       const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block, level};
       Kokkos::parallel_for(
-          "tangent", Kokkos::RangePolicy<>(first, last),
-          KOKKOS_LAMBDA(int e) { loop.tangent(e, law, to, weight); });
+          "tangent", Kokkos::RangePolicy<>(first, last), KOKKOS_LAMBDA(int e) { loop.tangent(e, law, to, weight); });
     }
   });
 }

@@ -13,7 +13,7 @@ struct FieldBlock {
   int elements = 0, points = 0;
   bool moves = false;  // displacement is among the fields
   int scalars = 0;     // number of scalar fields
-  ShapeTable u, p;     // of the cell and of the scalar fields, at the same quadrature points; p.nodes == 0 without these
+  ShapeTable u, p;  // of the cell and of the scalar fields, at the same quadrature points; p.nodes == 0 without these
   Kokkos::View<int**, Kokkos::LayoutRight> nodes;
   ElementDofs dofs;
   int group = -1;  // of the assembler

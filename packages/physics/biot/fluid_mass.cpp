@@ -55,9 +55,8 @@ int FluidMass::residual(const StepView& view, const ResidualView& f) {
   if (!view.flow) return 0;
   int failures = 0;
   const LoopLevel level = loop_level(view, view.balance, soil_->displacement, soil_->pressure);
-  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
-    failures += add_residual(soil_->geometry, b, level, law, f);
-  });
+  for_each_block(
+      view, [&](const SoilBlock& b, const auto& law) { failures += add_residual(soil_->geometry, b, level, law, f); });
   return failures;
 }
 

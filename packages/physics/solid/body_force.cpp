@@ -60,9 +60,8 @@ int BodyForce::residual(const StepView& view, const ResidualView& f) {
   if (!active(view)) return 0;
   int failures = 0;
   const LoopLevel level = loop_level(view, view.momentum, soil_->displacement, soil_->pressure);
-  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
-    failures += add_residual(soil_->geometry, b, level, law, f);
-  });
+  for_each_block(
+      view, [&](const SoilBlock& b, const auto& law) { failures += add_residual(soil_->geometry, b, level, law, f); });
   return failures;
 }
 

@@ -36,8 +36,8 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
   return valid;
 }
 
-/// Total stress sigma' - alpha p from the point data. Its derivatives are the law's, D, which an isotropic law gives for
-/// a strain increment in the axes of the end, and the turning of the stress with the material.
+/// Total stress sigma' - alpha p from the point data. Its derivatives are the law's, D, which an isotropic law gives
+/// for a strain increment in the axes of the end, and the turning of the stress with the material.
 struct TotalStress : PointLaw {
   static constexpr bool stresses = true, stands = true;
   double alpha;
@@ -79,7 +79,7 @@ struct TotalStress : PointLaw {
     Rule motion;
     find_motion(at, motion);
     const double* stiffness = &tangent(row - first_row, 0);
-    const auto put = [&](int way, const double* e, const double (&turn)[Rule::spins]) {
+    const auto put = [&](int way, const double* e, const double(&turn)[Rule::spins]) {
       double turned[6], by[6];
       Rule::turn_stress(turn, &stress(row, 0), turned);
       for (int a = 0; a < Rule::components; ++a) {
