@@ -12,6 +12,13 @@
 #include "tensor/dual.hpp"
 #include "tensor/midpoint_rule.hpp"
 
+// g++ unrolls a short loop completely before it looks whether the loop can be vectorised, and then it cannot.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define MUDLINE_KEEP_LOOP _Pragma("GCC unroll 1")
+#else
+#define MUDLINE_KEEP_LOOP
+#endif
+
 namespace mudline {
 
 /// Compile-time sizes of an element: nodes of the cell and of the scalar fields, number of scalar fields, and whether
@@ -375,111 +382,142 @@ struct ElementLoop {
                          flux = storage + (Law::storages ? S : 0), count = flux + (Law::fluxes ? S * D : 0);
   };
 
-  /// Spreads one column of a point's matrix (derivatives of all rows by one nodal unknown) to the element's rows.
-  template <class Law, int R>
-  KOKKOS_INLINE_FUNCTION static void spread(const Shape& s, const double (&y)[R], int column,
-                                            double (&ku)[D * NU][columns], double (&kp)[SQ * NQ][columns]) {
+  /// Columns of the element's matrix that a law fills.
+  template <class Law>
+  struct Columns {
+    static constexpr int first = Law::motion || Law::inertia ? 0 : MU,
+                         last = Law::scalars || Law::gradients ? columns : MU, count = last - first;
+  };
+
+  /// The law's derivatives at a point, rows by directions, times the volume.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION void point_matrix(int row, const Law& law, const Shape& s, const Fields& f,
+                                           double (&A)[Rows<Law>::count][Directions<Law>::count]) const {
     using Row = Rows<Law>;
+    constexpr int ways = Directions<Law>::count;
+    using T = Dual<ways>;
+    PointFields<Coordinates, S, T> in;
+    PointBalance<Coordinates, S, T> out;
+    seed<Law>(f, in);
+    law(row, in, out);
+    carry<Law>(out);
+    const auto put = [&](int r, const T& from) {
+      for (int way = 0; way < ways; ++way) A[r][way] = s.dv * from.d[way];
+    };
+    for (int i = 0; i < D; ++i) {
+      if constexpr (Law::forces) put(Row::force + i, out.force[i]);
+      if constexpr (Law::stresses)
+        for (int l = 0; l < D; ++l) put(Row::stress + D * i + l, out.stress[i][l]);
+    }
+    if constexpr (Law::stresses && Coordinates::hoop) put(Row::hoop, out.hoop_stress);
+    for (int k = 0; k < S; ++k) {
+      if constexpr (Law::storages) put(Row::storage + k, out.storage[k]);
+      if constexpr (Law::fluxes)
+        for (int l = 0; l < D; ++l) put(Row::flux + D * k + l, out.flux[k][l]);
+    }
+  }
+
+  /// From directions to the nodes' unknowns: rows by columns.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION static void to_unknowns(const Shape& s,
+                                                 const double (&A)[Rows<Law>::count][Directions<Law>::count],
+                                                 double (&Y)[Rows<Law>::count][Columns<Law>::count]) {
+    using Way = Directions<Law>;
+    for (int row = 0; row < Rows<Law>::count; ++row) {
+      double* y = Y[row];
+      if constexpr (Law::motion || Law::inertia)
+        for (int a = 0; a < NU; ++a)
+          for (int j = 0; j < D; ++j) {
+            double sum = 0;
+            if constexpr (Law::motion) {
+              for (int m = 0; m < D; ++m) sum += A[row][D * j + m] * s.g[a][m];
+              if constexpr (Coordinates::hoop)
+                if (j == 0) sum += A[row][D * D] * s.h[a];
+            }
+            if constexpr (Law::inertia) sum += A[row][Way::inertia + j] * s.N[a];
+            *y++ = sum;
+          }
+      if constexpr (Law::scalars || Law::gradients)
+        for (int k = 0; k < S; ++k)
+          for (int c = 0; c < NS; ++c) {
+            double sum = 0;
+            if constexpr (Law::scalars) sum += A[row][Way::value + k] * s.Np[c];
+            if constexpr (Law::gradients)
+              for (int m = 0; m < D; ++m) sum += A[row][Way::gradient + D * k + m] * s.gp[c][m];
+            *y++ = sum;
+          }
+    }
+  }
+
+  /// From a point's rows to those of the element: the test functions' values and gradients.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION static void spread(const Shape& s, const double (&Y)[Rows<Law>::count][Columns<Law>::count],
+                                            double (&ku)[D * NU][Columns<Law>::count],
+                                            double (&kp)[SQ * NQ][Columns<Law>::count]) {
+    using Row = Rows<Law>;
+    constexpr int width = Columns<Law>::count;
     if constexpr (Law::forces || Law::stresses)
       for (int a = 0; a < NU; ++a)
         for (int i = 0; i < D; ++i) {
-          double sum = 0;
-          if constexpr (Law::forces) sum += s.N[a] * y[Row::force + i];
-          if constexpr (Law::stresses) {
-            for (int l = 0; l < D; ++l) sum += s.g[a][l] * y[Row::stress + D * i + l];
-            if constexpr (Coordinates::hoop)
-              if (i == 0) sum += s.h[a] * y[Row::hoop];
+          const double h = i == 0 ? s.h[a] : 0.0;
+          MUDLINE_KEEP_LOOP
+          for (int c = 0; c < width; ++c) {
+            double sum = ku[D * a + i][c];
+            if constexpr (Law::forces) sum += s.N[a] * Y[Row::force + i][c];
+            if constexpr (Law::stresses) {
+              for (int l = 0; l < D; ++l) sum += s.g[a][l] * Y[Row::stress + D * i + l][c];
+              if constexpr (Coordinates::hoop) sum += h * Y[Row::hoop][c];
+            }
+            ku[D * a + i][c] = sum;
           }
-          ku[D * a + i][column] += sum;
         }
     if constexpr (Law::storages || Law::fluxes)
       for (int k = 0; k < S; ++k)
-        for (int c = 0; c < NS; ++c) {
-          double sum = 0;
-          if constexpr (Law::storages) sum += s.Np[c] * y[Row::storage + k];
-          if constexpr (Law::fluxes)
-            for (int l = 0; l < D; ++l) sum += s.gp[c][l] * y[Row::flux + D * k + l];
-          kp[NS * k + c][column] += sum;
+        for (int r = 0; r < NS; ++r) {
+          MUDLINE_KEEP_LOOP
+          for (int c = 0; c < width; ++c) {
+            double sum = kp[NS * k + r][c];
+            if constexpr (Law::storages) sum += s.Np[r] * Y[Row::storage + k][c];
+            if constexpr (Law::fluxes)
+              for (int l = 0; l < D; ++l) sum += s.gp[r][l] * Y[Row::flux + D * k + l][c];
+            kp[NS * k + r][c] = sum;
+          }
         }
   }
 
   /// Adds weight times the derivative of residual() to the matrix.
   template <class Law>
   KOKKOS_INLINE_FUNCTION void tangent(int e, const Law& law, const MatrixScatter& to, double weight) const {
-    using Way = Directions<Law>;
-    using Row = Rows<Law>;
-    using T = Dual<Way::count>;
+    constexpr int width = Columns<Law>::count, first = Columns<Law>::first;
     Nodes n;
     gather(e, true, n);
-    double ku[D * NU][columns] = {}, kp[SQ * NQ][columns] = {};
+    double ku[D * NU][width] = {}, kp[SQ * NQ][width] = {};
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields f;
       if (!shapes(q, n.x, s) || !fields(n, s, f)) return;
-      PointFields<Coordinates, S, T> in;
-      PointBalance<Coordinates, S, T> out;
-      seed<Law>(f, in);
-      law(e * b.points + q, in, out);
-      carry<Law>(out);
-      double A[Row::count][Way::count];
-      const auto put = [&](int row, const T& from) {
-        for (int way = 0; way < Way::count; ++way) A[row][way] = s.dv * from.d[way];
-      };
-      for (int i = 0; i < D; ++i) {
-        if constexpr (Law::forces) put(Row::force + i, out.force[i]);
-        if constexpr (Law::stresses)
-          for (int l = 0; l < D; ++l) put(Row::stress + D * i + l, out.stress[i][l]);
-      }
-      if constexpr (Law::stresses && Coordinates::hoop) put(Row::hoop, out.hoop_stress);
-      for (int k = 0; k < S; ++k) {
-        if constexpr (Law::storages) put(Row::storage + k, out.storage[k]);
-        if constexpr (Law::fluxes)
-          for (int l = 0; l < D; ++l) put(Row::flux + D * k + l, out.flux[k][l]);
-      }
-      double y[Row::count];
-      if constexpr (Law::motion || Law::inertia)
-        for (int a = 0; a < NU; ++a)
-          for (int j = 0; j < D; ++j) {
-            for (int row = 0; row < Row::count; ++row) {
-              double sum = 0;
-              if constexpr (Law::motion) {
-                for (int m = 0; m < D; ++m) sum += A[row][D * j + m] * s.g[a][m];
-                if constexpr (Coordinates::hoop)
-                  if (j == 0) sum += A[row][D * D] * s.h[a];
-              }
-              if constexpr (Law::inertia) sum += A[row][Way::inertia + j] * s.N[a];
-              y[row] = sum;
-            }
-            spread<Law>(s, y, D * a + j, ku, kp);
-          }
-      if constexpr (Law::scalars || Law::gradients)
-        for (int k = 0; k < S; ++k)
-          for (int c = 0; c < NS; ++c) {
-            for (int row = 0; row < Row::count; ++row) {
-              double sum = 0;
-              if constexpr (Law::scalars) sum += A[row][Way::value + k] * s.Np[c];
-              if constexpr (Law::gradients)
-                for (int m = 0; m < D; ++m) sum += A[row][Way::gradient + D * k + m] * s.gp[c][m];
-              y[row] = sum;
-            }
-            spread<Law>(s, y, MU + NS * k + c, ku, kp);
-          }
+      double A[Rows<Law>::count][Directions<Law>::count], Y[Rows<Law>::count][width];
+      point_matrix(e * b.points + q, law, s, f, A);
+      to_unknowns<Law>(s, A, Y);
+      spread<Law>(s, Y, ku, kp);
     }
-    if constexpr (Law::forces || Law::stresses) scatter_rows(to, e, 0, ku, weight);
-    if constexpr (Law::storages || Law::fluxes) scatter_rows(to, e, MU, kp, weight);
+    if constexpr (Law::forces || Law::stresses) scatter_rows(to, e, 0, first, ku, weight);
+    if constexpr (Law::storages || Law::fluxes) scatter_rows(to, e, MU, first, kp, weight);
   }
 
  private:
-  template <int R>
-  KOKKOS_INLINE_FUNCTION static void scatter_rows(const MatrixScatter& to, int e, int row0,
-                                                  const double (&k)[R][columns], double weight) {
-    bool fixed[columns];
-    for (int c = 0; c < columns; ++c) fixed[c] = to.constrained(to.dofs(e, c));
-    for (int r = 0; r < R; ++r)
-      for (int c = 0; c < columns; ++c) {
-        if ((fixed[row0 + r] || fixed[c]) && row0 + r != c) continue;
-        MatrixScatter::accumulate(&to.values(to.offsets(e, row0 + r, c)), weight * k[r][c]);
+  template <int R, int C>
+  KOKKOS_INLINE_FUNCTION static void scatter_rows(const MatrixScatter& to, int e, int row0, int column0,
+                                                  const double (&k)[R][C], double weight) {
+    bool fixed_column[C];
+    for (int c = 0; c < C; ++c) fixed_column[c] = to.constrained(to.dofs(e, column0 + c));
+    for (int r = 0; r < R; ++r) {
+      const bool fixed_row = to.constrained(to.dofs(e, row0 + r));
+      for (int c = 0; c < C; ++c) {
+        if ((fixed_row || fixed_column[c]) && row0 + r != column0 + c) continue;
+        MatrixScatter::accumulate(&to.values(to.offsets(e, row0 + r, column0 + c)), weight * k[r][c]);
       }
+    }
   }
 };
 

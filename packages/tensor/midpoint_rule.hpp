@@ -10,7 +10,7 @@
 namespace mudline {
 
 /// Place of the tensor component (i, j) among the six xx yy zz yz xz xy.
-KOKKOS_INLINE_FUNCTION constexpr int six(int i, int j) { return i == j ? i : 6 - i - j; }
+KOKKOS_FORCEINLINE_FUNCTION constexpr int six(int i, int j) { return i == j ? i : 6 - i - j; }
 
 /// Objective increment of a motion (Hughes and Winget 1980) from its gradient on the midpoint configuration,
 /// H = d(Delta u)/d x_{n+1/2}, and the hoop strain Delta u_r/r_{n+1/2} of axial symmetry: strain = sym H, rotation by
@@ -26,7 +26,7 @@ struct MidpointRule {
   static constexpr int spins = Dim == 3 ? 3 : 1;       // rotations that the space has; in the plane about z
   static constexpr int components = Dim == 3 ? 6 : 4;  // of a strain that are not always 0
   /// Place of component k among the six.
-  KOKKOS_INLINE_FUNCTION static constexpr int place(int k) { return Dim == 2 && k == 3 ? 5 : k; }
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int place(int k) { return Dim == 2 && k == 3 ? 5 : k; }
 
   double gradient[Dim][Dim], hoop_gradient;  // H
   double spin[spins];                        // axial vector of skew H [-]
@@ -35,7 +35,7 @@ struct MidpointRule {
   double log_volume;              // ln J, J = dv_{n+1} / dv_n
 
   /// `valid`: the configurations are not inverted; otherwise ln J is 0 and the increment means nothing.
-  KOKKOS_INLINE_FUNCTION void evaluate(const double (&H)[Dim][Dim], double hoop_of_H, bool valid) {
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate(const double (&H)[Dim][Dim], double hoop_of_H, bool valid) {
     double trace = 0;
     for (int i = 0; i < Dim; ++i) {
       trace += H[i][i];
@@ -65,10 +65,10 @@ struct MidpointRule {
   }
 
   /// The increment as six numbers with engineering shear.
-  KOKKOS_INLINE_FUNCTION void increment(double* e) const { to_six(strain, hoop, e); }
+  KOKKOS_FORCEINLINE_FUNCTION void increment(double* e) const { to_six(strain, hoop, e); }
 
   /// R s R^T of a symmetric tensor xx yy zz yz xz xy with stress-like components.
-  KOKKOS_INLINE_FUNCTION void rotate(const double* s, double* out) const {
+  KOKKOS_FORCEINLINE_FUNCTION void rotate(const double* s, double* out) const {
     if constexpr (Dim == 3) {
       sym6::rotate(&rotation[0][0], s, out);
     } else {
@@ -85,7 +85,7 @@ struct MidpointRule {
   /// Change of the increment, less what the turning of its own axes adds, for a further displacement with the gradient
   /// d(u_j)/d(x_m) = 1 in the configuration of the end: six numbers with engineering shear, by which an isotropic law
   /// answers. `turn`: the rotation [-] of that displacement.
-  KOKKOS_INLINE_FUNCTION void variation(int j, int m, double* e, double (&turn)[spins]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void variation(int j, int m, double* e, double (&turn)[spins]) const {
     // dH = (1 - H/2) G (1 + H/2), exactly: the midpoint moves with half the displacement
     double dH[Dim][Dim];
     for (int i = 0; i < Dim; ++i)
@@ -94,13 +94,13 @@ struct MidpointRule {
     vary(dH, 0.0, j == m ? 1.0 : 0.0, e, turn);
   }
   /// The same for a unit of u_r / r.
-  KOKKOS_INLINE_FUNCTION void hoop_variation(double* e, double (&turn)[spins]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void hoop_variation(double* e, double (&turn)[spins]) const {
     const double dH[Dim][Dim] = {};
     vary(dH, (1 - 0.5 * hoop_gradient) * (1 + 0.5 * hoop_gradient), 1.0, e, turn);
   }
 
   /// W s - s W of a symmetric tensor of six stress-like components, W the skew tensor of a spin.
-  KOKKOS_INLINE_FUNCTION static void turn_stress(const double (&w)[spins], const double* s, double* out) {
+  KOKKOS_FORCEINLINE_FUNCTION static void turn_stress(const double (&w)[spins], const double* s, double* out) {
     double full[Dim][Dim], change[Dim][Dim];
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) full[i][j] = s[six(i, j)];
@@ -111,7 +111,7 @@ struct MidpointRule {
   }
 
  private:
-  KOKKOS_INLINE_FUNCTION static void axial(const double (&a)[Dim][Dim], double (&w)[spins]) {
+  KOKKOS_FORCEINLINE_FUNCTION static void axial(const double (&a)[Dim][Dim], double (&w)[spins]) {
     if constexpr (Dim == 3) {
       w[0] = 0.5 * (a[2][1] - a[1][2]);
       w[1] = 0.5 * (a[0][2] - a[2][0]);
@@ -120,7 +120,7 @@ struct MidpointRule {
       w[0] = 0.5 * (a[1][0] - a[0][1]);
     }
   }
-  KOKKOS_INLINE_FUNCTION static void skew(const double (&w)[spins], double (&out)[Dim][Dim]) {
+  KOKKOS_FORCEINLINE_FUNCTION static void skew(const double (&w)[spins], double (&out)[Dim][Dim]) {
     const double z = w[spins - 1];
     for (int i = 0; i < Dim; ++i) out[i][i] = 0;
     out[0][1] = -z;
@@ -133,8 +133,8 @@ struct MidpointRule {
     }
   }
   /// The rotation of the quaternion (s, v), whose length is free; square = v.v.
-  KOKKOS_INLINE_FUNCTION static void turn_by(double s, const double (&v)[spins], double square,
-                                             double (&out)[Dim][Dim]) {
+  KOKKOS_FORCEINLINE_FUNCTION static void turn_by(double s, const double (&v)[spins], double square,
+                                                  double (&out)[Dim][Dim]) {
     double V[Dim][Dim];
     skew(v, V);
     const double factor = 1.0 / (s * s + square);
@@ -146,8 +146,8 @@ struct MidpointRule {
       }
   }
   /// W a - a W.
-  KOKKOS_INLINE_FUNCTION static void commute(const double (&w)[spins], const double (&a)[Dim][Dim],
-                                             double (&out)[Dim][Dim]) {
+  KOKKOS_FORCEINLINE_FUNCTION static void commute(const double (&w)[spins], const double (&a)[Dim][Dim],
+                                                  double (&out)[Dim][Dim]) {
     double W[Dim][Dim];
     skew(w, W);
     for (int i = 0; i < Dim; ++i)
@@ -156,7 +156,7 @@ struct MidpointRule {
         for (int k = 0; k < Dim; ++k) out[i][j] += W[i][k] * a[k][j] - a[i][k] * W[k][j];
       }
   }
-  KOKKOS_INLINE_FUNCTION static void set_volume(double (&e)[Dim][Dim], double& out_of_plane, double volume) {
+  KOKKOS_FORCEINLINE_FUNCTION static void set_volume(double (&e)[Dim][Dim], double& out_of_plane, double volume) {
     double trace = Dim == 2 ? out_of_plane : 0.0;
     for (int i = 0; i < Dim; ++i) trace += e[i][i];
     const double shift = (volume - trace) / 3;
@@ -164,7 +164,7 @@ struct MidpointRule {
     out_of_plane += shift;
   }
   /// From the axes of the midpoint to those of the end.
-  KOKKOS_INLINE_FUNCTION void turn_half(double (&e)[Dim][Dim]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void turn_half(double (&e)[Dim][Dim]) const {
     double left[Dim][Dim];
     for (int i = 0; i < Dim; ++i)
       for (int l = 0; l < Dim; ++l) {
@@ -177,7 +177,7 @@ struct MidpointRule {
         for (int l = 0; l < Dim; ++l) e[i][j] += left[i][l] * half[j][l];
       }
   }
-  KOKKOS_INLINE_FUNCTION static void to_six(const double (&e)[Dim][Dim], double out_of_plane, double* out) {
+  KOKKOS_FORCEINLINE_FUNCTION static void to_six(const double (&e)[Dim][Dim], double out_of_plane, double* out) {
     for (int c = 0; c < 6; ++c) out[c] = 0;
     out[2] = out_of_plane;
     for (int i = 0; i < Dim; ++i) {
@@ -185,8 +185,8 @@ struct MidpointRule {
       for (int j = i + 1; j < Dim; ++j) out[six(i, j)] = e[i][j] + e[j][i];
     }
   }
-  KOKKOS_INLINE_FUNCTION void vary(const double (&dH)[Dim][Dim], double dhoop, double volume, double* e,
-                                   double (&turn)[spins]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void vary(const double (&dH)[Dim][Dim], double dhoop, double volume, double* e,
+                                        double (&turn)[spins]) const {
     double d[Dim][Dim], dw[spins];
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) d[i][j] = 0.5 * (dH[i][j] + dH[j][i]);

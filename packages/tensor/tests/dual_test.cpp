@@ -16,6 +16,7 @@ T everything(const T& x, const T& y) {
   a *= square_root(x + 2.0);
   a /= 1.0 + y * y;
   a *= 3.0;
+  a += logarithm(x * x + y);
   return a * exponential_quotient(x - y);
 }
 
