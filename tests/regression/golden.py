@@ -129,7 +129,7 @@ def compare(name, files, tolerance, settings=(), ranks=1):
     for i, column in enumerate(header):
         if column not in found or TIMES.search(column):
             continue
-        share = max(tolerance, 1e-4) if DIFFERENCES.search(column) else tolerance
+        share = max(tolerance, 0.1) if DIFFERENCES.search(column) else tolerance
         allowed = share * np.abs(golden[:, i]).max() + 0.1 * tolerance * largest[unit(column)] + 10 * noise[i] + 1e-20
         worst = np.abs(found[column] - golden[:, i]).max()
         if not worst <= allowed:

@@ -7,6 +7,7 @@ import random
 import re
 import shlex
 import subprocess
+import sys
 
 import fault
 
@@ -144,9 +145,20 @@ def umat_deck(number):
         K0='<Parameter name="K0" type="string" value="0.5"/>')
 
 
+def build_tree():
+    """Where the program was built; None where it lies elsewhere."""
+    parents = pathlib.Path(fault.program()).resolve().parents
+    return next((p for p in parents if (p / "compile_commands.json").exists()), None)
+
+
+def check():
+    if build_tree() is None:
+        sys.exit(f"{fault.program()}: plugins are built as the program was; name one in its build tree by MUDLINE")
+
+
 def build(folder):
     """Both libraries. The plugin takes the compiler and the options of the program's own sources, from its build folder."""
-    tree = next(p for p in pathlib.Path(fault.program()).resolve().parents if (p / "compile_commands.json").exists())
+    tree = build_tree()
     commands = json.loads((tree / "compile_commands.json").read_text())
     own = next(c for c in commands if c["file"].endswith("packages/simulation/plugin.cpp"))
     words = shlex.split(own["command"])

@@ -5,7 +5,8 @@
 
 Without --full each category runs a sample that takes seconds. The environment variable MUDLINE names the program.
 A category is a module of this folder with TITLE (what was tried), FULL and SAMPLE (how many faults), and
-run(count, seed, folder), which yields Outcomes; it may have remarks(), lines that follow the table. Exit code 1 when one
+run(count, seed, folder), which yields Outcomes; it may have remarks(), lines that follow the table, and check(), which ends the
+program where the category cannot be tried. Exit code 1 when one
 verdict is bad.
 """
 import argparse
@@ -55,8 +56,11 @@ def main():
     parser.add_argument("--write", type=pathlib.Path)
     options = parser.parse_args()
     results, remarks = {}, {}
-    for name in options.only or CATEGORIES:
-        module = importlib.import_module(name)
+    modules = [importlib.import_module(name) for name in options.only or CATEGORIES]
+    for module in modules:
+        if hasattr(module, "check"):
+            module.check()
+    for module in modules:
         with tempfile.TemporaryDirectory() as folder:
             count = module.FULL if options.full else module.SAMPLE
             results[module.TITLE] = list(module.run(count, options.seed, pathlib.Path(folder)))
