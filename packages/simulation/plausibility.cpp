@@ -203,7 +203,7 @@ void Plausibility::tell_materials() {
       const SoilState soil = at.block.material->skeleton->soil_state(stress, ratio, law.data() + row * law.extent(1));
       if (soil.undrained_strength) of[strength].add(*soil.undrained_strength);
       if (soil.overconsolidation_ratio) of[ocr].add(*soil.overconsolidation_ratio);
-      of[mean].add(-(stress[0] + stress[1] + stress[2]) / 3);
+      of[mean].add(0.0 - (stress[0] + stress[1] + stress[2]) / 3);  // 0 without stress, not -0
       if (!at.block.porous()) continue;
       of[voids].add(ratio);
       of[k].add(at.block.material->permeability->conductivity(ratio, state.arrays[at.block.void_ratio](row, 1)).k);
