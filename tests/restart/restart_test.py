@@ -175,8 +175,10 @@ class Ranks(RestartCase):
 
     def test_two_surfaces(self):
         slide = self.write("slide.xml", SLIDE)
+        # steps that friction can follow: where Newton's iterates go to and fro, rounding decides on the next step
+        calm = settings("stages/slide/duration=0.35", "stages/slide/time step/initial=0.025", "stages/slide/time step/maximum=0.025")
         for laws in ([], [NODES]):  # what multipliers leave of gap, penetration and stretch is rounding
-            self.check([BLOCKS, *laws, slide], "blocks", 3, ((1, 3), (2, 1)), ("gap", "penetration", "stretch"))
+            self.check([BLOCKS, *laws, slide, *calm], "blocks", 3, ((1, 3), (2, 1)), ("gap", "penetration", "stretch"))
 
     def test_free_body(self):
         self.check([ANCHOR], "anchor", 30, ((2, 1), (1, 2)))
