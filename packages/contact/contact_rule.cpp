@@ -1,11 +1,18 @@
 #include "contact/contact_rule.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mudline {
 
 namespace {
 constexpr double pi = 3.14159265358979323846;
+}
+
+double farthest(const SideCoordinates& x) {
+  double result = 0;
+  for (const PlanePoint& point : x) result = std::max(result, std::hypot(point[0], point[1]));
+  return result;
 }
 
 ContactRule::ContactRule(ContactPoints kind, int nodes_, int degree) : nodes(nodes_) {

@@ -16,6 +16,8 @@ constexpr int max_contact_points = 6;  // Gauss points of degree 11
 
 /// Coordinates of the nodes of one side [m]: two corners, then the middle of a quadratic side.
 using SideCoordinates = std::array<PlanePoint, max_side_nodes>;
+/// Largest distance of a node from the origin [m].
+double farthest(const SideCoordinates& x);
 
 /// Contact points on a side of 2 or 3 nodes and their areas. Point c lies at sum_a shape[c][a] X_a, spreads its force
 /// to the nodes by the same shape, and has the area A_c = sum_q weight[c][q] |x'(q)| (2 pi r(q)) over Gauss points q.

@@ -228,13 +228,14 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
     }
     const NodeLaw acting = law(view, row);
     const SurfacePiece& piece = surface_.pieces()[seen.piece];
-    node_force(acting, piece, seen.foot, coordinates(row, seen.piece, at.old), coordinates(row, seen.piece, at.end),
-               false, force);
+    const NodeCoordinates now = coordinates(row, seen.piece, at.end);
+    node_force(acting, piece, seen.foot, coordinates(row, seen.piece, at.old), now, false, force);
     if (force.presses && seen.place < 0) ++failures;
     if (seen.place < 0) force = {};
     for (int a = 0; a < node_dofs && force.presses; ++a) {
       const int dof = dofs_(seen.place, a);
       f.add(dof, -force.f[a]);
+      f.cancelled(dof, acting.penalty * acting.area * std::hypot(now.slave[0], now.slave[1]));
       if (force.share != 1) correction_.emplace_back(dof, (1 - alpha) * (force.share - 1) * force.f[a]);
     }
     add_old_share(view, row, force.gap);

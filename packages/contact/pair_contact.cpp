@@ -179,16 +179,18 @@ int PairContact::residual(const StepView& view, const ResidualView& f) {
     double force[2] = {0, 0};
     const PairLaw side_law = law(view, s);
     for (; pair != pairs_.end() && pair->slave == s; ++pair) {
-      if (!pair_segment(side_law, coordinates(*pair, view.x_old), coordinates(*pair, view.x_end), false, side_force))
-        continue;
+      const PairCoordinates now = coordinates(*pair, view.x_end);
+      if (!pair_segment(side_law, coordinates(*pair, view.x_old), now, false, side_force)) continue;
       if (pair->row < 0 && side_force.sums.area > 0) {
         beyond_reach_ = true;
         ++failures;
       }
       if (pair->row < 0) continue;
       add(side_force.sums, sums);
+      const double cancelled = side_law.penalty * side_force.sums.area * farthest(now.slave);
       for (int a = 0; a < 4 * nodes_; ++a) {
         f.add(dofs_(pair->row, a), -side_force.f[a]);
+        f.cancelled(dofs_(pair->row, a), cancelled);
         if (side_force.damping[a] != 0) correction_.emplace_back(dofs_(pair->row, a), side_force.damping[a]);
         if (a < 2 * nodes_) force[a % 2] += side_force.f[a];
       }

@@ -249,9 +249,14 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     if (damps(view)) book_damping(*view.trial, points);
     const ElementDofs& dofs = surface_->dofs(sides[s].count);
     const int soil = 2 * sides[s].count, all = static_cast<int>(dofs.extent(1));
+    double pressing = 0;  // [m2]
+    for (const ContactPoint& point : points) pressing += point.active ? point.area : 0;
+    const double cancelled =
+        view.trial->arrays[penalties_](s, 0) * pressing * farthest(coordinates(sides[s], at.x_end));
     for (int a = 0; a < all; ++a) {
       if (a >= soil && a < all - body_->unknowns().count) continue;  // the fluxes are none of contact's
       f.add(dofs(sides[s].row, a), -side_force.f[a]);
+      f.cancelled(dofs(sides[s].row, a), cancelled);
       if (side_force.correction[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), side_force.correction[a]);
     }
   }

@@ -71,7 +71,12 @@ struct ResidualView {
     MatrixScatter::accumulate(&sum(dof), value);
     if (acting.extent(0) == 0) return;
     MatrixScatter::accumulate(&acting(dof), change < 0 ? -change : change);
-    MatrixScatter::accumulate(&whole(dof), value < 0 ? -value : value);
+    cancelled(dof, value < 0 ? -value : value);
+  }
+  /// The size [of the residual] of what cancelled before a contribution was formed: a gap is the difference of two
+  /// positions, so a spring of stiffness k at the position x leaves rounding of k |x|.
+  KOKKOS_INLINE_FUNCTION void cancelled(int dof, double size) const {
+    if (whole.extent(0) > 0) MatrixScatter::accumulate(&whole(dof), size);
   }
 };
 
