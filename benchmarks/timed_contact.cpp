@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "contact/penalty_contact.hpp"
+#include "contact/body/penalty_contact.hpp"
 #include "simulation/plugin.hpp"
 
 namespace {

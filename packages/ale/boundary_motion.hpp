@@ -7,7 +7,7 @@
 
 #include "ale/mesh_paths.hpp"
 #include "ale/path_curve.hpp"
-#include "physics/rigid_body/rigid_body.hpp"
+#include "bodies/rigid_body.hpp"
 
 namespace mudline {
 

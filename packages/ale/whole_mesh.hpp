@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "physics/space.hpp"
-#include "physics/state.hpp"
+#include "framework/space.hpp"
+#include "framework/state.hpp"
 
 namespace mudline {
 

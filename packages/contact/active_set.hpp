@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "physics/term.hpp"
+#include "framework/term.hpp"
 
 namespace mudline {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "physics/rigid_body/contour_piece.hpp"
+#include "geometry/contour_piece.hpp"
 
 namespace mudline {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "physics/rigid_body/rigid_body.hpp"
-#include "physics/space.hpp"
-#include "physics/term.hpp"
+#include "bodies/rigid_body.hpp"
+#include "framework/space.hpp"
+#include "framework/term.hpp"
 
 namespace mudline {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "contact/friction.hpp"
+#include "bodies/rigid_body.hpp"
+#include "contact/laws/friction.hpp"
 #include "core/registry.hpp"
-#include "physics/rigid_body/rigid_body.hpp"
-#include "physics/term.hpp"
+#include "framework/term.hpp"
 
 namespace mudline {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "physics/nodal_exchange.hpp"
-#include "physics/rigid_body/rigid_body.hpp"
-#include "physics/space.hpp"
-#include "physics/state.hpp"
+#include "bodies/rigid_body.hpp"
+#include "framework/nodal_exchange.hpp"
+#include "framework/space.hpp"
+#include "framework/state.hpp"
 
 namespace mudline {
 

@@ -1,7 +1,7 @@
+#include "contact/body/penalty_contact.hpp"
 #include "contact/contact.hpp"
-#include "contact/node_contact.hpp"
-#include "contact/pair_contact.hpp"
-#include "contact/penalty_contact.hpp"
+#include "contact/mortar/pair_contact.hpp"
+#include "contact/nodes/node_contact.hpp"
 
 namespace mudline {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "contact/contact_damping.hpp"
+#include "contact/laws/contact_damping.hpp"
 #include "core/guarded.hpp"
 #include "discretisation/mesh_topology.hpp"
 

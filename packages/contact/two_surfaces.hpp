@@ -7,7 +7,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/contact_surface.hpp"
-#include "contact/master_surface.hpp"
+#include "contact/mortar/master_surface.hpp"
 #include "contact/uzawa.hpp"
 
 namespace mudline {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/contact_surface.hpp"
-#include "physics/term.hpp"
+#include "framework/term.hpp"
 
 namespace mudline {
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "core/pi.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
@@ -23,7 +24,7 @@ class Expression : public FunctionBase {
     parser_.DefineVar("t", &time_);
     for (const char* first : {"x", "r"}) parser_.DefineVar(first, &point_[0]);
     for (const char* second : {"y", "z"}) parser_.DefineVar(second, &point_[1]);
-    parser_.DefineConst("pi", 3.14159265358979323846);
+    parser_.DefineConst("pi", pi);
     parser_.SetExpr(text);
     try {
       parser_.Eval();  // muParser reports most mistakes only here

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/pi.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
@@ -108,7 +109,7 @@ void BoxMesh::move_vertices(const std::vector<double>& x, const std::vector<doub
       // Within a disc: vertices that move by less than 0.35 of the cell size turn no cell over.
       const auto key = 2 * static_cast<std::uint64_t>(node(step_ * i, step_ * j));
       const double length = distortion_ * size * std::sqrt(scatter(key));
-      const double angle = 2 * 3.14159265358979323846 * scatter(key + 1);
+      const double angle = 2 * pi * scatter(key + 1);
       auto& point = mesh.coordinates[node(step_ * i, step_ * j)];
       point[0] += length * std::cos(angle);
       point[1] += length * std::sin(angle);

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "core/errors.hpp"
+#include "core/pi.hpp"
 #include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
@@ -290,8 +291,8 @@ std::size_t Seams::next_of(std::size_t s) const {
   std::size_t best = ways[0];
   double least = std::numeric_limits<double>::max();
   for (std::size_t way : ways) {
-    double turn = std::fmod(angle(sides_[way].curve[0], sides_[way].curve[1]) - back + 4 * M_PI, 2 * M_PI);
-    if (turn < 1e-9) turn = 2 * M_PI;
+    double turn = std::fmod(angle(sides_[way].curve[0], sides_[way].curve[1]) - back + 4 * pi, 2 * pi);
+    if (turn < 1e-9) turn = 2 * pi;
     if (turn >= least) continue;
     least = turn;
     best = way;

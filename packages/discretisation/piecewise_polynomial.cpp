@@ -4,11 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "core/pi.hpp"
+
 namespace mudline {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int degree = 12;
 constexpr int deepest = 44;  // halvings: an interval around a corner is then 1e-13 of the curve
 

@@ -1,13 +1,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/pi.hpp"
 #include "discretisation/shapes.hpp"
 
 namespace mudline {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Points that the symmetries of the triangle map onto each other, by two of their area coordinates.
 /// Weights are fractions of the area.

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/state.hpp"
+#include "framework/state.hpp"
 
 namespace mudline {
 

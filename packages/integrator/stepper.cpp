@@ -404,4 +404,154 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
   return x;
 }
 
+bool Stepper::predict(Vector& x) {
+  const bool asked =
+      std::any_of(active_.begin(), active_.end(), [](Term* term) { return term->asks_for_prediction(); });
+  for (Term* term : active_) term->predicting(asked);
+  const bool predicted = predict_linear(x, asked);
+  for (Term* term : active_) term->predicting(false);
+  if (!asked) return predicted;
+  // nothing of the more linear step may enter the iteration: no state, no Jacobian
+  stands_ = false;
+  chord_.forget();
+  return predicted;
+}
+
+bool Stepper::rests() const {
+  double sums[2] = {0, 0};  // squares of F at rest less F_n, and of F_n: this rank's
+  for (int k = 0; k < static_cast<int>(active_.size()); ++k) {
+    if (!active_[k]->may_relax()) continue;
+    const int slot = history_slot(k);
+    const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
+    for (std::size_t i = 0; i < old.extent(0); ++i) {
+      sums[0] += (now(i) - old(i)) * (now(i) - old(i));
+      sums[1] += old(i) * old(i);
+    }
+  }
+  const auto total = sum_over_ranks(*space_.dofs()->comm(), std::vector<double>(sums, sums + 2));
+  return total[0] <= 1e-6 * total[1];
+}
+
+bool Stepper::predict_linear(Vector& x, bool always) {
+  const Vector old = owned_part(*space_.dofs(), store_.committed().value);
+  Vector moved(map());
+  moved.update(1, x, -1, old, 0);
+  const bool moves = moved.norm2() > 0;
+  if (!moves && !always) return false;
+  // The columns of prescribed unknowns are not in the matrix: their product with the change is differenced. The
+  // fraction is small enough for the elements next to the moving nodes, large enough against rounding.
+  constexpr double fraction = 1e-3;
+  Vector f(map()), shifted(map()), part(old, Teuchos::Copy), correction(map());
+  part.update(fraction, moved, 1);
+  if (moves && !residual(part, shifted)) return false;
+  if (!residual(old, f) || !rests()) return false;
+  chord_.forget();  // its rate of convergence is not known here
+  if (!jacobian(old)) return false;
+  if (moves) f.update(1 / fraction, shifted, 1 - 1 / fraction);
+  if (!solve(f, correction)) return false;
+  x.update(-1, correction, 1);
+  return true;
+}
+
+bool Stepper::extrapolate(Vector& x) {
+  if (!scheme_.flow) return false;  // geostatic: no time passes
+  const State& old = store_.committed();
+  Vector guess(x, Teuchos::Copy);
+  {
+    auto data = guess.getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (int f = 0; f < space_.num_fields(); ++f) {
+      if (space_.field(f).time_order != 2) continue;
+      for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i)
+        if (!constraints_.mask(i)) data(i, 0) += view_.dt * old.rate(i);
+    }
+  }
+  Vector change(guess, Teuchos::Copy), f(map());
+  change.update(-1, x, 1);
+  if (change.norm2() == 0 || !residual(guess, f)) return false;
+  Tpetra::deep_copy(x, guess);
+  return true;
+}
+
+bool Stepper::stands_at(const Vector& x) const {
+  bool same = stands_;
+  if (same) {
+    const auto here = evaluated_.getLocalViewHost(Tpetra::Access::ReadOnly),
+               there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; same && i < here.extent(0); ++i) same = here(i, 0) == there(i, 0);
+  }
+  return sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) == 0;
+}
+
+Augmentation Stepper::augment(int count) {
+  Augmentation all;
+  for (Term* term : active_) {
+    const Augmentation one = term->augment(view_, count);
+    all.again = all.again || one.again;
+    if (all.refusal.empty()) all.refusal = one.refusal;
+  }
+  return all;
+}
+
+void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& report) {
+  for (;;) {
+    const NewtonReport solved = newton_solve(*this, newton, x);
+    const int before =
+        report.augmentations == 0 ? 0 : report.newton_iterations;  // a prediction counts for the first solve
+    report.newton_iterations += solved.iterations;
+    report.hardest_solve = std::max(report.hardest_solve, report.newton_iterations - before);
+    report.converged = solved.converged;
+    report.reason = !solved.converged && !failure_.empty() ? failure_ : solved.reason;
+    if (!solved.converged) return;
+    // NOX may have evaluated elsewhere last (a line search); make the trial state that of the solution, bit for bit.
+    Vector f(map());
+    if (!stands_at(x) && !residual(x, f)) {
+      report.converged = false;
+      report.reason = failure_;
+      return;
+    }
+    const Augmentation next = augment(report.augmentations);
+    if (!next.refusal.empty()) {
+      report.converged = false;
+      report.reason = next.refusal;
+      return;
+    }
+    if (!next.again) return;
+    ++report.augmentations;
+    stands_ = false;
+    chord_.start_solve();
+  }
+}
+
+std::string Stepper::hints() const {
+  std::string all;
+  for (const Term* term : active_)
+    if (const std::string hint = term->hint(view_); !hint.empty()) all += "; " + hint;
+  return all;
+}
+
+StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
+  chord_.enabled = newton.reuse_jacobian;
+  Vector x = begin(request, tolerances);
+  const bool goes_on = newton.first_guess == NewtonOptions::FirstGuess::extrapolated && extrapolate(x);
+  const int predicted = !goes_on && predict(x) ? 1 : 0;
+  StepReport report;
+  report.newton_iterations = predicted;
+  solve_step(newton, x, report);
+  report.linear_iterations = linear_iterations_;
+  report.factorisations = factorisations_;
+  if (!report.converged) {
+    report.reason += hints();
+    solver_.reset();
+    chord_.forget();
+    return report;
+  }
+  const std::vector<double> sizes = owned_field_norms(*space_.dofs(), x);
+  for (int i = 0; i < space_.num_fields(); ++i) {
+    reference_floor_[i] =
+        std::max({reference_floor_[i], reference_[i], rounding_[i] / (floor_share * tolerances_.residual)});
+    size_floor_[i] = std::max(size_floor_[i], sizes[i]);
+  }
+  return report;
+}
+
 }  // namespace mudline

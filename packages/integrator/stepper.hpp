@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "algebra/linear_solver.hpp"
+#include "framework/term.hpp"
 #include "integrator/chord.hpp"
 #include "integrator/newton.hpp"
 #include "integrator/time_scheme.hpp"
-#include "physics/term.hpp"
 
 namespace mudline {
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "framework/term.hpp"
 #include "integrator/step_control.hpp"
 #include "integrator/time_scheme.hpp"
-#include "physics/term.hpp"
 
 namespace mudline {
 

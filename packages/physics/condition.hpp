@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/registry.hpp"
+#include "framework/term.hpp"
 #include "physics/soil.hpp"
-#include "physics/term.hpp"
 
 namespace mudline {
 

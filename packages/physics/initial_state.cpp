@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "core/pi.hpp"
 #include "discretisation/agree.hpp"
 #include "materials/earth_pressure.hpp"
 #include "materials/guarded_law.hpp"
@@ -80,7 +81,7 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const So
     const double phi = k0_angle_(0, point.position);
     if (!(phi >= 0 && phi < 90))
       return "the K0 friction angle must be in [0, 90) degrees; it is " + std::to_string(phi);
-    k0 = earth_pressure_at_rest(std::sin(phi * 3.14159265358979323846 / 180), point.overconsolidation_ratio);
+    k0 = earth_pressure_at_rest(std::sin(phi * pi / 180), point.overconsolidation_ratio);
   } else {
     const std::string problem = guarded_k0(*material.skeleton, point.overconsolidation_ratio, k0);
     if (!problem.empty()) return problem;

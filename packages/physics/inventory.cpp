@@ -2,7 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include "physics/element_loop.hpp"
+#include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
 
 namespace mudline {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "framework/point_fields.hpp"
 #include "materials/pore_volume.hpp"
-#include "physics/point_fields.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline {

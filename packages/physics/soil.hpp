@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "framework/field_block.hpp"
+#include "framework/space.hpp"
+#include "framework/state.hpp"
 #include "materials/register_materials.hpp"
-#include "physics/field_block.hpp"
-#include "physics/space.hpp"
-#include "physics/state.hpp"
 
 namespace mudline {
 

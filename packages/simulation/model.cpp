@@ -9,9 +9,9 @@
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
+#include "framework/closed_sides.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
-#include "physics/closed_sides.hpp"
 #include "simulation/supports.hpp"
 
 namespace mudline {

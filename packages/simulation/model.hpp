@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ale/ale.hpp"
+#include "bodies/body_terms.hpp"
 #include "integrator/stepper.hpp"
-#include "physics/rigid_body/body_terms.hpp"
 #include "simulation/registries.hpp"
 #include "simulation/stage.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "ale/ale.hpp"
 #include "core/function_types.hpp"
+#include "geometry/path_shape.hpp"
 #include "integrator/step_control.hpp"
-#include "physics/rigid_body/path_shape.hpp"
 #include "simulation/output_settings.hpp"
 #include "simulation/plausibility.hpp"
 #include "simulation/plugin.hpp"

@@ -6,13 +6,13 @@
 #include "ale/interior_motion.hpp"
 #include "ale/remap.hpp"
 #include "algebra/linear_solver.hpp"
+#include "bodies/rigid_body.hpp"
 #include "contact/contact.hpp"
 #include "integrator/time_scheme.hpp"
 #include "materials/point/point_test.hpp"
 #include "materials/register_materials.hpp"
 #include "physics/condition.hpp"
 #include "physics/physics.hpp"
-#include "physics/rigid_body/rigid_body.hpp"
 
 namespace mudline {
 

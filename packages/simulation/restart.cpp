@@ -9,8 +9,8 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
+#include "framework/dof_ids.hpp"
 #include "integrator/overlap.hpp"
-#include "physics/dof_ids.hpp"
 #include "simulation/output/checkpoint_file.hpp"
 #include "simulation/run.hpp"
 

@@ -10,17 +10,21 @@ import subprocess
 import sys
 
 # A package may include itself and these (docs/developer_guide.md draws the arrows). Contact, ale and integrator are
-# siblings; contact and materials see no matrices, so that their kernels stay light and portable.
+# siblings, and so are physics and bodies; contact and materials see no matrices, so that their kernels stay light and
+# portable.
 ARROWS = {
     "core": [],
     "tensor": [],
     "algebra": ["core"],
     "discretisation": ["core", "tensor", "algebra"],
+    "geometry": ["core", "discretisation"],
     "materials": ["core", "tensor"],
-    "physics": ["core", "tensor", "algebra", "discretisation", "materials"],
-    "contact": ["core", "tensor", "discretisation", "materials", "physics"],
-    "ale": ["core", "tensor", "algebra", "discretisation", "materials", "physics"],
-    "integrator": ["core", "tensor", "algebra", "discretisation", "materials", "physics"],
+    "framework": ["core", "tensor", "algebra", "discretisation", "materials"],
+    "physics": ["core", "tensor", "algebra", "discretisation", "materials", "framework"],
+    "bodies": ["core", "discretisation", "geometry", "framework"],
+    "contact": ["core", "tensor", "discretisation", "materials", "geometry", "framework", "physics", "bodies"],
+    "ale": ["core", "tensor", "algebra", "discretisation", "materials", "geometry", "framework", "physics", "bodies"],
+    "integrator": ["core", "tensor", "algebra", "discretisation", "framework"],
 }
 ARROWS["simulation"] = list(ARROWS)
 
@@ -39,7 +43,10 @@ HEAVY = {
     r"CLI/": ["apps/mudline/"],
 }
 NO_TPETRA = ["core", "tensor", "materials", "contact"]
-FOR_TESTS = {"contact": ["algebra"]}  # its tests assemble the matrices that its kernels do not know
+FOR_TESTS = {
+    "contact": ["algebra"],  # its tests assemble the matrices that its kernels do not know
+    "geometry": ["bodies"],  # its contours are read from decks with bodies
+}
 
 MAX_LINES = 600  # a class stands in one header and one source; one that needs more does too much
 LONG_FILES = {}  # path: why it is longer

@@ -5,7 +5,7 @@
 // the balance does not depend on the unknown displacements.
 #include <memory>
 
-#include "physics/element_loop.hpp"
+#include "framework/element_loop.hpp"
 #include "physics/physics.hpp"
 #include "simulation/plugin.hpp"
 

@@ -2,7 +2,7 @@
 //     strength = (residual + (peak - residual) exp(-slip / length)) <normal>.
 #include <cmath>
 
-#include "contact/friction.hpp"
+#include "contact/laws/friction.hpp"
 #include "simulation/plugin.hpp"
 
 namespace {

@@ -8,10 +8,10 @@
 #include <random>
 #include <string>
 
+#include "bodies/tests/rigid_body_deck.hpp"
 #include "contact/contact.hpp"
-#include "physics/closed_sides.hpp"
+#include "framework/closed_sides.hpp"
 #include "physics/condition.hpp"
-#include "physics/tests/rigid_body_deck.hpp"
 
 namespace mudline {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "contact/impact_share.hpp"
+#include "contact/laws/impact_share.hpp"
 #include "contact_model.hpp"
 
 namespace mudline {

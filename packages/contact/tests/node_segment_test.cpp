@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/node_parameters.hpp"
-#include "contact/smooth_surface.hpp"
+#include "contact/nodes/node_parameters.hpp"
+#include "contact/nodes/smooth_surface.hpp"
 #include "slope_friction.hpp"
 
 namespace mudline {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/pair_segment.hpp"
+#include "contact/mortar/pair_segment.hpp"
 #include "slope_friction.hpp"
 
 namespace mudline {

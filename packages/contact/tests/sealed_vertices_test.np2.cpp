@@ -3,7 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include "contact_model.hpp"
-#include "physics/nodal_exchange.hpp"
+#include "framework/nodal_exchange.hpp"
 
 namespace mudline {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/friction.hpp"
+#include "contact/laws/friction.hpp"
 
 namespace mudline {
 

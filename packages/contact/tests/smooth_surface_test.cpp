@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "contact/smooth_surface.hpp"
+#include "contact/nodes/smooth_surface.hpp"
 
 namespace mudline {
 namespace {

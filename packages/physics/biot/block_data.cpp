@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "physics/element_loop.hpp"
+#include "framework/element_loop.hpp"
 
 namespace mudline {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "algebra/linear_solver.hpp"
+#include "framework/term.hpp"
 #include "physics/soil.hpp"
-#include "physics/term.hpp"
 
 namespace mudline {
 

@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "framework/term.hpp"
 #include "physics/soil.hpp"
 #include "physics/solid/body_force.hpp"
-#include "physics/term.hpp"
 
 namespace mudline {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "physics/dof_ids.hpp"
+#include "framework/dof_ids.hpp"
 
 namespace mudline {
 

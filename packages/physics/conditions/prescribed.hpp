@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "physics/closed_sides.hpp"
+#include "framework/closed_sides.hpp"
+#include "framework/nodal_exchange.hpp"
 #include "physics/condition.hpp"
-#include "physics/nodal_exchange.hpp"
 
 namespace mudline {
 

@@ -1,13 +1,10 @@
 #include "physics/conditions/side_terms.hpp"
+#include "core/pi.hpp"
 #include "discretisation/mesh_topology.hpp"
 
 #include <cmath>
 
 namespace mudline {
-
-namespace {
-constexpr double pi = 3.14159265358979323846;
-}
 
 void SideLoad::declare_set(Parameters& p) { p.required("set", set_, "side set on which it acts"); }
 

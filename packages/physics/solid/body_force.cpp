@@ -1,6 +1,6 @@
 #include "physics/solid/body_force.hpp"
 
-#include "physics/element_loop.hpp"
+#include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
 
 namespace mudline {

@@ -1,6 +1,6 @@
 #include "physics/solid/rayleigh_damping.hpp"
 
-#include "physics/element_loop.hpp"
+#include "framework/element_loop.hpp"
 
 namespace mudline {
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "framework/term.hpp"
 #include "physics/soil.hpp"
-#include "physics/term.hpp"
 
 namespace mudline {
 

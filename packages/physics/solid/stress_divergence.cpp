@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "discretisation/agree.hpp"
+#include "framework/element_loop.hpp"
 #include "materials/guarded_law.hpp"
-#include "physics/element_loop.hpp"
 #include "physics/mixture.hpp"
 
 namespace mudline {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/tests/input_error.hpp"
-#include "physics/closed_sides.hpp"
+#include "framework/closed_sides.hpp"
 #include "soil_model.hpp"
 
 namespace mudline {

@@ -7,19 +7,11 @@
 #include <vector>
 
 #include "core/deck.hpp"
+#include "core/tests/deck_text.hpp"
 #include "physics/condition.hpp"
 #include "physics/physics.hpp"
-#include "rigid_body_deck.hpp"
 
 namespace mudline {
-
-inline std::string section_xml(const std::string& name, const std::string& body) {
-  return "<ParameterList name=\"" + name + "\">\n" + body + "</ParameterList>\n";
-}
-
-inline std::string integers_parameter(const std::string& name, const std::string& values) {
-  return "<Parameter name=\"" + name + "\" type=\"Array(int)\" value=\"{" + values + "}\"/>\n";
-}
 
 /// Saturated elastic soil in a box, its terms, conditions and initial state, evaluated by hand: what a model would make
 /// of a deck. Confined modulus 12 MPa, shear modulus 4 MPa, porosity 0.4, mobility 1e-8 m2/(Pa s), water of 1000 kg/m3.

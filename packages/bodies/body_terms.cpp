@@ -1,0 +1,211 @@
+#include "bodies/body_terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+namespace {
+
+bool released(const RigidBody& body, int k) { return body.releases(body.unknowns().direction[k]); }
+
+/// What the loads see: reference point and angle, and their rates, given by unknown.
+BodyInstant instant(const RigidBody& body, double time, const double* value, const double* rate) {
+  BodyInstant at{time, {body.initial_position()[0], body.initial_position()[1], 0}, {}};
+  const BodyUnknowns& unknowns = body.unknowns();
+  for (int k = 0; k < unknowns.count; ++k) {
+    at.position[unknowns.direction[k]] += value[k] * unknowns.scale[k];
+    at.velocity[unknowns.direction[k]] = rate[k] * unknowns.scale[k];
+  }
+  return at;
+}
+
+/// Loads at the alpha level.
+BodyLoad load(const RigidBody& body, const StepView& view) {
+  double value[body_directions], rate[body_directions];
+  for (int k = 0; k < body.unknowns().count; ++k) {
+    const int dof = body.unknowns().dof[k];
+    value[k] = view.value(dof);
+    rate[k] = released(body, k) ? view.velocity(dof) : view.trial->rate(dof);
+  }
+  return body.released()->load(body.properties(), instant(body, view.momentum.time, value, rate));
+}
+
+/// Loads of the committed state.
+BodyLoad load_at_start(const RigidBody& body, const StepView& view) {
+  double value[body_directions], rate[body_directions];
+  for (int k = 0; k < body.unknowns().count; ++k) {
+    value[k] = view.value_old(body.unknowns().dof[k]);
+    rate[k] = view.committed->rate(body.unknowns().dof[k]);
+  }
+  return body.released()->load(body.properties(), instant(body, view.time_old, value, rate));
+}
+
+}  // namespace
+
+void BodyPaths::begin(const StepView& view) {
+  for (const auto& body : bodies_) body->advance(view);
+}
+
+double moving_mass(const RigidBody& body) {
+  return body.properties().mass + (body.released() ? body.released()->added_mass(body.properties()) : 0.0);
+}
+
+void BodyTerm::sparsity(Assembler& assembler) {
+  int rows = 0;
+  for (const auto& body : bodies_) rows += body->unknowns().owned;
+  Kokkos::View<int**, Kokkos::LayoutRight> dofs("body dofs", rows, bodies_.front()->unknowns().count);
+  int row = 0;
+  for (const auto& body : bodies_) {
+    if (!body->unknowns().owned) continue;
+    for (int k = 0; k < body->unknowns().count; ++k) dofs(row, k) = body->unknowns().dof[k];
+    ++row;
+  }
+  group_ = assembler.add_group(dofs);
+}
+
+void BodyInertia::constrain(const StepView& view, Constraints& constraints) {
+  for (const auto& body : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    const BodyState end = body->prescribed(*view.committed, view.time_old, view.time_end);
+    for (int k = 0; k < unknowns.count; ++k) {
+      if (released(*body, k)) continue;
+      const int dof = unknowns.dof[k], direction = unknowns.direction[k];
+      constraints.mask(dof) = 1;
+      constraints.value(dof) = direction < 2 ? end.displacement[direction] : view.committed->value(dof);
+    }
+  }
+}
+
+int BodyInertia::residual(const StepView& view, const ResidualView& f) {
+  for (const auto& body : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    const BodyState end = body->prescribed(*view.committed, view.time_old, view.time_end);
+    const double mass = moving_mass(*body);
+    for (int k = 0; k < unknowns.count; ++k) {
+      const int dof = unknowns.dof[k], direction = unknowns.direction[k];
+      double acceleration = view.acceleration(dof);
+      if (!released(*body, k)) {
+        // the integrator's rates of a prescribed motion would ring after every corner of it
+        view.trial->rate(dof) = direction < 2 ? end.velocity[direction] : 0.0;
+        acceleration = view.inertia ? (view.trial->rate(dof) - view.committed->rate(dof)) / view.dt : 0.0;
+        view.trial->acceleration(dof) = acceleration;
+      }
+      if (!view.inertia || !unknowns.owned) continue;
+      f.add(dof, mass * acceleration);
+    }
+  }
+  return 0;
+}
+
+void BodyInertia::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  if (!view.inertia) return;
+  const MatrixScatter to = assembler.scatter(group_);
+  int row = 0;
+  for (const auto& body : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    if (!unknowns.owned) continue;
+    for (int k = 0; k < unknowns.count; ++k)
+      to.add(row, k, k, weight * moving_mass(*body) * view.sensitivity[unknowns.field].acceleration);
+    ++row;
+  }
+}
+
+void BodyInertia::histories(const StepView& view, std::map<std::string, double>& values) {
+  const State& state = *view.committed;
+  for (const auto& body : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    const std::string name = "body/" + body->name() + "/";
+    double kinetic = 0;
+    for (int k = 0; k < unknowns.count; ++k) {
+      const int dof = unknowns.dof[k], direction = unknowns.direction[k];
+      kinetic += 0.5 * moving_mass(*body) * state.rate(dof) * state.rate(dof);
+      const double acceleration = state.acceleration(dof) * unknowns.scale[k];
+      if (direction < 2) {
+        values[name + "acceleration " + (direction == 0 ? "x" : "y") + " [m/s2]"] = acceleration;
+        continue;
+      }
+      values[name + "rotation [rad]"] = state.value(dof) * unknowns.scale[k];
+      values[name + "spin [rad/s]"] = state.rate(dof) * unknowns.scale[k];
+    }
+    values[name + "kinetic energy [J]"] = kinetic;
+  }
+}
+
+int BodyLoads::residual(const StepView& view, const ResidualView& f) {
+  for (const auto& body : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    if (!body->released() || !unknowns.owned) continue;
+    const BodyLoad acting = load(*body, view), old = load_at_start(*body, view);
+    for (int k = 0; k < unknowns.count; ++k) {
+      const int direction = unknowns.direction[k];
+      const double force = acting.force[direction] * unknowns.scale[k];
+      f.add(unknowns.dof[k], -force, old.force[direction] * unknowns.scale[k] - force);
+    }
+  }
+  return 0;
+}
+
+void BodyLoads::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  const MatrixScatter to = assembler.scatter(group_);
+  int row = 0;
+  for (const auto& body : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    if (!unknowns.owned) continue;
+    if (body->released()) {
+      const BodyLoad acting = load(*body, view);
+      const Sensitivity& by = view.sensitivity[unknowns.field];
+      for (int a = 0; a < unknowns.count; ++a)
+        for (int b = 0; b < unknowns.count; ++b) {
+          const int i = unknowns.direction[a], j = unknowns.direction[b];
+          const double slope = acting.by_position[i][j] * by.value + acting.by_velocity[i][j] * by.velocity;
+          to.add(row, a, b, -weight * slope * unknowns.scale[a] * unknowns.scale[b]);
+        }
+    }
+    ++row;
+  }
+}
+
+void BodyLoads::histories(const StepView& view, std::map<std::string, double>& values) {
+  const State& state = *view.committed;
+  const char* names[body_directions] = {"load x [N]", "load y [N]", "load moment [N m]"};
+  for (const auto& body : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    double value[body_directions], rate[body_directions];
+    for (int k = 0; k < unknowns.count; ++k) {
+      value[k] = state.value(unknowns.dof[k]);
+      rate[k] = state.rate(unknowns.dof[k]);
+    }
+    BodyLoad acting;
+    if (body->released()) acting = body->released()->load(body->properties(), instant(*body, state.time, value, rate));
+    for (int k = 0; k < unknowns.count; ++k)
+      values["body/" + body->name() + "/" + names[unknowns.direction[k]]] = acting.force[unknowns.direction[k]];
+  }
+}
+
+void set_free(const RigidBody& body, State& committed, const NodalView& unbalanced, bool anew) {
+  const BodyUnknowns& unknowns = body.unknowns();
+  const ReleasedMotion& motion = *body.released();
+  std::array<double, 2> start{};
+  const bool starts = anew && motion.initial_velocity(start);
+  double value[body_directions], rate[body_directions], rest[body_directions] = {};
+  for (int k = 0; k < unknowns.count; ++k) {
+    double& v = committed.rate(unknowns.dof[k]);
+    if (!released(body, k))
+      v = 0;
+    else if (starts)
+      v = unknowns.direction[k] < 2 ? start[unknowns.direction[k]] : 0.0;
+    value[k] = committed.value(unknowns.dof[k]);
+    rate[k] = v;
+  }
+  // the residual at rest lacks what the velocity adds to the loads
+  const BodyLoad moving = motion.load(body.properties(), instant(body, committed.time, value, rate));
+  const BodyLoad resting = motion.load(body.properties(), instant(body, committed.time, value, rest));
+  for (int k = 0; k < unknowns.count; ++k) {
+    const int dof = unknowns.dof[k], direction = unknowns.direction[k];
+    const double drag = (moving.force[direction] - resting.force[direction]) * unknowns.scale[k];
+    committed.acceleration(dof) = released(body, k) ? (drag - unbalanced(dof)) / moving_mass(body) : 0.0;
+  }
+}
+
+}  // namespace mudline

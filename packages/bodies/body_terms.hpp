@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bodies/rigid_body.hpp"
+
+namespace mudline {
+
+using Bodies = std::vector<std::shared_ptr<RigidBody>>;
+
+/// What the terms of bodies with unknowns share: one element per body, on the rank that owns it.
+class BodyTerm : public Term {
+ public:
+  explicit BodyTerm(Bodies bodies) : bodies_(std::move(bodies)) {}
+  void sparsity(Assembler& assembler) override;
+
+ protected:
+  Bodies bodies_;
+  int group_ = -1;
+};
+
+/// Moves all bodies over a step, before the other terms look at them: what is prescribed, and the clocks. No force.
+class BodyPaths : public Term {
+ public:
+  explicit BodyPaths(Bodies bodies) : bodies_(std::move(bodies)) {}
+  std::string name() const override { return "body paths"; }
+  bool does_work() const override { return false; }
+  void begin(const StepView& view) override;
+  int residual(const StepView&, const ResidualView&) override { return 0; }
+  void jacobian(const StepView&, Assembler&, double) override {}
+
+ private:
+  Bodies bodies_;
+};
+
+/// R = m a of the released directions, with the water that moves along. A prescribed direction gives the momentum that
+/// its motion takes in the step; its rates in the trial state are those of the motion, not the integrator's.
+class BodyInertia : public BodyTerm {
+ public:
+  using BodyTerm::BodyTerm;
+  std::string name() const override { return "body inertia"; }
+  /// Prescribes what does not move freely.
+  void constrain(const StepView& view, Constraints& constraints) override;
+  int residual(const StepView& view, const ResidualView& f) override;
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  void histories(const StepView& view, std::map<std::string, double>& values) override;
+};
+
+/// Weight, buoyancy, drag and given forces, at the alpha level. R = -F.
+class BodyLoads : public BodyTerm {
+ public:
+  using BodyTerm::BodyTerm;
+  std::string name() const override { return "body loads"; }
+  int residual(const StepView& view, const ResidualView& f) override;
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  void histories(const StepView& view, std::map<std::string, double>& values) override;
+};
+
+/// [kg] that the inertia of a body's unknowns holds in its present motion.
+double moving_mass(const RigidBody& body);
+
+/// Acceleration of a released body at the start of a stage, in the committed state, and where it is `anew` released its
+/// initial velocity. `unbalanced`: the residual of that state at rest by overlap dof, what touches the body included.
+void set_free(const RigidBody& body, State& committed, const NodalView& unbalanced, bool anew);
+
+}  // namespace mudline

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bodies/released_motion.hpp"
+#include "discretisation/mesh.hpp"
+#include "framework/state.hpp"
+#include "framework/term.hpp"
+#include "geometry/contour_shape.hpp"
+
+namespace mudline {
+
+/// The registries an entry of the deck's "bodies" needs.
+struct BodyRegistries {
+  const Registry<ContourShape>& contours;
+  const Registry<BodyMotion>& motions;
+};
+
+/// Where a body is: its centre of mass [m] and the angle [rad] by which it is turned about it.
+struct BodyPlacement {
+  PlanePoint centre{};
+  double angle = 0;
+};
+
+/// The unknowns of a body that may move freely in some stage: components of one point of the field "body motion".
+/// Translations are those of the centre of mass [m]; the rotation is carried as an arc, the angle times the radius of
+/// gyration, so that all components have the unit m, the mass as inertia, and one norm.
+struct BodyUnknowns {
+  int count = 0;  // 0: the body's motion is prescribed in every stage
+  int direction[body_directions] = {0, 1, 2};
+  double scale[body_directions] = {1, 1, 1};  // direction's value per unit of the unknown
+  int dof[body_directions] = {-1, -1, -1};    // local (overlap)
+  bool owned = false;                         // by this rank
+  int field = -1;
+};
+
+/// A rigid body: a contour, its position, its mass, and the law of motion that holds in the present stage. A body that
+/// is free in some stage has unknowns; its placement is then that of the nodal state. Of the others displacement and
+/// velocity live in the state array "body/<name>/motion" (one row, the same on every rank), and so does the time in
+/// motion of all.
+class RigidBody {
+ public:
+  /// Reads and validates an entry of "bodies". InputError.
+  static std::shared_ptr<RigidBody> read(const Section& section, Geometry geometry, const BodyRegistries& registries);
+  /// Documentation of the entry's own parameters.
+  static void document(Parameters& p) { RigidBody().parameters(p); }
+  /// Another motion of this body, for a stage. InputError where it does not fit the body.
+  std::shared_ptr<const BodyMotion> read_motion(const Section& section, const Registry<BodyMotion>& motions);
+
+  const std::string& name() const { return name_; }
+  const Contour& contour() const { return *contour_; }
+  const BodyProperties& properties() const { return properties_; }
+  /// Of the reference point before any motion [m].
+  const std::array<double, 2>& initial_position() const { return position_; }
+  BodyPlacement initial_placement() const;
+  /// Height [m] above the reference point, in the body's frame, below which contact counts as the tip's.
+  double tip_height() const { return tip_height_; }
+  /// A body of revolution by the name of its shape.
+  bool of_revolution() const { return of_revolution_; }
+
+  /// Whether one of the motions read so far releases the body: it then needs unknowns.
+  bool may_be_free() const { return may_be_free_; }
+  static int unknowns_per_body(Geometry geometry) { return geometry == Geometry::axisymmetric ? 1 : body_directions; }
+  /// Gives the body point `index` of the field `field`.
+  void bind(const Space& space, int field, int index);
+  const BodyUnknowns& unknowns() const { return unknowns_; }
+  /// May be called by everything that touches the body; the first call declares.
+  void declare_state(StateStore& store);
+
+  /// The motion of the present stage; null: the body rests where it is. Returns whether that is another one.
+  bool set_motion(std::shared_ptr<const BodyMotion> motion);
+  /// Its own motion or none.
+  void set_active(bool active) { set_motion(active ? own_motion_ : nullptr); }
+  const std::shared_ptr<const BodyMotion>& own_motion() const { return own_motion_; }
+  bool active() const { return motion_ != nullptr; }
+  /// The free motion of the present stage, null while the motion is prescribed or the body rests.
+  const ReleasedMotion* released() const { return motion_ ? motion_->released() : nullptr; }
+  /// Whether the direction is an unknown in the present stage.
+  bool releases(int direction) const { return released() && released()->releases(direction); }
+  /// Starts the clock of the motion (its ramp) in the committed state.
+  void restart_clock(State& committed) const;
+
+  /// Moves the body over the step: writes the trial state from the committed one; the unknowns of a body that has some
+  /// are the integrator's. May be called any number of times.
+  void advance(const StepView& view) const;
+  /// Prescribed motion over a step of a body with unknowns: displacement and velocity at its end.
+  BodyState prescribed(const State& committed, double t_old, double t_end) const;
+  /// Largest mean speed [m/s] of the body over any eighth of the dt [s] that follow the state; 0 when inactive.
+  double speed(const State& state, double dt) const;
+
+  /// Of the reference point.
+  std::array<double, 2> displacement(const State& state) const;
+  std::array<double, 2> velocity(const State& state) const;
+  /// Of the reference point [m].
+  std::array<double, 2> position(const State& state) const;
+  BodyPlacement placement(const State& state) const;
+  /// Nearest point of the contour; x and the foot in the coordinates of the mesh.
+  ContourFoot closest(const BodyPlacement& placement, const PlanePoint& x) const;
+  /// Height [m] of a point in the body's frame above the reference point.
+  double height(const BodyPlacement& placement, const PlanePoint& x) const { return in_frame(placement, x)[1]; }
+  /// Polyline of the contour where it is now, for output.
+  std::vector<PlanePoint> sample(const State& state, double chord_error) const;
+
+ private:
+  RigidBody() = default;
+  void parameters(Parameters& p);
+  BodyState body_state(const State& state) const;
+  PlanePoint in_frame(const BodyPlacement& placement, const PlanePoint& x) const;
+  std::string name_;
+  std::array<double, 2> position_{}, centre_{};  // reference point in space; centre of mass in the body's frame
+  BodyProperties properties_;
+  double tip_height_ = 0;
+  std::unique_ptr<const Contour> contour_;
+  std::unique_ptr<const ContourVolume> enclosed_;
+  std::shared_ptr<const BodyMotion> own_motion_, motion_;
+  BodyUnknowns unknowns_;
+  bool may_be_free_ = false, of_revolution_ = false;
+  int array_ = -1;
+};
+
+/// Contours and motions of this package; a plain list.
+void register_rigid_body(Registry<ContourShape>& contours, Registry<BodyMotion>& motions);
+
+}  // namespace mudline

@@ -1,0 +1,68 @@
+#include "bodies/rigid_body.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bodies/tests/rigid_body_deck.hpp"
+#include "core/tests/input_error.hpp"
+
+namespace mudline {
+namespace {
+
+std::unique_ptr<BodyMotion> motion(const std::string& parameters) {
+  BodyDeck deck(body_xml("b", "", parameters));
+  return deck.motions.create(deck.deck.root().section("bodies").section("b").section("motion"));
+}
+
+TEST(BodyMotion, RampedVelocityIsIntegratedExactly) {
+  const auto push = motion(text_parameter("type", "prescribed velocity") + number_parameter("velocity y", -2.0) +
+                           number_parameter("ramp time", 0.5));
+  // the second step straddles the end of the ramp: half of the ramp time is lost altogether
+  BodyState state = push->advance({}, 10.0, 10.3);
+  const double s = 0.3 / 0.5;
+  EXPECT_NEAR(state.displacement[1], -2 * 0.5 * (s * s * s - 0.5 * s * s * s * s), 1e-15);
+  EXPECT_NEAR(state.velocity[1], -2 * s * s * (3 - 2 * s), 1e-14);
+  state = push->advance(state, 10.3, 12.0);
+  EXPECT_NEAR(state.displacement[1], -2 * (2.0 - 0.25), 1e-14);
+  EXPECT_EQ(state.velocity[1], -2);
+  EXPECT_EQ(state.displacement[0], 0);
+}
+
+TEST(BodyMotion, VelocityFollowsTheAbsoluteTime) {
+  const auto shake = motion(text_parameter("type", "prescribed velocity") + text_parameter("velocity x", "cos(3*t)"));
+  BodyState state;
+  for (int i = 0; i < 20; ++i) state = shake->advance(state, 0.1 * i, 0.1 * (i + 1));
+  EXPECT_NEAR(state.displacement[0], std::sin(6.0) / 3, 1e-9);
+  EXPECT_TRUE(shake->lateral());
+}
+
+TEST(BodyMotion, DisplacementCountsChangesOnly) {
+  const auto pull = motion(text_parameter("type", "prescribed displacement") + text_parameter("y", "1 + t^2"));
+  const BodyState state = pull->advance({{0, 5}, {0, 0}, 0}, 1.0, 3.0);
+  EXPECT_NEAR(state.displacement[1], 5 + 8, 1e-14);
+  EXPECT_NEAR(state.velocity[1], 4, 1e-14);
+  EXPECT_FALSE(pull->lateral());
+}
+
+TEST(RigidBody, WrongEntriesAreNamed) {
+  const std::string pile = text_parameter("type", "flat pile") + number_parameter("diameter", 1);
+  const std::string still = text_parameter("type", "prescribed velocity");
+  const auto error = [](const std::string& xml, Geometry geometry) {
+    return input_error([&] { BodyDeck(xml).body("b", geometry); });
+  };
+  const auto has = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  has(error(body_xml("b", pile + text_parameter("extent", "full"), still), Geometry::axisymmetric),
+      "a half contour, not a full one");
+  has(error(body_xml("b", pile, still, "0.1, 0"), Geometry::axisymmetric), "bodies/b/position: the axis");
+  has(error(body_xml("b", pile, still + number_parameter("velocity x", 1)), Geometry::plane_strain),
+      "cannot leave its axis");
+  has(error(body_xml("b", pile, still + number_parameter("ramp time", -1)), Geometry::plane_strain), "ramp time");
+  has(error(body_xml("b", pile, text_parameter("type", "fall")), Geometry::plane_strain), "unknown motion type 'fall'");
+  has(error(body_xml("b", pile, still + number_parameter("velocty y", 1)), Geometry::plane_strain), "velocty y");
+}
+
+}  // namespace
+}  // namespace mudline

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "discretisation/shapes.hpp"
+#include "geometry/contour_piece.hpp"
+
+namespace mudline {
+
+/// Where contact is checked on a side.
+enum class ContactPoints { quadrature, nodes };
+
+constexpr int max_side_nodes = 3;
+constexpr int max_contact_points = 6;  // Gauss points of degree 11
+
+/// Coordinates of the nodes of one side [m]: two corners, then the middle of a quadratic side.
+using SideCoordinates = std::array<PlanePoint, max_side_nodes>;
+/// Largest distance of a node from the origin [m].
+double farthest(const SideCoordinates& x);
+
+/// Contact points on a side of 2 or 3 nodes and their areas. Point c lies at sum_a shape[c][a] X_a, spreads its force
+/// to the nodes by the same shape, and has the area A_c = sum_q weight[c][q] |x'(q)| (2 pi r(q)) over Gauss points q.
+/// Surface quadrature: the points are the Gauss points. Nodes: shape is the identity and A_c = int N_c ds, the
+/// tributary area.
+struct ContactRule {
+  ContactRule(ContactPoints kind, int nodes, int degree);
+  /// Where point c lies on a side with these nodes [m].
+  PlanePoint place(int c, const SideCoordinates& x) const;
+  int nodes, points, samples;
+  std::vector<std::array<double, max_side_nodes>> shape;  // (point, node)
+  std::vector<double> xi;                                 // (point) reference coordinate in [-1, 1]
+  std::vector<std::vector<double>> weight;                // (point, sample)
+  std::vector<std::array<double, max_side_nodes>> N, dN;  // (sample, node)
+};
+
+/// Current areas of the contact points of a side [m2], in plane strain per metre of depth, and their derivatives with
+/// respect to the nodes' coordinates. False when the side is degenerate: no length, or r < 0.
+struct SideAreas {
+  bool compute(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric);
+  std::vector<double> area;                                       // (point)
+  std::vector<std::array<double, 2 * max_side_nodes>> variation;  // (point, dof) [m]
+};
+
+}  // namespace mudline

@@ -1,0 +1,176 @@
+// What follows a solve of a step: the active set, and the multipliers of the augmented Lagrangian by Uzawa's method.
+#include <algorithm>
+
+#include "contact/body/penalty_contact.hpp"
+
+namespace mudline {
+
+namespace column = contact_column;
+
+void PenaltyContact::check_enforcement(const Section& section) const {
+  deck_.check(section, deck_.active_set.outer());
+  deck_.active_set.check(section);
+  if (deck_.active_set.outer() && deck_.impact == PenaltyParameters::Impact::conserving)
+    section.fail(
+        "conserving is for 'active set' = in newton: a point in tension has no share; allowed with outer loop: "
+        "automatic, interpolated",
+        "impact");
+  if (!deck_.augmented()) return;
+  if (deck_.impact == PenaltyParameters::Impact::conserving)
+    section.fail(
+        "conserving is for 'enforcement' = penalty: its shares are those of the penalty spring's energy, which "
+        "multipliers "
+        "do not have; allowed with augmented Lagrangian: automatic, interpolated",
+        "impact");
+}
+
+SideShift PenaltyContact::shifts(const StepView& view, std::size_t side) const {
+  SideShift result;
+  result.fixed = active_set_.used();
+  for (int row = first_row_[side]; result.fixed && row < first_row_[side + 1]; ++row)
+    result.member[row - first_row_[side]] = active_set_.holds(*view.trial, row);
+  if (!deck_.augmented()) return result;
+  const double penalty = view.trial->arrays[penalties_](side, 0);
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) {
+    result.now[row - first_row_[side]] = view.trial->arrays[multipliers_](row, multiplier_column::normal) / penalty;
+    result.old[row - first_row_[side]] = view.committed->arrays[multipliers_](row, multiplier_column::normal) / penalty;
+  }
+  return result;
+}
+
+bool PenaltyContact::sticks(const State& state, int row) const {
+  return friction_ && state.arrays[points_](row, column::active) > 0 &&
+         state.arrays[frictions_](row, friction_column::slides) == 0;
+}
+
+double PenaltyContact::initial_shear_multiplier(const State& committed, int row) const {
+  // what slides or is off the body is not stretched; what sticks, by as much as its multiplier differs from its stress
+  return sticks(committed, row) ? committed.arrays[multipliers_](row, multiplier_column::shear)
+                                : committed.arrays[frictions_](row, friction_column::shear);
+}
+
+void PenaltyContact::start_multipliers(const StepView& view) const {
+  if (!deck_.augmented() || !friction_) return;
+  for (int row = 0; row < first_row_.back(); ++row)
+    view.trial->arrays[multipliers_](row, multiplier_column::shear) = initial_shear_multiplier(*view.committed, row);
+}
+
+void PenaltyContact::add_multipliers(const StepView& view, std::size_t side, std::vector<ShearState>& old) const {
+  if (!deck_.augmented()) return;
+  const PointView& now = view.trial->arrays[multipliers_];
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
+    old[row - first_row_[side]].shear +=
+        now(row, multiplier_column::shear) - initial_shear_multiplier(*view.committed, row);
+}
+
+Misfit PenaltyContact::misfit(const State& state) const {
+  const int nodes = context_.space.mesh().num_nodes();
+  std::vector<double> normals(nodes, 0.0), shears(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
+  const auto& sides = surface_->sides();
+  const PointView &points = state.arrays[points_], &multipliers = state.arrays[multipliers_];
+  double spring = 0;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const ContactRule& r = rule(sides[s]);
+    SideAreas lengths_here;  // without the circumference: nodes on the axis have weight too
+    if (!lengths_here.compute(r, coordinates(sides[s], state.coordinates), false)) continue;
+    const double stiffness = state.arrays[penalties_](s, 0);
+    for (int c = 0; c < r.points; ++c) {
+      const int row = first_row_[s] + c;
+      spring = std::max(spring, points(row, column::pressure) / stiffness);
+      const double normal = points(row, column::pressure) - multipliers(row, multiplier_column::normal);
+      const double shear = sticks(state, row) ? state.arrays[frictions_](row, friction_column::shear) -
+                                                    multipliers(row, multiplier_column::shear)
+                                              : 0.0;
+      for (int a = 0; a < sides[s].count; ++a) {
+        const int node = sides[s].node[a];
+        const double weight = r.shape[c][a] * lengths_here.area[c];
+        lengths[node] += weight;
+        stiffnesses[node] += weight * stiffness;
+        normals[node] += weight * normal;
+        shears[node] += weight * shear;
+      }
+    }
+  }
+  return {*surface_,
+          std::move(normals),
+          std::move(shears),
+          std::move(lengths),
+          std::move(stiffnesses),
+          friction_ ? friction_->tangential_factor() : 0.0,
+          spring};
+}
+
+void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement& placement) const {
+  // what pressed, and what the body runs into, or touches, before the soil has moved
+  const PointView& before = view.committed->arrays[points_];
+  std::vector<char> presses(first_row_.back(), 0);
+  for (std::size_t s = 0; s < candidate_.size(); ++s) {
+    if (!candidate_[s]) continue;
+    const SurfaceSide& side = surface_->sides()[s];
+    const SideCoordinates x = coordinates(side, view.x_end);
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
+      presses[row] = before(row, column::active) > 0 ||
+                     body_->closest(placement, rule(side).place(row - first_row_[s], x)).gap <= 1e-3 * gap_tolerance_;
+  }
+  active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
+}
+
+std::optional<Augmentation> PenaltyContact::update_active_set(const State& trial) const {
+  std::vector<double> pressed(first_row_.back());
+  for (std::size_t s = 0; s < candidate_.size(); ++s)
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
+      pressed[row] = trial.arrays[points_](row, column::gap) -
+                     (deck_.augmented()
+                          ? trial.arrays[multipliers_](row, multiplier_column::normal) / trial.arrays[penalties_](s, 0)
+                          : 0.0);
+  return active_set_.update(
+      trial, name_, deck_.active_set, gap_tolerance_, [&](int row) { return pressed[row]; },
+      *context_.space.mesh().comm());
+}
+
+Augmentation PenaltyContact::augment(const StepView& view, int count) {
+  const State& trial = *view.trial;
+  if (active_set_.used()) {
+    if (const auto next = update_active_set(trial)) return *next;
+    count -= active_set_.updates(trial);
+  }
+  if (!deck_.augmented()) return {};
+  const Misfit rest = misfit(trial);
+  if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm()))
+    return *end;
+  const auto& sides = surface_->sides();
+  const ShapeMass masses = [&](const std::vector<double>& values, std::vector<double>& product,
+                               std::vector<double>& lengths) {
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      const ContactRule& r = rule(sides[s]);
+      SideAreas here;
+      if (!here.compute(r, coordinates(sides[s], trial.coordinates), false)) continue;
+      for (int c = 0; c < r.points; ++c) {
+        double value = 0;
+        for (int a = 0; a < r.nodes; ++a) value += r.shape[c][a] * values[sides[s].node[a]];
+        for (int a = 0; a < r.nodes; ++a) {
+          product[sides[s].node[a]] += r.shape[c][a] * here.area[c] * value;
+          lengths[sides[s].node[a]] += r.shape[c][a] * here.area[c];
+        }
+      }
+    }
+  };
+  const std::vector<double> normal = in_shapes(*surface_, rest.normal, masses);
+  const std::vector<double> tangential = friction_ ? in_shapes(*surface_, rest.shear, masses) : rest.shear;
+  const PointView& multipliers = trial.arrays[multipliers_];
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
+      const auto& shape = rule(sides[s]).shape[row - first_row_[s]];
+      for (int a = 0; a < sides[s].count; ++a)
+        multipliers(row, multiplier_column::normal) += shape[a] * normal[sides[s].node[a]];
+      if (!friction_) continue;
+      double& shear = multipliers(row, multiplier_column::shear);
+      if (sticks(trial, row))
+        for (int a = 0; a < sides[s].count; ++a) shear += shape[a] * tangential[sides[s].node[a]];
+      else
+        shear = trial.arrays[frictions_](row, friction_column::shear);
+    }
+  return {true, ""};
+}
+
+}  // namespace mudline

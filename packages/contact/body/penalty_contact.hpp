@@ -1,0 +1,184 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/active_set.hpp"
+#include "contact/body/leaky_surface.hpp"
+#include "contact/body/penalty_side.hpp"
+#include "contact/contact.hpp"
+#include "contact/contact_surface.hpp"
+#include "contact/uzawa.hpp"
+#include "framework/closed_sides.hpp"
+
+namespace mudline {
+
+/// What the deck says of a penalty contact, besides friction.
+struct PenaltyParameters : EnforcementParameters {
+  PenaltyParameters() : EnforcementParameters{Enforcement::penalty} {}
+  enum class Drainage { sealed, drained, leaky };
+  enum class Impact { automatic, conserving, interpolated };
+  void parameters(Parameters& p);
+
+  std::string body, surface;
+  ContactPoints method = ContactPoints::quadrature;
+  int quadrature_degree = 5;
+  double capture_distance = 0;  // [m]
+  double advance_limit = 0.25;  // [-] of the shortest side
+  Drainage drainage = Drainage::sealed;
+  Impact impact = Impact::automatic;
+  double damping = 0;        // [s/m]
+  double sealing_gap = 0.1;  // [-] of the side's length
+  double conductance = 0;    // [m/(Pa s)]
+  Function outside;          // [Pa] pore pressure on the body's side
+  ActiveSetParameters active_set;
+};
+
+/// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s m) ds at n+1, t = penalty <-gap> [Pa], n from
+/// the body into the soil, m along the body's contour, s [Pa] from the friction law, 0 without one; axisymmetric forces
+/// are those of the whole circumference, plane strain ones per metre.
+///
+/// Augmented Lagrangian: t = <lambda - penalty gap>, and the stick spring of friction starts from a multiplier
+/// likewise. After each solve of a step lambda grows by t - lambda (Uzawa) as far as that is in the space of the sides'
+/// shapes: a side has more contact points than nodes, and cannot follow a body at all of them. Until the gap weighted
+/// by the shapes, and the stretch of what sticks, are within the gap tolerance at all nodes.
+///
+/// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area,
+/// height above the body's reference point, moment about its centre),
+/// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
+/// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with
+/// which the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first
+/// starts a step), "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work
+/// done on the soil, trapezoidal in the body's displacement; of damping the heat so far and its force on the soil in
+/// the last step).
+///
+/// Drainage: a side is closed to the pore water (what conditions prescribe on it is off) while more than half of its
+/// points are at the body in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these
+/// sides let water through instead, see LeakySurface.
+class PenaltyContact : public Contact, public ClosesSides {
+ public:
+  explicit PenaltyContact(const ContactContext& context) : context_(context) {}
+  static void document(Parameters& p);
+  void parameters(Parameters& p);
+  /// Binds to body and surface. InputError for unknown names, empty surfaces and deep initial overlap. Collective.
+  void check(const Section& section);
+
+  std::string name() const override { return "contact/" + name_; }
+  ContactPartners partners() const override { return {deck_.surface, "", body_.get(), friction_ != nullptr}; }
+  bool history() const override { return true; }
+  void declare_state(StateStore& store) override;
+  void sparsity(Assembler& assembler) override;
+  void begin(const StepView& view) override;
+  bool asks_for_prediction() const override { return friction_ != nullptr && body_->active(); }
+  void predicting(bool on) override { predicting_ = on; }
+  void close(const State& committed, ClosedSides& closed) const override;
+  void constrain(const StepView& view, Constraints& constraints) override;
+  int residual(const StepView& view, const ResidualView& f) override;
+  void correction(const StepView& view, const ResidualView& f) override;
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  Augmentation augment(const StepView& view, int count) override;
+  std::string hint(const StepView& view) const override;
+  void histories(const StepView& view, std::map<std::string, double>& values) override;
+  double step_limit(const State& committed, double dt) const override;
+  void relocate(const ConstCoordinateView& x_old, State& committed) override;
+  void adopt(const State& evaluated, State& committed) override;
+  std::vector<double> nodal_pressure(const State& state) const override;
+  std::vector<double> nodal_shear(const State& state) const override;
+
+ protected:
+  PenaltyParameters deck_;
+
+ private:
+  /// Where gaps are measured, at both ends of the step.
+  struct Positions {
+    BodyPlacement body_old, body_end;
+    ConstCoordinateView x_old, x_end;
+  };
+  Positions positions(const StepView& view) const;
+  /// Whether points exert the shares of ImpactShare in dynamic steps.
+  bool conserves(const StepView& view) const;
+  std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
+  /// Whether damping acts: not in the start of a stage, which is no step.
+  bool damps(const StepView& view) const { return deck_.damping > 0 && view.sensitivity[displacement_].value > 0; }
+  std::vector<double> normal_forces(const State& state, std::size_t side) const;
+  /// Adds the damping of one side's points to the rows of the trial state.
+  void book_damping(const State& trial, const std::vector<ContactPoint>& points) const;
+  /// Shear states of one side's points.
+  std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
+  void check_enforcement(const Section& section) const;
+  /// Multipliers of one side; none: all 0.
+  SideShift shifts(const StepView& view, std::size_t side) const;
+  /// The multiplier of a point's shear stress with which a step starts [Pa].
+  double initial_shear_multiplier(const State& committed, int row) const;
+  void start_multipliers(const StepView& view) const;
+  void start_active_set(const StepView& view, const BodyPlacement& placement) const;
+  std::optional<Augmentation> update_active_set(const State& trial) const;
+  /// Adds what the tangential multipliers of one side have changed by in this step.
+  void add_multipliers(const StepView& view, std::size_t side, std::vector<ShearState>& old) const;
+  bool sticks(const State& state, int row) const;
+  Misfit misfit(const State& state) const;
+  /// What friction on one side needs; refers to `old`, its committed shear states.
+  SideFriction side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const;
+  /// Force of one side at the linearisation point. False for a degenerate side.
+  bool evaluate(const StepView& view, const Positions& at, std::size_t side, bool want_tangent, SideForce& force,
+                std::vector<ContactPoint>& points) const;
+  /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
+  /// Collective.
+  void look_for_touch(const StepView& view);
+  std::vector<double> nodal_mean(const PointView& rows, int column) const;
+  /// Lower bound of the gap of a side's points [m].
+  double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
+  const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
+  SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
+  void check_drainage(const Section& section) const;
+  void check_overlap(const Section& section) const;
+  void check_above(const Section& section) const;
+  void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
+  /// More than half of the side's points are nearer to the body than the sealing gap, or in it.
+  bool covered(std::size_t side, const State& committed, const BodyPlacement& placement) const;
+  std::vector<char> covered_sides(const State& committed) const;  // (side)
+  /// Force [N] and moment about the body's centre [N m] on the soil, this rank's part.
+  std::array<double, 3> local_force(const State& state) const;
+
+  ContactContext context_;
+  std::unique_ptr<const Friction> friction_;  // null: smooth
+  std::string name_;
+  std::shared_ptr<RigidBody> body_;
+  std::unique_ptr<ContactSurface> surface_;
+  std::unique_ptr<LeakySurface> leak_;              // null unless leaky
+  ActiveSet active_set_;                            // used with the outer loop only
+  std::vector<ContactRule> rules_;                  // for sides of 2 and of 3 nodes
+  std::vector<int> first_row_;                      // (side) in the points array; one more: number of rows
+  std::vector<char> candidate_;                     // (side) near enough to be evaluated in this step
+  double capture_ = 0;                              // [m] of this step
+  double gap_tolerance_ = 0;                        // [m]
+  double touch_ = 0;                                // see SideBody
+  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
+  bool axisymmetric_ = false;
+  bool predicting_ = false;
+  int displacement_ = -1, pressure_ = -1;
+  int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1, multipliers_ = -1;  // state handles
+  int group_[2] = {-1, -1};
+};
+
+/// The same without friction, by its own name.
+class FrictionlessPenaltyContact : public PenaltyContact {
+ public:
+  using PenaltyContact::PenaltyContact;
+  static void document(Parameters& p) { PenaltyParameters().parameters(p); }
+  void parameters(Parameters& p) { deck_.parameters(p); }
+};
+
+/// Columns of the arrays of contact points.
+namespace contact_column {
+enum : int { gap, pressure, active, force_x, force_y, area, height, moment };
+}
+namespace multiplier_column {
+enum : int { normal, shear };
+}
+namespace friction_column {
+enum : int { shear, slip, dissipated, slides, force_x, force_y };
+}
+
+}  // namespace mudline

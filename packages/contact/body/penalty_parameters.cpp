@@ -1,0 +1,157 @@
+// What the deck says, and binding it to the model.
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "contact/body/penalty_contact.hpp"
+#include "core/guarded.hpp"
+#include "discretisation/mesh_topology.hpp"
+
+namespace mudline {
+
+void PenaltyParameters::parameters(Parameters& p) {
+  p.required("body", body, "Entry of 'bodies' that touches the soil");
+  p.required("surface", surface, "Side set of the soil that the body may touch");
+  p.choice("method", method, {{"surface quadrature", ContactPoints::quadrature}, {"nodes", ContactPoints::nodes}},
+           "Where contact is checked: at Gauss points of the sides, or at the nodes with their tributary areas");
+  p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
+        "Polynomial degree that the integration over a side is exact for");
+  EnforcementParameters::parameters(p);
+  active_set.parameters(p);
+  p.add("capture distance", capture_distance, "m", non_negative(),
+        "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
+  p.choice("drainage", drainage,
+           {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
+           "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
+           "prescribed; leaky: it is released, and water leaves through the body by 'conductance'");
+  p.add("conductance", conductance, "m/(Pa s)", non_negative(),
+        "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
+  p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
+  p.choice(
+      "impact", impact,
+      {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
+      "Forces over a dynamic step. conserving: points exert the share of their force that adds no "
+      "energy, whatever the step and the spectral radius; interpolated: the integrator's mean of start and end, "
+      "smoother where a body is pushed "
+      "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
+  p.add("damping", damping, "s/m", non_negative(), damping_documentation);
+  p.add("sealing gap", sealing_gap, "-", non_negative(),
+        "Gap, as a fraction of a side's length, up to which the body still seals the side");
+  p.add("advance limit", advance_limit, "-", positive(),
+        "Largest advance of the body in one step, as a fraction of the surface's shortest side; while the body is far "
+        "away, half the distance to the surface");
+}
+
+void PenaltyContact::document(Parameters& p) {
+  PenaltyParameters().parameters(p);
+  declare_friction(p);
+}
+
+void PenaltyContact::parameters(Parameters& p) {
+  deck_.parameters(p);
+  declare_friction(p);
+}
+
+void PenaltyContact::check(const Section& section) {
+  name_ = section.name();
+  const Space& space = context_.space;
+  const Mesh& mesh = space.mesh();
+  const auto body = context_.bodies.find(deck_.body);
+  if (body == context_.bodies.end()) {
+    std::vector<std::string> names;
+    for (const auto& entry : context_.bodies) names.push_back(entry.first);
+    section.fail("unknown body '" + deck_.body + "'" + suggestion(deck_.body, names), "body");
+  }
+  body_ = body->second;
+  displacement_ = space.find("displacement");
+  pressure_ = space.find("pore pressure");
+  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
+  require_boundary(mesh, section, "surface", deck_.surface);
+  if (deck_.penalty == 0 && !context_.stiffness)
+    throw std::logic_error("an automatic penalty needs the soil's stiffness");
+  check_enforcement(section);
+  if (section.has_section("friction")) friction_ = create_guarded(context_.frictions, section.section("friction"));
+  check_drainage(section);
+  surface_ =
+      std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());
+  if (deck_.drainage == PenaltyParameters::Drainage::leaky)
+    leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
+  if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
+  gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * surface_->shortest(mesh.coordinates());
+  axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
+  rules_.clear();
+  for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(deck_.method, nodes, deck_.quadrature_degree);
+  first_row_.assign(1, 0);
+  for (const SurfaceSide& side : surface_->sides()) first_row_.push_back(first_row_.back() + rule(side).points);
+  candidate_.assign(surface_->sides().size(), 1);
+  check_overlap(section);
+  check_above(section);
+}
+
+void PenaltyContact::check_drainage(const Section& section) const {
+  if (deck_.drainage == PenaltyParameters::Drainage::leaky) {
+    if (!(deck_.conductance > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
+    if (pressure_ < 0)
+      section.fail("leaky needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
+    return;
+  }
+  for (const char* entry : {"conductance", "outside pressure"})
+    if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = leaky", entry);
+}
+
+void PenaltyContact::check_above(const Section& section) const {
+  const auto& x = context_.space.mesh().coordinates();
+  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
+  double lowest = 1e300, everywhere = 0, upwards = 0, faces_up = 0;
+  for (const SurfaceSide& side : surface_->sides()) {
+    for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, x(side.node[a], 1));
+    upwards += x(side.node[0], 0) - x(side.node[1], 0);  // counter-clockwise elements: a top goes to the left
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, upwards, Teuchos::outArg(faces_up));
+  double top = -1e300;
+  for (const PlanePoint& point : body_->contour().sample(1e-2 * body_->contour().length()))
+    top = std::max(top, point[1] + body_->initial_position()[1]);
+  if (top >= everywhere - 0.5 * surface_->shortest(x) || faces_up <= 0) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "' lies below the surface: its top is at %.6g m, the surface reaches down to %.6g m; move its 'position'", top,
+      everywhere);
+  section.fail("body '" + deck_.body + text, "body");
+}
+
+void PenaltyContact::check_overlap(const Section& section) const {
+  const auto& x = context_.space.mesh().coordinates();
+  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
+  double deepest = 0, worst[2] = {0, 0};
+  for (const SurfaceSide& side : surface_->sides())
+    for (int a = 0; a < side.count; ++a) {
+      const PlanePoint at{x(side.node[a], 0), x(side.node[a], 1)};
+      const double gap = body_->closest(body_->initial_placement(), at).gap;
+      if (gap >= deepest) continue;
+      deepest = gap;
+      worst[0] = at[0];
+      worst[1] = at[1];
+    }
+  double everywhere = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, deepest, Teuchos::outArg(everywhere));
+  const double edge = surface_->shortest(x);
+  // A side that is straight between its nodes reaches a little into a round contour that it follows.
+  if (-everywhere <= 0.5 * edge) return;
+  const int mine = deepest == everywhere ? comm.getRank() : comm.getSize();
+  int teller = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(teller));
+  Teuchos::broadcast(comm, teller, 2, worst);
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "' overlaps the surface by %.4g m at (%.6g, %.6g) at the start, more than half of its shortest side, %.4g m; "
+      "move its 'position'",
+      -everywhere, worst[0], worst[1], edge);
+  section.fail("body '" + deck_.body + text, "body");
+}
+
+}  // namespace mudline

@@ -1,0 +1,61 @@
+#include "contact/laws/friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mudline {
+
+void Friction::interface_parameters(Parameters& p) {
+  p.add("tangential penalty factor", tangential_factor_, "-", positive(),
+        "Stiffness along the surface while sticking, as a multiple of the normal penalty");
+  p.choice(
+      "on", traction_, {{"effective", Traction::effective}, {"total", Traction::total}},
+      "Normal traction that friction grows with: effective (total less the soil's pore pressure at the surface) or "
+      "total");
+}
+
+void declare_friction(Parameters& p) {
+  p.passes_on("friction", "Friction along the surface; 'type' names a friction law; absent: none");
+}
+
+void CoulombFriction::parameters(Parameters& p) {
+  p.required("coefficient", coefficient_, "-", non_negative(),
+             "Friction coefficient: tangent of the interface's angle");
+  p.add("kinetic coefficient", kinetic_, "-", non_negative(),
+        "Friction coefficient at high speed, approached exponentially by 'decay speed'; absent: the coefficient at all "
+        "speeds");
+  p.add("decay speed", decay_speed_, "m/s", non_negative(),
+        "Speed along the surface at which 1/e of the difference between coefficient and kinetic coefficient is left");
+  p.add("adhesion", adhesion_, "Pa", non_negative(), "Shear strength of a touching surface without normal traction");
+  p.add("cap", cap_, "Pa",
+        "Shear stress limit, a function of time and place, e.g. alpha times the undrained strength; absent: none");
+  capped_ = p.given("cap");
+  interface_parameters(p);
+}
+
+void CoulombFriction::check(const Section& section) const {
+  const bool kinetic = section.has_parameter("kinetic coefficient"), speed = section.has_parameter("decay speed");
+  if (kinetic && !(decay_speed_ > 0))
+    section.fail("a kinetic coefficient needs a decay speed greater than 0 m/s", "decay speed");
+  if (speed && !kinetic) section.fail("has a meaning only together with a 'kinetic coefficient'", "decay speed");
+}
+
+ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
+  ShearStrength result{adhesion_, 0};
+  double coefficient = coefficient_, by_rate = 0;
+  if (decay_speed_ > 0) {
+    const double rest = (coefficient_ - kinetic_) * std::exp(-at.rate / decay_speed_);
+    coefficient = kinetic_ + rest;
+    by_rate = -rest / decay_speed_;
+  }
+  if (at.normal > 0) result = {adhesion_ + coefficient * at.normal, coefficient, by_rate * at.normal};
+  if (!capped_) return result;
+  const double cap = std::max(0.0, cap_(at.time, {at.position[0], at.position[1], 0}));
+  return result.value > cap ? ShearStrength{cap, 0} : result;
+}
+
+void register_friction(Registry<Friction>& registry) {
+  registry.add<CoulombFriction>("coulomb", "Shear strength that grows with the normal traction, with adhesion and cap");
+}
+
+}  // namespace mudline

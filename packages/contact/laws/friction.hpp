@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/registry.hpp"
+#include "geometry/contour_piece.hpp"
+
+namespace mudline {
+
+/// Where and when a friction law is asked.
+struct FrictionPoint {
+  double normal;        // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
+  PlanePoint position;  // [m] of the contact point at the start of the step
+  double slip;          // [m] path that it has slid so far, at the start of the step
+  double time;          // [s] end of the step
+  double rate = 0;      // [m/s] mean speed along the surface in the step, >= 0
+};
+
+/// Largest shear stress that an interface carries.
+struct ShearStrength {
+  double value;           // [Pa] >= 0
+  double slope;           // [-] d value / d normal
+  double rate_slope = 0;  // [Pa s/m] d value / d rate
+};
+
+/// Friction law of an interface: type of a contact's "friction". Pure. The contact does the rest: below the strength
+/// the point sticks (an elastic spring along the surface), at the strength it slides.
+class Friction {
+ public:
+  virtual ~Friction() = default;
+  virtual ShearStrength strength(const FrictionPoint& at) const = 0;
+  /// Stiffness along the surface while sticking, as a multiple of the contact's normal penalty.
+  double tangential_factor() const { return tangential_factor_; }
+  /// Whether FrictionPoint::normal is the total traction less the pore pressure of the soil at the interface.
+  bool effective() const { return traction_ == Traction::effective; }
+
+ protected:
+  /// Declares what all laws share.
+  void interface_parameters(Parameters& p);
+
+ private:
+  enum class Traction { effective, total };
+  double tangential_factor_ = 1;
+  Traction traction_ = Traction::effective;
+};
+
+/// strength = adhesion + coefficient <normal>, at most the cap. With a kinetic coefficient the coefficient follows the
+/// speed, kinetic + (coefficient - kinetic) exp(-rate / decay speed).
+class CoulombFriction : public Friction {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section) const;
+  ShearStrength strength(const FrictionPoint& at) const override;
+
+ private:
+  double coefficient_ = 0, adhesion_ = 0, kinetic_ = 0;
+  double decay_speed_ = 0;  // [m/s] 0: one coefficient at all speeds
+  Function cap_;
+  bool capped_ = false;
+};
+
+/// The entry "friction" of a contact.
+void declare_friction(Parameters& p);
+
+/// "coulomb"; a plain list.
+void register_friction(Registry<Friction>& registry);
+
+}  // namespace mudline

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "contact/body/contact_rule.hpp"
+#include "contact/box_search.hpp"
+#include "framework/state.hpp"
+
+namespace mudline {
+
+/// All sides of a side set, of the whole mesh, on every rank that has all their nodes (see SetPairs).
+class MasterSurface {
+ public:
+  /// Collective.
+  MasterSurface(const Mesh& mesh, const std::string& side_set);
+
+  struct MasterSide {
+    int count;    // nodes: 2, or 3 with the middle last
+    int node[3];  // local
+  };
+  /// In an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
+  const std::vector<MasterSide>& sides() const { return sides_; }
+  long long num_global_sides() const { return num_global_sides_; }
+
+  /// Prepares near(): the sides' boxes at these coordinates, sorted along the direction in which the surface is longer.
+  void sort(const ConstCoordinateView& x);
+  /// Sides whose boxes come within `distance` [m] of the box, in ascending order.
+  std::vector<int> near(const BoxSearch::Corners& box, double distance) const { return boxes_.near(box, distance); }
+
+ private:
+  std::vector<MasterSide> sides_;
+  long long num_global_sides_ = 0;
+  BoxSearch boxes_;
+};
+
+/// The box around the nodes of a side: low, high.
+BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x);
+
+}  // namespace mudline

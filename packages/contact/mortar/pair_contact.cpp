@@ -1,0 +1,423 @@
+#include "contact/mortar/pair_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/convection.hpp"
+#include "contact/two_surfaces.hpp"
+
+namespace mudline {
+
+namespace column = pair_column;
+
+namespace {
+
+void add(const PairSums& from, PairSums& to) {
+  for (int a = 0; a < side_multipliers; ++a) {
+    to.length[a] += from.length[a];
+    to.pressure[a] += from.pressure[a];
+    to.gap[a] += from.gap[a];
+    to.shear[a] += from.shear[a];
+    to.stretch[a] += from.stretch[a];
+    for (int b = 0; b < side_multipliers; ++b) to.touching[a][b] += from.touching[a][b];
+  }
+  to.sliding += from.sliding;
+  to.area += from.area;
+  to.heat += from.heat;
+  to.damped += from.damped;
+  to.deepest = std::min(to.deepest, from.deepest);
+}
+
+/// Values at the corners of the linear field whose weighted integrals over the touching part are given; the mean where
+/// that part is too short to tell a slope.
+std::array<double, 2> corner_values(const double (&mass)[2][2], const double (&integrals)[2]) {
+  const double whole = mass[0][0] + 2 * mass[0][1] + mass[1][1];
+  if (!(whole > 0)) return {0, 0};
+  const double determinant = mass[0][0] * mass[1][1] - mass[0][1] * mass[0][1];
+  if (determinant < 1e-3 * whole * whole) {
+    const double mean = (integrals[0] + integrals[1]) / whole;
+    return {mean, mean};
+  }
+  return {(mass[1][1] * integrals[0] - mass[0][1] * integrals[1]) / determinant,
+          (mass[0][0] * integrals[1] - mass[0][1] * integrals[0]) / determinant};
+}
+
+}  // namespace
+
+void PairContact::declare_state(StateStore& store) {
+  const int rows = static_cast<int>(slave_->sides().size());
+  ArrayInfo sides, multipliers, penalties, heat;
+  sides.ids = multipliers.ids = slave_->row_ids([](std::size_t) { return side_multipliers; });
+  penalties.ids = slave_->row_ids([](std::size_t) { return 1; });
+  heat.shares = true;
+  sides.name = name() + "/sides";
+  sides.variables = {{"gap", 1, "m"},      {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"deepest", 1, "m"},
+                     {"force x", 1, "N"},  {"force y", 1, "N"},   {"slides", 1, "m"}, {"area", 1, "m2"},
+                     {"misfit", 1, "N/m"}, {"stretch", 1, "N/m"}};
+  sides_ = store.declare(std::move(sides), side_multipliers * rows);
+  multipliers.name = name() + "/multipliers";
+  multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
+  multipliers_ = store.declare(std::move(multipliers), side_multipliers * rows);
+  penalties.name = name() + "/penalty";
+  penalties.variables = {{"penalty", 1, "Pa/m"}};
+  penalties_ = store.declare(std::move(penalties), rows);
+  heat.name = name() + "/heat";
+  heat.variables = {{"friction heat", 1, "J"}, {"damping heat", 1, "J"}};
+  heat_ = store.declare(std::move(heat), 1);
+}
+
+void PairContact::sparsity(Assembler& assembler) {
+  // Every pair of sides within reach has its place from the start: the graph, and with it the order of all sums, never
+  // changes.
+  const auto& x = context_.space.mesh().coordinates();
+  const auto& first = context_.space.node_dof(displacement_);
+  const auto& sides = slave_->sides();
+  const double distance = deck_.reach > 0 ? deck_.reach : 1e300;
+  master_->sort(x);
+  std::vector<std::pair<int, int>> places;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto box = side_box(sides[s].node, sides[s].count, x);
+    for (int m : master_->near(box, distance)) {
+      row_of_[static_cast<long long>(s) << 32 | m] = static_cast<int>(places.size());
+      places.emplace_back(static_cast<int>(s), m);
+    }
+  }
+  Kokkos::View<int**, Kokkos::LayoutRight> table("pair dofs", places.size(), 4 * nodes_);
+  for (std::size_t row = 0; row < places.size(); ++row)
+    for (int a = 0; a < nodes_; ++a)
+      for (int i = 0; i < 2; ++i) {
+        table(row, 2 * a + i) = first(sides[places[row].first].node[a]) + i;
+        table(row, 2 * (nodes_ + a) + i) = first(master_->sides()[places[row].second].node[a]) + i;
+      }
+  dofs_ = table;
+  group_ = assembler.add_group(dofs_);
+}
+
+void PairContact::begin(const StepView& view) {
+  const auto& sides = slave_->sides();
+  const PointView& multipliers = view.trial->arrays[multipliers_];
+  deck_.start_penalties(*slave_, context_.stiffness, view.trial->arrays[penalties_]);
+  // the spring of friction starts unstretched from the stress that the step before left
+  for (std::size_t row = 0; row < multipliers.extent(0); ++row)
+    multipliers(row, 1) = view.committed->arrays[sides_](row, column::shear);
+  capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : slave_->longest(view.x_old);
+  master_->sort(view.x_old);
+  pairs_.clear();
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto box = side_box(sides[s].node, sides[s].count, view.x_old);
+    for (int m : master_->near(box, 2 * capture_)) {
+      const auto place = row_of_.find(static_cast<long long>(s) << 32 | m);
+      pairs_.push_back({static_cast<int>(s), m, place == row_of_.end() ? -1 : place->second});
+    }
+  }
+}
+
+PairCoordinates PairContact::coordinates(const Pair& pair, const ConstCoordinateView& x) const {
+  PairCoordinates result;
+  for (int a = 0; a < nodes_; ++a)
+    for (int i = 0; i < 2; ++i) {
+      result.slave[a][i] = x(slave_->sides()[pair.slave].node[a], i);
+      result.master[a][i] = x(master_->sides()[pair.master].node[a], i);
+    }
+  return result;
+}
+
+PairLaw PairContact::law(const StepView& view, int slave) const {
+  PairLaw result;
+  result.nodes = nodes_;
+  result.axisymmetric = axisymmetric_;
+  result.rule = rule_;
+  result.penalty = view.trial->arrays[penalties_](slave, 0);
+  result.capture = capture_;
+  result.friction = friction_.get();
+  result.time = view.time_end;
+  result.dt = view.dt;
+  result.first_guess = predicting_;
+  const double end_weight = view.sensitivity[displacement_].value;
+  if (end_weight > 0) {  // else it is the start of a stage, not a step
+    result.viscous = deck_.damping;
+    result.start_weight = 1 - end_weight;
+  }
+  const PointView& multipliers = view.trial->arrays[multipliers_];
+  for (int a = 0; a < side_multipliers; ++a) {
+    result.pressure_old[a] = view.committed->arrays[sides_](side_multipliers * slave + a, column::pressure);
+    result.normal[a] = multipliers(side_multipliers * slave + a, 0);
+    result.shear[a] = multipliers(side_multipliers * slave + a, 1);
+  }
+  return result;
+}
+
+void PairContact::write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const {
+  const PointView &rows = trial.arrays[sides_], &multipliers = trial.arrays[multipliers_];
+  const auto pressure = corner_values(sums.touching, sums.pressure), shear = corner_values(sums.touching, sums.shear);
+  const auto whole = mass(slave, trial.coordinates);
+  for (int a = 0; a < side_multipliers; ++a) {
+    const int row = side_multipliers * slave + a, first = side_multipliers * slave;
+    rows(row, column::gap) = sums.length[a] > 0 ? sums.gap[a] / sums.length[a] : capture_;
+    rows(row, column::pressure) = pressure[a];
+    rows(row, column::shear) = shear[a];
+    rows(row, column::deepest) = sums.deepest;
+    rows(row, column::force_x) = 0.5 * force[0];
+    rows(row, column::force_y) = 0.5 * force[1];
+    rows(row, column::slides) = 0.5 * sums.sliding;
+    rows(row, column::area) = 0.5 * sums.area;
+    rows(row, column::misfit) =
+        sums.pressure[a] - whole[a][0] * multipliers(first, 0) - whole[a][1] * multipliers(first + 1, 0);
+    rows(row, column::stretch) = sums.stretch[a];
+  }
+}
+
+int PairContact::residual(const StepView& view, const ResidualView& f) {
+  beyond_reach_ = false;
+  int failures = 0;
+  correction_.clear();
+  double heat = view.committed->arrays[heat_](0, 0), damped = view.committed->arrays[heat_](0, 1);
+  PairForce side_force;
+  auto pair = pairs_.begin();
+  for (int s = 0; s < static_cast<int>(slave_->sides().size()); ++s) {
+    PairSums sums;
+    double force[2] = {0, 0};
+    const PairLaw side_law = law(view, s);
+    for (; pair != pairs_.end() && pair->slave == s; ++pair) {
+      const PairCoordinates now = coordinates(*pair, view.x_end);
+      if (!pair_segment(side_law, coordinates(*pair, view.x_old), now, false, side_force)) continue;
+      if (pair->row < 0 && side_force.sums.area > 0) {
+        beyond_reach_ = true;
+        ++failures;
+      }
+      if (pair->row < 0) continue;
+      add(side_force.sums, sums);
+      const double cancelled = side_law.penalty * side_force.sums.area * farthest(now.slave);
+      for (int a = 0; a < 4 * nodes_; ++a) {
+        f.add(dofs_(pair->row, a), -side_force.f[a]);
+        f.cancelled(dofs_(pair->row, a), cancelled);
+        if (side_force.damping[a] != 0) correction_.emplace_back(dofs_(pair->row, a), side_force.damping[a]);
+        if (a < 2 * nodes_) force[a % 2] += side_force.f[a];
+      }
+    }
+    heat += sums.heat;
+    damped += sums.damped;
+    write_side(*view.trial, s, sums, force);
+  }
+  view.trial->arrays[heat_](0, 0) = heat;
+  view.trial->arrays[heat_](0, 1) = damped;
+  return failures;
+}
+
+void PairContact::correction(const StepView&, const ResidualView& f) {
+  for (const auto& [dof, force] : correction_) f.add(dof, -force);
+}
+
+void PairContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  const MatrixScatter to = assembler.scatter(group_);
+  PairForce force;
+  for (const Pair& pair : pairs_) {
+    if (pair.row < 0) continue;
+    if (!pair_segment(law(view, pair.slave), coordinates(pair, view.x_old), coordinates(pair, view.x_end), true, force))
+      continue;
+    if (!(force.sums.area > 0) && force.sums.damped == 0) continue;
+    for (int a = 0; a < 4 * nodes_; ++a)
+      for (int b = 0; b < 4 * nodes_; ++b) to.add(pair.row, a, b, -weight * force.k[a][b]);
+  }
+}
+
+double PairContact::step_limit(const State& committed, double) const {
+  return closing_limit(context_.space, *slave_, *master_, deck_.advance_limit, committed);
+}
+
+void PairContact::relocate(const ConstCoordinateView& x_old, State& committed) {
+  // what is linear along a side is history: multipliers, and the shear stress from which friction goes on
+  const PointView& multipliers = committed.arrays[multipliers_];
+  for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
+    SurfaceSide corners = slave_->sides()[s];
+    corners.count = side_multipliers;
+    const SideShifts shifts(corners, x_old, committed.coordinates);
+    const int first = side_multipliers * static_cast<int>(s);
+    shifts.convect(multipliers, first, 0);
+    shifts.convect(multipliers, first, 1);
+    shifts.convect(committed.arrays[sides_], first, column::shear);
+    for (int a = 0; a < side_multipliers; ++a) multipliers(first + a, 0) = std::max(multipliers(first + a, 0), 0.0);
+  }
+}
+
+void PairContact::adopt(const State& evaluated, State& committed) {
+  Kokkos::deep_copy(committed.arrays[sides_], evaluated.arrays[sides_]);
+}
+
+void PairParameters::parameters(Parameters& p) {
+  TwoSurfaceParameters::parameters(p);
+  p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
+        "Polynomial degree that the integration over a segment is exact for");
+}
+
+void PairContact::document(Parameters& p) {
+  PairParameters().parameters(p);
+  declare_friction(p);
+}
+
+void PairContact::parameters(Parameters& p) {
+  deck_.parameters(p);
+  declare_friction(p);
+}
+
+void PairContact::check(const Section& section) {
+  name_ = section.name();
+  const Space& space = context_.space;
+  const Mesh& mesh = space.mesh();
+  displacement_ = space.find("displacement");
+  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
+  check_two_sets(mesh, section, deck_.slave, deck_.master);
+  deck_.check(section);
+  friction_ = friction_of_two(context_, section);
+  slave_ = std::make_unique<ContactSurface>(space, deck_.slave, false, BodyUnknowns());
+  master_ = std::make_unique<MasterSurface>(mesh, deck_.master);
+  nodes_ = order(mesh.blocks().front().shape) + 1;
+  axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
+  rule_ = line_quadrature(deck_.quadrature_degree);
+  gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * slave_->shortest(mesh.coordinates());
+  capture_ = slave_->longest(mesh.coordinates());
+  check_overlap(section);
+}
+
+void PairContact::check_overlap(const Section& section) const {
+  const Mesh& mesh = context_.space.mesh();
+  const auto& x = mesh.coordinates();
+  PairLaw look;
+  look.nodes = nodes_;
+  look.rule = rule_;
+  look.capture = 4 * capture_;
+  look.penalty = 1;
+  double deepest = 0;
+  master_->sort(x);
+  PairForce force;
+  for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
+    const SurfaceSide& side = slave_->sides()[s];
+    const auto box = side_box(side.node, side.count, x);
+    for (int m : master_->near(box, look.capture)) {
+      const PairCoordinates at = coordinates({static_cast<int>(s), m, 0}, x);
+      if (pair_segment(look, at, at, false, force)) deepest = std::min(deepest, force.sums.closest);
+    }
+  }
+  check_overlap_of_two(*slave_, section, deck_.slave, deepest);
+}
+
+std::array<std::array<double, 2>, 2> PairContact::mass(int slave, const ConstCoordinateView& x) const {
+  const SurfaceSide& side = slave_->sides()[slave];
+  std::array<std::array<double, 2>, 2> result{};
+  for (std::size_t q = 0; q < rule_.weights.size(); ++q) {
+    const double xi = rule_.points[q][0], shape[2] = {0.5 * (1 - xi), 0.5 * (1 + xi)};
+    double N[max_side_nodes], dN[max_side_nodes], along[2] = {0, 0};
+    evaluate_line(nodes_, xi, N, dN);
+    for (int a = 0; a < nodes_; ++a)
+      for (int i = 0; i < 2; ++i) along[i] += dN[a] * x(side.node[a], i);
+    const double length = rule_.weights[q] * std::hypot(along[0], along[1]);
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) result[a][b] += length * shape[a] * shape[b];
+  }
+  return result;
+}
+
+Misfit PairContact::misfit(const State& state) const {
+  const int nodes = context_.space.mesh().num_nodes();
+  std::vector<double> normal(nodes, 0.0), shear(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
+  double spring = 0;
+  for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
+    const auto whole = mass(static_cast<int>(s), state.coordinates);
+    for (int a = 0; a < side_multipliers; ++a) {
+      const int node = slave_->sides()[s].node[a], row = side_multipliers * static_cast<int>(s) + a;
+      normal[node] += state.arrays[sides_](row, column::misfit);
+      shear[node] += state.arrays[sides_](row, column::stretch);
+      lengths[node] += whole[a][0] + whole[a][1];
+      stiffnesses[node] += (whole[a][0] + whole[a][1]) * state.arrays[penalties_](s, 0);
+      spring = std::max(spring, state.arrays[sides_](row, column::pressure) / state.arrays[penalties_](s, 0));
+    }
+  }
+  return {*slave_,
+          std::move(normal),
+          std::move(shear),
+          std::move(lengths),
+          std::move(stiffnesses),
+          friction_ ? friction_->tangential_factor() : 0.0,
+          spring};
+}
+
+Augmentation PairContact::augment(const StepView& view, int count) {
+  if (!deck_.augmented()) return {};
+  const State& trial = *view.trial;
+  const Misfit rest = misfit(trial);
+  if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm()))
+    return *end;
+  const ShapeMass masses = [&](const std::vector<double>& values, std::vector<double>& product,
+                               std::vector<double>& lengths) {
+    for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
+      const auto whole = mass(static_cast<int>(s), trial.coordinates);
+      const int* node = slave_->sides()[s].node;
+      for (int a = 0; a < side_multipliers; ++a) {
+        product[node[a]] += whole[a][0] * values[node[0]] + whole[a][1] * values[node[1]];
+        lengths[node[a]] += whole[a][0] + whole[a][1];
+      }
+    }
+  };
+  const std::vector<double> normal = in_shapes(*slave_, rest.normal, masses);
+  const std::vector<double> shear = friction_ ? in_shapes(*slave_, rest.shear, masses) : rest.shear;
+  const PointView& multipliers = trial.arrays[multipliers_];
+  for (std::size_t s = 0; s < slave_->sides().size(); ++s)
+    for (int a = 0; a < side_multipliers; ++a) {
+      const int node = slave_->sides()[s].node[a];
+      multipliers(side_multipliers * s + a, 0) += normal[node];
+      if (friction_) multipliers(side_multipliers * s + a, 1) += shear[node];
+    }
+  return {true, ""};
+}
+
+std::string PairContact::hint(const StepView&) const {
+  return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
+}
+
+void PairContact::histories(const StepView& view, std::map<std::string, double>& values) {
+  const State& state = *view.committed;
+  const PointView& rows = state.arrays[sides_];
+  SlaveSums here;
+  here.heat = state.arrays[heat_](0, 0);
+  here.damped = state.arrays[heat_](0, 1);
+  for (std::size_t row = 0; row < rows.extent(0); ++row) {
+    here.force[0] += rows(row, column::force_x);
+    here.force[1] += rows(row, column::force_y);
+    here.area += rows(row, column::area);
+    here.slides += rows(row, column::slides);
+    here.deepest = std::max(here.deepest, -rows(row, column::deepest));
+  }
+  const Comm& comm = *context_.space.mesh().comm();
+  const SlaveSums all = report_slave(comm, name(), deck_, here, values);
+  const auto [gap, stretch, spring] = misfit(state).largest(comm);
+  if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
+  if (!friction_) return;
+  if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
+  values[name() + "/sliding length [m]"] = all.slides;
+  values[name() + "/friction heat [J]"] = all.heat;
+}
+
+std::vector<double> PairContact::nodal_mean(const State& state, int column) const {
+  const int nodes = context_.space.mesh().num_nodes();
+  std::vector<double> weighted(nodes, 0.0), weights(nodes, 0.0);
+  for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
+    const SurfaceSide& side = slave_->sides()[s];
+    for (int a = 0; a < side.count; ++a) {
+      const PointView& rows = state.arrays[sides_];
+      const int first = side_multipliers * static_cast<int>(s);
+      weighted[side.node[a]] += a < 2 ? rows(first + a, column) : 0.5 * (rows(first, column) + rows(first + 1, column));
+      weights[side.node[a]] += 1;
+    }
+  }
+  return slave_->mean(std::move(weighted), std::move(weights));
+}
+
+std::vector<double> PairContact::nodal_pressure(const State& state) const {
+  return nodal_mean(state, column::pressure);
+}
+
+std::vector<double> PairContact::nodal_shear(const State& state) const {
+  return friction_ ? nodal_mean(state, column::shear) : std::vector<double>();
+}
+
+}  // namespace mudline

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "contact/contact_surface.hpp"
+#include "contact/mortar/master_surface.hpp"
+#include "contact/mortar/pair_segment.hpp"
+#include "contact/two_surfaces.hpp"
+
+namespace mudline {
+
+/// What the deck says of a pair, besides friction.
+struct PairParameters : TwoSurfaceParameters {
+  PairParameters() : TwoSurfaceParameters(Enforcement::augmented_lagrangian) {}
+  void parameters(Parameters& p);
+
+  int quadrature_degree = 5;
+};
+
+/// Contact of two deformable surfaces, segment to segment: the slave's sides are cut where the feet of their points
+/// pass from one side of the master to the next, and on each segment R_u -= int (N_slave - N_master)^T (t n + s m) ds
+/// at n+1, see pair_segment(). Multipliers are linear and continuous along the slave surface (mortar); Uzawa's method
+/// as in PenaltyContact.
+///
+/// Parallel: a rank computes its slave sides against the whole master surface, whose nodes it has as ghosts (SetPairs);
+/// the matrix has entries for all pairs of sides that were within `reach` of each other at the start.
+///
+/// State arrays, a row per corner of each slave side: "contact/<name>/sides" (mean gap; pressure and shear stress as
+/// linear fields over what touches; the side's deepest point; halves of the force on the slave, of the sliding length
+/// and of the touching area; what Uzawa's method has yet to close), "contact/<name>/multipliers" (normal and shear),
+/// "contact/<name>/penalty" (a row per slave side, frozen when the contact first starts a step), "contact/<name>/heat"
+/// (of friction and of damping).
+class PairContact : public Contact {
+ public:
+  explicit PairContact(const ContactContext& context) : context_(context) {}
+  static void document(Parameters& p);
+  void parameters(Parameters& p);
+  /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, friction on the effective
+  /// traction of surfaces with pore pressure. Collective.
+  void check(const Section& section);
+
+  std::string name() const override { return "contact/" + name_; }
+  ContactPartners partners() const override { return {deck_.slave, deck_.master, nullptr, friction_ != nullptr}; }
+  bool history() const override { return true; }
+  void declare_state(StateStore& store) override;
+  void sparsity(Assembler& assembler) override;
+  void begin(const StepView& view) override;
+  bool asks_for_prediction() const override { return friction_ != nullptr; }
+  void predicting(bool on) override { predicting_ = on; }
+  int residual(const StepView& view, const ResidualView& f) override;
+  void correction(const StepView& view, const ResidualView& f) override;
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  Augmentation augment(const StepView& view, int count) override;
+  std::string hint(const StepView& view) const override;
+  void histories(const StepView& view, std::map<std::string, double>& values) override;
+  double step_limit(const State& committed, double dt) const override;
+  void relocate(const ConstCoordinateView& x_old, State& committed) override;
+  void adopt(const State& evaluated, State& committed) override;
+  std::vector<double> nodal_pressure(const State& state) const override;
+  std::vector<double> nodal_shear(const State& state) const override;
+
+ private:
+  struct Pair {
+    int slave, master;  // sides
+    int row;            // in the dof table; -1: the matrix has no place for it
+  };
+  void check_overlap(const Section& section) const;
+  PairLaw law(const StepView& view, int slave) const;
+  PairCoordinates coordinates(const Pair& pair, const ConstCoordinateView& x) const;
+  /// Mass of the multipliers' shapes on a slave side [m].
+  std::array<std::array<double, side_multipliers>, side_multipliers> mass(int slave,
+                                                                          const ConstCoordinateView& x) const;
+  void write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const;
+  Misfit misfit(const State& state) const;
+  std::vector<double> nodal_mean(const State& state, int column) const;
+
+  ContactContext context_;
+  PairParameters deck_;
+  std::unique_ptr<const Friction> friction_;  // null: smooth
+  std::string name_;
+  std::unique_ptr<ContactSurface> slave_;
+  std::unique_ptr<MasterSurface> master_;
+  std::vector<Pair> pairs_;                    // of this step, ordered by slave side
+  std::unordered_map<long long, int> row_of_;  // (slave, master) in the dof table
+  ElementDofs dofs_;
+  QuadratureRule rule_;                             // on a segment
+  int group_ = -1, nodes_ = 3;                      // of a side
+  double gap_tolerance_ = 0, capture_ = 0;          // [m]
+  std::vector<std::pair<int, double>> correction_;  // (dof, damping) of the last residual call
+  bool axisymmetric_ = false, predicting_ = false, beyond_reach_ = false;
+  int displacement_ = -1;
+  int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles
+};
+
+/// Columns of a pair's arrays.
+namespace pair_column {
+enum : int { gap, pressure, shear, deepest, force_x, force_y, slides, area, misfit, stretch };
+}
+
+}  // namespace mudline

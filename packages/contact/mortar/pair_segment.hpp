@@ -1,0 +1,67 @@
+#pragma once
+
+#include "contact/body/contact_rule.hpp"
+#include "contact/laws/friction.hpp"
+
+namespace mudline {
+
+/// Nodes of a pair's two sides, the slave's first: displacements node after node, component after component.
+constexpr int pair_dofs = 4 * max_side_nodes;
+/// Multipliers of a slave side: linear shapes, one at each corner.
+constexpr int side_multipliers = 2;
+
+/// Where the nodes of two sides are [m].
+struct PairCoordinates {
+  SideCoordinates slave{}, master{};
+};
+
+/// What acts between the sides.
+struct PairLaw {
+  int nodes = 3;  // of either side
+  bool axisymmetric = false;
+  QuadratureRule rule;                 // on a segment
+  double penalty = 0;                  // [Pa/m]
+  double capture = 0;                  // [m] points farther away than this, on either side, do not see each other
+  const Friction* friction = nullptr;  // null: smooth
+  double time = 0, dt = 1;             // [s] end of the step; its length
+  bool first_guess = false;            // friction sticks
+  double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners
+  double viscous = 0;                                                  // [s/m] coefficient of ContactDamping; 0: none
+  double start_weight = 0;                     // weight of the start of the step in the integrator's force
+  double pressure_old[side_multipliers] = {};  // [Pa] at the slave's corners at the start of the step, for damping
+};
+
+/// Integrals over the segment, weighted by the multipliers' shapes (a) and the length without the circumference [m].
+struct PairSums {
+  double length[side_multipliers] = {};                      // of the segment
+  double pressure[side_multipliers] = {};                    // [N/m]
+  double gap[side_multipliers] = {};                         // [m2]
+  double touching[side_multipliers][side_multipliers] = {};  // shape times shape where it presses
+  double shear[side_multipliers] = {},
+         stretch[side_multipliers] = {};  // [N/m]; of shear less multiplier, where it sticks
+  double sliding = 0;                     // length that slides [m]
+  double area = 0;                        // that presses [m2], with the circumference
+  double heat = 0;                        // [J] of this step
+  double damped = 0;                      // [J] heat of damping in this step
+  double deepest = 0;                     // least gap of the points that press [m]
+  double closest = 0;                     // least gap [m]
+};
+
+/// Forces [N] on the nodes of both sides, their derivatives [N/m].
+struct PairForce {
+  double f[pair_dofs];             // at the end of the step
+  double damping[pair_dofs];       // what damping adds to the mean over the step
+  double k[pair_dofs][pair_dofs];  // of f + damping / (1 - start_weight)
+  PairSums sums;
+};
+
+/// One side of the slave surface against one of the master surface, both straight or parabolic, by surface quadrature
+/// over the segment of the slave side whose points have their foot on the master side. Pressure t = <multiplier -
+/// penalty gap>, gap along the master's outward normal at the foot (nearest point); shear stress by `friction`, stick
+/// spring from the multiplier of shear. Positive shear acts on the slave along the master's direction (outward normal
+/// on its right). Slave gets t n + s m, master the opposite at the foot, so momentum is kept to rounding. The tangent
+/// is exact: ends of the segment, foot, normal, lengths. Returns false where the sides do not see each other.
+bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent,
+                  PairForce& out);
+
+}  // namespace mudline

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "contact/active_set.hpp"
+#include "contact/nodes/smooth_surface.hpp"
+#include "contact/two_surfaces.hpp"
+
+namespace mudline {
+
+/// What the deck says of a node-to-segment contact, besides friction.
+struct NodeParameters : TwoSurfaceParameters {
+  NodeParameters() : TwoSurfaceParameters(Enforcement::penalty) {}
+  enum class Impact { conserving, interpolated };
+  void parameters(Parameters& p);
+
+  Drawing drawing = Drawing::hermite;
+  double corner_angle = 45;  // [deg]
+  double overhang = 0.1;     // [-] of the last piece
+  bool two_pass = false;
+  Impact impact = Impact::conserving;
+  ActiveSetParameters active_set;
+};
+
+}  // namespace mudline

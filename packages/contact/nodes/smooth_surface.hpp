@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/box_search.hpp"
+#include "contact/nodes/node_chain.hpp"
+#include "contact/nodes/node_segment.hpp"
+
+namespace mudline {
+
+/// How a surface is drawn over its nodes. sides: the elements' own sides, straight or parabolic. linear: straight from
+/// node to node, middle nodes of quadratic sides included. hermite: C1, cubic through the nodes, tangents of the
+/// parabola through a node and its neighbours. bezier: C1, from the middle between two nodes to the middle between the
+/// next two, with the node as control point; it cuts corners by an eighth of spacing squared over radius.
+enum class Drawing { sides, linear, hermite, bezier };
+
+/// A side set as nodes of another surface see it: pieces of curves. Its topology and what depends on which node stay;
+/// the coefficients of `hermite` are those of the coordinates at the last update().
+class SmoothSurface {
+ public:
+  /// Corners: straight lines between neighbouring nodes that turn by more than `corner_angle` [rad] in x are not
+  /// smoothed. `overhang`: an open end goes on for this fraction of its last piece.
+  SmoothSurface(const std::vector<MasterSurface::MasterSide>& sides, Drawing drawing, double corner_angle,
+                double overhang, const ConstCoordinateView& x);
+
+  const std::vector<SurfacePiece>& pieces() const { return pieces_; }
+  PieceCoordinates coordinates(int piece, const ConstCoordinateView& x) const;
+  /// At the start of a step: coefficients and boxes.
+  void update(const ConstCoordinateView& x);
+  /// Pieces whose nodes' box comes within `distance` [m] of a point, in ascending order.
+  std::vector<int> near(const PlanePoint& at, double distance) const { return boxes_.near({at, at}, distance); }
+
+  /// The foot of a node on one of `candidates`; false where none of them faces it within `capture` [m]. `facing`: a
+  /// direction along the slave surface, its body on the left.
+  bool find_foot(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing, double capture,
+                 const ConstCoordinateView& x, int& piece, NodeFoot& foot) const;
+
+ private:
+  /// What a piece is drawn from; its nodes: those that it runs between (and a parabola through), or the one that it
+  /// runs around and its neighbours.
+  enum class Kind { straight, parabola, first_half, last_half, around, between };
+  struct Origin {
+    Kind kind;
+    bool previous = false, next = false;  // between: the nodes before and after are known, and follow in this order
+    int first = -1, last = -1;            // node at the start, at the end; -1: none there
+  };
+  void draw(const NodeChain& chain);
+  void add(Kind kind, const std::vector<int>& nodes, bool previous, bool next);
+  void join(int before, int after, PieceEnd how);
+  void join_corners();
+  void set_coefficients(int piece, const ConstCoordinateView& x);
+  bool foot_on(int piece, const PlanePoint& at, const ConstCoordinateView& x, NodeFoot& foot, double& distance,
+               PlanePoint& normal) const;
+
+  Drawing drawing_;
+  double overhang_;
+  std::vector<SurfacePiece> pieces_;
+  std::vector<Origin> origins_;
+  BoxSearch boxes_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Kokkos_Core.hpp>
+
+#include "core/pi.hpp"
+#include "discretisation/mesh.hpp"
+
+namespace mudline {
+
+// Coordinate systems. Kernels are templates on one of them: `dim` directions, and in axial symmetry a hoop, the strain
+// u_r / r out of the plane. measure(x): length [m] out of the plane that a point stands for; 1 in space.
+
+struct PlaneStrain {
+  static constexpr int dim = 2;
+  static constexpr bool hoop = false;
+  KOKKOS_INLINE_FUNCTION static double measure(const double*) { return 1.0; }
+};
+
+struct Axisymmetric {
+  static constexpr int dim = 2;
+  static constexpr bool hoop = true;
+  KOKKOS_INLINE_FUNCTION static double measure(const double* x) { return 2 * pi * x[0]; }
+};
+
+struct Space3 {
+  static constexpr int dim = 3;
+  static constexpr bool hoop = false;
+  KOKKOS_INLINE_FUNCTION static double measure(const double*) { return 1.0; }
+};
+
+/// Calls f(coordinate system) of a mesh.
+template <class F>
+auto with_coordinates(Geometry geometry, F&& f) {
+  return geometry == Geometry::axisymmetric ? f(Axisymmetric{}) : f(PlaneStrain{});
+}
+
+}  // namespace mudline

@@ -1,0 +1,564 @@
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "discretisation/cell_map.hpp"
+#include "framework/coordinates.hpp"
+#include "framework/field_block.hpp"
+#include "framework/point_fields.hpp"
+#include "framework/term.hpp"
+#include "tensor/dual.hpp"
+#include "tensor/midpoint_rule.hpp"
+
+// g++ unrolls a short loop completely before it looks whether the loop can be vectorised, and then it cannot.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define MUDLINE_KEEP_LOOP _Pragma("GCC unroll 1")
+#else
+#define MUDLINE_KEEP_LOOP
+#endif
+
+namespace mudline {
+
+/// Compile-time sizes of an element: nodes of the cell and of the scalar fields, number of scalar fields, and whether
+/// the displacement is among the unknowns.
+template <int NU_, int NS_, int S_, bool Moves = true>
+struct ElementShapes {
+  static constexpr int NU = NU_, NS = NS_, S = S_;
+  static constexpr bool moves = Moves;
+};
+
+/// Calls f(coordinate system, ElementShapes) of a block.
+template <class F>
+auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
+  const auto of_cell = [&](auto coordinates, auto cell, auto partner) {
+    constexpr int N = decltype(cell)::value, P = decltype(partner)::value;
+    const bool corners = block.p.nodes < N;
+    if (!block.moves) {
+      if (block.scalars != 1) throw std::logic_error("one scalar field at a time without displacements");
+      return corners ? f(coordinates, ElementShapes<N, P, 1, false>{})
+                     : f(coordinates, ElementShapes<N, N, 1, false>{});
+    }
+    if (block.scalars == 0) return f(coordinates, ElementShapes<N, 0, 0>{});
+    if constexpr (P < N)
+      if (corners && block.scalars == 1) return f(coordinates, ElementShapes<N, P, 1>{});
+    throw std::logic_error("no inf-sup stable set of fields for the cell");
+  };
+  return with_coordinates(geometry, [&](auto coordinates) {
+    switch (block.shape) {
+      case CellShape::tri6:
+        return of_cell(coordinates, std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{});
+      case CellShape::quad9:
+        return of_cell(coordinates, std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
+      case CellShape::tri3:
+        return of_cell(coordinates, std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{});
+      case CellShape::quad4:
+        return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
+    }
+    throw std::logic_error("unknown cell");
+  });
+}
+
+/// The state that a loop looks at: places and fields of one level, and how they follow from the unknowns.
+struct LoopLevel {
+  ConstCoordinateView x;                // [m]
+  ConstNodalView value_old, value_end;  // of the step; places move by geometry_weight times their difference
+  ConstNodalView value, rate, acceleration;
+  double geometry_weight = 0;  // d x / d u_{n+1}
+  Sensitivity displacement, scalar;
+};
+
+/// At one of the levels of a step. `scalar`: the scalar field whose dependence on its unknowns the others share; -1:
+/// none.
+inline LoopLevel loop_level(const StepView& view, const Level& level, int displacement, int scalar) {
+  LoopLevel at;
+  at.x = level.x;
+  at.value_old = view.value_old;
+  at.value_end = view.value_end;
+  at.value = view.value;
+  at.rate = view.rate;
+  at.acceleration = view.acceleration;
+  at.geometry_weight = level.geometry_weight;
+  if (displacement >= 0) at.displacement = view.sensitivity[displacement];
+  if (scalar >= 0) at.scalar = view.sensitivity[scalar];
+  return at;
+}
+
+/// What a law fills and what it depends on. A law inherits this and says otherwise by constants of the same names; what
+/// it has not costs nothing.
+struct PointLaw {
+  static constexpr bool forces = false, stresses = false, storages = false, fluxes = false;
+  static constexpr bool motion = true;      // depends on the gradient of the displacement, as all do by their volume
+  static constexpr bool inertia = false;    // on velocity or acceleration themselves
+  static constexpr bool scalars = true;     // on values and rates of the scalar fields
+  static constexpr bool gradients = false;  // on the scalar fields' gradients
+  static constexpr bool stands = false;     // its stress stood before the step, the change is given beside it
+};
+
+/// One generic loop over the elements of a block. A law is called once per quadrature point: law(row, fields, out),
+/// with the row of the point's data, PointFields and PointBalance. It is written once for numbers and for dual numbers,
+/// so that it has no derivatives of its own.
+template <class Coordinates, class Shapes>
+struct ElementLoop {
+  static constexpr int D = Coordinates::dim, NU = Shapes::NU, NS = Shapes::NS, S = Shapes::S;
+  static constexpr int NQ = NS > 0 ? NS : 1, SQ = S > 0 ? S : 1;  // sizes of arrays that may be empty
+  static constexpr bool moves = Shapes::moves;
+  static constexpr int MU = moves ? D * NU : 0, columns = MU + S * NS;  // unknowns: displacement, all
+  static constexpr int gradients_u = D * D + (Coordinates::hoop ? 1 : 0);
+  using Fields = PointFields<Coordinates, S, double>;
+  using Balance = PointBalance<Coordinates, S, double>;
+
+  FieldBlock b;
+  LoopLevel at;
+
+  /// Places and values at the nodes of one element.
+  struct Nodes {
+    double x[NU][D], moved[NU][D];  // [m] at the level; since the start of the step, without the rounding of places
+    double rate[NU][D], acceleration[NU][D];
+    double value[SQ][NQ], change[SQ][NQ], scalar_rate[SQ][NQ];
+  };
+  /// The shapes at one point.
+  struct Shape {
+    const double *N, *Np;
+    double g[NU][D], h[NU], gp[NQ][D];  // gradients [1/m]; N / r in axial symmetry
+    double dv;                          // [m3]
+  };
+
+  KOKKOS_INLINE_FUNCTION void gather(int e, bool rates, Nodes& n) const {
+    for (int a = 0; a < NU; ++a)
+      for (int i = 0; i < D; ++i) {
+        n.x[a][i] = at.x(b.nodes(e, a), i);
+        n.moved[a][i] = n.rate[a][i] = n.acceleration[a][i] = 0;
+        if constexpr (!moves) continue;
+        const int dof = b.dofs(e, D * a + i);
+        n.moved[a][i] = at.geometry_weight * (at.value_end(dof) - at.value_old(dof));
+        if (rates) {
+          n.rate[a][i] = at.rate(dof);
+          n.acceleration[a][i] = at.acceleration(dof);
+        }
+      }
+    for (int s = 0; s < S; ++s)
+      for (int c = 0; c < NS; ++c) {
+        const int dof = b.dofs(e, MU + s * NS + c);
+        n.value[s][c] = at.value(dof);
+        n.change[s][c] = at.value(dof) - at.value_old(dof);
+        n.scalar_rate[s][c] = rates ? at.rate(dof) : 0.0;
+      }
+  }
+
+  /// Shapes at a point of a configuration; false where it is folded or on the wrong side of the axis.
+  KOKKOS_INLINE_FUNCTION bool shapes(int q, const double (&x)[NU][D], Shape& s) const {
+    s.N = &b.u.N(q, 0);
+    s.Np = NS > 0 ? &b.p.N(q, 0) : nullptr;
+    CellMap<D> map;
+    map.compute(x, &b.u.dN(q, 0, 0));
+    double here[D] = {};  // a coordinate system without a hoop does not ask where
+    if constexpr (Coordinates::hoop)
+      for (int a = 0; a < NU; ++a) here[0] += s.N[a] * x[a][0];
+    const double measure = Coordinates::measure(here);
+    if (!(map.det > 0) || !(measure > 0)) return false;
+    map.gradients(&b.u.dN(q, 0, 0), s.g);
+    if constexpr (NS > 0) map.gradients(&b.p.dN(q, 0, 0), s.gp);
+    for (int a = 0; a < NU; ++a) s.h[a] = Coordinates::hoop ? s.N[a] / here[0] : 0.0;
+    s.dv = b.u.weights(q) * map.det * measure;
+    return true;
+  }
+  /// The fields at a point whose shapes are known. False where the step's start would be folded.
+  KOKKOS_INLINE_FUNCTION bool fields(const Nodes& n, const Shape& s, Fields& f) const {
+    f.hoop_rate = f.hoop_moved = 0;
+    for (int i = 0; i < D; ++i) {
+      f.velocity[i] = f.acceleration[i] = 0;
+      for (int j = 0; j < D; ++j) f.velocity_gradient[i][j] = f.moved[i][j] = 0;
+    }
+    for (int a = 0; a < NU; ++a) {
+      for (int i = 0; i < D; ++i) {
+        f.velocity[i] += s.N[a] * n.rate[a][i];
+        f.acceleration[i] += s.N[a] * n.acceleration[a][i];
+        for (int j = 0; j < D; ++j) {
+          f.velocity_gradient[i][j] += n.rate[a][i] * s.g[a][j];
+          f.moved[i][j] += n.moved[a][i] * s.g[a][j];
+        }
+      }
+      f.hoop_rate += s.h[a] * n.rate[a][0];
+      f.hoop_moved += s.h[a] * n.moved[a][0];
+    }
+    double back[D][D];
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) back[i][j] = (i == j ? 1.0 : 0.0) - f.moved[i][j];
+    const double ratio = determinant(back) * (1 - f.hoop_moved);
+    if (!(ratio > 0)) return false;
+    f.volume_ratio = 1 / ratio;
+    for (int k = 0; k < S; ++k) {
+      f.value[k] = f.change[k] = f.rate[k] = 0;
+      for (int j = 0; j < D; ++j) f.gradient[k][j] = 0;
+      for (int c = 0; c < NS; ++c) {
+        f.value[k] += s.Np[c] * n.value[k][c];
+        f.change[k] += s.Np[c] * n.change[k][c];
+        f.rate[k] += s.Np[c] * n.scalar_rate[k][c];
+        for (int j = 0; j < D; ++j) f.gradient[k][j] += s.gp[c][j] * n.value[k][c];
+      }
+    }
+    return true;
+  }
+
+  /// Calls f(point, shape, fields) for the points of an element; stops with 1 where it is folded. `rates`: whether
+  /// rates are looked at.
+  template <class F>
+  KOKKOS_INLINE_FUNCTION int for_each_point(int e, bool rates, F&& f) const {
+    Nodes n;
+    gather(e, rates, n);
+    for (int q = 0; q < b.points; ++q) {
+      Shape s;
+      Fields here;
+      if (!shapes(q, n.x, s) || !fields(n, s, here)) return 1;
+      f(q, s, here);
+    }
+    return 0;
+  }
+
+  /// Adds the balance of element e to the residual; returns 1 where the element is folded. What acts in the step is the
+  /// size of each kind of contribution by itself: they may cancel, as storage and flow do in consolidation.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION int residual(int e, const Law& law, const ResidualView& to) const {
+    Nodes n;
+    gather(e, true, n);
+    double r[NU][D] = {}, acting[NU][D] = {}, skeleton[NU][D] = {}, fluid[NU][D] = {};
+    double stored[SQ][NQ] = {}, flown[SQ][NQ] = {};
+    for (int q = 0; q < b.points; ++q) {
+      Shape s;
+      Fields f;
+      Balance out;
+      if (!shapes(q, n.x, s) || !fields(n, s, f)) return 1;
+      law(e * b.points + q, f, out);
+      for (int a = 0; a < NU; ++a)
+        for (int i = 0; i < D; ++i) {
+          double sum = 0, acts = 0;
+          if constexpr (Law::forces) {
+            sum = s.N[a] * out.force[i];
+            acts = sum - s.N[a] * out.standing_force[i];
+          }
+          if constexpr (Law::stresses) {
+            const double work = work_of(s, a, i, out.stress, out.hoop_stress);
+            sum += work;
+            if constexpr (Law::stands) {
+              skeleton[a][i] += s.dv * work_of(s, a, i, out.stress_change, out.hoop_change);
+              fluid[a][i] += s.dv * out.pressure_change * (s.g[a][i] + (i == 0 ? s.h[a] : 0.0));
+            } else {
+              acts += work;
+            }
+          }
+          r[a][i] += s.dv * sum;
+          acting[a][i] += s.dv * acts;
+        }
+      for (int k = 0; k < S; ++k)
+        for (int c = 0; c < NS; ++c) {
+          if constexpr (Law::storages) stored[k][c] += s.dv * s.Np[c] * out.storage[k];
+          if constexpr (Law::fluxes)
+            for (int j = 0; j < D; ++j) flown[k][c] += s.dv * s.gp[c][j] * out.flux[k][j];
+        }
+    }
+    if constexpr (Law::forces || Law::stresses)
+      for (int a = 0; a < NU; ++a)
+        for (int i = 0; i < D; ++i) {
+          const double acts = std::abs(acting[a][i]) + std::abs(skeleton[a][i]) + std::abs(fluid[a][i]);
+          to.add(b.dofs(e, D * a + i), r[a][i], acts);
+        }
+    if constexpr (Law::storages || Law::fluxes)
+      for (int k = 0; k < S; ++k)
+        for (int c = 0; c < NS; ++c)
+          to.add(b.dofs(e, MU + k * NS + c), stored[k][c] + flown[k][c],
+                 std::abs(stored[k][c]) + std::abs(flown[k][c]));
+    return 0;
+  }
+
+  /// Work of a stress on a unit displacement of node a in direction i, per volume.
+  KOKKOS_INLINE_FUNCTION static double work_of(const Shape& s, int a, int i, const double (&stress)[D][D],
+                                               double hoop_stress) {
+    double work = Coordinates::hoop && i == 0 ? hoop_stress * s.h[a] : 0.0;
+    for (int j = 0; j < D; ++j) work += stress[i][j] * s.g[a][j];
+    return work;
+  }
+
+  // Directions of the dual numbers of a law.
+  template <class Law>
+  struct Directions {
+    static constexpr int motion = 0, inertia = Law::motion ? gradients_u : 0, value = inertia + (Law::inertia ? D : 0),
+                         gradient = value + (Law::scalars ? S : 0), count = gradient + (Law::gradients ? S * D : 0);
+    static constexpr int hoop = D * D;  // within `motion`
+  };
+
+  /// The fields as dual numbers.
+  template <class Law, class T>
+  KOKKOS_INLINE_FUNCTION void seed(const Fields& f, PointFields<Coordinates, S, T>& d) const {
+    using Way = Directions<Law>;
+    const double w = at.geometry_weight;
+    d.hoop_moved = f.hoop_moved;
+    d.volume_ratio = f.volume_ratio;
+    d.hoop_rate = f.hoop_rate;
+    for (int i = 0; i < D; ++i) {
+      d.velocity[i] = f.velocity[i];
+      d.acceleration[i] = f.acceleration[i];
+      for (int j = 0; j < D; ++j) {
+        d.moved[i][j] = f.moved[i][j];
+        d.velocity_gradient[i][j] = f.velocity_gradient[i][j];
+      }
+    }
+    for (int k = 0; k < S; ++k) {
+      d.value[k] = f.value[k];
+      d.change[k] = f.change[k];
+      d.rate[k] = f.rate[k];
+      for (int j = 0; j < D; ++j) d.gradient[k][j] = f.gradient[k][j];
+    }
+    if constexpr (Law::motion) {
+      // a gradient of the displacement at the level turns and stretches what gradients are taken in
+      for (int j = 0; j < D; ++j)
+        for (int m = 0; m < D; ++m) {
+          const int way = Way::motion + D * j + m;
+          if (j == m) d.volume_ratio.d[way] = w * f.volume_ratio;
+          d.velocity_gradient[j][m].d[way] += at.displacement.rate;
+          for (int i = 0; i < D; ++i) d.velocity_gradient[i][m].d[way] -= w * f.velocity_gradient[i][j];
+          for (int k = 0; k < S; ++k) d.gradient[k][m].d[way] -= w * f.gradient[k][j];
+        }
+      if constexpr (Coordinates::hoop) {
+        d.volume_ratio.d[Way::hoop] = w * f.volume_ratio;
+        d.hoop_rate.d[Way::hoop] = at.displacement.rate - w * f.hoop_rate;
+      }
+    }
+    if constexpr (Law::inertia)
+      for (int i = 0; i < D; ++i) {
+        d.velocity[i].d[Way::inertia + i] = at.displacement.rate;
+        d.acceleration[i].d[Way::inertia + i] = at.displacement.acceleration;
+      }
+    if constexpr (Law::scalars)
+      for (int k = 0; k < S; ++k) {
+        d.value[k].d[Way::value + k] = d.change[k].d[Way::value + k] = at.scalar.value;
+        d.rate[k].d[Way::value + k] = at.scalar.rate;
+      }
+    if constexpr (Law::gradients)
+      for (int k = 0; k < S; ++k)
+        for (int j = 0; j < D; ++j) d.gradient[k][j].d[Way::gradient + D * k + j] += at.scalar.value;
+  }
+
+  /// What the motion of the configuration does to the integral: dv grows by the trace of the gradient, and the test
+  /// functions' gradients turn with it.
+  template <class Law, class T>
+  KOKKOS_INLINE_FUNCTION void carry(PointBalance<Coordinates, S, T>& out) const {
+    if constexpr (Law::motion) {
+      const double w = at.geometry_weight;
+      for (int j = 0; j < D; ++j)
+        for (int m = 0; m < D; ++m) {
+          const int way = D * j + m;
+          if constexpr (Law::stresses)
+            for (int i = 0; i < D; ++i) out.stress[i][j].d[way] -= w * out.stress[i][m].v;
+          if constexpr (Law::fluxes)
+            for (int k = 0; k < S; ++k) out.flux[k][j].d[way] -= w * out.flux[k][m].v;
+        }
+      if constexpr (Coordinates::hoop && Law::stresses) out.hoop_stress.d[D * D] -= w * out.hoop_stress.v;
+      const auto grow = [&](T& x) {
+        for (int j = 0; j < D; ++j) x.d[D * j + j] += w * x.v;
+        if constexpr (Coordinates::hoop) x.d[D * D] += w * x.v;
+      };
+      for (int i = 0; i < D; ++i) {
+        if constexpr (Law::forces) grow(out.force[i]);
+        if constexpr (Law::stresses)
+          for (int j = 0; j < D; ++j) grow(out.stress[i][j]);
+      }
+      if constexpr (Coordinates::hoop && Law::stresses) grow(out.hoop_stress);
+      for (int k = 0; k < S; ++k) {
+        if constexpr (Law::storages) grow(out.storage[k]);
+        if constexpr (Law::fluxes)
+          for (int j = 0; j < D; ++j) grow(out.flux[k][j]);
+      }
+    }
+  }
+
+  // The rows of a point's matrix: forces, stresses, hoop stress, storages, fluxes; what a law does not have is left
+  // out.
+  template <class Law>
+  struct Rows {
+    static constexpr int force = 0, stress = force + (Law::forces ? D : 0), hoop = stress + (Law::stresses ? D * D : 0),
+                         storage = hoop + (Law::stresses && Coordinates::hoop ? 1 : 0),
+                         flux = storage + (Law::storages ? S : 0), count = flux + (Law::fluxes ? S * D : 0);
+  };
+
+  /// Columns of the element's matrix that a law fills.
+  template <class Law>
+  struct Columns {
+    static constexpr int first = Law::motion || Law::inertia ? 0 : MU,
+                         last = Law::scalars || Law::gradients ? columns : MU, count = last - first;
+  };
+
+  /// The law's derivatives at a point, rows by directions, times the volume.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION void point_matrix(int row, const Law& law, const Shape& s, const Fields& f,
+                                           double (&A)[Rows<Law>::count][Directions<Law>::count]) const {
+    using Row = Rows<Law>;
+    constexpr int ways = Directions<Law>::count;
+    using T = Dual<ways>;
+    PointFields<Coordinates, S, T> in;
+    PointBalance<Coordinates, S, T> out;
+    seed<Law>(f, in);
+    law(row, in, out);
+    carry<Law>(out);
+    const auto put = [&](int r, const T& from) {
+      for (int way = 0; way < ways; ++way) A[r][way] = s.dv * from.d[way];
+    };
+    for (int i = 0; i < D; ++i) {
+      if constexpr (Law::forces) put(Row::force + i, out.force[i]);
+      if constexpr (Law::stresses)
+        for (int l = 0; l < D; ++l) put(Row::stress + D * i + l, out.stress[i][l]);
+    }
+    if constexpr (Law::stresses && Coordinates::hoop) put(Row::hoop, out.hoop_stress);
+    for (int k = 0; k < S; ++k) {
+      if constexpr (Law::storages) put(Row::storage + k, out.storage[k]);
+      if constexpr (Law::fluxes)
+        for (int l = 0; l < D; ++l) put(Row::flux + D * k + l, out.flux[k][l]);
+    }
+  }
+
+  /// From directions to the nodes' unknowns: rows by columns.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION static void to_unknowns(const Shape& s,
+                                                 const double (&A)[Rows<Law>::count][Directions<Law>::count],
+                                                 double (&Y)[Rows<Law>::count][Columns<Law>::count]) {
+    using Way = Directions<Law>;
+    for (int row = 0; row < Rows<Law>::count; ++row) {
+      double* y = Y[row];
+      if constexpr (Law::motion || Law::inertia)
+        for (int a = 0; a < NU; ++a)
+          for (int j = 0; j < D; ++j) {
+            double sum = 0;
+            if constexpr (Law::motion) {
+              for (int m = 0; m < D; ++m) sum += A[row][D * j + m] * s.g[a][m];
+              if constexpr (Coordinates::hoop)
+                if (j == 0) sum += A[row][D * D] * s.h[a];
+            }
+            if constexpr (Law::inertia) sum += A[row][Way::inertia + j] * s.N[a];
+            *y++ = sum;
+          }
+      if constexpr (Law::scalars || Law::gradients)
+        for (int k = 0; k < S; ++k)
+          for (int c = 0; c < NS; ++c) {
+            double sum = 0;
+            if constexpr (Law::scalars) sum += A[row][Way::value + k] * s.Np[c];
+            if constexpr (Law::gradients)
+              for (int m = 0; m < D; ++m) sum += A[row][Way::gradient + D * k + m] * s.gp[c][m];
+            *y++ = sum;
+          }
+    }
+  }
+
+  /// From a point's rows to those of the element: the test functions' values and gradients.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION static void spread(const Shape& s, const double (&Y)[Rows<Law>::count][Columns<Law>::count],
+                                            double (&ku)[D * NU][Columns<Law>::count],
+                                            double (&kp)[SQ * NQ][Columns<Law>::count]) {
+    using Row = Rows<Law>;
+    constexpr int width = Columns<Law>::count;
+    if constexpr (Law::forces || Law::stresses)
+      for (int a = 0; a < NU; ++a)
+        for (int i = 0; i < D; ++i) {
+          const double h = i == 0 ? s.h[a] : 0.0;
+          MUDLINE_KEEP_LOOP
+          for (int c = 0; c < width; ++c) {
+            double sum = ku[D * a + i][c];
+            if constexpr (Law::forces) sum += s.N[a] * Y[Row::force + i][c];
+            if constexpr (Law::stresses) {
+              for (int l = 0; l < D; ++l) sum += s.g[a][l] * Y[Row::stress + D * i + l][c];
+              if constexpr (Coordinates::hoop) sum += h * Y[Row::hoop][c];
+            }
+            ku[D * a + i][c] = sum;
+          }
+        }
+    if constexpr (Law::storages || Law::fluxes)
+      for (int k = 0; k < S; ++k)
+        for (int r = 0; r < NS; ++r) {
+          MUDLINE_KEEP_LOOP
+          for (int c = 0; c < width; ++c) {
+            double sum = kp[NS * k + r][c];
+            if constexpr (Law::storages) sum += s.Np[r] * Y[Row::storage + k][c];
+            if constexpr (Law::fluxes)
+              for (int l = 0; l < D; ++l) sum += s.gp[r][l] * Y[Row::flux + D * k + l][c];
+            kp[NS * k + r][c] = sum;
+          }
+        }
+  }
+
+  /// Adds weight times the derivative of residual() to the matrix.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION void tangent(int e, const Law& law, const MatrixScatter& to, double weight) const {
+    constexpr int width = Columns<Law>::count, first = Columns<Law>::first;
+    Nodes n;
+    gather(e, true, n);
+    double ku[D * NU][width] = {}, kp[SQ * NQ][width] = {};
+    for (int q = 0; q < b.points; ++q) {
+      Shape s;
+      Fields f;
+      if (!shapes(q, n.x, s) || !fields(n, s, f)) return;
+      double A[Rows<Law>::count][Directions<Law>::count], Y[Rows<Law>::count][width];
+      point_matrix(e * b.points + q, law, s, f, A);
+      to_unknowns<Law>(s, A, Y);
+      spread<Law>(s, Y, ku, kp);
+    }
+    if constexpr (Law::forces || Law::stresses) scatter_rows(to, e, 0, first, ku, weight);
+    if constexpr (Law::storages || Law::fluxes) scatter_rows(to, e, MU, first, kp, weight);
+  }
+
+ private:
+  template <int R, int C>
+  KOKKOS_INLINE_FUNCTION static void scatter_rows(const MatrixScatter& to, int e, int row0, int column0,
+                                                  const double (&k)[R][C], double weight) {
+    bool fixed_column[C];
+    for (int c = 0; c < C; ++c) fixed_column[c] = to.constrained(to.dofs(e, column0 + c));
+    for (int r = 0; r < R; ++r) {
+      const bool fixed_row = to.constrained(to.dofs(e, row0 + r));
+      for (int c = 0; c < C; ++c) {
+        if ((fixed_row || fixed_column[c]) && row0 + r != column0 + c) continue;
+        MatrixScatter::accumulate(&to.values(to.offsets(e, row0 + r, column0 + c)), weight * k[r][c]);
+      }
+    }
+  }
+};
+
+/// Whether a law fits a set of fields: a balance of a scalar needs one, one of forces needs the displacement.
+template <class Law, class Shapes>
+constexpr bool fits = (Shapes::S > 0 || !(Law::storages || Law::fluxes)) &&
+                      (Shapes::moves || !(Law::forces || Law::stresses || Law::motion || Law::inertia));
+
+/// Adds the balance of a block's elements to the residual. `level`: the state to look at. Returns the number of folded
+/// elements.
+template <class Law>
+int add_residual(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
+                 const ResidualView& f) {
+  return with_element(geometry, block, [&](auto coordinates, auto shapes) {
+    int failed = 0;
+    if constexpr (fits<Law, decltype(shapes)>) {
+      const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block, level};
+      Kokkos::parallel_reduce(
+          "residual", Kokkos::RangePolicy<>(0, block.elements),
+          KOKKOS_LAMBDA(int e, int& sum) { sum += loop.residual(e, law, f); }, failed);
+    }
+    return failed;
+  });
+}
+
+/// Adds weight times its derivative, of elements [first, last).
+template <class Law>
+void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
+                 const MatrixScatter& to, double weight, int first, int last) {
+  with_element(geometry, block, [&](auto coordinates, auto shapes) {
+    if constexpr (fits<Law, decltype(shapes)>) {
+      const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block, level};
+      Kokkos::parallel_for(
+          "tangent", Kokkos::RangePolicy<>(first, last), KOKKOS_LAMBDA(int e) { loop.tangent(e, law, to, weight); });
+    }
+  });
+}
+template <class Law>
+void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
+                 const MatrixScatter& to, double weight) {
+  add_tangent(geometry, block, level, law, to, weight, 0, block.elements);
+}
+
+}  // namespace mudline

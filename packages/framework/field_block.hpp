@@ -1,0 +1,26 @@
+#pragma once
+
+#include "algebra/assembler.hpp"
+#include "discretisation/shapes.hpp"
+#include "framework/space.hpp"
+
+namespace mudline {
+
+/// The elements of one mesh block with the tables that their fields need. Columns of `dofs`: displacement node by node,
+/// then the scalar fields one after the other, each at all nodes or at the cell's corners.
+struct FieldBlock {
+  CellShape shape;
+  int elements = 0, points = 0;
+  bool moves = false;  // displacement is among the fields
+  int scalars = 0;     // number of scalar fields
+  ShapeTable u, p;  // of the cell and of the scalar fields, at the same quadrature points; p.nodes == 0 without these
+  Kokkos::View<int**, Kokkos::LayoutRight> nodes;
+  ElementDofs dofs;
+  int group = -1;  // of the assembler
+
+  FieldBlock() = default;
+  /// displacement: its field, or -1; scalar_fields: all with the same nodes. degree: of the quadrature.
+  FieldBlock(const Space& space, int block, int displacement, const std::vector<int>& scalar_fields, int degree);
+};
+
+}  // namespace mudline

@@ -1,0 +1,74 @@
+#include "framework/space.hpp"
+
+#include <stdexcept>
+
+namespace mudline {
+
+namespace {
+
+std::vector<FieldLayout> layouts(const Mesh& mesh, const std::vector<Field>& fields) {
+  std::vector<FieldLayout> result;
+  for (const Field& field : fields) {
+    FieldLayout layout{field.name, field.components, {}, 0};
+    if (field.support == Support::apart) {
+      for (int point = 0; point < field.count; ++point) layout.node_ids.push_back(point);
+      layout.num_owned = mesh.comm()->getRank() == 0 ? field.count : 0;
+      result.push_back(std::move(layout));
+      continue;
+    }
+    for (int node = 0; node < mesh.num_nodes(); ++node) {
+      if (field.support == Support::vertices && !mesh.is_vertex()[node]) continue;
+      layout.node_ids.push_back(mesh.node_ids()[node]);
+      if (node < mesh.num_owned_nodes()) ++layout.num_owned;
+    }
+    result.push_back(std::move(layout));
+  }
+  return result;
+}
+
+}  // namespace
+
+Space::Space(const Mesh& mesh, std::vector<Field> fields)
+    : mesh_(mesh), fields_(std::move(fields)), dofs_(rcp(new DofMap(mesh.comm(), layouts(mesh, fields_)))) {
+  for (int f = 0; f < num_fields(); ++f) {
+    Kokkos::View<int*> table("node dof", mesh.num_nodes());
+    int carrying = 0;
+    for (int node = 0; node < mesh.num_nodes(); ++node) {
+      const bool carries = fields_[f].support == Support::all_nodes ||
+                           (fields_[f].support == Support::vertices && mesh.is_vertex()[node]);
+      table(node) = carries ? dofs_->dof(f, carrying++) : -1;
+    }
+    node_dof_.push_back(table);
+  }
+}
+
+std::vector<std::string> Space::mesh_fields() const {
+  std::vector<std::string> names;
+  for (const Field& field : fields_)
+    if (field.support != Support::apart) names.push_back(field.name);
+  return names;
+}
+
+CellShape Space::shape(int f, int block) const {
+  const CellShape cell = mesh_.blocks()[block].shape;
+  return fields_[f].support == Support::all_nodes ? cell : linear_partner(cell);
+}
+
+ElementDofs Space::element_dofs(int block, const std::vector<int>& fields) const {
+  const ElementBlock& elements = mesh_.blocks()[block];
+  int width = 0;
+  for (int f : fields) width += num_nodes(shape(f, block)) * fields_[f].components;
+  Kokkos::View<int**, Kokkos::LayoutRight> dofs("element dofs", elements.num_elements, width);
+  for (int e = 0; e < elements.num_elements; ++e) {
+    int column = 0;
+    for (int f : fields)
+      for (int a = 0; a < num_nodes(shape(f, block)); ++a) {  // corners come first: the linear partner's nodes
+        const int first = node_dof_[f](elements.nodes(e, a));
+        if (first < 0) throw std::logic_error("a node of an element does not carry field " + fields_[f].name);
+        for (int c = 0; c < fields_[f].components; ++c) dofs(e, column++) = first + c;
+      }
+  }
+  return dofs;
+}
+
+}  // namespace mudline

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "algebra/assembler.hpp"
+#include "framework/state.hpp"
+
+namespace mudline {
+
+/// How the quantities that a term reads depend on the unknown x (the value at n+1) of one field.
+struct Sensitivity {
+  double value = 1;         // d value_alpha / dx
+  double rate = 0;          // d rate_alpha / dx        (balance equations)
+  double velocity = 0;      // d velocity_alpha / dx    (damping)
+  double acceleration = 0;  // d acceleration_alpha / dx
+  double conjugate = 1;     // d (value_{n+1} + ahead_{n+1}) / dx, see StepView
+};
+
+/// Instant and configuration at which a group of terms is evaluated.
+struct Level {
+  double time;             // [s]
+  ConstCoordinateView x;   // (node, 2) [m]
+  double geometry_weight;  // d x / d u_{n+1}
+};
+
+/// One linearisation point of one step, seen by the terms. They never see beta, gamma or alpha.
+/// All nodal views are by overlap dof. "end": t_{n+1}, where state variables live. The others are at the alpha level
+/// that the integrator chose: `momentum` for inertia, gravity and mechanical loads, `balance` for mass (and heat)
+/// balances.
+struct StepView {
+  double time_old, time_end, dt;
+  ConstNodalView value_old, value_end;
+  ConstNodalView value, rate, velocity, acceleration;  // at the alpha level
+  ConstCoordinateView x_old, x_end;                    // [m]
+  Level momentum, balance;
+  /// Dynamic steps, fields of second order [m]: by how much the position that is conjugate to forces at the momentum
+  /// level is ahead of the value. Over its change, not over that of the value, such a force does the work that the
+  /// integrator's kinetic energy takes up. Empty: it is the value.
+  ConstNodalView ahead_old, ahead_end;
+  double damping = 0;  // [-] by which such a force weighs the end of the step above 1/2 to damp what is not resolved
+  double lead = 0;     // [s] time by which it is ahead, for what moves steadily
+  std::vector<Sensitivity> sensitivity;   // by field
+  int linearisation = 0;                  // how often the step has been linearised before
+  bool inertia;                           // false in quasi-static and geostatic stages
+  bool flow;                              // false in a geostatic stage: storage and rates are off
+  Kokkos::View<const char*> constrained;  // prescribed unknowns of the step, by overlap dof
+  const State* committed;
+  State* trial;  // history terms write their part, completely
+};
+
+/// Receives the contributions of a term to the residual, by overlap dof; exported (summed) over ranks by the caller.
+/// Beside their sum it keeps their sizes before they cancel, against which the integrator measures convergence:
+/// `acting`, what acts in the step (rates, inertia, contact, and of what stands for longer, stresses and loads, the
+/// change over the step), and `whole`, everything, whose rounding no iteration can remove.
+struct ResidualView {
+  NodalView sum, acting, whole;
+
+  ResidualView() = default;
+  /// Sums only.
+  ResidualView(const NodalView& to) : sum(to) {}
+  ResidualView(const NodalView& to, const NodalView& acts, const NodalView& all) : sum(to), acting(acts), whole(all) {}
+
+  /// A contribution that acts in the step as a whole.
+  KOKKOS_INLINE_FUNCTION void add(int dof, double value) const { add(dof, value, value); }
+  /// One of which `change`, of either sign, acts in the step.
+  KOKKOS_INLINE_FUNCTION void add(int dof, double value, double change) const {
+    MatrixScatter::accumulate(&sum(dof), value);
+    if (acting.extent(0) == 0) return;
+    MatrixScatter::accumulate(&acting(dof), change < 0 ? -change : change);
+    cancelled(dof, value < 0 ? -value : value);
+  }
+  /// The size [of the residual] of what cancelled before a contribution was formed: a gap is the difference of two
+  /// positions, so a spring of stiffness k at the position x leaves rounding of k |x|.
+  KOKKOS_INLINE_FUNCTION void cancelled(int dof, double size) const {
+    if (whole.extent(0) > 0) MatrixScatter::accumulate(&whole(dof), size);
+  }
+};
+
+/// Prescribed unknowns of a step, by overlap dof; consistent across ranks.
+struct Constraints {
+  Kokkos::View<char*> mask;  // 1: prescribed
+  NodalView value;           // prescribed value at t_{n+1}
+};
+
+/// What a term wants once Newton's method has converged: nothing, another solve with what it holds changed
+/// (multipliers), or to refuse the step for the reason given.
+struct Augmentation {
+  bool again = false;
+  std::string refusal;
+};
+
+/// Where a term adds its element matrices: one group per element block, registered before the graph is built.
+class Term {
+ public:
+  virtual ~Term() = default;
+  /// "stress divergence", "inertia", "contact/cone": used in balances and messages.
+  virtual std::string name() const = 0;
+  /// History terms are evaluated at n+1 and interpolated by the integrator; the others at the alpha level.
+  virtual bool history() const { return false; }
+  virtual void declare_state(StateStore&) {}
+  /// Registers the element groups that jacobian() scatters to.
+  virtual void sparsity(Assembler&) {}
+  /// Once per step, after the predictor: search, freeze what stays fixed during Newton.
+  virtual void begin(const StepView&) {}
+  /// True where the first guess of a step needs a linear answer to what moves in it (a body that drags the soil along):
+  /// the integrator then solves once, between predicting(true) and predicting(false), before it iterates.
+  virtual bool asks_for_prediction() const { return false; }
+  /// Whether its force may change at a standstill: strength that follows the strain rate.
+  virtual bool may_relax() const { return false; }
+  /// While predicting, a term may be more linear than it is: friction sticks.
+  virtual void predicting(bool) {}
+  /// Adds or releases prescribed unknowns that depend on state (drainage under contact).
+  virtual void constrain(const StepView&, Constraints&) {}
+  /// Adds to `f`. Pure in (committed, x). Returns the number of points on this rank where it failed.
+  virtual int residual(const StepView&, const ResidualView& f) = 0;
+  /// History terms: adds what acts within the step only (a point that touches or leaves in it), at the alpha level; not
+  /// part of F_n. After residual(), at the same x; jacobian() holds its derivative.
+  virtual void correction(const StepView&, const ResidualView&) {}
+  /// False where its force acts on no displacement (a balance of mass): the balance of energy then has no column for
+  /// it.
+  virtual bool does_work() const { return true; }
+  /// What a user should know when a step fails on account of this term; empty: nothing. Collective.
+  virtual std::string hint(const StepView&) const { return ""; }
+  /// Adds weight * dR/dx at the linearisation point of the last residual call.
+  virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
+  /// After Newton's method has converged, with the trial state at the solution: an outer iteration on what the term
+  /// keeps in its part of the trial state and residual() only reads. `count`: solves of this kind that the step has
+  /// had. The same answer on every rank. Collective.
+  virtual Augmentation augment(const StepView&, int count) { return {}; }
+  /// After the mesh was moved under the committed state (ALE): carries the term's own arrays, those that are not point
+  /// data of the soil, over to their new places.
+  virtual void relocate(const ConstCoordinateView& x_old, State& committed) {}
+  /// Takes over what an evaluation of the relocated state at rest wrote: stresses back on the yield surface, gaps.
+  virtual void adopt(const State& evaluated, State& committed) {}
+  /// Named scalars for the history file, already summed over ranks: "reaction y [N]" -> value. Collective, after
+  /// acceptance.
+  virtual void histories(const StepView&, std::map<std::string, double>&) {}
+  /// Largest step the term can accept [s] given the committed state (contact advance); infinite by default. Collective.
+  virtual double step_limit(const State&, double dt) const { return 1e300; }
+};
+
+}  // namespace mudline

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "core/registry.hpp"
+#include "geometry/contour_approximation.hpp"
+
+namespace mudline {
+
+/// A shape that a body's "contour" may name: reads its sizes and makes the contour. The origin of the contour is the
+/// body's reference point (the body's "position"): for cone, flat pile and sphere the lowest point of the real, rounded
+/// contour on the axis.
+class ContourShape {
+ public:
+  virtual ~ContourShape() = default;
+  virtual Contour build() const = 0;
+  /// The contour as contact shall see it, by the deck's "approximation". InputError when it cannot bound a body.
+  Contour contour(const Section& section) const;
+  /// Height [m] above the reference point that separates tip from shaft; 0: all is shaft.
+  virtual double tip_height() const { return 0; }
+
+  /// A body of revolution by its name, which in plane strain would be a wedge or a wall.
+  virtual bool of_revolution() const { return false; }
+
+ protected:
+  /// Declares what all shapes share.
+  void common_parameters(Parameters& p);
+  /// The half contour as such, or with its mirror image.
+  Contour complete(Contour half) const;
+  ContourExtent extent_ = ContourExtent::half;
+
+ private:
+  Approximation approximation_ = Approximation::exact;
+  double chord_length_ = 0;
+};
+
+/// Cone with a cylindrical shaft. A tip radius r moves the tip: the sharp apex would lie r (1 / sin(apex / 2) - 1)
+/// below the reference point.
+class ConeShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  Contour build() const override;
+  double tip_height() const override;
+  bool of_revolution() const override { return true; }
+
+ protected:
+  void fillet_parameters(Parameters& p);
+  double diameter_ = 0;
+
+ private:
+  /// Corners of the half contour, the sharp apex at the origin.
+  std::vector<PlanePoint> corners() const;
+  double apex_angle_ = 60, tip_radius_ = 0, shoulder_radius_ = 0, shaft_length_ = 0;
+};
+
+/// The cone of the standard cone penetration test, unless the deck gives other sizes.
+class ConePenetrometerShape : public ConeShape {
+ public:
+  ConePenetrometerShape();
+  void parameters(Parameters& p);
+};
+
+/// Flat-ended cylinder (axisymmetric) or wall (plane strain) with a rounded edge.
+class FlatPileShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  Contour build() const override;
+  double tip_height() const override { return corner_radius_ > 0 ? corner_radius_ : 1e-9 * diameter_; }
+
+ private:
+  std::vector<PlanePoint> corners() const;
+  double diameter_ = 0, corner_radius_ = 0, shaft_length_ = 0;
+};
+
+class SphereShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  Contour build() const override;
+  double tip_height() const override { return diameter_; }
+  bool of_revolution() const override { return true; }
+
+ private:
+  double diameter_ = 0;
+};
+
+/// The same circle, meant to lie across the plane.
+class CylinderShape : public SphereShape {
+ public:
+  bool of_revolution() const override { return false; }
+};
+
+/// Straight lines through given points with rounded corners, in the body's own frame.
+class PolylineShape : public ContourShape {
+ public:
+  void parameters(Parameters& p);
+  void check(const Section& section);
+  Contour build() const override;
+
+ private:
+  std::vector<PlanePoint> points() const;
+  std::vector<double> radii() const;
+  std::vector<double> x_, y_, fillet_radii_;
+};
+
+void register_contours(Registry<ContourShape>& registry);
+
+}  // namespace mudline
