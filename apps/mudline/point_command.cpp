@@ -49,8 +49,9 @@ void read_soils(PointDeck& d) {
   const Section materials = d.root->section("materials");
   materials.allow_parameters({});
   for (const std::string& name : materials.section_names()) {
-    const auto soil = SoilMaterial::read(materials.section(name),
-                                         {d.registries.skeletons, d.registries.fluids, d.registries.permeabilities});
+    const auto soil = SoilMaterial::read(
+        materials.section(name),
+        {d.registries.skeletons, d.registries.fluids, d.registries.permeabilities, d.registries.properties});
     d.soils.push_back(
         {name, soil->skeleton, soil->initial_void_ratio, soil->void_ratio_from_law, soil->biot_coefficient});
   }
@@ -75,7 +76,7 @@ void read_tests(PointDeck& d) {
   tests.allow_parameters({});
   for (const std::string& name : tests.section_names()) {
     const Section section = tests.section(name);
-    NamedTest test{name, create_guarded(d.registries.point_tests, section)};
+    NamedTest test{name, d.registries.point_tests.create(section)};
     for (const NamedTest& other : d.tests)
       if (d.path(other) == d.path(test))
         section.fail("its results would have the name of those of '" + other.name + "': " + d.path(test));

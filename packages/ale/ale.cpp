@@ -52,8 +52,8 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   Parameters p(section);
   deck_.parameters(p);
   p.finish();
-  interior_ = create_guarded(registries.motions, section.section_of_type("interior", "optimisation"));
-  remap_ = create_guarded(registries.remaps, section.section_of_type("remap", "convection"));
+  interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
+  remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"));
   corners_ = CornerTriangles(mesh_, deck_.boundary.paths());
   corners_.add_tangents(source_, source_);
@@ -62,6 +62,22 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   for (const MeshPath& path : deck_.boundary.paths())
     for (int node : path.nodes) on_path_[node] = 1;
   for (int node = 0; node < mesh_.num_nodes(); ++node) movable_[node] = mesh_.is_vertex(node) && !on_path_[node];
+}
+
+std::string Ale::problem(const StateStore& store) const {
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    const ArrayInfo& info = store.info(handle);
+    if (info.block < 0) continue;
+    const SoilBlock& b = soil_.blocks[info.block];
+    if (info.points_per_element != b.points)
+      return "the point data '" + info.name + "' have " + std::to_string(info.points_per_element) +
+             " points per element where the soil has " + std::to_string(b.points) +
+             ": they cannot be carried along; declare them on the soil's points";
+    for (const StateVariable& variable : info.variables)
+      if (variable.remap == RemapRule::mass && handle != b.void_ratio)
+        return "the point data '" + info.name + "' are to be carried along by mass, which is for void ratios only";
+  }
+  return "";
 }
 
 bool Ale::due(int step, const State& committed) const {
@@ -176,11 +192,12 @@ double Ale::largest_motion(const Positions& x_old, const Positions& x_new) const
 double Ale::carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const {
   double restored = 0;
   for (const SoilBlock& b : soil_.blocks) {
-    // all of the block's state in one table: points are located and patches fitted once
+    // all of the block's point data in one table: points are located and patches fitted once
     std::vector<StateVariable> variables;
     std::vector<PointView> arrays;
     int columns = 0, dry = 0;
-    for (int handle : {b.stress, b.void_ratio, b.law}) {
+    for (int handle = 0; handle < store.num_arrays(); ++handle) {
+      if (store.info(handle).block != b.block) continue;
       if (handle == b.void_ratio) dry = columns;
       arrays.push_back(to.arrays[handle]);
       columns += static_cast<int>(arrays.back().extent(1));

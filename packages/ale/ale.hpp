@@ -48,6 +48,8 @@ class Ale {
   Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
       const Section& section, const MeshMotionRegistries& registries);
   static void document(Parameters& p);
+  /// Why point data that a term declared cannot be carried along; "": they can.
+  std::string problem(const StateStore& store) const;
 
   /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
   bool due(int step, const State& committed) const;

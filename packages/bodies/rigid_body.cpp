@@ -42,7 +42,7 @@ std::shared_ptr<RigidBody> RigidBody::read(const Section& section, Geometry geom
   body->parameters(p);
   p.finish();
   const Section contour = section.section("contour");
-  const auto shape = create_guarded(registries.contours, contour);
+  const auto shape = registries.contours.create(contour);
   body->contour_ = std::make_unique<Contour>(shape->contour(contour));
   body->of_revolution_ = shape->of_revolution();
   body->enclosed_ = std::make_unique<ContourVolume>(body->contour(), geometry);
@@ -64,7 +64,7 @@ std::shared_ptr<RigidBody> RigidBody::read(const Section& section, Geometry geom
 }
 
 std::shared_ptr<const BodyMotion> RigidBody::read_motion(const Section& section, const Registry<BodyMotion>& motions) {
-  std::shared_ptr<const BodyMotion> motion = create_guarded(motions, section);
+  std::shared_ptr<const BodyMotion> motion = motions.create(section);
   if (motion->released()) {
     motion->released()->check_body(properties_, section);
     may_be_free_ = true;

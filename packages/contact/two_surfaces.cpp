@@ -53,7 +53,7 @@ void check_two_sets(const Mesh& mesh, const Section& section, const std::string&
 
 std::unique_ptr<const Friction> friction_of_two(const ContactContext& context, const Section& section) {
   if (!section.has_section("friction")) return nullptr;
-  std::unique_ptr<const Friction> friction = create_guarded(context.frictions, section.section("friction"));
+  std::unique_ptr<const Friction> friction = context.frictions.create(section.section("friction"));
   if (friction->effective() && context.space.find("pore pressure") >= 0)
     section.section("friction")
         .fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total",

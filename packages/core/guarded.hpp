@@ -28,12 +28,4 @@ auto guarded(const Section& section, const std::string& entry, const std::string
   }
 }
 
-/// Registry::create for types that a plugin may have registered: whatever making the object throws is an error of the
-/// section's type.
-template <class Registered, class... Context>
-auto create_guarded(const Registered& registry, const Section& section, Context&&... context) {
-  return guarded(section, "type", "the " + registry.kind() + " cannot be made",
-                 [&] { return registry.create(section, std::forward<Context>(context)...); });
-}
-
 }  // namespace mudline

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "core/guarded.hpp"
 #include "core/parameters.hpp"
 
 namespace mudline {
@@ -43,11 +44,11 @@ class Registry {
     for (const auto& entry : entries_)
       if (entry.name == name) throw std::logic_error("the " + kind_ + " type '" + name + "' is registered twice");
     entries_.push_back({name, summary,
-                        [](const Section& section, Context... context) -> std::unique_ptr<Interface> {
+                        [](const Section& section, bool typed, Context... context) -> std::unique_ptr<Interface> {
                           auto object = std::make_unique<T>(context...);
                           Parameters p(section);
                           std::string type;
-                          p.required("type", type, "");
+                          if (typed) p.required("type", type, "");
                           object->parameters(p);
                           p.finish();
                           if constexpr (detail::has_check<T>::value) object->check(section);
@@ -64,17 +65,29 @@ class Registry {
   }
 
   /// Builds the object that section's "type" names and reads its parameters.
-  /// Throws InputError for a missing or unknown type (with the known ones) and whatever the parameters object to.
+  /// InputError for a missing or unknown type (with the known ones), whatever the parameters object to, and whatever
+  /// the type, which may be a plugin's, throws.
   std::unique_ptr<Interface> create(const Section& section, Context... context) const {
     if (!section.has_parameter("type"))
       section.fail("required parameter 'type' is missing; known " + kind_ + " types: " + join(names()));
     const std::string type = section.text("type");
     for (const auto& entry : entries_)
-      if (entry.name == type) return entry.make(section, context...);
+      if (entry.name == type)
+        return guarded(section, "type", "the " + kind_ + " cannot be made",
+                       [&] { return entry.make(section, true, context...); });
     const std::string near = nearest(type, names());
     section.fail("unknown " + kind_ + " type '" + type + "'" + (near.empty() ? "" : " (did you mean '" + near + "'?)") +
                      "; known types: " + join(names()),
                  "type");
+  }
+
+  /// The same of a section that has no "type": its name is that of a registered type.
+  std::unique_ptr<Interface> create_by_name(const Section& section, Context... context) const {
+    for (const auto& entry : entries_)
+      if (entry.name == section.name())
+        return guarded(section, "", "the " + kind_ + " cannot be made",
+                       [&] { return entry.make(section, false, context...); });
+    throw std::logic_error("there is no " + kind_ + " type '" + section.name() + "'");
   }
 
   const std::string& kind() const { return kind_; }
@@ -101,7 +114,7 @@ class Registry {
  private:
   struct Entry {
     std::string name, summary;
-    std::function<std::unique_ptr<Interface>(const Section&, Context...)> make;
+    std::function<std::unique_ptr<Interface>(const Section&, bool typed, Context...)> make;
     std::function<void(Parameters&)> describe;
   };
   std::string kind_;

@@ -122,7 +122,7 @@ std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, con
   Entries entries;
   GlobalMesh global;
   agree(*comm, [&] {
-    const std::unique_ptr<MeshSource> source = create_guarded(sources, section);
+    const std::unique_ptr<MeshSource> source = sources.create(section);
     Parameters p(section);
     entries.parameters(p);
     if (comm->getRank() == 0) global = source->generate();

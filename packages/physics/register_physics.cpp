@@ -3,7 +3,7 @@
 #include "physics/biot/block_data.hpp"
 #include "physics/biot/fluid_mass.hpp"
 #include "physics/initial_state.hpp"
-#include "physics/physics.hpp"
+#include "physics/register.hpp"
 #include "physics/solid/body_force.hpp"
 #include "physics/solid/rayleigh_damping.hpp"
 #include "physics/solid/stress_divergence.hpp"
@@ -16,9 +16,9 @@ namespace {
 class SoilPhysics : public Physics {
  public:
   void build(PhysicsContext& context, const Section& section) override {
-    if (context.soil) section.fail("only one physics may own the displacements");
+    if (context.shared.find<Soil>()) section.fail("only one physics may own the displacements");
     soil_ = make_soil(context.space, context.materials, porous(), quadrature_, context.materials_section);
-    context.soil = soil_;
+    context.shared.offer(soil_);
     soil_->excess = excess_;
     if (porous() && excess_) require_one_fluid_density(context.materials_section);
     if (porous() && !excess_) soil_->water_gravity = [gravity = gravity_](double time) { return gravity.at(time); };

@@ -6,7 +6,6 @@
 #include "core/guarded.hpp"
 #include "core/text.hpp"
 #include "materials/guarded_law.hpp"
-#include "materials/pore_volume.hpp"
 
 namespace mudline {
 
@@ -77,18 +76,26 @@ std::shared_ptr<SoilMaterial> SoilMaterial::read(const Section& section, const M
   material->name = section.name();
   Parameters p(section);
   material->parameters(p);
+  for (const std::string& group : registries.properties.names()) p.passes_on(group, "");
   p.finish();
+  for (const std::string& group : registries.properties.names())
+    if (section.has_section(group))
+      material->properties[group] = registries.properties.create_by_name(section.section(group));
   const bool some = p.given("porosity") || p.given("void ratio") || material->void_ratio_from_law;
   if (!some && section.has_section("fluid"))
     section.fail("required parameter 'void ratio' (or 'porosity', or 'void ratio from law') is missing");
-  if (!section.has_section("skeleton")) section.fail("required section 'skeleton' is missing");
-  material->skeleton = create_guarded(registries.skeletons, section.section("skeleton"));
-  material->law = section.section("skeleton").text("type");
-  if (const std::string problem = state_problem(*material->skeleton); !problem.empty())
-    section.section("skeleton").fail(problem, "type");
-  if (section.has_section("fluid")) material->fluid = create_guarded(registries.fluids, section.section("fluid"));
+  const Section skeleton = section.section("skeleton");
+  if (section.has_section("skeleton")) {
+    material->skeleton = registries.skeletons.create(skeleton);
+    material->law = skeleton.text("type");
+    if (const std::string problem = state_problem(*material->skeleton); !problem.empty())
+      skeleton.fail(problem, "type");
+  } else if (material->properties.empty()) {
+    section.fail("required section 'skeleton' is missing");
+  }
+  if (section.has_section("fluid")) material->fluid = registries.fluids.create(section.section("fluid"));
   if (section.has_section("permeability"))
-    material->permeability = create_guarded(registries.permeabilities, section.section("permeability"));
+    material->permeability = registries.permeabilities.create(section.section("permeability"));
   if (material->fluid && !material->permeability)
     section.fail("a saturated soil needs a section 'permeability' beside its 'fluid'");
   if (material->permeability && !material->fluid)
@@ -118,10 +125,6 @@ std::string SoilMaterial::find_void_ratio(InitialPoint& point) const {
 
 double SoilMaterial::density(double porosity) const {
   return (1 - porosity) * grain_density + (fluid ? porosity * fluid->density() : 0.0);
-}
-
-double SoilMaterial::porosity(double old, double ln_j, double dp) const {
-  return porosity_after(biot_coefficient, old, ln_j, grain_bulk_modulus > 0 ? dp / grain_bulk_modulus : 0.0);
 }
 
 double SoilMaterial::storage(double porosity) const {
@@ -158,31 +161,8 @@ void Soil::sparsity(Assembler& assembler) {
   for (SoilBlock& b : blocks) b.group = assembler.add_group(b.dofs);
 }
 
-namespace {
-
-std::shared_ptr<const SoilMaterial> material_of(const std::string& region, const Mesh& mesh,
-                                                const std::vector<std::shared_ptr<SoilMaterial>>& materials,
-                                                const Section& where) {
-  std::shared_ptr<const SoilMaterial> found;
-  for (const auto& material : materials) {
-    for (const auto& name : material->regions)
-      if (std::find(mesh.regions().begin(), mesh.regions().end(), name) == mesh.regions().end())
-        where.fail("unknown mesh region '" + name + "'" + suggestion(name, mesh.regions()),
-                   material->name + "/regions");
-    const bool here = material->regions.empty() ||
-                      std::find(material->regions.begin(), material->regions.end(), region) != material->regions.end();
-    if (here && found)
-      where.fail("mesh region '" + region + "' has two materials, '" + found->name + "' and '" + material->name + "'");
-    if (here) found = material;
-  }
-  if (!found) where.fail("mesh region '" + region + "' has no material; name it in the 'regions' of one");
-  return found;
-}
-
-}  // namespace
-
-std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials,
-                                bool porous, int degree, const Section& where) {
+std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, bool porous, int degree,
+                                const Section& where) {
   auto soil = std::make_shared<Soil>();
   soil->space = &space;
   soil->geometry = space.mesh().geometry();
@@ -193,7 +173,9 @@ std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::share
     const ElementBlock& elements = space.mesh().blocks()[i];
     SoilBlock b;
     b.block = static_cast<int>(i);
-    b.material = material_of(elements.region, space.mesh(), materials, where);
+    b.material =
+        std::static_pointer_cast<const SoilMaterial>(material_of(elements.region, space.mesh(), materials, where));
+    if (!b.material->skeleton) where.section(b.material->name).fail("required section 'skeleton' is missing");
     if (porous && !b.material->porous())
       where.fail("material '" + b.material->name + "' needs the sections 'fluid' and 'permeability' in physics 'biot'",
                  b.material->name);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/field_block.hpp"
+#include "framework/material.hpp"
 #include "framework/space.hpp"
 #include "framework/state.hpp"
 #include "materials/register_materials.hpp"
@@ -15,13 +16,14 @@ namespace mudline {
 
 /// The registries a deck's "materials" section needs.
 struct MaterialRegistries {
-  Registry<Skeleton>& skeletons;
-  Registry<Fluid>& fluids;
-  Registry<Permeability>& permeabilities;
+  const Registry<Skeleton>& skeletons;
+  const Registry<Fluid>& fluids;
+  const Registry<Permeability>& permeabilities;
+  const Registry<Properties>& properties;
 };
 
 /// One entry of the deck's "materials": the soil of some regions.
-class SoilMaterial {
+class SoilMaterial : public Material {
  public:
   /// Reads and validates the entry. InputError.
   static std::shared_ptr<SoilMaterial> read(const Section& section, const MaterialRegistries& registries);
@@ -29,10 +31,8 @@ class SoilMaterial {
   static void document(Parameters& p) { SoilMaterial().parameters(p); }
   void parameters(Parameters& p);
 
-  std::string name;
-  std::vector<std::string> regions;  // empty: every region
-  double grain_density = 2650;       // [kg/m3]
-  double initial_void_ratio = 0;     // [-] 0 where it comes from the law
+  double grain_density = 2650;    // [kg/m3]
+  double initial_void_ratio = 0;  // [-] 0 where it comes from the law
   bool void_ratio_from_law = false;
   double biot_coefficient = 1;    // alpha [-]
   double grain_bulk_modulus = 0;  // K_s [Pa]; 0: incompressible
@@ -47,9 +47,6 @@ class SoilMaterial {
   double initial_porosity() const { return initial_void_ratio / (1 + initial_void_ratio); }
   /// rho = n rho_f + (1-n) rho_s [kg/m3]; the void space is empty in a single-phase soil.
   double density(double porosity) const;
-  /// Porosity after the volume ratio J and the pressure change dp of the step:
-  /// d(n) = (alpha - n)(d ln J + dp / K_s), exact for constant alpha.
-  double porosity(double old, double ln_j, double dp) const;
   /// 1/Q = n/K_f + (alpha - n)/K_s [1/Pa]
   double storage(double porosity) const;
 };
@@ -82,7 +79,7 @@ struct Soil {
 
 /// Pairs every element block with the one material that names its region. InputError when none or several do, or when
 /// the material does not fit (`porous`: fluid and permeability required; otherwise refused).
-std::shared_ptr<Soil> make_soil(const Space& space, const std::vector<std::shared_ptr<SoilMaterial>>& materials,
-                                bool porous, int quadrature_degree, const Section& where);
+std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, bool porous, int quadrature_degree,
+                                const Section& where);
 
 }  // namespace mudline

@@ -84,6 +84,8 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
   }
   stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_,
                                        [this](const StepView& view) { return block_data_(view); });
+  if (ale_)
+    if (const std::string problem = ale_->problem(*store_); !problem.empty()) deck.section("mesh motion").fail(problem);
   const Section physics = deck.section("physics");
   for (std::size_t i = 0; i < physics_.size(); ++i)
     call_physics(physics.section(physics.section_names()[i]),
@@ -96,11 +98,9 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
 }
 
 void Model::read_materials(const Section& deck, const Registries& registries) {
-  const auto& r = registries;
   for (const Section& section : collection(deck.section("materials")))
     materials_.push_back(SoilMaterial::read(
-        section, {const_cast<Registry<Skeleton>&>(r.skeletons), const_cast<Registry<Fluid>&>(r.fluids),
-                  const_cast<Registry<Permeability>&>(r.permeabilities)}));
+        section, {registries.skeletons, registries.fluids, registries.permeabilities, registries.properties}));
 }
 
 void Model::read_physics(const Section& deck, const Registries& registries) {
@@ -110,7 +110,7 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
   if (entries.empty())
     section.fail("at least one physics is needed; known physics types: " + join(registries.physics.names()));
   for (const Section& entry : entries) {
-    physics_.push_back(create_guarded(registries.physics, entry));
+    physics_.push_back(registries.physics.create(entry));
     std::vector<Field> own;
     call_physics(entry, [&](const Section&) {
       physics_.back()->check_mesh(*mesh_, entry);
@@ -139,9 +139,10 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
     free[i]->bind(*space_, space_->find("body motion"), static_cast<int>(i));
   block_data_ = [](const StepView&) { return BlockData{}; };
   const Section materials = deck.section("materials");
-  PhysicsContext context{*space_, materials_, materials, terms_, soil_, block_data_};
+  PhysicsContext context{*space_, materials_, materials, terms_, shared_, block_data_};
   for (std::size_t i = 0; i < physics_.size(); ++i)
     call_physics(entries[i], [&](const Section& entry) { physics_[i]->build(context, entry); });
+  soil_ = shared_.find<Soil>();
   if (!all.empty()) terms_.push_back(std::make_unique<BodyPaths>(all));
   if (free.empty()) return;
   terms_.push_back(std::make_unique<BodyInertia>(free));
@@ -150,10 +151,10 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
 
 void Model::read_conditions(const Section& deck, const Registries& registries) {
   for (const Section& entry : collection(deck.section("boundary conditions"))) {
-    conditions_.push_back(create_guarded(registries.conditions, entry));
+    conditions_.push_back(registries.conditions.create(entry));
     conditions_.back()->name = entry.name();
     guarded(entry, "type", "the boundary condition cannot be used", [&] {
-      conditions_.back()->bind({*space_, soil_}, entry);
+      conditions_.back()->bind({*space_, shared_}, entry);
     });
   }
 }
@@ -192,7 +193,7 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
   for (const Section& entry : collection(section)) {
     const ContactContext context{*space_, bodies_, registries.frictions,
                                  [this](int block, int element) { return constrained_modulus(block, element); }};
-    contacts_.emplace_back(entry.name(), create_guarded(registries.contacts, entry, context));
+    contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
   }
 }
 
@@ -230,7 +231,7 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
   p.section("newton", newton_, "nonlinear iterations");
   p.finish();
   const Section linear = section.section_of_type("linear solver", "direct");
-  solver_ = create_guarded(registries.linear_solvers, linear);
+  solver_ = registries.linear_solvers.create(linear);
   const std::string reason = solver_->prepare(space_->dofs());
   if (!reason.empty()) linear.fail(reason, "type");
 }
@@ -355,6 +356,9 @@ void Model::check_unused(const Section& deck) const {
              (section.has_parameter(list) && apart(section.source(list), source));
     });
   };
+  for (const auto& material : materials_)
+    for (const std::string& group : material->unused())
+      deck.section("materials").section(material->name).fail("no physics of this model uses these properties", group);
   for (const auto& condition : conditions_)
     if (!listed("conditions", &Stage::conditions, condition->name, conditions.source(condition->name)))
       conditions.fail("no stage lists this condition in its 'conditions'", condition->name);

@@ -68,8 +68,9 @@ class Model {
 
   std::unique_ptr<Mesh> mesh_;
   std::unique_ptr<Space> space_;
-  std::vector<std::shared_ptr<SoilMaterial>> materials_;
+  Materials materials_;
   std::vector<std::unique_ptr<Physics>> physics_;
+  Shared shared_;  // what the physics offer
   std::shared_ptr<Soil> soil_;
   std::function<BlockData(const StepView&)> block_data_;
   std::vector<std::unique_ptr<Term>> terms_;  // of the physics

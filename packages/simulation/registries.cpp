@@ -55,6 +55,7 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.skeletons);
   append(docs, r.fluids);
   append(docs, r.permeabilities);
+  append(docs, r.properties);
   append(docs, r.physics);
   docs.push_back(
       fixed("bodies", "rigid bodies; one named section each", [](Parameters& p) { RigidBody::document(p); }));

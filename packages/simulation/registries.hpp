@@ -11,8 +11,7 @@
 #include "integrator/time_scheme.hpp"
 #include "materials/point/point_test.hpp"
 #include "materials/register_materials.hpp"
-#include "physics/condition.hpp"
-#include "physics/physics.hpp"
+#include "physics/register.hpp"
 
 namespace mudline {
 
@@ -22,6 +21,7 @@ struct Registries {
   Registry<Skeleton> skeletons{"skeleton"};
   Registry<Fluid> fluids{"fluid"};
   Registry<Permeability> permeabilities{"permeability"};
+  Registry<Properties> properties{"property group"};
   Registry<Physics> physics{"physics"};
   Registry<Condition> conditions{"boundary condition"};
   Registry<ContourShape> contours{"contour"};

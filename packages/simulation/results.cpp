@@ -124,25 +124,51 @@ std::vector<OutputField> Results::nodal_fields() const {
   return result;
 }
 
-std::vector<OutputField> Results::cell_fields() const {
+std::vector<OutputField> Results::point_means(const std::set<int>& without) const {
+  const StateStore& store = model_.store();
+  std::map<std::string, OutputField> fields;
+  for (int handle = 0; handle < store.num_arrays(); ++handle)
+    if (store.info(handle).block >= 0 && without.count(handle) == 0)
+      for (const StateVariable& v : store.info(handle).variables)
+        fields.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
+  const auto& blocks = model_.mesh().blocks();
+  for (std::size_t block = 0; block < blocks.size(); ++block)
+    for (auto& [name, field] : fields) {
+      const std::size_t first = field.values.size();
+      field.values.resize(first + static_cast<std::size_t>(blocks[block].num_elements) * field.components, 0.0);
+      for (int handle = 0; handle < store.num_arrays(); ++handle) {
+        const ArrayInfo& info = store.info(handle);
+        if (info.block != static_cast<int>(block) || without.count(handle) > 0) continue;
+        const PointView& rows = store.committed().arrays[handle];
+        int column = 0;
+        for (const StateVariable& v : info.variables) {
+          for (std::size_t row = 0; row < rows.extent(0) && v.name == name; ++row)
+            for (int c = 0; c < v.components; ++c)
+              field.values[first + row / info.points_per_element * v.components + c] +=
+                  rows(row, column + c) / info.points_per_element;
+          column += v.components;
+        }
+      }
+    }
   std::vector<OutputField> result;
-  if (!model_.soil()) return result;
+  for (auto& [name, field] : fields) result.push_back(std::move(field));
+  return result;
+}
+
+std::vector<OutputField> Results::cell_fields() const {
+  if (!model_.soil()) return point_means({});
   const State& state = model_.store().committed();
   OutputField stress{"effective stress", "Pa", 6, {}}, mean{"mean effective stress", "Pa", 1, {}},
       deviator{"deviatoric stress", "Pa", 1, {}}, ratio{"void ratio", "-", 1, {}};
-  std::map<std::string, OutputField> law;
-  for (const SoilBlock& b : model_.soil()->blocks)
-    for (const StateVariable& v : b.material->skeleton->state_variables())
-      law.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
-  for (const SoilBlock& b : model_.soil()->blocks)
+  std::set<int> done;
+  for (const SoilBlock& b : model_.soil()->blocks) {
+    done.insert({b.stress, b.void_ratio});
     for (int e = 0; e < b.elements; ++e) {
       double s[6] = {0, 0, 0, 0, 0, 0}, void_ratio = 0;
-      std::vector<double> own(state.arrays[b.law].extent(1), 0.0);
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
         for (int c = 0; c < 6; ++c) s[c] += state.arrays[b.stress](row, c) / b.points;
         void_ratio += state.arrays[b.void_ratio](row, 0) / b.points;
-        for (std::size_t c = 0; c < own.size(); ++c) own[c] += state.arrays[b.law](row, c) / b.points;
       }
       stress.values.insert(stress.values.end(), s, s + 6);
       const double p = -(s[0] + s[1] + s[2]) / 3;
@@ -151,21 +177,10 @@ std::vector<OutputField> Results::cell_fields() const {
       mean.values.push_back(p);
       deviator.values.push_back(std::sqrt(3 * j2));
       ratio.values.push_back(void_ratio);
-      for (auto& [name, field] : law) {
-        int column = 0;
-        bool found = false;
-        for (const StateVariable& v : b.material->skeleton->state_variables()) {
-          if (v.name == name) {
-            field.values.insert(field.values.end(), own.begin() + column, own.begin() + column + v.components);
-            found = true;
-          }
-          column += v.components;
-        }
-        if (!found) field.values.insert(field.values.end(), field.components, 0.0);
-      }
     }
-  result = {stress, mean, deviator, ratio};
-  for (auto& [name, field] : law) result.push_back(field);
+  }
+  std::vector<OutputField> result{stress, mean, deviator, ratio};
+  for (OutputField& field : point_means(done)) result.push_back(std::move(field));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ class Results {
  private:
   std::vector<OutputField> nodal_fields() const;
   std::vector<OutputField> cell_fields() const;
+  /// Means over the elements' points of all point data, the arrays of `without` aside, by name; 0 in the blocks that
+  /// have no such variable.
+  std::vector<OutputField> point_means(const std::set<int>& without) const;
   /// A field on all owned nodes; a linear field's missing middle nodes are interpolated.
   std::vector<double> on_all_nodes(int field, const ConstNodalView& values) const;
 

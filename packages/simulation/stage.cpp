@@ -72,7 +72,7 @@ std::unique_ptr<Stage> Stage::read(const Section& section, const Registry<TimeIn
   }
   const bool dynamic = stage->type == Type::dynamic;
   if (section.has_section("integrator")) {
-    stage->integrator_ = create_guarded(integrators, section.section("integrator"));
+    stage->integrator_ = integrators.create(section.section("integrator"));
     if (stage->integrator_->dynamic() != dynamic)
       section.section("integrator")
           .fail(dynamic ? "a dynamic stage needs an integrator with inertia (generalised alpha, newmark, hht alpha)"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "framework/element_loop.hpp"
-#include "physics/physics.hpp"
+#include "framework/physics.hpp"
 #include "simulation/plugin.hpp"
 
 namespace {

@@ -72,7 +72,7 @@ void PenaltyContact::check(const Section& section) {
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);
-  if (section.has_section("friction")) friction_ = create_guarded(context_.frictions, section.section("friction"));
+  if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
   check_drainage(section);
   surface_ =
       std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());

@@ -11,7 +11,7 @@
 #include "bodies/tests/rigid_body_deck.hpp"
 #include "contact/contact.hpp"
 #include "framework/closed_sides.hpp"
-#include "physics/condition.hpp"
+#include "physics/register.hpp"
 
 namespace mudline {
 
@@ -154,7 +154,7 @@ inline std::vector<double> released(ContactModel& model, const std::string& set)
   register_conditions(conditions);
   const Section section = deck.root().section("drained");
   const std::unique_ptr<Condition> drained = conditions.create(section);
-  drained->bind({model.space, nullptr}, section);
+  drained->bind({model.space, Shared()}, section);
   const int p = model.space.find("pore pressure"), n = model.space.dofs()->num_overlap_dofs();
   Constraints constraints{Kokkos::View<char*>("mask", n), NodalView("value", n)};
   ClosedSides closed;

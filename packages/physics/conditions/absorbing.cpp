@@ -14,8 +14,8 @@ void AbsorbingBoundary::parameters(Parameters& p) {
 
 void AbsorbingBoundary::bind(const ConditionContext& context, const Section& section) {
   SideLoad::bind(context, section);
-  if (!context.soil) section.fail("an absorbing boundary needs a physics with soil", "type");
-  soil_ = context.soil;
+  soil_ = context.shared.find<Soil>();
+  if (!soil_) section.fail("an absorbing boundary needs a physics with soil", "type");
   const int owned = space_->dofs()->num_owned_dofs();
   for (int node : space_->mesh().nodes_of_set(set_))
     for (int i = 0; i < 2; ++i) {

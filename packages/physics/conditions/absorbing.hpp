@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "physics/conditions/side_terms.hpp"
+#include "physics/soil.hpp"
 
 namespace mudline {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "framework/closed_sides.hpp"
+#include "framework/condition.hpp"
 #include "framework/nodal_exchange.hpp"
-#include "physics/condition.hpp"
 
 namespace mudline {
 

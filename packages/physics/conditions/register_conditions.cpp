@@ -1,6 +1,7 @@
 #include "physics/conditions/absorbing.hpp"
 #include "physics/conditions/prescribed.hpp"
 #include "physics/conditions/side_terms.hpp"
+#include "physics/register.hpp"
 
 namespace mudline {
 

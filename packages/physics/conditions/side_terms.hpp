@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/condition.hpp"
+#include "framework/condition.hpp"
 
 namespace mudline {
 

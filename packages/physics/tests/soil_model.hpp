@@ -8,8 +8,8 @@
 
 #include "core/deck.hpp"
 #include "core/tests/deck_text.hpp"
-#include "physics/condition.hpp"
-#include "physics/physics.hpp"
+#include "physics/register.hpp"
+#include "physics/soil.hpp"
 
 namespace mudline {
 
@@ -32,18 +32,20 @@ struct SoilModel {
     const Section root = deck.root();
     this->mesh = make_mesh(Tpetra::getDefaultComm(), sources, root.section("mesh"));
     for (const std::string& name : root.section("materials").section_names())
-      soils.push_back(SoilMaterial::read(root.section("materials").section(name), {skeletons, fluids, permeabilities}));
+      soils.push_back(
+          SoilMaterial::read(root.section("materials").section(name), {skeletons, fluids, permeabilities, properties}));
     const Section ground = root.section("physics").section("ground");
     biot = physics_types.create(ground);
     space = std::make_unique<Space>(*this->mesh, biot->fields());
     const Section materials_section = root.section("materials");
-    PhysicsContext context{*space, soils, materials_section, terms, soil, block_data};
+    PhysicsContext context{*space, soils, materials_section, terms, shared, block_data};
     biot->build(context, ground);
+    soil = shared.find<Soil>();
     for (const std::string& name : root.section("boundary conditions").section_names()) {
       const Section entry = root.section("boundary conditions").section(name);
       named[name] = condition_types.create(entry);
       named[name]->name = name;
-      named[name]->bind({*space, soil}, entry);
+      named[name]->bind({*space, shared}, entry);
     }
     store = std::make_unique<StateStore>(*space);
     for (const auto& term : terms) term->declare_state(*store);
@@ -140,10 +142,12 @@ struct SoilModel {
   Registry<Skeleton> skeletons{"skeleton"};
   Registry<Fluid> fluids{"fluid"};
   Registry<Permeability> permeabilities{"permeability"};
+  Registry<Properties> properties{"property group"};
   Registry<Physics> physics_types{"physics"};
   Registry<Condition> condition_types{"condition"};
   std::unique_ptr<Mesh> mesh;
-  std::vector<std::shared_ptr<SoilMaterial>> soils;
+  Materials soils;
+  Shared shared;
   std::unique_ptr<Physics> biot;
   std::unique_ptr<Space> space;
   std::vector<std::unique_ptr<Term>> terms;

@@ -6,18 +6,19 @@
 
 #include "algebra/linear_solver.hpp"
 #include "core/registry.hpp"
+#include "framework/material.hpp"
+#include "framework/shared.hpp"
 #include "framework/term.hpp"
-#include "physics/soil.hpp"
 
 namespace mudline {
 
 /// What a physics gets to build itself, and where it leaves what others need.
 struct PhysicsContext {
   const Space& space;
-  const std::vector<std::shared_ptr<SoilMaterial>>& materials;
+  const Materials& materials;
   const Section& materials_section;           // for messages
   std::vector<std::unique_ptr<Term>>& terms;  // add yours
-  std::shared_ptr<Soil>& soil;                // set by a physics with soil; null otherwise
+  Shared& shared;                             // what others may use: a physics with soil offers its Soil
   /// Data of the block preconditioner; set by physics it can treat.
   std::function<BlockData(const StepView&)>& block_data;
 };
@@ -36,8 +37,5 @@ class Physics {
   /// Sets the initial stresses and pressures of the committed state. InputError through section. Collective.
   virtual void initialise(StateStore& store, const Section& section) {}
 };
-
-/// "biot" and "solid"; a plain list.
-void register_physics(Registry<Physics>& registry);
 
 }  // namespace mudline

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "core/registry.hpp"
+#include "framework/shared.hpp"
 #include "framework/term.hpp"
-#include "physics/soil.hpp"
 
 namespace mudline {
 
 /// What a condition may look at when it is bound to a model.
 struct ConditionContext {
   const Space& space;
-  std::shared_ptr<Soil> soil;  // null when no physics has soil
+  const Shared& shared;  // what the physics offer
 };
 
 /// One named entry of the deck's "boundary conditions": prescribes unknowns, adds a load term, or both.
@@ -41,9 +41,5 @@ class Condition {
   virtual void reactions(const NodalView& reaction, std::map<std::string, double>& shares) const {}
   std::string name;
 };
-
-/// displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux, absorbing; a
-/// plain list.
-void register_conditions(Registry<Condition>& registry);
 
 }  // namespace mudline

@@ -1,0 +1,35 @@
+#include "framework/material.hpp"
+
+#include <algorithm>
+
+#include "core/text.hpp"
+
+namespace mudline {
+
+std::vector<std::string> Material::unused() const {
+  std::vector<std::string> names;
+  for (const auto& [group, values] : properties)
+    if (used_.count(group) == 0) names.push_back(group);
+  return names;
+}
+
+std::shared_ptr<const Material> material_of(const std::string& region, const Mesh& mesh, const Materials& all,
+                                            const Section& materials) {
+  std::shared_ptr<const Material> found;
+  for (const auto& material : all) {
+    for (const auto& name : material->regions)
+      if (std::find(mesh.regions().begin(), mesh.regions().end(), name) == mesh.regions().end())
+        materials.fail("unknown mesh region '" + name + "'" + suggestion(name, mesh.regions()),
+                       material->name + "/regions");
+    const bool here = material->regions.empty() ||
+                      std::find(material->regions.begin(), material->regions.end(), region) != material->regions.end();
+    if (here && found)
+      materials.fail("mesh region '" + region + "' has two materials, '" + found->name + "' and '" + material->name +
+                     "'");
+    if (here) found = material;
+  }
+  if (!found) materials.fail("mesh region '" + region + "' has no material; name it in the 'regions' of one");
+  return found;
+}
+
+}  // namespace mudline

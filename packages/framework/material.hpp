@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/registry.hpp"
+#include "discretisation/mesh.hpp"
+
+namespace mudline {
+
+/// A group of properties that some physics needs of a material: a section of its deck entry, whose name is the name of
+/// the registered type ("heat").
+class Properties {
+ public:
+  virtual ~Properties() = default;
+};
+
+/// One entry of the deck's "materials": what some regions are made of.
+class Material {
+ public:
+  virtual ~Material() = default;
+  std::string name;
+  std::vector<std::string> regions;  // empty: every region
+  /// The groups of properties that the entry has, by name.
+  std::map<std::string, std::shared_ptr<const Properties>> properties;
+
+  /// A group that a physics cannot do without. InputError through `materials`, the deck's section.
+  template <class T>
+  std::shared_ptr<const T> require(const std::string& group, const Section& materials) const {
+    used_.insert(group);
+    const auto found = properties.find(group);
+    if (found == properties.end())
+      materials.section(name).fail("required section '" + group + "' is missing: a physics of this model needs it");
+    return std::dynamic_pointer_cast<const T>(found->second);
+  }
+  /// Names of the groups that no physics has asked for.
+  std::vector<std::string> unused() const;
+
+ private:
+  mutable std::set<std::string> used_;
+};
+
+using Materials = std::vector<std::shared_ptr<Material>>;
+
+/// The one material of a mesh region. InputError through `materials`, the deck's section, when none or several name it,
+/// or when one names a region that the mesh has not.
+std::shared_ptr<const Material> material_of(const std::string& region, const Mesh& mesh, const Materials& all,
+                                            const Section& materials);
+
+}  // namespace mudline

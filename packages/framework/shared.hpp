@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <typeindex>
+
+namespace mudline {
+
+/// What the physics of a model offer each other, conditions and contacts, by type: the soil, say.
+class Shared {
+ public:
+  /// One of each type.
+  template <class T>
+  void offer(std::shared_ptr<T> what) {
+    if (!offered_.emplace(std::type_index(typeid(T)), std::move(what)).second)
+      throw std::logic_error(std::string("two physics offer a ") + typeid(T).name());
+  }
+  /// Null where nobody offers it.
+  template <class T>
+  std::shared_ptr<T> find() const {
+    const auto found = offered_.find(std::type_index(typeid(T)));
+    return found == offered_.end() ? nullptr : std::static_pointer_cast<T>(found->second);
+  }
+
+ private:
+  std::map<std::type_index, std::shared_ptr<void>> offered_;
+};
+
+}  // namespace mudline
