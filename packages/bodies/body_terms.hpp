@@ -25,7 +25,7 @@ class BodyPaths : public Term {
  public:
   explicit BodyPaths(Bodies bodies) : bodies_(std::move(bodies)) {}
   std::string name() const override { return "body paths"; }
-  bool does_work() const override { return false; }
+  Role role() const override { return Role::none; }
   void begin(const StepView& view) override;
   int residual(const StepView&, const ResidualView&) override { return 0; }
   void jacobian(const StepView&, Assembler&, double) override {}
@@ -40,6 +40,7 @@ class BodyInertia : public BodyTerm {
  public:
   using BodyTerm::BodyTerm;
   std::string name() const override { return "body inertia"; }
+  Role role() const override { return Role::inertia; }
   /// Prescribes what does not move freely.
   void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;

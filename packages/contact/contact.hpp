@@ -36,6 +36,7 @@ struct ContactPartners {
 /// collective, every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
 class Contact : public Term {
  public:
+  Role role() const override { return Role::contact; }
   virtual ContactPartners partners() const = 0;
   /// Normal pressure [Pa] on the soil, compression positive, by local node (owned and ghost), averaged from the contact
   /// points around; 0 off the surface. For output. Collective.

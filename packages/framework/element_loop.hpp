@@ -29,23 +29,29 @@ struct ElementShapes {
   static constexpr bool moves = Moves;
 };
 
-/// Calls f(coordinate system, ElementShapes) of a block.
+/// Calls f(coordinate system, ElementShapes) of a block. The displacement stands at all nodes; scalar fields at the
+/// corners, or, without a displacement, at all nodes.
 template <class F>
 auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
-  const auto of_cell = [&](auto coordinates, auto cell, auto partner) {
+  using Result = decltype(f(PlaneStrain{}, ElementShapes<6, 0, 0>{}));
+  const auto of_cell = [&](auto coordinates, auto cell, auto partner) -> Result {
     constexpr int N = decltype(cell)::value, P = decltype(partner)::value;
     const bool corners = block.p.nodes < N;
-    if (!block.moves) {
-      if (block.scalars != 1) throw std::logic_error("one scalar field at a time without displacements");
-      return corners ? f(coordinates, ElementShapes<N, P, 1, false>{})
-                     : f(coordinates, ElementShapes<N, N, 1, false>{});
-    }
-    if (block.scalars == 0) return f(coordinates, ElementShapes<N, 0, 0>{});
-    if constexpr (P < N)
-      if (corners && block.scalars == 1) return f(coordinates, ElementShapes<N, P, 1>{});
-    throw std::logic_error("no inf-sup stable set of fields for the cell");
+    const auto of_scalars = [&](auto scalars) -> Result {
+      constexpr int S = decltype(scalars)::value;
+      if (!block.moves())
+        return corners ? f(coordinates, ElementShapes<N, P, S, false>{})
+                       : f(coordinates, ElementShapes<N, N, S, false>{});
+      if constexpr (P < N)
+        if (corners) return f(coordinates, ElementShapes<N, P, S>{});
+      throw std::logic_error("no inf-sup stable set of fields for the cell");
+    };
+    static_assert(max_scalars == 2);
+    if (block.scalars == 2) return of_scalars(std::integral_constant<int, 2>{});
+    if (block.scalars == 1) return of_scalars(std::integral_constant<int, 1>{});
+    return f(coordinates, ElementShapes<N, 0, 0>{});
   };
-  return with_coordinates(geometry, [&](auto coordinates) {
+  return with_coordinates(geometry, [&](auto coordinates) -> Result {
     switch (block.shape) {
       case CellShape::tri6:
         return of_cell(coordinates, std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{});
@@ -66,12 +72,11 @@ struct LoopLevel {
   ConstNodalView value_old, value_end;  // of the step; places move by geometry_weight times their difference
   ConstNodalView value, rate, acceleration;
   double geometry_weight = 0;  // d x / d u_{n+1}
-  Sensitivity displacement, scalar;
+  Sensitivity displacement, scalar[max_scalars];
 };
 
-/// At one of the levels of a step. `scalar`: the scalar field whose dependence on its unknowns the others share; -1:
-/// none.
-inline LoopLevel loop_level(const StepView& view, const Level& level, int displacement, int scalar) {
+/// At one of the levels of a step.
+inline LoopLevel loop_level(const StepView& view, const Level& level, const FieldBlock& block) {
   LoopLevel at;
   at.x = level.x;
   at.value_old = view.value_old;
@@ -80,8 +85,8 @@ inline LoopLevel loop_level(const StepView& view, const Level& level, int displa
   at.rate = view.rate;
   at.acceleration = view.acceleration;
   at.geometry_weight = level.geometry_weight;
-  if (displacement >= 0) at.displacement = view.sensitivity[displacement];
-  if (scalar >= 0) at.scalar = view.sensitivity[scalar];
+  if (block.moves()) at.displacement = view.sensitivity[block.displacement];
+  for (int s = 0; s < block.scalars; ++s) at.scalar[s] = view.sensitivity[block.scalar[s]];
   return at;
 }
 
@@ -332,12 +337,12 @@ struct ElementLoop {
       }
     if constexpr (Law::scalars)
       for (int k = 0; k < S; ++k) {
-        d.value[k].d[Way::value + k] = d.change[k].d[Way::value + k] = at.scalar.value;
-        d.rate[k].d[Way::value + k] = at.scalar.rate;
+        d.value[k].d[Way::value + k] = d.change[k].d[Way::value + k] = at.scalar[k].value;
+        d.rate[k].d[Way::value + k] = at.scalar[k].rate;
       }
     if constexpr (Law::gradients)
       for (int k = 0; k < S; ++k)
-        for (int j = 0; j < D; ++j) d.gradient[k][j].d[Way::gradient + D * k + j] += at.scalar.value;
+        for (int j = 0; j < D; ++j) d.gradient[k][j].d[Way::gradient + D * k + j] += at.scalar[k].value;
   }
 
   /// What the motion of the configuration does to the integral: dv grows by the trace of the gradient, and the test

@@ -1,12 +1,15 @@
 #include "framework/field_block.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace mudline {
 
-FieldBlock::FieldBlock(const Space& space, int block, int displacement, const std::vector<int>& scalar_fields,
+FieldBlock::FieldBlock(const Space& space, int block, int displacement_field, const std::vector<int>& scalar_fields,
                        int degree)
-    : moves(displacement >= 0), scalars(static_cast<int>(scalar_fields.size())) {
+    : displacement(displacement_field), scalars(static_cast<int>(scalar_fields.size())) {
+  if (scalars > max_scalars) throw std::logic_error("too many scalar fields in one block");
+  std::copy(scalar_fields.begin(), scalar_fields.end(), scalar);
   const ElementBlock& cells = space.mesh().blocks()[block];
   shape = cells.shape;
   elements = cells.num_elements;
@@ -15,7 +18,7 @@ FieldBlock::FieldBlock(const Space& space, int block, int displacement, const st
   u = tabulate(shape, rule);
   points = u.points;
   std::vector<int> fields;
-  if (moves) fields.push_back(displacement);
+  if (moves()) fields.push_back(displacement);
   for (int field : scalar_fields) {
     fields.push_back(field);
     if (space.shape(field, block) != space.shape(scalar_fields[0], block))

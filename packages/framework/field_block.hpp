@@ -6,17 +6,22 @@
 
 namespace mudline {
 
+constexpr int max_scalars = 2;  // in one block; element loops are compiled for each number
+
 /// The elements of one mesh block with the tables that their fields need. Columns of `dofs`: displacement node by node,
 /// then the scalar fields one after the other, each at all nodes or at the cell's corners.
 struct FieldBlock {
   CellShape shape;
   int elements = 0, points = 0;
-  bool moves = false;  // displacement is among the fields
-  int scalars = 0;     // number of scalar fields
+  int displacement = -1;  // its field; -1: not among them
+  int scalars = 0;        // number of scalar fields
+  int scalar[max_scalars] = {};
   ShapeTable u, p;  // of the cell and of the scalar fields, at the same quadrature points; p.nodes == 0 without these
   Kokkos::View<int**, Kokkos::LayoutRight> nodes;
   ElementDofs dofs;
   int group = -1;  // of the assembler
+
+  bool moves() const { return displacement >= 0; }
 
   FieldBlock() = default;
   /// displacement: its field, or -1; scalar_fields: all with the same nodes. degree: of the quadrature.

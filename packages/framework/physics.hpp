@@ -6,6 +6,7 @@
 
 #include "algebra/linear_solver.hpp"
 #include "core/registry.hpp"
+#include "framework/conserved.hpp"
 #include "framework/material.hpp"
 #include "framework/shared.hpp"
 #include "framework/term.hpp"
@@ -19,6 +20,7 @@ struct PhysicsContext {
   const Section& materials_section;           // for messages
   std::vector<std::unique_ptr<Term>>& terms;  // add yours
   Shared& shared;                             // what others may use: a physics with soil offers its Soil
+  std::vector<Conserved>& conserved;          // add what your scalar fields conserve
   /// Data of the block preconditioner; set by physics it can treat.
   std::function<BlockData(const StepView&)>& block_data;
 };

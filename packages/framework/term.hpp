@@ -93,12 +93,23 @@ struct Augmentation {
   std::string refusal;
 };
 
+/// What a term is in the balances of the history file.
+enum class Role {
+  force,     // acts on displacements: stresses, weights, loads
+  inertia,   // the force that the others leave, of soil and bodies
+  contact,   // forces between a surface and a body or another surface, and what scalars pass there
+  balance,   // of a scalar field inside: storage and flow; acts on no displacement
+  exchange,  // brings a scalar in through the boundary, or takes it out
+  none
+};
+
 /// Where a term adds its element matrices: one group per element block, registered before the graph is built.
 class Term {
  public:
   virtual ~Term() = default;
   /// "stress divergence", "inertia", "contact/cone": used in balances and messages.
   virtual std::string name() const = 0;
+  virtual Role role() const { return Role::force; }
   /// History terms are evaluated at n+1 and interpolated by the integrator; the others at the alpha level.
   virtual bool history() const { return false; }
   virtual void declare_state(StateStore&) {}
@@ -120,9 +131,6 @@ class Term {
   /// History terms: adds what acts within the step only (a point that touches or leaves in it), at the alpha level; not
   /// part of F_n. After residual(), at the same x; jacobian() holds its derivative.
   virtual void correction(const StepView&, const ResidualView&) {}
-  /// False where its force acts on no displacement (a balance of mass): the balance of energy then has no column for
-  /// it.
-  virtual bool does_work() const { return true; }
   /// What a user should know when a step fails on account of this term; empty: nothing. Collective.
   virtual std::string hint(const StepView&) const { return ""; }
   /// Adds weight * dR/dx at the linearisation point of the last residual call.

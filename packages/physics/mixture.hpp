@@ -11,25 +11,44 @@ namespace mudline {
 /// The soil's mixture as laws of balance see it: porosity, density and storage follow the deformation of the step. T:
 /// double or a dual number.
 struct Mixture {
-  double alpha, grain_density, fluid_density, fluid_compliance, grain_compliance;
+  double alpha, grain_density, fluid_density, fluid_compliance, grain_compliance, grain_expansion, fluid_expansion,
+      reference;  // [degC]
 
-  explicit Mixture(const SoilMaterial& m)
-      : alpha(m.biot_coefficient),
-        grain_density(m.grain_density),
-        fluid_density(m.fluid ? m.fluid->density() : 0.0),
-        fluid_compliance(m.fluid && std::isfinite(m.fluid->bulk_modulus()) ? 1 / m.fluid->bulk_modulus() : 0.0),
-        grain_compliance(m.grain_bulk_modulus > 0 ? 1 / m.grain_bulk_modulus : 0.0) {}
+  Mixture(const Soil& soil, const SoilBlock& b)
+      : alpha(b.material->biot_coefficient),
+        grain_density(b.material->grain_density),
+        fluid_density(b.porous() ? b.material->fluid->density() : 0.0),
+        fluid_compliance(b.porous() && std::isfinite(b.material->fluid->bulk_modulus())
+                             ? 1 / b.material->fluid->bulk_modulus()
+                             : 0.0),
+        grain_compliance(b.material->grain_bulk_modulus > 0 ? 1 / b.material->grain_bulk_modulus : 0.0),
+        grain_expansion(b.grain_expansion),
+        fluid_expansion(soil.water_expansion),
+        reference(soil.reference_temperature) {}
 
-  /// After the volume ratio and, in saturated soil, the change of pore pressure of the step.
+  /// After the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step.
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION T porosity(double void_ratio, const PointFields<C, S, T>& at) const {
     T grains = 0.0;
     if constexpr (S > 0) grains = at.change[0] * grain_compliance;
+    if constexpr (S > 1) grains -= at.change[1] * grain_expansion;
     return porosity_after<T>(alpha, void_ratio / (1 + void_ratio), logarithm(at.volume_ratio), grains);
   }
+  /// At a temperature; that of water whatever its pressure.
   template <class T>
-  KOKKOS_INLINE_FUNCTION T density(const T& n) const {
-    return (1.0 - n) * grain_density + n * fluid_density;
+  KOKKOS_INLINE_FUNCTION T grain_density_at(const T& temperature) const {
+    return grain_density * exponential(-grain_expansion * (temperature - reference));
+  }
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T fluid_density_at(const T& temperature) const {
+    return fluid_density * exponential(-fluid_expansion * (temperature - reference));
+  }
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION T density(const T& n, const PointFields<C, S, T>& at) const {
+    if constexpr (S > 1)
+      return (1.0 - n) * grain_density_at(at.value[1]) + n * fluid_density_at(at.value[1]);
+    else
+      return (1.0 - n) * grain_density + n * fluid_density;
   }
   /// 1/Q [1/Pa]
   template <class T>

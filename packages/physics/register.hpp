@@ -7,8 +7,10 @@ namespace mudline {
 
 // Plain lists of what comes with mudline.
 
-/// "biot", "solid".
+/// "biot", "solid", "thermo-hydro-mechanical".
 void register_physics(Registry<Physics>& registry);
+/// "heat".
+void register_properties(Registry<Properties>& registry);
 /// displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux, absorbing.
 void register_conditions(Registry<Condition>& registry);
 

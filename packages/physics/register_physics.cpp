@@ -1,119 +1,24 @@
-#include "core/log.hpp"
-#include "core/text.hpp"
-#include "physics/biot/block_data.hpp"
 #include "physics/biot/fluid_mass.hpp"
-#include "physics/initial_state.hpp"
 #include "physics/register.hpp"
-#include "physics/solid/body_force.hpp"
-#include "physics/solid/rayleigh_damping.hpp"
-#include "physics/solid/stress_divergence.hpp"
+#include "physics/soil_physics.hpp"
+#include "physics/thm/thermo_hydro_mechanical.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// What saturated and single-phase soil share.
-class SoilPhysics : public Physics {
- public:
-  void build(PhysicsContext& context, const Section& section) override {
-    if (context.shared.find<Soil>()) section.fail("only one physics may own the displacements");
-    soil_ = make_soil(context.space, context.materials, porous(), quadrature_, context.materials_section);
-    context.shared.offer(soil_);
-    soil_->excess = excess_;
-    if (porous() && excess_) require_one_fluid_density(context.materials_section);
-    if (porous() && !excess_) soil_->water_gravity = [gravity = gravity_](double time) { return gravity.at(time); };
-    context.terms.push_back(std::make_unique<StressDivergence>(soil_));
-    context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::inertia));
-    context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::gravity, gravity_));
-    add_terms(context);
-    if (mass_damping_ > 0 || stiffness_damping_ > 0)
-      context.terms.push_back(std::make_unique<RayleighDamping>(soil_, mass_damping_, stiffness_damping_));
-    context.block_data = [soil = soil_](const StepView& view) {
-      return soil_block_data(*soil, view, view.constrained);
-    };
-  }
-  void initialise(StateStore& store, const Section& section) override {
-    initial_.apply(*soil_, store, gravity_, section.section("initial state"));
-    if (!porous()) warn_of_locking(store.committed());
-  }
-
- private:
-  /// Water at rest, from which excess pressures are counted, has one density: between two an interface would move with
-  /// the soil, and its pressure with it.
-  void require_one_fluid_density(const Section& materials) const {
-    const SoilMaterial& first = *soil_->blocks.front().material;
-    for (const SoilBlock& b : soil_->blocks)
-      if (b.material->fluid->density() != first.fluid->density())
-        materials.fail("with 'pore pressure' = 'excess' all pore fluids have one density; it is " +
-                           number_text(b.material->fluid->density()) + " kg/m3 here and " +
-                           number_text(first.fluid->density()) + " in '" + first.name + "'",
-                       b.material->name + "/fluid/density");
-  }
-
-  /// Nine-node cells that must keep their volume at 3 x 3 points have too few ways left to yield: collapse loads come
-  /// out some per cent high (docs/materials.md, section 9). In saturated soil the pore pressure keeps the volume
-  /// instead.
-  void warn_of_locking(const State& state) const {
-    for (const SoilBlock& b : soil_->blocks) {
-      const Skeleton& law = *b.material->skeleton;
-      if (b.shape != CellShape::quad9 || b.points < 9 || law.state_size() == 0 || b.elements == 0) continue;
-      const ElasticModuli m =
-          law.moduli(&state.arrays[b.stress](0, 0), state.arrays[b.void_ratio](0, 0), &state.arrays[b.law](0, 0));
-      if ((3 * m.bulk - 2 * m.shear) / (6 * m.bulk + 2 * m.shear) >= 0.48)
-        log::warn("material '" + b.material->name +
-                  "' is nearly incompressible: nine-node cells with 3 x 3 points are some per cent too stiff "
-                  "where it yields; six-node triangles with 'quadrature degree' 2 are not");
-    }
-  }
-
- protected:
-  virtual bool porous() const = 0;
-  virtual void add_terms(PhysicsContext&) {}
-  void common_parameters(Parameters& p) {
-    p.add("gravity", gravity_.vector, "m/s2", "gravitational acceleration as a vector");
-    p.add("gravity factor", gravity_.factor, "-", "function of time that scales gravity");
-    p.add("quadrature degree", quadrature_, "-", closed(1, 8),
-          "polynomial degree that the element quadrature integrates exactly");
-    p.add("mass damping", mass_damping_, "1/s", non_negative(), "Rayleigh damping: factor of the mass matrix");
-    p.add("stiffness damping", stiffness_damping_, "s", non_negative(),
-          "Rayleigh damping: factor of the elastic stiffness matrix");
-    p.section("initial state", initial_, "stresses and pore pressures at the start");
-  }
-  std::shared_ptr<Soil> soil_;
-  Gravity gravity_;
-  InitialState initial_;
-  bool excess_ = false;
-  int quadrature_ = 4;
-  double mass_damping_ = 0, stiffness_damping_ = 0;
-};
-
 class Biot : public SoilPhysics {
  public:
   void parameters(Parameters& p) {
     common_parameters(p);
-    enum class Counted { total, excess };
-    Counted counted = Counted::total;
-    p.choice("pore pressure", counted, {{"total", Counted::total}, {"excess", Counted::excess}},
-             "excess: counted from water at rest, whose weight then acts nowhere; total stresses, loads and contact "
-             "pressures are in excess of the water's too");
-    excess_ = counted == Counted::excess;
+    pore_water_parameters(p);
     p.add("fluid acceleration", fluid_acceleration_, "keep the term rho_f a in Darcy's law");
   }
-  std::vector<Field> fields() const override {
-    return {{"displacement", "m", "N", 2, Support::all_nodes, 2},
-            {"pore pressure", "Pa", "m3/s", 1, Support::vertices, 1}};
-  }
-  void check_mesh(const Mesh& mesh, const Section& section) const override {
-    for (const ElementBlock& block : mesh.blocks())
-      if (order(block.shape) < 2)
-        section.fail(std::string("linear ") + mudline::name(block.shape) +
-                         " cells give an unstable displacement and pore-pressure pair; "
-                         "use quadratic cells (tri6 or quad9, in Gmsh: order 2)",
-                     "type");
-  }
+  std::vector<Field> fields() const override { return {displacement_field(), pore_pressure_field()}; }
+  void check_mesh(const Mesh& mesh, const Section& section) const override { require_quadratic_cells(mesh, section); }
 
  protected:
-  bool porous() const override { return true; }
+  std::vector<std::string> scalar_fields() const override { return {"pore pressure"}; }
   void add_terms(PhysicsContext& context) override {
     context.terms.push_back(std::make_unique<FluidMass>(soil_, excess_ ? Gravity{} : gravity_, fluid_acceleration_));
   }
@@ -125,10 +30,7 @@ class Biot : public SoilPhysics {
 class Solid : public SoilPhysics {
  public:
   void parameters(Parameters& p) { common_parameters(p); }
-  std::vector<Field> fields() const override { return {{"displacement", "m", "N", 2, Support::all_nodes, 2}}; }
-
- protected:
-  bool porous() const override { return false; }
+  std::vector<Field> fields() const override { return {displacement_field()}; }
 };
 
 }  // namespace
@@ -136,6 +38,13 @@ class Solid : public SoilPhysics {
 void register_physics(Registry<Physics>& registry) {
   registry.add<Biot>("biot", "saturated soil: displacement and pore pressure, finite deformation, inertia");
   registry.add<Solid>("solid", "single-phase solid in total stress: displacement, finite deformation, inertia");
+  registry.add<ThermoHydroMechanical>(
+      "thermo-hydro-mechanical",
+      "saturated soil with heat: displacement, pore pressure and temperature, conduction and convection");
+}
+
+void register_properties(Registry<Properties>& registry) {
+  registry.add<HeatProperties>("heat", "conduction, heat capacity and expansion, for 'thermo-hydro-mechanical'");
 }
 
 }  // namespace mudline

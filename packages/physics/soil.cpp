@@ -161,13 +161,20 @@ void Soil::sparsity(Assembler& assembler) {
   for (SoilBlock& b : blocks) b.group = assembler.add_group(b.dofs);
 }
 
-std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, bool porous, int degree,
-                                const Section& where) {
+Field displacement_field() { return {"displacement", "m", "N", 2, Support::all_nodes, 2}; }
+Field pore_pressure_field() { return {"pore pressure", "Pa", "m3/s", 1, Support::vertices, 1}; }
+
+std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
+                                int degree, const Section& where) {
+  const bool porous = !scalars.empty();
   auto soil = std::make_shared<Soil>();
   soil->space = &space;
   soil->geometry = space.mesh().geometry();
   soil->displacement = space.find("displacement");
-  soil->pressure = porous ? space.find("pore pressure") : -1;
+  std::vector<int> fields;
+  for (const std::string& name : scalars) fields.push_back(space.find(name));
+  if (fields.size() > 0) soil->pressure = fields[0];
+  if (fields.size() > 1) soil->temperature = fields[1];
   for (const std::string& region : space.mesh().regions()) material_of(region, space.mesh(), materials, where);
   for (std::size_t i = 0; i < space.mesh().blocks().size(); ++i) {
     const ElementBlock& elements = space.mesh().blocks()[i];
@@ -177,15 +184,15 @@ std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, 
         std::static_pointer_cast<const SoilMaterial>(material_of(elements.region, space.mesh(), materials, where));
     if (!b.material->skeleton) where.section(b.material->name).fail("required section 'skeleton' is missing");
     if (porous && !b.material->porous())
-      where.fail("material '" + b.material->name + "' needs the sections 'fluid' and 'permeability' in physics 'biot'",
+      where.fail("material '" + b.material->name +
+                     "' needs the sections 'fluid' and 'permeability' in a physics of saturated soil",
                  b.material->name);
     if (!porous && b.material->porous())
       where.fail("material '" + b.material->name +
                      "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
                      "'permeability', or use physics 'biot'",
                  b.material->name);
-    static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement,
-                                             porous ? std::vector<int>{soil->pressure} : std::vector<int>{}, degree);
+    static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, degree);
     soil->blocks.push_back(b);
   }
   return soil;

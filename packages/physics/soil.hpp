@@ -55,6 +55,7 @@ class SoilMaterial : public Material {
 struct SoilBlock : FieldBlock {
   int block;
   std::shared_ptr<const SoilMaterial> material;
+  double grain_expansion = 0;                  // [1/K] volumetric, of grains and drained skeleton
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
   bool porous() const { return scalars > 0; }
 };
@@ -63,8 +64,9 @@ struct SoilBlock : FieldBlock {
 struct Soil {
   const Space* space;
   Geometry geometry;
-  int displacement, pressure;  // field indices; pressure -1 without pore fluid
+  int displacement, pressure = -1, temperature = -1;  // field indices; -1: not among the unknowns
   std::vector<SoilBlock> blocks;
+  double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
   bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water
   /// Gravity [m/s2] at a time, as far as pore pressures hold the water up; zero without pore fluid and where they are
   /// in excess of water at rest.
@@ -77,9 +79,15 @@ struct Soil {
   void sparsity(Assembler& assembler);
 };
 
-/// Pairs every element block with the one material that names its region. InputError when none or several do, or when
-/// the material does not fit (`porous`: fluid and permeability required; otherwise refused).
-std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, bool porous, int quadrature_degree,
-                                const Section& where);
+/// Pairs every element block with the one material that names its region. `scalars`: the fields beside the
+/// displacement: none, the pore pressure, or pore pressure and temperature. InputError when no material or several name
+/// a region, or when the material does not fit (with pore pressure: fluid and permeability required; otherwise
+/// refused).
+std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
+                                int quadrature_degree, const Section& where);
+
+/// The fields of soil, declared alike by every physics that has them.
+Field displacement_field();
+Field pore_pressure_field();
 
 }  // namespace mudline

@@ -9,7 +9,14 @@
 namespace mudline {
 
 namespace {
-bool is_inertia(const Term& term) { return term.name() == "inertia" || term.name() == "body inertia"; }
+
+bool does_work(const Term& term) {
+  return term.role() == Role::force || term.role() == Role::inertia || term.role() == Role::contact;
+}
+
+/// Whether what the term adds to a scalar's balance comes from outside.
+bool exchanges(const Term& term) { return term.role() == Role::exchange || term.role() == Role::contact; }
+
 }  // namespace
 
 Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
@@ -17,6 +24,12 @@ Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
   for (int row = 0; row < first_term; ++row) info.ids.push_back(row);
   for (const Term* term : terms_)
     info.ids.push_back(static_cast<long long>(fingerprint(term->name().data(), term->name().size())));
+  first_conserved_ = static_cast<int>(info.ids.size());
+  for (const Conserved& what : model_.conserved())
+    for (const char* row : {"start", "outflow", "turnover", "remap"}) {
+      const std::string name = "conserved " + what.name + " " + row;
+      info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
+    }
   const int rows = static_cast<int>(info.ids.size());
   handle_ = model.store().declare(std::move(info), rows);
 }
@@ -52,6 +65,8 @@ void Balances::start() {
   rows(momentum_y, 0) = now.momentum[1];
   rows(water_start, 0) = now.water;
   rows(kinetic_start, 0) = now.kinetic;
+  for (std::size_t c = 0; c < model_.conserved().size(); ++c)
+    rows(row_of_conserved(c), 0) = model_.conserved()[c].content(state);
 }
 
 void Balances::jump(const std::function<void()>& change) {
@@ -74,7 +89,7 @@ void Balances::add_step() {
   // Internal forces are interpolated for the step; above the trapezium their work is the integrator's dissipation.
   std::vector<std::pair<NodalView, NodalView>> ends(terms);
   for (int k = 0; k < terms; ++k) {
-    const int slot = dynamic_cast<const Contact*>(stepper.active()[k]) ? -1 : stepper.history_slot(k);
+    const int slot = stepper.active()[k]->role() == Role::contact ? -1 : stepper.history_slot(k);
     if (slot >= 0)
       ends[k] = {model_.store().committed().history_forces[slot], model_.store().trial().history_forces[slot]};
   }
@@ -85,7 +100,7 @@ void Balances::add_step() {
       const double force = stepper.term_force(k)(i);
       local[k] += force * du;
       if (ends[k].first.extent(0) > 0) local[terms + 4] += (force - 0.5 * (ends[k].first(i) + ends[k].second(i))) * du;
-      if (pushes && !is_inertia(*stepper.active()[k])) local[terms + 2 + direction] -= force;
+      if (pushes && stepper.active()[k]->role() != Role::inertia) local[terms + 2 + direction] -= force;
     }
     local[terms] += stepper.reaction()(i) * du;
     if (pushes) local[terms + 2 + direction] += stepper.reaction()(i);
@@ -98,12 +113,7 @@ void Balances::add_step() {
       add_mechanics(body->unknowns().dof[k], body->unknowns().direction[k]);
   if (p >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), p))
-      for (int i = begin; i < end; ++i) {
-        local[terms + 1] -= stepper.reaction()(i);  // water that leaves through prescribed nodes
-        for (int k = 0; k < terms; ++k)
-          if (stepper.active()[k]->name().rfind("flux/", 0) == 0 || dynamic_cast<const Contact*>(stepper.active()[k]))
-            local[terms + 1] += stepper.term_force(k)(i);
-      }
+      for (int i = begin; i < end; ++i) local[terms + 1] += outflow_at(i);
   const std::vector<double> total = sum_over_ranks(*space.dofs()->comm(), local);
   const PointView rows = model_.store().trial().arrays[handle_];
   for (int k = 0; k < terms; ++k) rows(row_of(stepper.active()[k]), 0) += total[k];
@@ -112,6 +122,56 @@ void Balances::add_step() {
   rows(outflow, 0) += view.flow ? total[terms + 1] * view.dt : 0.0;
   rows(impulse_x, 0) += view.inertia ? total[terms + 2] * view.dt : 0.0;
   rows(impulse_y, 0) += view.inertia ? total[terms + 3] * view.dt : 0.0;
+  if (view.flow) add_conserved(rows);
+}
+
+double Balances::outflow_at(int dof) const {
+  const Stepper& stepper = model_.stepper();
+  double out = -stepper.reaction()(dof);  // through prescribed nodes
+  for (std::size_t k = 0; k < stepper.active().size(); ++k)
+    if (exchanges(*stepper.active()[k])) out += stepper.term_force(static_cast<int>(k))(dof);
+  return out;
+}
+
+void Balances::add_conserved(const PointView& rows) {
+  const StepView& view = model_.stepper().view();
+  const Space& space = model_.space();
+  for (std::size_t c = 0; c < model_.conserved().size(); ++c) {
+    const Conserved& what = model_.conserved()[c];
+    const auto &own = space.node_dof(what.field), &carrier = space.node_dof(std::max(what.carrier, 0));
+    NodalView flow("outflow", view.value.extent(0));
+    for (int node = 0; node < space.mesh().num_nodes(); ++node) {
+      if (own(node) < 0) continue;
+      flow(own(node)) = outflow_at(own(node));
+      if (what.carrier >= 0)
+        flow(own(node)) += what.carried * outflow_at(carrier(node)) * (view.value(own(node)) - what.reference);
+    }
+    const NodalView everywhere = sum_overlap(*space.dofs(), flow);
+    std::vector<double> sums(2, 0.0);  // net, and of absolute values: this rank's nodes
+    for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
+      if (own(node) >= 0) {
+        sums[0] += everywhere(own(node));
+        sums[1] += std::abs(everywhere(own(node)));
+      }
+    sums = sum_over_ranks(*space.dofs()->comm(), sums);
+    rows(row_of_conserved(c) + 1, 0) += sums[0] * view.dt;
+    rows(row_of_conserved(c) + 2, 0) += sums[1] * view.dt;
+  }
+}
+
+void Balances::add_remap_of_conserved(const std::vector<double>& before) {
+  const State& state = model_.store().committed();
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    const double change = model_.conserved()[c].content(state) - before[c];
+    state.arrays[handle_](row_of_conserved(c), 0) += change;
+    state.arrays[handle_](row_of_conserved(c) + 3, 0) += change;
+  }
+}
+
+std::vector<double> Balances::conserved() const {
+  std::vector<double> contents;
+  for (const Conserved& what : model_.conserved()) contents.push_back(what.content(model_.store().committed()));
+  return contents;
 }
 
 void Balances::add_remap(const MeshReceipt& receipt) {
@@ -130,18 +190,34 @@ void Balances::add_remap(const MeshReceipt& receipt) {
 }
 
 std::vector<HistoryValue> Balances::values() const {
+  std::vector<HistoryValue> result;
+  if (model_.soil()) add_soil(result);
+  const State& state = model_.store().committed();
+  const PointView rows = state.arrays[handle_];
+  for (std::size_t c = 0; c < model_.conserved().size(); ++c) {
+    const Conserved& what = model_.conserved()[c];
+    const int row = row_of_conserved(c);
+    const double change = what.content(state) - rows(row, 0);
+    result.push_back({"balance/" + what.name + "/change", what.unit, change});
+    result.push_back({"balance/" + what.name + "/outflow", what.unit, rows(row + 1, 0)});
+    result.push_back(
+        {"balance/" + what.name + "/error", "-", (change + rows(row + 1, 0)) / std::max(rows(row + 2, 0), 1e-300)});
+    if (model_.ale()) result.push_back({"mesh motion/change of " + what.name, what.unit, rows(row + 3, 0)});
+  }
+  return result;
+}
+
+void Balances::add_soil(std::vector<HistoryValue>& result) const {
   const State& state = model_.store().committed();
   const PointView rows = state.arrays[handle_];
   const Inventory now = inventory(state);
-  std::vector<HistoryValue> result;
-  if (!model_.soil()) return result;
   // Energy supplied by prescribed motion goes into the terms' works (kinetic energy among them): they add up to it.
   double works = 0, inertia = 0;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const double work = rows(first_term + static_cast<int>(k), 0);
     works += work;
-    if (is_inertia(*terms_[k])) inertia += work;
-    if (!terms_[k]->does_work()) continue;
+    if (terms_[k]->role() == Role::inertia) inertia += work;
+    if (!does_work(*terms_[k])) continue;
     result.push_back({"balance/energy/" + terms_[k]->name(), "J", work});
   }
   const double kinetic = now.kinetic - rows(kinetic_start, 0);
@@ -173,7 +249,6 @@ std::vector<HistoryValue> Balances::values() const {
     result.push_back({"mesh motion/change of kinetic energy", "J", rows(remap_kinetic, 0)});
     result.push_back({"mesh motion/yield drift", "-", rows(remap_drift, 0)});
   }
-  return result;
 }
 
 }  // namespace mudline

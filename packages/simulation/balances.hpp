@@ -19,6 +19,10 @@ class Balances {
   void add_step();
   /// After a relocation of the mesh: what it changed is kept apart from the balances of the steps.
   void add_remap(const MeshReceipt& receipt);
+  /// The same of what scalar fields conserve: `before`, conserved() as it was. Collective.
+  void add_remap_of_conserved(const std::vector<double>& before);
+  /// Contents of the committed state, as the model lists what is conserved. Collective.
+  std::vector<double> conserved() const;
   /// Columns of the history file for the committed state. Collective.
   std::vector<HistoryValue> values() const;
   /// A change of the committed velocities that no step makes (a body is set free with a velocity): the start moves
@@ -49,9 +53,16 @@ class Balances {
   };
   Inventory inventory(const State& state) const;
   int row_of(const Term* term) const;
+  /// Rows: content at the start, outflow, its sum over absolute values, change by mesh motion.
+  int row_of_conserved(std::size_t c) const { return first_conserved_ + 4 * static_cast<int>(c); }
+  /// What leaves through the boundary at a dof of a scalar field: this rank's contributions.
+  double outflow_at(int dof) const;
+  void add_conserved(const PointView& rows);
+  /// Values of work, momentum, water and mesh motion.
+  void add_soil(std::vector<HistoryValue>& result) const;
 
   Model& model_;
-  int handle_;
+  int handle_, first_conserved_ = 0;
   std::vector<const Term*> terms_;
 };
 

@@ -139,7 +139,7 @@ void Model::read_physics(const Section& deck, const Registries& registries) {
     free[i]->bind(*space_, space_->find("body motion"), static_cast<int>(i));
   block_data_ = [](const StepView&) { return BlockData{}; };
   const Section materials = deck.section("materials");
-  PhysicsContext context{*space_, materials_, materials, terms_, shared_, block_data_};
+  PhysicsContext context{*space_, materials_, materials, terms_, shared_, conserved_, block_data_};
   for (std::size_t i = 0; i < physics_.size(); ++i)
     call_physics(entries[i], [&](const Section& entry) { physics_[i]->build(context, entry); });
   soil_ = shared_.find<Soil>();

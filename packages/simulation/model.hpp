@@ -25,6 +25,7 @@ class Model {
   StateStore& store() { return *store_; }
   Stepper& stepper() { return *stepper_; }
   const std::shared_ptr<Soil>& soil() const { return soil_; }
+  const std::vector<Conserved>& conserved() const { return conserved_; }
   const std::vector<std::unique_ptr<Stage>>& stages() const { return stages_; }
   const std::map<std::string, std::shared_ptr<RigidBody>>& bodies() const { return bodies_; }
   const std::vector<std::pair<std::string, std::unique_ptr<Contact>>>& contacts() const { return contacts_; }
@@ -70,6 +71,7 @@ class Model {
   std::unique_ptr<Space> space_;
   Materials materials_;
   std::vector<std::unique_ptr<Physics>> physics_;
+  std::vector<Conserved> conserved_;
   Shared shared_;  // what the physics offer
   std::shared_ptr<Soil> soil_;
   std::function<BlockData(const StepView&)> block_data_;

@@ -14,6 +14,7 @@ namespace mudline {
 void register_all(Registries& r) {
   register_mesh_sources(r.mesh_sources);
   register_materials(r.skeletons, r.fluids, r.permeabilities);
+  register_properties(r.properties);
   register_physics(r.physics);
   register_conditions(r.conditions);
   register_contours(r.contours);

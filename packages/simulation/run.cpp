@@ -197,7 +197,7 @@ std::map<std::string, double> Run::term_histories() {
     for (const auto& [key, value] : own) values[key] = acts || key.find("/work") != std::string::npos ? value : 0.0;
   }
   for (Term* term : model_.stepper().active())
-    if (!dynamic_cast<Contact*>(term)) term->histories(view, values);
+    if (term->role() != Role::contact) term->histories(view, values);
   std::map<std::string, double> shares;
   for (const auto& condition : model_.conditions()) condition->reactions(model_.stepper().reaction(), shares);
   const char* directions[] = {"driving force x [N]", "driving force y [N]", "driving moment [N m]"};
@@ -272,6 +272,7 @@ bool Run::moves_mesh(const Stage& stage) const { return model_.ale() && stage.me
 
 std::string Run::relocate_mesh() {
   StateStore& store = model_.store();
+  const std::vector<double> conserved = balances_.conserved();
   MeshReceipt receipt = model_.ale()->relocate(store, model_.stepper().constraints());
   if (!receipt.moved) return receipt.veto;
   // the trial state still has the mesh as it was
@@ -280,6 +281,7 @@ std::string Run::relocate_mesh() {
   receipt.yield_drift = yield_drift(*model_.soil(), store.committed(), store.trial());
   for (Term* term : model_.stepper().active()) term->adopt(store.trial(), store.committed());
   balances_.add_remap(receipt);
+  balances_.add_remap_of_conserved(conserved);
   char line[240];
   std::snprintf(
       line, sizeof line,

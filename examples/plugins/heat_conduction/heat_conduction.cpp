@@ -37,7 +37,7 @@ class HeatTerm : public Term {
       blocks_.emplace_back(space, static_cast<int>(b), -1, std::vector<int>{field_}, 4);
   }
   std::string name() const override { return "heat"; }
-  bool does_work() const override { return false; }
+  Role role() const override { return Role::balance; }
 
   void sparsity(Assembler& assembler) override {
     for (FieldBlock& block : blocks_) block.group = assembler.add_group(block.dofs);
@@ -45,18 +45,20 @@ class HeatTerm : public Term {
   int residual(const StepView& view, const ResidualView& f) override {
     int failures = 0;
     if (view.flow)  // a geostatic stage takes no time
-      for (const FieldBlock& block : blocks_) failures += add_residual(geometry_, block, start(view), law_, f);
+      for (const FieldBlock& block : blocks_) failures += add_residual(geometry_, block, start(view, block), law_, f);
     return failures;
   }
   void jacobian(const StepView& view, Assembler& assembler, double weight) override {
     if (view.flow)
       for (const FieldBlock& block : blocks_)
-        add_tangent(geometry_, block, start(view), law_, assembler.scatter(block.group), weight);
+        add_tangent(geometry_, block, start(view, block), law_, assembler.scatter(block.group), weight);
   }
 
  private:
   /// The configuration at the start of the step.
-  LoopLevel start(const StepView& view) const { return loop_level(view, {view.time_old, view.x_old, 0.0}, -1, field_); }
+  static LoopLevel start(const StepView& view, const FieldBlock& block) {
+    return loop_level(view, {view.time_old, view.x_old, 0.0}, block);
+  }
 
   Heat law_;
   int field_;

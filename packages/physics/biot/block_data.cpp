@@ -94,12 +94,13 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
       data.pressure_constrained.push_back(constrained(i));
   }
   Means means;
-  const LoopLevel level = loop_level(view, {view.time_end, view.x_end, 0.0}, soil.displacement, soil.pressure);
-  for (const SoilBlock& b : soil.blocks)
+  for (const SoilBlock& b : soil.blocks) {
+    const LoopLevel level = loop_level(view, {view.time_end, view.x_end, 0.0}, b);
     with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
       const ElementLoop<decltype(coordinates), decltype(shapes)> loop{b, level};
       add_block(soil, b, view, loop, means, mass.get(), laplacian.get());
     });
+  }
   if (!mass.is_null()) {
     mass->fillComplete();
     laplacian->fillComplete();

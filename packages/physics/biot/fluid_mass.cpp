@@ -38,7 +38,7 @@ void FluidMass::for_each_block(const StepView& view, F&& f) const {
   for (const SoilBlock& b : soil_->blocks) {
     const auto apply = [&](auto acceleration) {
       f(b, DarcyFlow<decltype(acceleration)::value>{{},
-                                                    Mixture(*b.material),
+                                                    Mixture(*soil_, b),
                                                     b.material->permeability.get(),
                                                     b.material->fluid->unit_weight(),
                                                     {g[0], g[1]},
@@ -54,17 +54,16 @@ void FluidMass::for_each_block(const StepView& view, F&& f) const {
 int FluidMass::residual(const StepView& view, const ResidualView& f) {
   if (!view.flow) return 0;
   int failures = 0;
-  const LoopLevel level = loop_level(view, view.balance, soil_->displacement, soil_->pressure);
-  for_each_block(
-      view, [&](const SoilBlock& b, const auto& law) { failures += add_residual(soil_->geometry, b, level, law, f); });
+  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
+    failures += add_residual(soil_->geometry, b, loop_level(view, view.balance, b), law, f);
+  });
   return failures;
 }
 
 void FluidMass::jacobian(const StepView& view, Assembler& assembler, double weight) {
   if (!view.flow) return;
-  const LoopLevel level = loop_level(view, view.balance, soil_->displacement, soil_->pressure);
   for_each_block(view, [&](const SoilBlock& b, const auto& law) {
-    add_tangent(soil_->geometry, b, level, law, assembler.scatter(b.group), weight);
+    add_tangent(soil_->geometry, b, loop_level(view, view.balance, b), law, assembler.scatter(b.group), weight);
   });
 }
 

@@ -18,7 +18,7 @@ class FluidMass : public Term {
   FluidMass(std::shared_ptr<Soil> soil, Gravity gravity, bool fluid_acceleration)
       : soil_(std::move(soil)), gravity_(gravity), fluid_acceleration_(fluid_acceleration) {}
   std::string name() const override { return "fluid mass"; }
-  bool does_work() const override { return false; }
+  Role role() const override { return Role::balance; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 

@@ -97,7 +97,7 @@ class SurfacePressure : public SideLoad {
 class NormalFlux : public SideLoad {
  public:
   void parameters(Parameters& p);
-  bool does_work() const override { return false; }
+  Role role() const override { return Role::exchange; }
   bool may_hold() override { return false; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;

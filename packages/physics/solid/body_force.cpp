@@ -17,7 +17,7 @@ struct Weight : PointLaw {
 
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const T rho = mixture.density(mixture.porosity(void_ratio(row, 0), at)) - lift;
+    const T rho = mixture.density(mixture.porosity(void_ratio(row, 0), at), at) - lift;
     for (int i = 0; i < C::dim; ++i) {
       if constexpr (Inertia)
         out.force[i] = rho * at.acceleration[i];
@@ -37,7 +37,7 @@ void BodyForce::for_each_block(const StepView& view, F&& f) const {
     const auto apply = [&](auto inertia) {
       constexpr bool accelerates = decltype(inertia)::value;
       f(b, Weight<accelerates>{{},
-                               Mixture(*b.material),
+                               Mixture(*soil_, b),
                                accelerates ? 0.0 : soil_->uplift(*b.material),
                                {now[0], now[1]},
                                {old[0], old[1]},
@@ -59,17 +59,16 @@ bool BodyForce::active(const StepView& view) const {
 int BodyForce::residual(const StepView& view, const ResidualView& f) {
   if (!active(view)) return 0;
   int failures = 0;
-  const LoopLevel level = loop_level(view, view.momentum, soil_->displacement, soil_->pressure);
-  for_each_block(
-      view, [&](const SoilBlock& b, const auto& law) { failures += add_residual(soil_->geometry, b, level, law, f); });
+  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
+    failures += add_residual(soil_->geometry, b, loop_level(view, view.momentum, b), law, f);
+  });
   return failures;
 }
 
 void BodyForce::jacobian(const StepView& view, Assembler& assembler, double weight) {
   if (!active(view)) return;
-  const LoopLevel level = loop_level(view, view.momentum, soil_->displacement, soil_->pressure);
   for_each_block(view, [&](const SoilBlock& b, const auto& law) {
-    add_tangent(soil_->geometry, b, level, law, assembler.scatter(b.group), weight);
+    add_tangent(soil_->geometry, b, loop_level(view, view.momentum, b), law, assembler.scatter(b.group), weight);
   });
 }
 

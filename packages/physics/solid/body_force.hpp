@@ -26,6 +26,7 @@ class BodyForce : public Term {
   BodyForce(std::shared_ptr<Soil> soil, Kind kind, Gravity gravity = {})
       : soil_(std::move(soil)), kind_(kind), gravity_(gravity) {}
   std::string name() const override { return kind_ == Kind::inertia ? "inertia" : "gravity"; }
+  Role role() const override { return kind_ == Kind::inertia ? Role::inertia : Role::force; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 

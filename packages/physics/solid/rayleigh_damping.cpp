@@ -33,10 +33,10 @@ struct Viscosity : PointLaw {
 
 template <class F>
 void RayleighDamping::for_each_block(const StepView& view, F&& f) const {
-  LoopLevel level = loop_level(view, {view.time_old, view.x_old, 0.0}, soil_->displacement, soil_->pressure);
-  level.rate = view.velocity;
-  level.displacement.rate = level.displacement.velocity;
-  for (const SoilBlock& b : soil_->blocks)
+  for (const SoilBlock& b : soil_->blocks) {
+    LoopLevel level = loop_level(view, {view.time_old, view.x_old, 0.0}, b);
+    level.rate = view.velocity;
+    level.displacement.rate = level.displacement.velocity;
     f(b, level,
       Viscosity{{},
                 mass_factor_,
@@ -45,6 +45,7 @@ void RayleighDamping::for_each_block(const StepView& view, F&& f) const {
                 view.committed->arrays[b.stress],
                 view.committed->arrays[b.void_ratio],
                 view.committed->arrays[b.law]});
+  }
 }
 
 int RayleighDamping::residual(const StepView& view, const ResidualView& f) {

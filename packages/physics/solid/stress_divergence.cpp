@@ -40,7 +40,7 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
 /// for a strain increment in the axes of the end, and the turning of the stress with the material.
 struct TotalStress : PointLaw {
   static constexpr bool stresses = true, stands = true;
-  double alpha;
+  double alpha, expansion;  // expansion: of the skeleton with the second scalar, the temperature [1/K]
   PointView stress, stress_old;
   ConstPointView tangent;  // of the batch
   int first_row = 0;       // of the batch
@@ -101,6 +101,11 @@ struct TotalStress : PointLaw {
       motion.hoop_variation(e, turn);
       put(D * D, e, turn);
     }
+    if constexpr (S > 1) {
+      const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
+      for (double& t : turn) t = 0;
+      put(ElementLoop<C, ElementShapes<6, 3, S>>::template Directions<TotalStress>::value + 1, warmer, turn);
+    }
   }
 };
 
@@ -137,15 +142,15 @@ class StressUpdate {
 };
 
 /// The end of the step, where the state lives.
-LoopLevel end_level(const Soil& soil, const StepView& view) {
-  LoopLevel level = loop_level(view, {view.time_end, view.x_end, 1.0}, soil.displacement, soil.pressure);
+LoopLevel end_level(const SoilBlock& block, const StepView& view) {
+  LoopLevel level = loop_level(view, {view.time_end, view.x_end, 1.0}, block);
   level.value = view.value_end;
-  level.displacement.value = level.scalar.value = 1;
+  for (Sensitivity& s : level.scalar) s.value = 1;
   return level;
 }
 
 StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, bool want_tangent)
-    : soil_(soil), block_(block), view_(view), level_(end_level(soil, view)), want_tangent_(want_tangent) {
+    : soil_(soil), block_(block), view_(view), level_(end_level(block, view)), want_tangent_(want_tangent) {
   const int rows = batch * block.points;
   const int state_size = block.material->skeleton->state_size();
   strain_ = PointView("strain", rows, 6);
@@ -170,7 +175,7 @@ int StressUpdate::stage_element(const Loop& loop, int e, int row) const {
   constexpr int D = Loop::D;
   const PointView stress = view_.committed->arrays[block_.stress], law = view_.committed->arrays[block_.law];
   const PointView e_old = view_.committed->arrays[block_.void_ratio], e_new = view_.trial->arrays[block_.void_ratio];
-  const Mixture mixture(*block_.material);
+  const Mixture mixture(soil_, block_);
   int inverted = 0;
   const auto stage = [&](int q, const typename Loop::Fields& at) {
     MidpointRule<D> motion;
@@ -178,6 +183,8 @@ int StressUpdate::stage_element(const Loop& loop, int e, int row) const {
     const bool valid = find_motion(at, motion);
     if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
     motion.increment(&strain_(i, 0));
+    if constexpr (Loop::S > 1)  // what heat alone would do is no strain of the law's
+      for (int c = 0; c < 3; ++c) strain_(i, c) -= block_.grain_expansion / 3 * at.change[1];
     for (int c = 0; c < 6 && !valid; ++c) strain_(i, c) = 0;
     motion.rotate(&stress(from, 0), &stress_old_(i, 0));
     for (std::size_t c = 0; c < state_old_.extent(1); ++c) state_old_(i, c) = law(from, c);
@@ -252,7 +259,12 @@ std::string StressUpdate::describe(int first, const LawFailure& failure) const {
 }
 
 TotalStress total_stress(const SoilBlock& b, const StepView& view) {
-  return {{}, b.material->biot_coefficient, view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
+  return {{},
+          b.material->biot_coefficient,
+          b.grain_expansion,
+          view.trial->arrays[b.stress],
+          view.committed->arrays[b.stress],
+          {}};
 }
 
 }  // namespace

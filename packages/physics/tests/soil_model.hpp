@@ -38,7 +38,7 @@ struct SoilModel {
     biot = physics_types.create(ground);
     space = std::make_unique<Space>(*this->mesh, biot->fields());
     const Section materials_section = root.section("materials");
-    PhysicsContext context{*space, soils, materials_section, terms, shared, block_data};
+    PhysicsContext context{*space, soils, materials_section, terms, shared, conserved, block_data};
     biot->build(context, ground);
     soil = shared.find<Soil>();
     for (const std::string& name : root.section("boundary conditions").section_names()) {
@@ -148,6 +148,7 @@ struct SoilModel {
   std::unique_ptr<Mesh> mesh;
   Materials soils;
   Shared shared;
+  std::vector<Conserved> conserved;
   std::unique_ptr<Physics> biot;
   std::unique_ptr<Space> space;
   std::vector<std::unique_ptr<Term>> terms;

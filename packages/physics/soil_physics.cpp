@@ -1,0 +1,89 @@
+#include "physics/soil_physics.hpp"
+
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "physics/biot/block_data.hpp"
+#include "physics/solid/body_force.hpp"
+#include "physics/solid/rayleigh_damping.hpp"
+#include "physics/solid/stress_divergence.hpp"
+
+namespace mudline {
+
+void SoilPhysics::build(PhysicsContext& context, const Section& section) {
+  if (context.shared.find<Soil>()) section.fail("only one physics may own the displacements");
+  soil_ = make_soil(context.space, context.materials, scalar_fields(), quadrature_, context.materials_section);
+  context.shared.offer(soil_);
+  soil_->excess = excess_;
+  if (porous() && excess_) require_one_fluid_density(context.materials_section, "with 'pore pressure' = 'excess'");
+  if (porous() && !excess_) soil_->water_gravity = [gravity = gravity_](double time) { return gravity.at(time); };
+  context.terms.push_back(std::make_unique<StressDivergence>(soil_));
+  context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::inertia));
+  context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::gravity, gravity_));
+  add_terms(context);
+  if (mass_damping_ > 0 || stiffness_damping_ > 0)
+    context.terms.push_back(std::make_unique<RayleighDamping>(soil_, mass_damping_, stiffness_damping_));
+  context.block_data = [soil = soil_](const StepView& view) { return soil_block_data(*soil, view, view.constrained); };
+}
+
+void SoilPhysics::initialise(StateStore& store, const Section& section) {
+  initial_.apply(*soil_, store, gravity_, section.section("initial state"));
+  if (!porous()) warn_of_locking(store.committed());
+}
+
+void SoilPhysics::common_parameters(Parameters& p) {
+  p.add("gravity", gravity_.vector, "m/s2", "gravitational acceleration as a vector");
+  p.add("gravity factor", gravity_.factor, "-", "function of time that scales gravity");
+  p.add("quadrature degree", quadrature_, "-", closed(1, 8),
+        "polynomial degree that the element quadrature integrates exactly");
+  p.add("mass damping", mass_damping_, "1/s", non_negative(), "Rayleigh damping: factor of the mass matrix");
+  p.add("stiffness damping", stiffness_damping_, "s", non_negative(),
+        "Rayleigh damping: factor of the elastic stiffness matrix");
+  p.section("initial state", initial_, "stresses and pore pressures at the start");
+}
+
+void SoilPhysics::pore_water_parameters(Parameters& p) {
+  enum class Counted { total, excess };
+  Counted counted = Counted::total;
+  p.choice("pore pressure", counted, {{"total", Counted::total}, {"excess", Counted::excess}},
+           "excess: counted from water at rest, whose weight then acts nowhere; total stresses, loads and contact "
+           "pressures are in excess of the water's too");
+  excess_ = counted == Counted::excess;
+}
+
+void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& section) {
+  for (const ElementBlock& block : mesh.blocks())
+    if (order(block.shape) < 2)
+      section.fail(std::string("linear ") + mudline::name(block.shape) +
+                       " cells give an unstable displacement and pore-pressure pair; "
+                       "use quadratic cells (tri6 or quad9, in Gmsh: order 2)",
+                   "type");
+}
+
+/// Water at rest, from which excess pressures are counted, has one density: between two an interface would move with
+/// the soil, and its pressure with it.
+void SoilPhysics::require_one_fluid_density(const Section& materials, const std::string& why) const {
+  const SoilMaterial& first = *soil_->blocks.front().material;
+  for (const SoilBlock& b : soil_->blocks)
+    if (b.material->fluid->density() != first.fluid->density())
+      materials.fail(why + " all pore fluids have one density; it is " + number_text(b.material->fluid->density()) +
+                         " kg/m3 here and " + number_text(first.fluid->density()) + " in '" + first.name + "'",
+                     b.material->name + "/fluid/density");
+}
+
+/// Nine-node cells that must keep their volume at 3 x 3 points have too few ways left to yield: collapse loads come
+/// out some per cent high (docs/materials.md, section 9). In saturated soil the pore pressure keeps the volume
+/// instead.
+void SoilPhysics::warn_of_locking(const State& state) const {
+  for (const SoilBlock& b : soil_->blocks) {
+    const Skeleton& law = *b.material->skeleton;
+    if (b.shape != CellShape::quad9 || b.points < 9 || law.state_size() == 0 || b.elements == 0) continue;
+    const ElasticModuli m =
+        law.moduli(&state.arrays[b.stress](0, 0), state.arrays[b.void_ratio](0, 0), &state.arrays[b.law](0, 0));
+    if ((3 * m.bulk - 2 * m.shear) / (6 * m.bulk + 2 * m.shear) >= 0.48)
+      log::warn("material '" + b.material->name +
+                "' is nearly incompressible: nine-node cells with 3 x 3 points are some per cent too stiff "
+                "where it yields; six-node triangles with 'quadrature degree' 2 are not");
+  }
+}
+
+}  // namespace mudline

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+
+#include "framework/physics.hpp"
+#include "physics/initial_state.hpp"
+
+namespace mudline {
+
+/// What the physics of soils share: displacement, stresses, inertia, gravity, damping and the initial state.
+class SoilPhysics : public Physics {
+ public:
+  void build(PhysicsContext& context, const Section& section) override;
+  void initialise(StateStore& store, const Section& section) override;
+
+ protected:
+  /// The scalar fields beside the displacement: none, the pore pressure, or the pore pressure and the temperature.
+  virtual std::vector<std::string> scalar_fields() const { return {}; }
+  /// Terms of a physics' own, and what its soil has beyond that of others. Once the soil is made. InputError.
+  virtual void add_terms(PhysicsContext&) {}
+  void common_parameters(Parameters& p);
+  /// Of saturated soil.
+  void pore_water_parameters(Parameters& p);
+  /// Fails for linear cells, on which displacement and pore pressure are no stable pair.
+  static void require_quadratic_cells(const Mesh& mesh, const Section& section);
+  /// Fails where pore fluids have several densities; `why`: "with ...".
+  void require_one_fluid_density(const Section& materials, const std::string& why) const;
+
+  std::shared_ptr<Soil> soil_;
+  Gravity gravity_;
+  bool excess_ = false;
+
+ private:
+  bool porous() const { return !scalar_fields().empty(); }
+  void warn_of_locking(const State& state) const;
+
+  InitialState initial_;
+  int quadrature_ = 4;
+  double mass_damping_ = 0, stiffness_damping_ = 0;
+};
+
+}  // namespace mudline

@@ -1,0 +1,232 @@
+#include "physics/thm/thermo_hydro_mechanical.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <cmath>
+
+#include "framework/element_loop.hpp"
+#include "physics/mixture.hpp"
+
+namespace mudline {
+
+void HeatProperties::parameters(Parameters& p) {
+  p.required("conductivity", conductivity, "W/(m K)", positive(), "of the saturated soil as a whole");
+  p.required("grain heat capacity", grain_capacity, "J/(kg K)", positive(), "of the grains, per mass");
+  p.add("grain expansion", grain_expansion, "1/K", non_negative(),
+        "volumetric, of the grains; the drained skeleton expands alike");
+}
+
+namespace {
+
+constexpr int pressure = 0, temperature = 1;  // among the scalar fields
+
+/// Heat and water at the points of one block.
+struct WarmSoil {
+  Mixture mixture;
+  WaterHeat water;
+  double reference, grain_capacity, conductivity, unit_weight;
+  const Permeability* permeability;
+  PointView void_ratio;
+
+  double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
+  /// Of water, over that at the reference temperature and no pressure.
+  template <class T>
+  T density(const T& p, const T& t) const {
+    return exponential(p * mixture.fluid_compliance - water.expansion * (t - reference));
+  }
+  /// 1/viscosity over that at the reference temperature (Vogel's formula).
+  template <class T>
+  T fluidity(const T& t) const {
+    constexpr double slope = 247.8 * 2.302585092994046, zero = 133.15;  // mu = 2.414e-5 Pa s 10^(247.8/(T + 133.15))
+    if (!water.viscosity_follows) return T(1.0);
+    return exponential(slope / (reference + zero) - slope / (t + zero));
+  }
+};
+
+/// What changes in the step, at its end.
+struct Stored : PointLaw {
+  static constexpr bool storages = true;
+  WarmSoil soil;
+  double dt, theta;
+
+  template <class C, int S, class T>
+  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    if constexpr (S > 1) {
+      const double e = soil.void_ratio(row, 0), old_n = e / (1 + e),
+                   old_p = value(at.value[pressure] - at.change[pressure]),
+                   old_t = value(at.value[temperature] - at.change[temperature]);
+      const T share = 1.0 / at.volume_ratio, n = soil.mixture.porosity(e, at);
+      const T now = n * soil.density(at.value[pressure], at.value[temperature]),
+              old = old_n * soil.density(old_p, old_t) * share;
+      const double grains = (1 - old_n) * soil.mixture.grain_density_at(old_t) * soil.grain_capacity;
+      const T capacity = grains * share + soil.water_capacity() * ((1 - theta) * now + theta * old);
+      out.storage[pressure] = (now - old) * (1 / dt);
+      out.storage[temperature] = capacity * at.change[temperature] * (1 / dt);
+    }
+  }
+};
+
+/// What flows, at the level of balances.
+struct Flows : PointLaw {
+  static constexpr bool storages = true, fluxes = true, gradients = true;
+  WarmSoil soil;
+  double gravity[2], lift;  // [m/s2]; density that the pressures leave out [kg/m3]
+
+  template <class C, int S, class T>
+  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    if constexpr (S > 1) {
+      const T& t = at.value[temperature];
+      const T n = soil.mixture.porosity(soil.void_ratio(row, 0), at), e = n / (1.0 - n);
+      const Permeability::Value k = soil.permeability->conductivity(value(e), soil.void_ratio(row, 1));
+      const T mobility = chain(e, k.k, k.dk_de) * (1 / soil.unit_weight) * soil.fluidity(t);
+      const T weight = soil.mixture.fluid_density_at(t) - lift, density = soil.density(at.value[pressure], t);
+      T carried = 0.0;
+      for (int i = 0; i < C::dim; ++i) {
+        const T minus_flow = mobility * density * (at.gradient[pressure][i] - weight * gravity[i]);
+        carried -= minus_flow * at.gradient[temperature][i];
+        out.flux[pressure][i] = minus_flow;
+        out.flux[temperature][i] = soil.conductivity * at.gradient[temperature][i];
+      }
+      out.storage[pressure] = 0.0;
+      out.storage[temperature] = soil.water_capacity() * carried;
+    }
+  }
+};
+
+class WaterAndHeat : public Term {
+ public:
+  WaterAndHeat(std::shared_ptr<Soil> soil, WaterHeat water, Gravity gravity,
+               std::vector<std::shared_ptr<const HeatProperties>> heat)
+      : soil_(std::move(soil)), water_(water), gravity_(gravity), heat_(std::move(heat)) {}
+  std::string name() const override { return "water and heat"; }
+  Role role() const override { return Role::balance; }
+
+  int residual(const StepView& view, const ResidualView& f) override {
+    int failures = 0;
+    for_each_law(view, [&](const SoilBlock& b, const LoopLevel& level, const auto& law) {
+      failures += add_residual(soil_->geometry, b, level, law, f);
+    });
+    return failures;
+  }
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override {
+    for_each_law(view, [&](const SoilBlock& b, const LoopLevel& level, const auto& law) {
+      add_tangent(soil_->geometry, b, level, law, assembler.scatter(b.group), weight);
+    });
+  }
+
+  /// Heat above the reference temperature [J]. Collective.
+  double content(const State& state) const {
+    double here = 0, everywhere = 0;
+    LoopLevel level;
+    level.x = state.coordinates;
+    level.value = level.value_old = level.value_end = state.value;
+    for (const SoilBlock& b : soil_->blocks) {
+      const WarmSoil soil = warm_soil(b, state);
+      with_element(soil_->geometry, b, [&](auto coordinates, auto shapes) {
+        using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
+        const Loop loop{b, level};
+        if constexpr (Loop::S > 1)
+          for (int e = 0; e < b.elements; ++e)
+            loop.for_each_point(e, false, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
+              const double ratio = soil.void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
+                           t = at.value[temperature];
+              here += s.dv * (t - soil.reference) *
+                      ((1 - n) * soil.mixture.grain_density_at(t) * soil.grain_capacity +
+                       n * soil.density(at.value[pressure], t) * soil.water_capacity());
+            });
+      });
+    }
+    Teuchos::reduceAll(*soil_->space->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
+    return everywhere;
+  }
+
+ private:
+  WarmSoil warm_soil(const SoilBlock& b, const State& state) const {
+    const HeatProperties& heat = *heat_[b.block];
+    return {Mixture(*soil_, b),
+            water_,
+            soil_->reference_temperature,
+            heat.grain_capacity,
+            heat.conductivity,
+            b.material->fluid->unit_weight(),
+            b.material->permeability.get(),
+            state.arrays[b.void_ratio]};
+  }
+
+  /// Calls f(block, level, law); in a geostatic stage, which takes no time, there is none.
+  template <class F>
+  void for_each_law(const StepView& view, F&& f) const {
+    if (!view.flow) return;
+    const auto g = gravity_.at(view.balance.time);
+    const bool step = view.balance.geometry_weight > 0;  // else these are the rates at the start of a stage
+    for (const SoilBlock& b : soil_->blocks) {
+      const WarmSoil soil = warm_soil(b, *view.committed);
+      LoopLevel end = loop_level(view, {view.time_end, view.x_end, step ? 1.0 : 0.0}, b);
+      end.value = view.value_end;
+      for (Sensitivity& s : end.scalar) s.value = 1;
+      f(b, end, Stored{{}, soil, view.dt, view.sensitivity[soil_->temperature].value});
+      f(b, loop_level(view, view.balance, b),
+        Flows{{}, soil, {g[0], g[1]}, soil_->excess ? soil.mixture.fluid_density : 0.0});
+    }
+  }
+
+  std::shared_ptr<Soil> soil_;
+  WaterHeat water_;
+  Gravity gravity_;
+  std::vector<std::shared_ptr<const HeatProperties>> heat_;  // by block
+};
+
+}  // namespace
+
+void ThermoHydroMechanical::parameters(Parameters& p) {
+  common_parameters(p);
+  pore_water_parameters(p);
+  p.add("reference temperature", reference_, "degC", open(-100, 1000),
+        "at which densities and conductivities are as given");
+  p.add("initial temperature", initial_, "degC",
+        "at the start, a function of position; that of reference where it is not given");
+  initial_given_ = p.given("initial temperature");
+  p.add("water heat capacity", water_.capacity, "J/(kg K)", positive(), "of the pore water, per mass");
+  p.add("water expansion", water_.expansion, "1/K", non_negative(), "volumetric, of the pore water");
+  enum class Viscosity { constant, follows };
+  Viscosity viscosity = Viscosity::follows;
+  p.choice("viscosity", viscosity, {{"constant", Viscosity::constant}, {"follows temperature", Viscosity::follows}},
+           "of the pore water; it falls by 2 % per kelvin at 20 degC, and the conductivity grows with it");
+  water_.viscosity_follows = viscosity == Viscosity::follows;
+}
+
+std::vector<Field> ThermoHydroMechanical::fields() const {
+  return {displacement_field(), pore_pressure_field(), {"temperature", "degC", "W", 1, Support::vertices, 1}};
+}
+
+void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
+  std::vector<std::shared_ptr<const HeatProperties>> heat;
+  soil_->water_expansion = water_.expansion;
+  soil_->reference_temperature = reference_;
+  for (SoilBlock& b : soil_->blocks) {
+    heat.push_back(b.material->require<HeatProperties>("heat", context.materials_section));
+    b.grain_expansion = heat.back()->grain_expansion;
+  }
+  require_one_fluid_density(context.materials_section, "in physics 'thermo-hydro-mechanical'");
+  auto term = std::make_unique<WaterAndHeat>(soil_, water_, gravity_, heat);
+  const WaterAndHeat* balance = term.get();
+  const double per_water =
+      soil_->blocks.empty() ? 0.0 : water_.capacity * soil_->blocks.front().material->fluid->density();
+  context.conserved.push_back({"heat", "J", soil_->temperature,
+                               [balance](const State& state) { return balance->content(state); }, soil_->pressure,
+                               per_water, reference_});
+  context.terms.push_back(std::move(term));
+}
+
+void ThermoHydroMechanical::initialise(StateStore& store, const Section& section) {
+  SoilPhysics::initialise(store, section);
+  const Space& space = *soil_->space;
+  const auto& dof = space.node_dof(soil_->temperature);
+  const auto& x = space.mesh().coordinates();
+  for (int node = 0; node < space.mesh().num_nodes(); ++node)
+    if (dof(node) >= 0)
+      store.committed().value(dof(node)) =
+          initial_given_ ? initial_(store.committed().time, {x(node, 0), x(node, 1), 0}) : reference_;
+}
+
+}  // namespace mudline
