@@ -197,11 +197,12 @@ std::vector<HistoryValue> Balances::values() const {
   for (std::size_t c = 0; c < model_.conserved().size(); ++c) {
     const Conserved& what = model_.conserved()[c];
     const int row = row_of_conserved(c);
-    const double change = what.content(state) - rows(row, 0);
+    const double content = what.content(state), change = content - rows(row, 0);
     result.push_back({"balance/" + what.name + "/change", what.unit, change});
     result.push_back({"balance/" + what.name + "/outflow", what.unit, rows(row + 1, 0)});
-    result.push_back(
-        {"balance/" + what.name + "/error", "-", (change + rows(row + 1, 0)) / std::max(rows(row + 2, 0), 1e-300)});
+    // against what there is and what has passed through the boundary
+    const double size = std::max({std::abs(content), rows(row + 2, 0), 1e-300});
+    result.push_back({"balance/" + what.name + "/error", "-", (change + rows(row + 1, 0)) / size});
     if (model_.ale()) result.push_back({"mesh motion/change of " + what.name, what.unit, rows(row + 3, 0)});
   }
   return result;

@@ -1,0 +1,103 @@
+"""Heat in saturated soil: a point source, a heated surface, a front in a flow, and the balance of heat while the mesh moves."""
+import os
+import unittest
+
+import numpy as np
+
+from mudline_case import ROOT, MudlineCase
+from references import heat
+
+TIMES = np.array([1e5, 1e6, 1e7])
+CLAY = heat.Clay()
+
+
+class Heat(MudlineCase):
+    def deck(self, name):
+        return os.path.join(ROOT, "inputs", "heat", name + ".xml")
+
+    def assert_near(self, what, value, exact, tolerance, scale):
+        error = np.max(np.abs(np.asarray(value) - exact)) / scale
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})")
+        self.assertLessEqual(error, tolerance, what)
+
+    def test_point_source(self):
+        """Booker and Savvidou: at every radius each quantity against the largest it has there."""
+        history = self.run_deck(self.deck("point_source"))
+        for probe, r in (("near", 0.25), ("middle", 0.5), ("far", 1.0)):
+            exact = np.array([heat.point_source(CLAY, 1.0, r, t) for t in TIMES]).T
+            values = (history.at(f"probe/{probe}/temperature", TIMES) - 10, history.at(f"probe/{probe}/pore pressure", TIMES),
+                      history.at(f"probe/{probe}/displacement x", TIMES))
+            for what, value, expected in zip(("temperature", "pressure", "displacement"), values, exact):
+                self.assert_near(f"{what} at {r} m", value, expected, 0.02, np.abs(expected).max())
+        # half of 1 W over 1e7 s, all of it still in the ground
+        np.testing.assert_allclose(history["balance/heat/change"][-1], 0.5e7, rtol=1e-4)
+
+    def test_heated_surface(self):
+        """McTigue: temperature, pressure and heave."""
+        history = self.run_deck(self.deck("heated_surface"), ("mesh/cells={1, 192}", "mesh/grading={1.0, 1.0}"))
+        for probe, depth in (("shallow", 0.25), ("deep", 1.0)):
+            temperature, pressure, _ = np.array([heat.heated_surface(CLAY, 0.5, depth, t) for t in TIMES]).T
+            self.assert_near(f"temperature at {depth} m", history.at(f"probe/{probe}/temperature", TIMES) - 10, temperature, 5e-3,
+                               temperature.max())
+            self.assert_near(f"pressure at {depth} m", history.at(f"probe/{probe}/pore pressure", TIMES), pressure, 5e-3, pressure.max())
+        for t in TIMES:
+            heave = heat.heated_surface(CLAY, 0.5, 0.0, t)[2]
+            self.assert_near(f"heave at {t:.0e} s", history.at("probe/surface/displacement y", t), heave, 5e-3, heave)
+
+    def test_two_ranks(self):
+        one, two = (self.run_deck(self.deck("heated_surface"), ("stages/heating/duration=1e5",), ranks=n, name="heated_surface")
+                    for n in (1, 2))
+        for name in ("probe/deep/temperature", "probe/shallow/pore pressure", "balance/heat/outflow"):
+            np.testing.assert_allclose(two[name], one[name], rtol=1e-6, atol=1e-9 * np.abs(one[name]).max())
+
+    def test_front(self):
+        """Convection and conduction: second order in the size of the elements, and where it leaves the front is not held back."""
+        probes = (("one metre", 1.0), ("three metres", 3.0), ("five metres", 5.0))
+        times = np.array([5e5, 1e6, 2e6])
+        errors = []
+        for cells in (50, 100, 200):
+            history = self.run_deck(self.deck("convection_front"), (f"mesh/cells={{1, {cells}}}", "solver/residual tolerance=1e-9"))
+            exact = np.array([heat.front(20.0, 4186e3 * 1e-6 / 2.8e6, 1.5 / 2.8e6, x, times) for _, x in probes])
+            values = np.array([history.at(f"probe/{name}/temperature", times) - 10 for name, _ in probes])
+            errors.append(np.linalg.norm(values - exact) / np.linalg.norm(exact))
+            self.assertLess(np.abs(history["balance/heat/error"]).max(), 1e-10)
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print("front:", errors)
+        self.assertLess(errors[-1], 2e-4)
+        for coarse, fine in zip(errors, errors[1:]):
+            self.assertGreater(np.log2(coarse / fine), 1.8)
+
+    def test_uniform_warmth_stays(self):
+        """Water that flows through soil of one temperature, other than that of reference, changes nothing."""
+        history = self.run_deck(self.deck("convection_front"), (
+            "physics/ground/initial temperature=30", "stages/heating/duration=1e5", "physics/ground/water expansion=0.0004",
+            "materials/sand/heat/grain expansion=3e-5", "materials/sand/skeleton/Young's modulus=1e6"))
+        for probe in ("one metre", "three metres", "five metres"):
+            self.assertLess(np.abs(history[f"probe/{probe}/temperature"] - 30).max(), 1e-8)
+
+    def test_heat_through_mesh_motion(self):
+        """A pile that is pushed into warm clay: what steps do to heat is kept apart from what the remap does, and that is little."""
+        overlay = self.write("warm.xml", """<ParameterList name="warm">
+          <ParameterList name="materials"><ParameterList name="clay"><ParameterList name="heat">
+            <Parameter name="conductivity" type="double" value="1.2"/>
+            <Parameter name="grain heat capacity" type="double" value="800"/>
+          </ParameterList></ParameterList></ParameterList>
+          <ParameterList name="physics"><ParameterList name="ground">
+            <Parameter name="type" type="string" value="thermo-hydro-mechanical"/>
+            <Parameter name="reference temperature" type="double" value="10.0"/>
+            <Parameter name="initial temperature" type="string" value="10-2*y"/>
+            <Parameter name="water expansion" type="double" value="0.0"/>
+          </ParameterList></ParameterList>
+        </ParameterList>""")
+        pile = [os.path.join(ROOT, "inputs", "pile", name + ".xml") for name in ("clay", "short_pile")]
+        history = self.run_deck([*pile, overlay], extra=("--steps", "40"), name="short_pile")
+        self.assertLess(np.abs(history["balance/heat/error"]).max(), 1e-10)
+        moved = history["mesh motion/change of heat"]
+        self.assertGreater(history["time"][-1], 0.02)
+        self.assertGreater(np.abs(moved).max(), 0)
+        self.assertLess(np.abs(moved).max(), 1e-6 * 2.7e9)  # of the heat in the ground, in joules
+
+
+if __name__ == "__main__":
+    unittest.main()
