@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra/block_triangular.hpp"
+#include "algebra/bordered.hpp"
 #include "algebra/krylov.hpp"
 #include "core/text.hpp"
 
@@ -32,14 +33,12 @@ std::string BlockAmgSolver::prepare(RCP<const DofMap> dofs) {
   reset();
   dofs_ = std::move(dofs);
   gmres_ = std::make_unique<FieldGmres>(dofs_);
-  const int displacement = dofs_->find("displacement"), pressure = dofs_->find("pore pressure");
-  if (displacement < 0) return "linear solver 'block amg' needs the field 'displacement'; use 'direct'";
-  if (dofs_->field(displacement).components != 2)
-    return "linear solver 'block amg' treats two displacement components; use 'direct'";
-  for (int f = 0; f < dofs_->num_fields(); ++f)
-    if (f != displacement && f != pressure)
-      return "linear solver 'block amg' treats displacement and pore pressure only, not '" + dofs_->field(f).name +
-             "'; use 'direct'";
+  for (int f = 0; f < dofs_->num_fields(); ++f) {
+    const FieldLayout& field = dofs_->field(f);
+    if (field.apart || field.components == 1 || (field.name == "displacement" && field.components == 2)) continue;
+    return "linear solver 'block amg' treats a displacement of two components and scalar fields, not '" + field.name +
+           "'; use 'direct'";
+  }
   return "";
 }
 
@@ -59,6 +58,10 @@ void BlockAmgSolver::build() {
   preconditioner_ = Teuchos::null;
   if (!blocks_ || !blocks_->fits(*matrix_)) blocks_ = std::make_unique<FieldBlocks>(*matrix_, dofs_);
   preconditioner_ = rcp(new BlockTriangular(*matrix_, *dofs_, *blocks_, block_data_()));
+  std::vector<int> apart;
+  for (int f = 0; f < dofs_->num_fields(); ++f)
+    if (dofs_->field(f).apart) apart.push_back(f);
+  if (!apart.empty()) preconditioner_ = rcp(new Bordered(*matrix_, *dofs_, *blocks_, preconditioner_, apart));
   fresh_iterations_ = -1;
   stale_ = false;
 }

@@ -8,7 +8,6 @@
 
 namespace mudline {
 
-class BlockTriangular;
 class FieldBlocks;
 class FieldGmres;
 
@@ -35,7 +34,7 @@ class BlockAmgSolver : public LinearSolver {
   std::function<BlockData()> block_data_;
   std::unique_ptr<FieldGmres> gmres_;
   std::unique_ptr<FieldBlocks> blocks_;
-  RCP<BlockTriangular> preconditioner_;
+  RCP<Operator> preconditioner_;
   int fresh_iterations_ = -1;  // of the first solve with this preconditioner
   bool stale_ = false;
 };

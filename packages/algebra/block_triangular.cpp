@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "algebra/amg.hpp"
 #include "algebra/p_multigrid.hpp"
 #include "algebra/schur.hpp"
 
@@ -30,32 +31,41 @@ double smallest_wave_number(const BlockData& data, const Comm& comm) {
 
 BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, FieldBlocks& blocks,
                                  const BlockData& data)
-    : map_(dofs.owned()), blocks_(blocks), displacement_(data.displacement), pressure_(data.pressure) {
-  const RCP<CrsMatrix> block = blocks.block(matrix, displacement_, displacement_);
-  displacement_inverse_ =
-      rcp(new PMultigrid(block, dofs.field(displacement_), data, blocks.isolated(matrix, displacement_)));
-  if (pressure_ < 0) return;
-  right_ = rcp(new MultiVector(blocks.map(displacement_), 1));
-  coupling_ = blocks.block(matrix, displacement_, pressure_);
-  const double x_min = smallest_wave_number(data, *map_->getComm());
-  schur_inverse_ =
-      rcp(new SchurInverse(schur_coefficients(data, x_min), blocks.block(matrix, pressure_, pressure_),
-                           blocks.renumbered(*data.pressure_mass, pressure_),
-                           blocks.renumbered(*data.pressure_laplacian, pressure_), data.pressure_constrained));
+    : map_(dofs.owned()), blocks_(blocks) {
+  const int u = data.displacement, p = data.pressure;
+  for (int f = 0; f < dofs.num_fields(); ++f) {
+    if (f == u || f == p || dofs.field(f).apart) continue;
+    AmgInput input;
+    input.matrix = blocks.block(matrix, f, f);
+    isolate(*input.matrix, blocks.isolated(matrix, f));
+    add_level(matrix, f, amg_cycle(input));
+  }
+  if (p >= 0) {
+    const double x_min = smallest_wave_number(data, *map_->getComm());
+    add_level(matrix, p,
+              rcp(new SchurInverse(schur_coefficients(data, x_min), blocks.block(matrix, p, p),
+                                   blocks.renumbered(*data.pressure_mass, p),
+                                   blocks.renumbered(*data.pressure_laplacian, p), data.pressure_constrained)));
+  }
+  if (u >= 0)
+    add_level(matrix, u,
+              rcp(new PMultigrid(blocks.block(matrix, u, u), dofs.field(u), data, blocks.isolated(matrix, u))));
+}
+
+void BlockTriangular::add_level(const CrsMatrix& matrix, int field, RCP<Operator> inverse) {
+  Level level{field, std::move(inverse), {}, rcp(new MultiVector(blocks_.map(field), 1))};
+  for (const Level& before : levels_)
+    level.known.emplace_back(before.field, blocks_.block(matrix, field, before.field));
+  levels_.push_back(level);
 }
 
 void BlockTriangular::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {
-  const RCP<const MultiVector> force = blocks_.part(x, displacement_);
-  const RCP<MultiVector> displacement = blocks_.part(y, displacement_);
-  if (pressure_ < 0) {
-    displacement_inverse_->apply(*force, *displacement);
-    return;
+  for (const Level& level : levels_) {
+    level.right->update(1, *blocks_.part(x, level.field), 0);
+    for (const auto& [field, coupling] : level.known)
+      coupling->apply(*blocks_.part(y, field), *level.right, Teuchos::NO_TRANS, -1, 1);
+    level.inverse->apply(*level.right, *blocks_.part(y, level.field));
   }
-  const RCP<MultiVector> pressure = blocks_.part(y, pressure_);
-  schur_inverse_->apply(*blocks_.part(x, pressure_), *pressure);
-  right_->update(1, *force, 0);
-  coupling_->apply(*pressure, *right_, Teuchos::NO_TRANS, -1, 1);
-  displacement_inverse_->apply(*right_, *displacement);
 }
 
 }  // namespace mudline

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "contact/laws/contact_damping.hpp"
-#include "core/guarded.hpp"
+#include "core/log.hpp"
 #include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
@@ -58,6 +58,9 @@ std::unique_ptr<const Friction> friction_of_two(const ContactContext& context, c
     section.section("friction")
         .fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total",
               "on");
+  if (context.space.find("temperature") >= 0)
+    log::warn(section.source() + ": " + section.path() +
+              ": the heat of friction between two surfaces does not warm them; it is counted only");
   return friction;
 }
 

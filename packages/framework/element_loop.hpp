@@ -90,6 +90,15 @@ inline LoopLevel loop_level(const StepView& view, const Level& level, const Fiel
   return at;
 }
 
+/// The end of the step, where state variables live. In the search for the rates at the start of a stage, which is no
+/// step, places do not depend on the unknowns.
+inline LoopLevel end_level(const StepView& view, const FieldBlock& block) {
+  LoopLevel at = loop_level(view, {view.time_end, view.x_end, view.balance.geometry_weight > 0 ? 1.0 : 0.0}, block);
+  at.value = view.value_end;
+  for (Sensitivity& s : at.scalar) s.value = 1;
+  return at;
+}
+
 /// What a law fills and what it depends on. A law inherits this and says otherwise by constants of the same names; what
 /// it has not costs nothing.
 struct PointLaw {

@@ -13,6 +13,7 @@ std::vector<FieldLayout> layouts(const Mesh& mesh, const std::vector<Field>& fie
     if (field.support == Support::apart) {
       for (int point = 0; point < field.count; ++point) layout.node_ids.push_back(point);
       layout.num_owned = mesh.comm()->getRank() == 0 ? field.count : 0;
+      layout.apart = true;
       result.push_back(std::move(layout));
       continue;
     }

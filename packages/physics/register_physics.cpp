@@ -20,7 +20,7 @@ class Biot : public SoilPhysics {
  protected:
   std::vector<std::string> scalar_fields() const override { return {"pore pressure"}; }
   void add_terms(PhysicsContext& context) override {
-    context.terms.push_back(std::make_unique<FluidMass>(soil_, excess_ ? Gravity{} : gravity_, fluid_acceleration_));
+    context.terms.push_back(std::make_unique<FluidMass>(soil_, fluid_acceleration_));
   }
 
  private:

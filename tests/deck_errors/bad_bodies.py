@@ -60,10 +60,6 @@ DECKS = [
           "stages/geostatic/motions: bodies rest in a geostatic stage, which takes no time: it has no 'motions'", at='name="motions"'),
     Wrong("motion of nobody", (PUSH, PUSH + stage_motion("bal", FREE)),
           "stages/push/motions/bal: unknown body 'bal' (did you mean 'ball'?)", at='name="motions"'),
-    Wrong("block amg with a free body", [HEAVY, FALL, ('value="direct"', 'value="block amg"'),
-                                         ("      " + parameter("reuse factorisation", "bool", "false") + "\n", "")],
-          "solver/linear solver/type: linear solver 'block amg' treats displacement and pore pressure only, not 'body motion'; use 'direct'",
-          at=parameter("type", "string", "block amg"), ranks=BOTH),
     Wrong("body below the soil", [("{0.0, 0.3}", "{0.0, -5}")],
           "contacts/ball on clay/body: body 'ball' lies below the surface: its top is at -4.8 m, the surface reaches down to 0.3 m; "
           "move its 'position'", at=parameter("body", "string", "ball"), ranks=BOTH),

@@ -90,6 +90,15 @@ class Mpi(MudlineCase):
     def test_restart_block_amg(self):
         self.check_restart(BLOCK_AMG, 1)
 
+    def test_free_body_with_block_amg(self):
+        """A ball that falls on clay: its motion borders the multigrid blocks."""
+        deck = os.path.join(ROOT, "inputs", "impact", "ball_on_clay.xml")
+        tight = ["solver/linear tolerance=1e-10", "solver/residual tolerance=1e-8"]
+        direct = self.run_deck(deck, tight, extra=("--steps", "40"))
+        for ranks in (1, 2):
+            amg = self.run_deck(deck, tight + BLOCK_AMG, ranks=ranks, extra=("--steps", "40"))
+            self.assert_same_run(direct, amg, ("body/ball/displacement y", "contact/seabed/reaction y"), f"{ranks} ranks", rounding=1e-6)
+
     def test_restart_direct_2(self):
         self.check_restart(DIRECT, 2)
 

@@ -3,14 +3,17 @@
 From the environment: MUDLINE_BUILD, the build folder to install from; MUDLINE_CXX, its compiler.
 """
 import os
+import re
 import shutil
 import subprocess
 import tempfile
 import unittest
 
+import h5py
 import mudline_case
 import numpy as np
 from mudline_case import ROOT, History, MudlineCase, program
+from references import heat
 
 EXAMPLES = os.path.join(ROOT, "examples", "plugins")
 LAUNCHER = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
@@ -18,6 +21,57 @@ LAUNCHER = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") el
 OTHER_ABI = """extern "C" const char* mudline_plugin_abi() { return "interface 0; gcc 4; Trilinos 12.0; debug"; }
 namespace mudline { struct Registries; }
 extern "C" void mudline_plugin_register(mudline::Registries&) { __builtin_trap(); }
+"""
+TAG = """
+#include "framework/physics.hpp"
+#include "physics/soil.hpp"
+#include "simulation/plugin.hpp"
+namespace {
+using namespace mudline;
+class Paint : public Term {
+ public:
+  Paint(const Space& space, std::shared_ptr<Soil> soil) : space_(space), soil_(std::move(soil)) {}
+  std::string name() const override { return "paint"; }
+  Role role() const override { return Role::none; }
+  void declare_state(StateStore& store) override {
+    for (const SoilBlock& b : soil_->blocks)
+      handles_.push_back(store.declare({"tag", {{"origin", 1, "m"}}, b.block, b.points}, b.elements * b.points));
+  }
+  int residual(const StepView& view, const ResidualView&) override {
+    for (int h : handles_) Kokkos::deep_copy(view.trial->arrays[h], view.committed->arrays[h]);
+    return 0;
+  }
+  void jacobian(const StepView&, Assembler&, double) override {}
+  void start(StateStore& store) const {
+    for (std::size_t i = 0; i < handles_.size(); ++i)
+      for (int row = 0; row < static_cast<int>(store.committed().arrays[handles_[i]].extent(0)); ++row) {
+        const SoilBlock& b = soil_->blocks[i];
+        double y = 0;
+        for (int a = 0; a < b.u.nodes; ++a)
+          y += b.u.N(row % b.points, a) * space_.mesh().coordinates()(b.nodes(row / b.points, a), 1);
+        store.committed().arrays[handles_[i]](row, 0) = y;
+      }
+  }
+ private:
+  const Space& space_;
+  std::shared_ptr<Soil> soil_;
+  std::vector<int> handles_;
+};
+class Tag : public Physics {
+ public:
+  void parameters(Parameters&) {}
+  std::vector<Field> fields() const override { return {}; }
+  void build(PhysicsContext& context, const Section&) override {
+    auto term = std::make_unique<Paint>(context.space, context.shared.find<Soil>());
+    paint_ = term.get();
+    context.terms.push_back(std::move(term));
+  }
+  void initialise(StateStore& store, const Section&) override { paint_->start(store); }
+ private:
+  const Paint* paint_ = nullptr;
+};
+}
+MUDLINE_PLUGIN(registries) { registries.physics.add<Tag>("tag", "the height that soil comes from"); }
 """
 NO_PLUGIN = 'extern "C" int something_else() { return 1; }\n'
 
@@ -38,7 +92,7 @@ def setUpModule():
     SCRATCH = tempfile.mkdtemp()
     PREFIX = os.path.join(SCRATCH, "prefix")
     call("cmake", "--install", os.environ["MUDLINE_BUILD"], "--prefix", PREFIX)
-    for name in ("my_clay", "heat_conduction", "my_interface"):
+    for name in ("my_clay", "heat_conduction", "my_interface", "solute"):
         source = os.path.join(SCRATCH, name)
         shutil.copytree(os.path.join(EXAMPLES, name), source)  # as an author has it, away from mudline's tree
         call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
@@ -197,6 +251,60 @@ class Plugins(MudlineCase):
             series = 1 - np.sum(4 / np.pi * (-1.0) ** m / (2 * m + 1) * np.exp(-((2 * m + 1) * np.pi / 2) ** 2 * diffusivity * time))
             self.assertAlmostEqual(history.at("probe/base/temperature", time), 10 * series, delta=0.005 * 10 * series + 1e-3)
 
+    def test_heat_has_no_work(self):
+        """Its balance acts on no displacement: there is no column of its work, not one of zeros."""
+        history = self.run_deck(self.example("heat_conduction/warm_ground.xml"), ["stages/consolidation/duration=1"])
+        self.assertEqual([name for name in history.columns if name.startswith("balance/energy") and "heat" in name], [])
+
+    # a physics on top of another, with properties by region
+    def test_solute_goes_with_the_water(self):
+        history = self.run_deck(self.example("solute/column.xml"))
+        times = np.array([5e5, 1e6, 2e6])
+        speed, diffusivity = 1e-6 / 0.8, 4e-7 / 0.8
+        for name, depth in (("one metre", 1.0), ("three metres", 3.0), ("five metres", 5.0)):
+            exact = heat.front(1.0, speed, diffusivity, depth, times)
+            np.testing.assert_allclose(history.at(f"probe/{name}/concentration", times), exact, atol=2e-3)
+
+    def test_solute_asks_for_its_properties(self):
+        deck = self.example("solute/column.xml")
+        self.write("without.xml", re.sub(r'<ParameterList name="solute">.*?</ParameterList>', "", text_of(deck), flags=re.S)
+                   .replace("build/", self.example("solute/build/")))
+        self.assertIn("materials/sand: required section 'solute' is missing", self.refused(["check", "without.xml"]))
+        self.write("unused.xml", re.sub(r'<ParameterList name="dye">.*?</ParameterList>', "", text_of(deck), flags=re.S)
+                   .replace("build/", self.example("solute/build/")).replace('"concentration"', '"pore pressure"').replace('"1.0"/>\n    </ParameterList>\n  </ParameterList>\n  <ParameterList name="stages">', '"1000.0"/>\n    </ParameterList>\n  </ParameterList>\n  <ParameterList name="stages">'))
+        self.assertIn("materials/sand/solute: no physics of this model uses these properties", self.refused(["check", "unused.xml"]))
+
+    # point data of a plugin's own
+    def test_point_data_are_carried_by_the_mesh_motion(self):
+        """The height from which a point of the soil comes, painted on it: under the pile the mesh moves against the soil, and the paint
+        goes with the soil. Written to the fields, carried through a restart."""
+        source = os.path.join(SCRATCH, "tag")
+        os.makedirs(source, exist_ok=True)
+        with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
+            file.write("cmake_minimum_required(VERSION 3.22)\nproject(tag CXX)\nfind_package(mudline REQUIRED)\nmudline_add_plugin(tag tag.cpp)\n")
+        with open(os.path.join(source, "tag.cpp"), "w") as file:
+            file.write(TAG)
+        call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+             "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
+        call("cmake", "--build", source + "/build")
+        self.write("tag.xml", f"""<ParameterList name="tag">
+          <ParameterList name="plugins"><Parameter name="files" type="Array(string)" value="{{{source}/build/tag.so}}"/></ParameterList>
+          <ParameterList name="physics"><ParameterList name="paint"><Parameter name="type" type="string" value="tag"/></ParameterList></ParameterList>
+        </ParameterList>""")
+        decks = [os.path.join(ROOT, "inputs", "pile", "clay.xml"), os.path.join(ROOT, "inputs", "pile", "short_pile.xml"), "tag.xml"]
+        quick = ["output/field interval=0", "output/field steps=20"]
+        self.run_deck(decks, quick, extra=("--steps", "20"), name="short_pile")
+        self.run_deck(decks, quick, extra=("--steps", "80", "--restart"), name="short_pile")
+        with h5py.File(os.path.join(self.folder, "results", "short_pile.h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]
+            cells = file["mesh/topology"][:].reshape(-1, 7)[:, 1:]  # of six-node triangles, after the number of their kind
+            height = step["coordinates"][:][:, 1][cells].mean(axis=1)
+            fallen = step["nodal"]["displacement"][:][:, 1][cells].mean(axis=1)
+            tag = step["cell"]["origin"][:].reshape(-1)
+        pushed = -fallen.min()
+        self.assertGreater(pushed, 0.2)
+        print(pushed, np.abs(tag - (height - fallen)).max(), np.abs(height-tag).max()); self.assertLess(np.abs(tag - (height - fallen)).max(), 0.15 * pushed)
+
     def test_heat_on_two_ranks(self):
         deck = self.example("heat_conduction/warm_ground.xml")
         settings = ["stages/consolidation/duration=1"]
@@ -204,12 +312,13 @@ class Plugins(MudlineCase):
         two = self.run_deck(deck, settings + ["output/name=two"], ranks=2, name="two")
         self.assert_same_run(one, two, ("probe/base/temperature", "probe/base/pore pressure"), "2 ranks", rounding=1e-5)
 
-    def test_block_amg_does_not_know_it(self):
-        self.write("amg.xml", '<ParameterList name="over">\n<ParameterList name="solver">\n<ParameterList name="linear solver">\n'
-                   '<Parameter name="type" type="string" value="block amg"/>\n</ParameterList>\n</ParameterList>\n</ParameterList>\n')
-        error = self.refused(["check", self.example("heat_conduction/warm_ground.xml"), "amg.xml"])
-        self.assertIn("error: amg.xml:4: solver/linear solver/type: ", error)
-        self.assertIn("temperature", error)
+    def test_heat_with_block_amg(self):
+        """A scalar field gets a multigrid block of its own."""
+        deck = self.example("heat_conduction/warm_ground.xml")
+        settings = ["stages/consolidation/duration=1", "solver/linear tolerance=1e-10"]
+        direct = self.run_deck(deck, settings)
+        amg = self.run_deck(deck, settings + ["solver/linear solver/type=block amg"])
+        self.assert_same_run(direct, amg, ("probe/base/temperature", "probe/base/pore pressure"), "block amg", rounding=1e-6)
 
     # what is no plugin, or somebody else's
     def with_plugin(self, file):

@@ -209,6 +209,21 @@ void PenaltyContact::book_damping(const State& trial, const std::vector<ContactP
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
   for (const auto& [dof, share] : correction_) f.add(dof, -share);
   if (leak_) leak_->add(view, f);
+  if (friction_ && temperature_ >= 0 && view.flow) add_heat(view, f);
+}
+
+void PenaltyContact::add_heat(const StepView& view, const ResidualView& f) const {
+  const PointView &now = view.trial->arrays[frictions_], &old = view.committed->arrays[frictions_];
+  const auto& dofs = context_.space.node_dof(temperature_);
+  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
+    const SurfaceSide& side = surface_->sides()[s];
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
+      const double power = (now(row, friction_column::dissipated) - old(row, friction_column::dissipated)) / view.dt;
+      const double xi = rule(side).xi[row - first_row_[s]];
+      f.add(dofs(side.node[0]), -0.5 * (1 - xi) * power);
+      f.add(dofs(side.node[1]), -0.5 * (1 + xi) * power);
+    }
+  }
 }
 
 std::array<double, 3> PenaltyContact::local_force(const State& state) const {

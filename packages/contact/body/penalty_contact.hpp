@@ -102,6 +102,8 @@ class PenaltyContact : public Contact, public ClosesSides {
   /// Whether damping acts: not in the start of a stage, which is no step.
   bool damps(const StepView& view) const { return deck_.damping > 0 && view.sensitivity[displacement_].value > 0; }
   std::vector<double> normal_forces(const State& state, std::size_t side) const;
+  /// The heat of friction goes into the soil: the body takes none. Without derivatives, for it changes forces slowly.
+  void add_heat(const StepView& view, const ResidualView& f) const;
   /// Adds the damping of one side's points to the rows of the trial state.
   void book_damping(const State& trial, const std::vector<ContactPoint>& points) const;
   /// Shear states of one side's points.
@@ -157,7 +159,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool predicting_ = false;
-  int displacement_ = -1, pressure_ = -1;
+  int displacement_ = -1, pressure_ = -1, temperature_ = -1;
   int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1, multipliers_ = -1;  // state handles
   int group_[2] = {-1, -1};
 };

@@ -67,6 +67,7 @@ void PenaltyContact::check(const Section& section) {
   body_ = body->second;
   displacement_ = space.find("displacement");
   pressure_ = space.find("pore pressure");
+  temperature_ = space.find("temperature");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
   require_boundary(mesh, section, "surface", deck_.surface);
   if (deck_.penalty == 0 && !context_.stiffness)

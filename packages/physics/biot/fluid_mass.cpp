@@ -1,7 +1,7 @@
 #include "physics/biot/fluid_mass.hpp"
 
 #include "framework/element_loop.hpp"
-#include "physics/mixture.hpp"
+#include "physics/biot/darcy.hpp"
 
 namespace mudline {
 
@@ -10,21 +10,16 @@ namespace {
 template <bool FluidAcceleration>
 struct DarcyFlow : PointLaw {
   static constexpr bool storages = true, fluxes = true, gradients = true, inertia = FluidAcceleration;
-  Mixture mixture;
-  const Permeability* permeability;
-  double unit_weight, gravity[2];
-  PointView void_ratio;
+  Darcy darcy;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const T n = mixture.porosity(void_ratio(row, 0), at);
-    const T e = n / (1.0 - n);
-    const Permeability::Value k = permeability->conductivity(value(e), void_ratio(row, 1));
-    const T mobility = chain(e, k.k, k.dk_de) * (1 / unit_weight);
-    out.storage[0] = mixture.alpha * at.divergence() + mixture.storage(n) * at.rate[0];
+    const T n = darcy.porosity(row, at), mobility = darcy.mobility(row, n);
+    const double density = darcy.mixture.fluid_density;
+    out.storage[0] = darcy.mixture.alpha * at.divergence() + darcy.mixture.storage(n) * at.rate[0];
     for (int i = 0; i < C::dim; ++i) {
-      T drive = at.gradient[0][i] - mixture.fluid_density * gravity[i];
-      if constexpr (FluidAcceleration) drive += mixture.fluid_density * at.acceleration[i];
+      T drive = at.gradient[0][i] - density * darcy.gravity[i];
+      if constexpr (FluidAcceleration) drive += density * at.acceleration[i];
       out.flux[0][i] = mobility * drive;
     }
   }
@@ -34,20 +29,12 @@ struct DarcyFlow : PointLaw {
 
 template <class F>
 void FluidMass::for_each_block(const StepView& view, F&& f) const {
-  const auto g = gravity_.at(view.balance.time);
   for (const SoilBlock& b : soil_->blocks) {
-    const auto apply = [&](auto acceleration) {
-      f(b, DarcyFlow<decltype(acceleration)::value>{{},
-                                                    Mixture(*soil_, b),
-                                                    b.material->permeability.get(),
-                                                    b.material->fluid->unit_weight(),
-                                                    {g[0], g[1]},
-                                                    view.committed->arrays[b.void_ratio]});
-    };
+    const Darcy darcy(*soil_, b, view);
     if (fluid_acceleration_ && view.inertia)
-      apply(std::true_type{});
+      f(b, DarcyFlow<true>{{}, darcy});
     else
-      apply(std::false_type{});
+      f(b, DarcyFlow<false>{{}, darcy});
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include "framework/term.hpp"
 #include "physics/soil.hpp"
-#include "physics/solid/body_force.hpp"
 
 namespace mudline {
 
@@ -15,8 +14,8 @@ namespace mudline {
 /// pressures are given and held, and the term is silent.
 class FluidMass : public Term {
  public:
-  FluidMass(std::shared_ptr<Soil> soil, Gravity gravity, bool fluid_acceleration)
-      : soil_(std::move(soil)), gravity_(gravity), fluid_acceleration_(fluid_acceleration) {}
+  FluidMass(std::shared_ptr<Soil> soil, bool fluid_acceleration)
+      : soil_(std::move(soil)), fluid_acceleration_(fluid_acceleration) {}
   std::string name() const override { return "fluid mass"; }
   Role role() const override { return Role::balance; }
   int residual(const StepView& view, const ResidualView& f) override;
@@ -27,7 +26,6 @@ class FluidMass : public Term {
   template <class F>
   void for_each_block(const StepView& view, F&& f) const;
   std::shared_ptr<Soil> soil_;
-  Gravity gravity_;
   bool fluid_acceleration_;
 };
 

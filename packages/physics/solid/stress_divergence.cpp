@@ -141,16 +141,8 @@ class StressUpdate {
   bool law_is_broken_ = false;
 };
 
-/// The end of the step, where the state lives.
-LoopLevel end_level(const SoilBlock& block, const StepView& view) {
-  LoopLevel level = loop_level(view, {view.time_end, view.x_end, 1.0}, block);
-  level.value = view.value_end;
-  for (Sensitivity& s : level.scalar) s.value = 1;
-  return level;
-}
-
 StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, bool want_tangent)
-    : soil_(soil), block_(block), view_(view), level_(end_level(block, view)), want_tangent_(want_tangent) {
+    : soil_(soil), block_(block), view_(view), level_(end_level(view, block)), want_tangent_(want_tangent) {
   const int rows = batch * block.points;
   const int state_size = block.material->skeleton->state_size();
   strain_ = PointView("strain", rows, 6);

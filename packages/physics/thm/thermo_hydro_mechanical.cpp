@@ -158,13 +158,9 @@ class WaterAndHeat : public Term {
   void for_each_law(const StepView& view, F&& f) const {
     if (!view.flow) return;
     const auto g = gravity_.at(view.balance.time);
-    const bool step = view.balance.geometry_weight > 0;  // else these are the rates at the start of a stage
     for (const SoilBlock& b : soil_->blocks) {
       const WarmSoil soil = warm_soil(b, *view.committed);
-      LoopLevel end = loop_level(view, {view.time_end, view.x_end, step ? 1.0 : 0.0}, b);
-      end.value = view.value_end;
-      for (Sensitivity& s : end.scalar) s.value = 1;
-      f(b, end, Stored{{}, soil, view.dt, view.sensitivity[soil_->temperature].value});
+      f(b, end_level(view, b), Stored{{}, soil, view.dt, view.sensitivity[soil_->temperature].value});
       f(b, loop_level(view, view.balance, b),
         Flows{{}, soil, {g[0], g[1]}, soil_->excess ? soil.mixture.fluid_density : 0.0});
     }

@@ -1,0 +1,130 @@
+// A solute in the pore water of a saturated soil: it goes with the water and diffuses in it.
+//
+//     n R (c_{n+1} - c_n) + dt (w . grad c - div(D grad c)) = 0
+//
+// c: mass per volume of water [kg/m3], n: porosity, R: retardation, w: Darcy's discharge, D: effective diffusivity. The
+// properties are those of the regions' materials, the discharge is that of the physics of the pore water.
+#include <memory>
+
+#include "framework/element_loop.hpp"
+#include "framework/physics.hpp"
+#include "physics/biot/darcy.hpp"
+#include "simulation/plugin.hpp"
+
+namespace {
+
+using namespace mudline;
+
+/// Section "solute" of a material.
+class SoluteProperties : public Properties {
+ public:
+  void parameters(Parameters& p) {
+    p.required("diffusivity", diffusivity, "m2/s", positive(), "effective, of the soil as a whole");
+    p.add("retardation", retardation, "-", closed(1, 1e6), "what is there over what is in the water");
+  }
+  double diffusivity = 0, retardation = 1;
+};
+
+constexpr int concentration = 1;  // of the scalar fields; the first is the pore pressure
+
+/// What is stored, at the end of the step: with the water that is there, between those of start and end.
+struct Stored : PointLaw {
+  static constexpr bool storages = true;
+  Darcy darcy;
+  double retardation, dt, theta;
+  template <class C, int S, class T>
+  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    if constexpr (S > 1) {
+      const double e = darcy.void_ratio(row, 0);
+      const T water = (1 - theta) * darcy.porosity(row, at) + theta * e / (1 + e) / at.volume_ratio;
+      out.storage[0] = 0.0;
+      out.storage[concentration] = retardation / dt * water * at.change[concentration];
+    }
+  }
+};
+
+/// What flows, at the level of balances.
+struct Carried : PointLaw {
+  static constexpr bool storages = true, fluxes = true, gradients = true;
+  Darcy darcy;
+  double diffusivity;
+  template <class C, int S, class T>
+  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    if constexpr (S > 1) {
+      T minus_flow[C::dim];
+      darcy.minus_discharge(row, at, minus_flow);
+      out.storage[0] = out.storage[concentration] = 0.0;
+      for (int i = 0; i < C::dim; ++i) {
+        out.storage[concentration] -= minus_flow[i] * at.gradient[concentration][i];
+        out.flux[0][i] = 0.0;
+        out.flux[concentration][i] = diffusivity * at.gradient[concentration][i];
+      }
+    }
+  }
+};
+
+class SoluteBalance : public Term {
+ public:
+  SoluteBalance(PhysicsContext& context, const Section& section) : soil_(context.shared.find<Soil>()) {
+    if (!soil_ || soil_->pressure < 0)
+      section.fail("there is no pore water: name a physics of saturated soil before this one", "type");
+    field_ = context.space.find("concentration");
+    for (const SoilBlock& soil : soil_->blocks) {
+      values_.push_back(soil.material->require<SoluteProperties>("solute", context.materials_section));
+      blocks_.emplace_back(context.space, soil.block, soil_->displacement, std::vector<int>{soil_->pressure, field_},
+                           4);
+      if (blocks_.back().points != soil.points)
+        section.fail("the soil must keep its 'quadrature degree' of 4, at whose points the water flows", "type");
+    }
+  }
+  std::string name() const override { return "solute"; }
+  Role role() const override { return Role::balance; }
+  void sparsity(Assembler& assembler) override {
+    for (FieldBlock& block : blocks_) block.group = assembler.add_group(block.dofs);
+  }
+  int residual(const StepView& view, const ResidualView& f) override {
+    int failures = 0;
+    for_each_law(view, [&](const FieldBlock& b, const LoopLevel& level, const auto& law) {
+      failures += add_residual(soil_->geometry, b, level, law, f);
+    });
+    return failures;
+  }
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override {
+    for_each_law(view, [&](const FieldBlock& b, const LoopLevel& level, const auto& law) {
+      add_tangent(soil_->geometry, b, level, law, assembler.scatter(b.group), weight);
+    });
+  }
+
+ private:
+  template <class F>
+  void for_each_law(const StepView& view, F&& f) const {
+    if (!view.flow) return;  // a geostatic stage takes no time
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      const Darcy darcy(*soil_, soil_->blocks[i], view);
+      const double theta = view.sensitivity[field_].value;
+      f(blocks_[i], end_level(view, blocks_[i]), Stored{{}, darcy, values_[i]->retardation, view.dt, theta});
+      f(blocks_[i], loop_level(view, view.balance, blocks_[i]), Carried{{}, darcy, values_[i]->diffusivity});
+    }
+  }
+
+  std::shared_ptr<Soil> soil_;
+  int field_;
+  std::vector<FieldBlock> blocks_;
+  std::vector<std::shared_ptr<const SoluteProperties>> values_;  // by block
+};
+
+class Solute : public Physics {
+ public:
+  void parameters(Parameters&) {}
+  std::vector<Field> fields() const override { return {{"concentration", "kg/m3", "kg/s", 1, Support::vertices, 1}}; }
+  void build(PhysicsContext& context, const Section& section) override {
+    context.terms.push_back(std::make_unique<SoluteBalance>(context, section));
+  }
+};
+
+}  // namespace
+
+MUDLINE_PLUGIN(registries) {
+  registries.properties.add<SoluteProperties>("solute", "diffusion and retardation, for physics 'solute'");
+  registries.physics.add<Solute>("solute", "a solute that the pore water carries and that diffuses in it");
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra/field_blocks.hpp"
+
+namespace mudline {
+
+/// Completes the approximate inverse P of a matrix's inner fields by its few unknowns apart from the mesh (motions of
+/// bodies). With the columns A_ib and rows A_bi of those, W = P A_ib and S = A_bb - A_bi W,
+///     y_b = S^-1 (r_b - A_bi P r_i),   y_i = P r_i - W y_b.
+/// S is dense and small, the same on every rank.
+class Bordered : public Operator {
+ public:
+  /// `inner`: P on the map of the whole matrix, reads and writes the inner fields only. `apart`: the other fields.
+  Bordered(const CrsMatrix& matrix, const DofMap& dofs, FieldBlocks& blocks, RCP<Operator> inner,
+           const std::vector<int>& apart);
+
+  RCP<const Map> getDomainMap() const override { return map_; }
+  RCP<const Map> getRangeMap() const override { return map_; }
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp = Teuchos::NO_TRANS, double = 1,
+             double = 0) const override;
+
+ private:
+  /// Values at the apart unknowns, on every rank.
+  std::vector<double> gathered(const MultiVector& v) const;
+  /// A_bi v_i on every rank.
+  std::vector<double> rows_times(const MultiVector& v) const;
+
+  RCP<const Map> map_;
+  FieldBlocks& blocks_;
+  std::vector<int> inner_fields_, apart_, sizes_;
+  RCP<Operator> inner_;
+  std::vector<RCP<CrsMatrix>> rows_;  // (apart field, inner field)
+  int count_ = 0;
+  std::vector<double> factors_;  // of S, column by column
+  std::vector<int> pivots_;
+  RCP<MultiVector> columns_;  // W
+};
+
+}  // namespace mudline
