@@ -9,6 +9,16 @@ from references import heat
 
 TIMES = np.array([1e5, 1e6, 1e7])
 CLAY = heat.Clay()
+WARM = """<ParameterList name="warm">
+  <ParameterList name="materials"><ParameterList name="{material}"><ParameterList name="heat">
+    <Parameter name="conductivity" type="double" value="1.2"/>
+    <Parameter name="grain heat capacity" type="double" value="800"/>
+  </ParameterList></ParameterList></ParameterList>
+  <ParameterList name="physics"><ParameterList name="ground">
+    <Parameter name="type" type="string" value="thermo-hydro-mechanical"/>{more}
+  </ParameterList></ParameterList>
+</ParameterList>
+"""
 
 
 class Heat(MudlineCase):
@@ -76,20 +86,21 @@ class Heat(MudlineCase):
         for probe in ("one metre", "three metres", "five metres"):
             self.assertLess(np.abs(history[f"probe/{probe}/temperature"] - 30).max(), 1e-8)
 
+    def test_friction_warms_the_soil(self):
+        """A plate that slides: what friction makes is in the ground, but for what the little water that moves brings along."""
+        overlay = self.write("warm.xml", WARM.format(material="soil", more=""))
+        history = self.run_deck([os.path.join(ROOT, "inputs", "contact", "sliding_plate.xml"), overlay], name="sliding_plate")
+        made = history["contact/face/friction heat"][-1]
+        self.assertGreater(made, 10)
+        np.testing.assert_allclose(history["balance/heat/change"][-1], made, rtol=1e-3)
+        self.assertLess(np.abs(history["balance/heat/error"]).max(), 1e-8)
+
     def test_heat_through_mesh_motion(self):
         """A pile that is pushed into warm clay: what steps do to heat is kept apart from what the remap does, and that is little."""
-        overlay = self.write("warm.xml", """<ParameterList name="warm">
-          <ParameterList name="materials"><ParameterList name="clay"><ParameterList name="heat">
-            <Parameter name="conductivity" type="double" value="1.2"/>
-            <Parameter name="grain heat capacity" type="double" value="800"/>
-          </ParameterList></ParameterList></ParameterList>
-          <ParameterList name="physics"><ParameterList name="ground">
-            <Parameter name="type" type="string" value="thermo-hydro-mechanical"/>
+        overlay = self.write("warm.xml", WARM.format(material="clay", more="""
             <Parameter name="reference temperature" type="double" value="10.0"/>
             <Parameter name="initial temperature" type="string" value="10-2*y"/>
-            <Parameter name="water expansion" type="double" value="0.0"/>
-          </ParameterList></ParameterList>
-        </ParameterList>""")
+            <Parameter name="water expansion" type="double" value="0.0"/>"""))
         pile = [os.path.join(ROOT, "inputs", "pile", name + ".xml") for name in ("clay", "short_pile")]
         history = self.run_deck([*pile, overlay], extra=("--steps", "40"), name="short_pile")
         self.assertLess(np.abs(history["balance/heat/error"]).max(), 1e-10)
