@@ -103,9 +103,11 @@ inline LoopLevel end_level(const StepView& view, const FieldBlock& block) {
 /// it has not costs nothing.
 struct PointLaw {
   static constexpr bool forces = false, stresses = false, storages = false, fluxes = false;
+  static constexpr int any = -1, fields = any;  // number of scalar fields that it is written for
   static constexpr bool motion = true;      // depends on the gradient of the displacement, as all do by their volume
   static constexpr bool inertia = false;    // on velocity or acceleration themselves
-  static constexpr bool scalars = true;     // on values and rates of the scalar fields
+  static constexpr bool scalars = true;     // on values (and rates) of the scalar fields
+  static constexpr bool rates = true;       // on velocities, accelerations and rates at all
   static constexpr bool gradients = false;  // on the scalar fields' gradients
   static constexpr bool stands = false;     // its stress stood before the step, the change is given beside it
 };
@@ -139,17 +141,16 @@ struct ElementLoop {
     double dv;                          // [m3]
   };
 
-  KOKKOS_INLINE_FUNCTION void gather(int e, bool rates, Nodes& n) const {
+  template <bool Rates>
+  KOKKOS_INLINE_FUNCTION void gather(int e, Nodes& n) const {
     for (int a = 0; a < NU; ++a)
       for (int i = 0; i < D; ++i) {
         n.x[a][i] = at.x(b.nodes(e, a), i);
-        n.moved[a][i] = n.rate[a][i] = n.acceleration[a][i] = 0;
-        if constexpr (!moves) continue;
-        const int dof = b.dofs(e, D * a + i);
-        n.moved[a][i] = at.geometry_weight * (at.value_end(dof) - at.value_old(dof));
-        if (rates) {
-          n.rate[a][i] = at.rate(dof);
-          n.acceleration[a][i] = at.acceleration(dof);
+        const int dof = moves ? b.dofs(e, D * a + i) : 0;
+        n.moved[a][i] = moves ? at.geometry_weight * (at.value_end(dof) - at.value_old(dof)) : 0.0;
+        if constexpr (Rates) {
+          n.rate[a][i] = moves ? at.rate(dof) : 0.0;
+          n.acceleration[a][i] = moves ? at.acceleration(dof) : 0.0;
         }
       }
     for (int s = 0; s < S; ++s)
@@ -157,7 +158,7 @@ struct ElementLoop {
         const int dof = b.dofs(e, MU + s * NS + c);
         n.value[s][c] = at.value(dof);
         n.change[s][c] = at.value(dof) - at.value_old(dof);
-        n.scalar_rate[s][c] = rates ? at.rate(dof) : 0.0;
+        if constexpr (Rates) n.scalar_rate[s][c] = at.rate(dof);
       }
   }
 
@@ -179,23 +180,30 @@ struct ElementLoop {
     return true;
   }
   /// The fields at a point whose shapes are known. False where the step's start would be folded.
+  template <bool Rates>
   KOKKOS_INLINE_FUNCTION bool fields(const Nodes& n, const Shape& s, Fields& f) const {
-    f.hoop_rate = f.hoop_moved = 0;
-    for (int i = 0; i < D; ++i) {
-      f.velocity[i] = f.acceleration[i] = 0;
-      for (int j = 0; j < D; ++j) f.velocity_gradient[i][j] = f.moved[i][j] = 0;
-    }
+    f.hoop_moved = 0;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) f.moved[i][j] = 0;
     for (int a = 0; a < NU; ++a) {
-      for (int i = 0; i < D; ++i) {
-        f.velocity[i] += s.N[a] * n.rate[a][i];
-        f.acceleration[i] += s.N[a] * n.acceleration[a][i];
-        for (int j = 0; j < D; ++j) {
-          f.velocity_gradient[i][j] += n.rate[a][i] * s.g[a][j];
-          f.moved[i][j] += n.moved[a][i] * s.g[a][j];
-        }
-      }
-      f.hoop_rate += s.h[a] * n.rate[a][0];
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) f.moved[i][j] += n.moved[a][i] * s.g[a][j];
       f.hoop_moved += s.h[a] * n.moved[a][0];
+    }
+    if constexpr (Rates) {
+      f.hoop_rate = 0;
+      for (int i = 0; i < D; ++i) {
+        f.velocity[i] = f.acceleration[i] = 0;
+        for (int j = 0; j < D; ++j) f.velocity_gradient[i][j] = 0;
+      }
+      for (int a = 0; a < NU; ++a) {
+        for (int i = 0; i < D; ++i) {
+          f.velocity[i] += s.N[a] * n.rate[a][i];
+          f.acceleration[i] += s.N[a] * n.acceleration[a][i];
+          for (int j = 0; j < D; ++j) f.velocity_gradient[i][j] += n.rate[a][i] * s.g[a][j];
+        }
+        f.hoop_rate += s.h[a] * n.rate[a][0];
+      }
     }
     double back[D][D];
     for (int i = 0; i < D; ++i)
@@ -204,28 +212,29 @@ struct ElementLoop {
     if (!(ratio > 0)) return false;
     f.volume_ratio = 1 / ratio;
     for (int k = 0; k < S; ++k) {
-      f.value[k] = f.change[k] = f.rate[k] = 0;
+      f.value[k] = f.change[k] = 0;
+      if constexpr (Rates) f.rate[k] = 0;
       for (int j = 0; j < D; ++j) f.gradient[k][j] = 0;
       for (int c = 0; c < NS; ++c) {
         f.value[k] += s.Np[c] * n.value[k][c];
         f.change[k] += s.Np[c] * n.change[k][c];
-        f.rate[k] += s.Np[c] * n.scalar_rate[k][c];
+        if constexpr (Rates) f.rate[k] += s.Np[c] * n.scalar_rate[k][c];
         for (int j = 0; j < D; ++j) f.gradient[k][j] += s.gp[c][j] * n.value[k][c];
       }
     }
     return true;
   }
 
-  /// Calls f(point, shape, fields) for the points of an element; stops with 1 where it is folded. `rates`: whether
-  /// rates are looked at.
-  template <class F>
-  KOKKOS_INLINE_FUNCTION int for_each_point(int e, bool rates, F&& f) const {
+  /// Calls f(point, shape, fields) for the points of an element; stops with 1 where it is folded. Rates: whether rates
+  /// are looked at; else they are undefined.
+  template <bool Rates, class F>
+  KOKKOS_INLINE_FUNCTION int for_each_point(int e, F&& f) const {
     Nodes n;
-    gather(e, rates, n);
+    gather<Rates>(e, n);
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields here;
-      if (!shapes(q, n.x, s) || !fields(n, s, here)) return 1;
+      if (!shapes(q, n.x, s) || !fields<Rates>(n, s, here)) return 1;
       f(q, s, here);
     }
     return 0;
@@ -236,14 +245,14 @@ struct ElementLoop {
   template <class Law>
   KOKKOS_INLINE_FUNCTION int residual(int e, const Law& law, const ResidualView& to) const {
     Nodes n;
-    gather(e, true, n);
+    gather<Law::rates>(e, n);
     double r[NU][D] = {}, acting[NU][D] = {}, skeleton[NU][D] = {}, fluid[NU][D] = {};
     double stored[SQ][NQ] = {}, flown[SQ][NQ] = {};
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields f;
       Balance out;
-      if (!shapes(q, n.x, s) || !fields(n, s, f)) return 1;
+      if (!shapes(q, n.x, s) || !fields<Law::rates>(n, s, f)) return 1;
       law(e * b.points + q, f, out);
       for (int a = 0; a < NU; ++a)
         for (int i = 0; i < D; ++i) {
@@ -309,19 +318,20 @@ struct ElementLoop {
     const double w = at.geometry_weight;
     d.hoop_moved = f.hoop_moved;
     d.volume_ratio = f.volume_ratio;
-    d.hoop_rate = f.hoop_rate;
-    for (int i = 0; i < D; ++i) {
-      d.velocity[i] = f.velocity[i];
-      d.acceleration[i] = f.acceleration[i];
-      for (int j = 0; j < D; ++j) {
-        d.moved[i][j] = f.moved[i][j];
-        d.velocity_gradient[i][j] = f.velocity_gradient[i][j];
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) d.moved[i][j] = f.moved[i][j];
+    if constexpr (Law::rates) {
+      d.hoop_rate = f.hoop_rate;
+      for (int i = 0; i < D; ++i) {
+        d.velocity[i] = f.velocity[i];
+        d.acceleration[i] = f.acceleration[i];
+        for (int j = 0; j < D; ++j) d.velocity_gradient[i][j] = f.velocity_gradient[i][j];
       }
+      for (int k = 0; k < S; ++k) d.rate[k] = f.rate[k];
     }
     for (int k = 0; k < S; ++k) {
       d.value[k] = f.value[k];
       d.change[k] = f.change[k];
-      d.rate[k] = f.rate[k];
       for (int j = 0; j < D; ++j) d.gradient[k][j] = f.gradient[k][j];
     }
     if constexpr (Law::motion) {
@@ -330,13 +340,15 @@ struct ElementLoop {
         for (int m = 0; m < D; ++m) {
           const int way = Way::motion + D * j + m;
           if (j == m) d.volume_ratio.d[way] = w * f.volume_ratio;
-          d.velocity_gradient[j][m].d[way] += at.displacement.rate;
-          for (int i = 0; i < D; ++i) d.velocity_gradient[i][m].d[way] -= w * f.velocity_gradient[i][j];
+          if constexpr (Law::rates) {
+            d.velocity_gradient[j][m].d[way] += at.displacement.rate;
+            for (int i = 0; i < D; ++i) d.velocity_gradient[i][m].d[way] -= w * f.velocity_gradient[i][j];
+          }
           for (int k = 0; k < S; ++k) d.gradient[k][m].d[way] -= w * f.gradient[k][j];
         }
       if constexpr (Coordinates::hoop) {
         d.volume_ratio.d[Way::hoop] = w * f.volume_ratio;
-        d.hoop_rate.d[Way::hoop] = at.displacement.rate - w * f.hoop_rate;
+        if constexpr (Law::rates) d.hoop_rate.d[Way::hoop] = at.displacement.rate - w * f.hoop_rate;
       }
     }
     if constexpr (Law::inertia)
@@ -347,7 +359,7 @@ struct ElementLoop {
     if constexpr (Law::scalars)
       for (int k = 0; k < S; ++k) {
         d.value[k].d[Way::value + k] = d.change[k].d[Way::value + k] = at.scalar[k].value;
-        d.rate[k].d[Way::value + k] = at.scalar[k].rate;
+        if constexpr (Law::rates) d.rate[k].d[Way::value + k] = at.scalar[k].rate;
       }
     if constexpr (Law::gradients)
       for (int k = 0; k < S; ++k)
@@ -504,12 +516,12 @@ struct ElementLoop {
   KOKKOS_INLINE_FUNCTION void tangent(int e, const Law& law, const MatrixScatter& to, double weight) const {
     constexpr int width = Columns<Law>::count, first = Columns<Law>::first;
     Nodes n;
-    gather(e, true, n);
+    gather<Law::rates>(e, n);
     double ku[D * NU][width] = {}, kp[SQ * NQ][width] = {};
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields f;
-      if (!shapes(q, n.x, s) || !fields(n, s, f)) return;
+      if (!shapes(q, n.x, s) || !fields<Law::rates>(n, s, f)) return;
       double A[Rows<Law>::count][Directions<Law>::count], Y[Rows<Law>::count][width];
       point_matrix(e * b.points + q, law, s, f, A);
       to_unknowns<Law>(s, A, Y);
@@ -537,8 +549,12 @@ struct ElementLoop {
 
 /// Whether a law fits a set of fields: a balance of a scalar needs one, one of forces needs the displacement.
 template <class Law, class Shapes>
-constexpr bool fits = (Shapes::S > 0 || !(Law::storages || Law::fluxes)) &&
+constexpr bool fits = (Law::fields == PointLaw::any || Law::fields == Shapes::S) &&
+                      (Shapes::S > 0 || !(Law::storages || Law::fluxes)) &&
                       (Shapes::moves || !(Law::forces || Law::stresses || Law::motion || Law::inertia));
+[[noreturn]] inline void fail_to_fit() {
+  throw std::logic_error("a law of balance does not fit the fields of its block");
+}
 
 /// Adds the balance of a block's elements to the residual. `level`: the state to look at. Returns the number of folded
 /// elements.
@@ -552,6 +568,8 @@ int add_residual(Geometry geometry, const FieldBlock& block, const LoopLevel& le
       Kokkos::parallel_reduce(
           "residual", Kokkos::RangePolicy<>(0, block.elements),
           KOKKOS_LAMBDA(int e, int& sum) { sum += loop.residual(e, law, f); }, failed);
+    } else {
+      fail_to_fit();
     }
     return failed;
   });
@@ -566,6 +584,8 @@ void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& le
       const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block, level};
       Kokkos::parallel_for(
           "tangent", Kokkos::RangePolicy<>(first, last), KOKKOS_LAMBDA(int e) { loop.tangent(e, law, to, weight); });
+    } else {
+      fail_to_fit();
     }
   });
 }

@@ -11,7 +11,7 @@ struct IntegrationOptions {
   double stress_tolerance = 1e-4;  // relative local error that an explicit substep may have
   double yield_tolerance = 1e-9;   // on the model's dimensionless yield function
   int maximum_substeps = 1000;     // attempts per increment
-  Method method = Method::modified_euler;
+  Method method = Method::dormand_prince;
 
   /// For laws with constant elasticity, where one backward Euler step is cheap and seldom fails.
   static IntegrationOptions implicit() {

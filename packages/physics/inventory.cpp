@@ -23,24 +23,25 @@ Inventory take_inventory(const Soil& soil, const State& state) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, level};
       for (int e = 0; e < b.elements; ++e)
-        loop.for_each_point(e, true, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
-          const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio);
-          const double mass = mixture.density(n, at) * s.dv;
-          for (int i = 0; i < Loop::D; ++i) {
-            local[i] += mass * at.velocity[i];
-            local[2] += 0.5 * mass * at.velocity[i] * at.velocity[i];
-          }
-          const double warmth = Loop::S > 1 ? at.value[Loop::SQ - 1] : mixture.reference;
-          local[3] += (1 - n) * mixture.grain_density_at(warmth) * s.dv;
-          if constexpr (Loop::S > 0) {
-            const double squeezed = Loop::S > 1 ? std::expm1(at.value[0] * mixture.fluid_compliance -
-                                                             mixture.fluid_expansion * (warmth - mixture.reference))
-                                                : at.value[0] * mixture.fluid_compliance;
-            local[4] += n * (1 + squeezed) * s.dv;
-            local[5] += n * s.dv;
-            local[6] += n * squeezed * s.dv;
-          }
-        });
+        loop.template for_each_point<true>(
+            e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
+              const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio);
+              const double mass = mixture.density(n, at) * s.dv;
+              for (int i = 0; i < Loop::D; ++i) {
+                local[i] += mass * at.velocity[i];
+                local[2] += 0.5 * mass * at.velocity[i] * at.velocity[i];
+              }
+              const double warmth = Loop::S > 1 ? at.value[Loop::SQ - 1] : mixture.reference;
+              local[3] += (1 - n) * mixture.grain_density_at(warmth) * s.dv;
+              if constexpr (Loop::S > 0) {
+                const double squeezed = Loop::S > 1 ? std::expm1(at.value[0] * mixture.fluid_compliance -
+                                                                 mixture.fluid_expansion * (warmth - mixture.reference))
+                                                    : at.value[0] * mixture.fluid_compliance;
+                local[4] += n * (1 + squeezed) * s.dv;
+                local[5] += n * s.dv;
+                local[6] += n * squeezed * s.dv;
+              }
+            });
     });
   }
   Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, 7, local, total);

@@ -62,9 +62,9 @@ struct SoilBlock : FieldBlock {
 
 /// All soil of a model.
 struct Soil {
-  const Space* space;
-  Geometry geometry;
-  int displacement, pressure = -1, temperature = -1;  // field indices; -1: not among the unknowns
+  const Space* space = nullptr;
+  Geometry geometry = Geometry::plane_strain;
+  int displacement = -1, pressure = -1, temperature = -1;  // field indices; -1: not among the unknowns
   std::vector<SoilBlock> blocks;
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
   bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water

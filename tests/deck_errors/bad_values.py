@@ -4,6 +4,11 @@ from wrong_deck import Wrong, parameter, section, whole
 BOTH = (1, 2)
 UPPER = parameter("upper", "Array(double)", "{0.3, 0.3}")
 SKELETON = whole("skeleton")
+HEAT = """<ParameterList name="heat">
+        <Parameter name="conductivity" type="double" value="1.2"/>
+        <Parameter name="grain heat capacity" type="double" value="800"/>
+      </ParameterList>
+"""
 
 
 def without(text):
@@ -62,7 +67,7 @@ DECKS = [
     # missing
     Wrong("no mesh", without(whole("mesh")), "required section 'mesh' is missing", at='<ParameterList name="base">'),
     Wrong("no stages", without(whole("stages")), "required section 'stages' is missing", at='<ParameterList name="base">'),
-    Wrong("no physics", without(whole("ground")), "physics: at least one physics is needed; known physics types: biot, solid",
+    Wrong("no physics", without(whole("ground")), "physics: at least one physics is needed; known physics types: biot, solid, thermo-hydro-mechanical",
           at=section("physics"), ranks=BOTH),
     Wrong("no upper corner", without(UPPER), "mesh: required parameter 'upper' is missing", at=section("mesh")),
     Wrong("no type", without("    " + parameter("type", "string", "box") + "\n"),
@@ -88,7 +93,13 @@ DECKS = [
           "physics/ground/type: linear quad4 cells give an unstable displacement and pore-pressure pair; use quadratic cells "
           "(tri6 or quad9, in Gmsh: order 2)", at='<Parameter name="type" type="string" value="biot"/>', ranks=BOTH),
     Wrong("biot without fluid", [without(whole("fluid")), without(whole("permeability"))],
-          "materials/clay: material 'clay' needs the sections 'fluid' and 'permeability' in physics 'biot'", at=section("clay"), ranks=BOTH),
+          "materials/clay: material 'clay' needs the sections 'fluid' and 'permeability' in a physics of saturated soil", at=section("clay"), ranks=BOTH),
+    Wrong("heat that nothing uses", (whole("permeability"), whole("permeability") + HEAT),
+          "materials/clay/heat: no physics of this model uses these properties", at=section("heat"), ranks=BOTH),
+    Wrong("warm soil without heat", ('value="biot"', 'value="thermo-hydro-mechanical"'),
+          "materials/clay: required section 'heat' is missing: a physics of this model needs it", at=section("clay"), ranks=BOTH),
+    Wrong("heat misspelt", [('value="biot"', 'value="thermo-hydro-mechanical"'), (whole("permeability"), whole("permeability") + HEAT.replace("heat", "haet", 1))],
+          "materials/clay/haet: unknown section (did you mean 'heat'?); allowed: skeleton, fluid, permeability, heat", at=section("haet")),
     Wrong("fluid without permeability", without(whole("permeability")),
           "materials/clay: a saturated soil needs a section 'permeability' beside its 'fluid'", at=section("clay")),
     Wrong("permeability without fluid", without(whole("fluid")),

@@ -19,6 +19,7 @@ struct HeatParameters {
 
 /// The balance at a point: C dT/dt is stored, -lambda grad T flows.
 struct Heat : PointLaw {
+  static constexpr int fields = 1;
   static constexpr bool storages = true, fluxes = true, gradients = true, motion = false;
   HeatParameters values;
 

@@ -29,36 +29,34 @@ constexpr int concentration = 1;  // of the scalar fields; the first is the pore
 
 /// What is stored, at the end of the step: with the water that is there, between those of start and end.
 struct Stored : PointLaw {
-  static constexpr bool storages = true;
+  static constexpr int fields = 2;
+  static constexpr bool storages = true, rates = false;
   Darcy darcy;
   double retardation, dt, theta;
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    if constexpr (S > 1) {
-      const double e = darcy.void_ratio(row, 0);
-      const T water = (1 - theta) * darcy.porosity(row, at) + theta * e / (1 + e) / at.volume_ratio;
-      out.storage[0] = 0.0;
-      out.storage[concentration] = retardation / dt * water * at.change[concentration];
-    }
+    const double e = darcy.void_ratio(row, 0);
+    const T water = (1 - theta) * darcy.porosity(row, at) + theta * e / (1 + e) / at.volume_ratio;
+    out.storage[0] = 0.0;
+    out.storage[concentration] = retardation / dt * water * at.change[concentration];
   }
 };
 
 /// What flows, at the level of balances.
 struct Carried : PointLaw {
-  static constexpr bool storages = true, fluxes = true, gradients = true;
+  static constexpr int fields = 2;
+  static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   Darcy darcy;
   double diffusivity;
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    if constexpr (S > 1) {
-      T minus_flow[C::dim];
-      darcy.minus_discharge(row, at, minus_flow);
-      out.storage[0] = out.storage[concentration] = 0.0;
-      for (int i = 0; i < C::dim; ++i) {
-        out.storage[concentration] -= minus_flow[i] * at.gradient[concentration][i];
-        out.flux[0][i] = 0.0;
-        out.flux[concentration][i] = diffusivity * at.gradient[concentration][i];
-      }
+    T minus_flow[C::dim];
+    darcy.minus_discharge(row, at, minus_flow);
+    out.storage[0] = out.storage[concentration] = 0.0;
+    for (int i = 0; i < C::dim; ++i) {
+      out.storage[concentration] -= minus_flow[i] * at.gradient[concentration][i];
+      out.flux[0][i] = 0.0;
+      out.flux[concentration][i] = diffusivity * at.gradient[concentration][i];
     }
   }
 };

@@ -186,7 +186,9 @@ TEST(Conservation, TheFreeBoundaryKnowsWhatVolumeItMoves) {
   for (bool axisymmetric : {false, true}) {
     const auto mesh = box(CellShape::tri6, 6);
     const Points points(*mesh);
-    const Soil soil{nullptr, axisymmetric ? Geometry::axisymmetric : Geometry::plane_strain, 0, -1, {points.block}};
+    Soil soil;
+    soil.geometry = axisymmetric ? Geometry::axisymmetric : Geometry::plane_strain;
+    soil.blocks = {points.block};
     Positions x = points.start;
     for (auto& p : x) p[1] *= 1 + 0.1 * std::sin(3 * p[0]);  // a curved top
     EXPECT_NEAR(soil_volume(points.whole, soil, points.start), axisymmetric ? std::acos(-1.0) : 1.0, 1e-13);

@@ -46,7 +46,7 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
                   law = view.committed->arrays[b.law];
   for (int e = 0; e < b.elements; ++e) {
     double q_e[Loop::NQ][Loop::NQ] = {}, l_e[Loop::NQ][Loop::NQ] = {};
-    loop.for_each_point(e, false, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
+    loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
       const int row = e * b.points + q;
       const double void_ratio = void_ratios(row, 0), n = void_ratio / (1 + void_ratio);
       const ElasticModuli m =

@@ -9,6 +9,7 @@ namespace {
 
 template <bool FluidAcceleration>
 struct DarcyFlow : PointLaw {
+  static constexpr int fields = 1;
   static constexpr bool storages = true, fluxes = true, gradients = true, inertia = FluidAcceleration;
   Darcy darcy;
 

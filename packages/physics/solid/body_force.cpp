@@ -10,7 +10,7 @@ namespace {
 /// rho b with b = a (Inertia) or b = -g; with pore pressures in excess of water at rest the water's lift is taken off.
 template <bool Inertia>
 struct Weight : PointLaw {
-  static constexpr bool forces = true, inertia = Inertia;
+  static constexpr bool forces = true, inertia = Inertia, rates = Inertia;
   Mixture mixture;
   double lift, gravity[2], gravity_old[2];
   PointView void_ratio;

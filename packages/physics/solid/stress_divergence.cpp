@@ -39,7 +39,7 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
 /// Total stress sigma' - alpha p from the point data. Its derivatives are the law's, D, which an isotropic law gives
 /// for a strain increment in the axes of the end, and the turning of the stress with the material.
 struct TotalStress : PointLaw {
-  static constexpr bool stresses = true, stands = true;
+  static constexpr bool stresses = true, stands = true, rates = false;
   double alpha, expansion;  // expansion: of the skeleton with the second scalar, the temperature [1/K]
   PointView stress, stress_old;
   ConstPointView tangent;  // of the batch
@@ -188,7 +188,7 @@ int StressUpdate::stage_element(const Loop& loop, int e, int row) const {
     e_new(from, 1) = e_old(from, 1);
   };
   int next = 0;
-  if (loop.for_each_point(e, false, [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
+  if (loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
         stage(q, at);
         next = q + 1;
       })) {

@@ -45,51 +45,49 @@ struct WarmSoil {
 
 /// What changes in the step, at its end.
 struct Stored : PointLaw {
-  static constexpr bool storages = true;
+  static constexpr int fields = 2;
+  static constexpr bool storages = true, rates = false;
   WarmSoil soil;
   double dt, theta;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    if constexpr (S > 1) {
-      const double e = soil.void_ratio(row, 0), old_n = e / (1 + e),
-                   old_p = value(at.value[pressure] - at.change[pressure]),
-                   old_t = value(at.value[temperature] - at.change[temperature]);
-      const T share = 1.0 / at.volume_ratio, n = soil.mixture.porosity(e, at);
-      const T now = n * soil.density(at.value[pressure], at.value[temperature]),
-              old = old_n * soil.density(old_p, old_t) * share;
-      const double grains = (1 - old_n) * soil.mixture.grain_density_at(old_t) * soil.grain_capacity;
-      const T capacity = grains * share + soil.water_capacity() * ((1 - theta) * now + theta * old);
-      out.storage[pressure] = (now - old) * (1 / dt);
-      out.storage[temperature] = capacity * at.change[temperature] * (1 / dt);
-    }
+    const double e = soil.void_ratio(row, 0), old_n = e / (1 + e),
+                 old_p = value(at.value[pressure] - at.change[pressure]),
+                 old_t = value(at.value[temperature] - at.change[temperature]);
+    const T share = 1.0 / at.volume_ratio, n = soil.mixture.porosity(e, at);
+    const T now = n * soil.density(at.value[pressure], at.value[temperature]),
+            old = old_n * soil.density(old_p, old_t) * share;
+    const double grains = (1 - old_n) * soil.mixture.grain_density_at(old_t) * soil.grain_capacity;
+    const T capacity = grains * share + soil.water_capacity() * ((1 - theta) * now + theta * old);
+    out.storage[pressure] = (now - old) * (1 / dt);
+    out.storage[temperature] = capacity * at.change[temperature] * (1 / dt);
   }
 };
 
 /// What flows, at the level of balances.
 struct Flows : PointLaw {
-  static constexpr bool storages = true, fluxes = true, gradients = true;
+  static constexpr int fields = 2;
+  static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   WarmSoil soil;
   double gravity[2], lift;  // [m/s2]; density that the pressures leave out [kg/m3]
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    if constexpr (S > 1) {
-      const T& t = at.value[temperature];
-      const T n = soil.mixture.porosity(soil.void_ratio(row, 0), at), e = n / (1.0 - n);
-      const Permeability::Value k = soil.permeability->conductivity(value(e), soil.void_ratio(row, 1));
-      const T mobility = chain(e, k.k, k.dk_de) * (1 / soil.unit_weight) * soil.fluidity(t);
-      const T weight = soil.mixture.fluid_density_at(t) - lift, density = soil.density(at.value[pressure], t);
-      T carried = 0.0;
-      for (int i = 0; i < C::dim; ++i) {
-        const T minus_flow = mobility * density * (at.gradient[pressure][i] - weight * gravity[i]);
-        carried -= minus_flow * at.gradient[temperature][i];
-        out.flux[pressure][i] = minus_flow;
-        out.flux[temperature][i] = soil.conductivity * at.gradient[temperature][i];
-      }
-      out.storage[pressure] = 0.0;
-      out.storage[temperature] = soil.water_capacity() * carried;
+    const T& t = at.value[temperature];
+    const T n = soil.mixture.porosity(soil.void_ratio(row, 0), at), e = n / (1.0 - n);
+    const Permeability::Value k = soil.permeability->conductivity(value(e), soil.void_ratio(row, 1));
+    const T mobility = chain(e, k.k, k.dk_de) * (1 / soil.unit_weight) * soil.fluidity(t);
+    const T weight = soil.mixture.fluid_density_at(t) - lift, density = soil.density(at.value[pressure], t);
+    T carried = 0.0;
+    for (int i = 0; i < C::dim; ++i) {
+      const T minus_flow = mobility * density * (at.gradient[pressure][i] - weight * gravity[i]);
+      carried -= minus_flow * at.gradient[temperature][i];
+      out.flux[pressure][i] = minus_flow;
+      out.flux[temperature][i] = soil.conductivity * at.gradient[temperature][i];
     }
+    out.storage[pressure] = 0.0;
+    out.storage[temperature] = soil.water_capacity() * carried;
   }
 };
 
@@ -127,13 +125,14 @@ class WaterAndHeat : public Term {
         const Loop loop{b, level};
         if constexpr (Loop::S > 1)
           for (int e = 0; e < b.elements; ++e)
-            loop.for_each_point(e, false, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
-              const double ratio = soil.void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
-                           t = at.value[temperature];
-              here += s.dv * (t - soil.reference) *
-                      ((1 - n) * soil.mixture.grain_density_at(t) * soil.grain_capacity +
-                       n * soil.density(at.value[pressure], t) * soil.water_capacity());
-            });
+            loop.template for_each_point<false>(
+                e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
+                  const double ratio = soil.void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
+                               t = at.value[temperature];
+                  here += s.dv * (t - soil.reference) *
+                          ((1 - n) * soil.mixture.grain_density_at(t) * soil.grain_capacity +
+                           n * soil.density(at.value[pressure], t) * soil.water_capacity());
+                });
       });
     }
     Teuchos::reduceAll(*soil_->space->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
