@@ -303,7 +303,7 @@ class Plugins(MudlineCase):
             tag = step["cell"]["origin"][:].reshape(-1)
         pushed = -fallen.min()
         self.assertGreater(pushed, 0.2)
-        print(pushed, np.abs(tag - (height - fallen)).max(), np.abs(height-tag).max()); self.assertLess(np.abs(tag - (height - fallen)).max(), 0.15 * pushed)
+        self.assertLess(np.abs(tag - (height - fallen)).max(), 0.15 * pushed)
 
     def test_heat_on_two_ranks(self):
         deck = self.example("heat_conduction/warm_ground.xml")
