@@ -99,7 +99,7 @@ DECKS = [
     Wrong("warm soil without heat", ('value="biot"', 'value="thermo-hydro-mechanical"'),
           "materials/clay: required section 'heat' is missing: a physics of this model needs it", at=section("clay"), ranks=BOTH),
     Wrong("heat misspelt", [('value="biot"', 'value="thermo-hydro-mechanical"'), (whole("permeability"), whole("permeability") + HEAT.replace("heat", "haet", 1))],
-          "materials/clay/haet: unknown section (did you mean 'heat'?); allowed: skeleton, fluid, permeability, heat", at=section("haet")),
+          "materials/clay/haet: unknown section (did you mean 'heat'?)", at=section("haet")),
     Wrong("fluid without permeability", without(whole("permeability")),
           "materials/clay: a saturated soil needs a section 'permeability' beside its 'fluid'", at=section("clay")),
     Wrong("permeability without fluid", without(whole("fluid")),

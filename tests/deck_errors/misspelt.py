@@ -32,7 +32,7 @@ DECKS = [
     Wrong("permeability parameter", ('value="1e-8"/>', 'value="1e-8"/>' + parameter("reference", "double", "1")),
           "materials/clay/permeability/reference: unknown parameter; allowed: type, hydraulic conductivity"),
     Wrong("physics type", ('value="biot"', 'value="bio"'),
-          "physics/ground/type: unknown physics type 'bio' (did you mean 'biot'?); known types: biot, solid", ranks=BOTH),
+          "physics/ground/type: unknown physics type 'bio' (did you mean 'biot'?); known types: biot, solid, thermo-hydro-mechanical", ranks=BOTH),
     Wrong("physics parameter", ('name="gravity"', 'name="gravty"'), "physics/ground/gravty: unknown parameter (did you mean 'gravity'?)"),
     Wrong("initial state parameter", ('name="water level"', 'name="water levle"'),
           "physics/ground/initial state/water levle: unknown parameter (did you mean 'water level'?)"),

@@ -81,7 +81,7 @@ class Heat(MudlineCase):
     def test_uniform_warmth_stays(self):
         """Water that flows through soil of one temperature, other than that of reference, changes nothing."""
         history = self.run_deck(self.deck("convection_front"), (
-            "physics/ground/initial temperature=30", "stages/heating/duration=1e5", "physics/ground/water expansion=0.0004",
+            "physics/ground/initial temperature=30", "stages/heating/duration=1e5", "physics/ground/water heat capacity=4000", "physics/ground/water expansion=0.0004",
             "materials/sand/heat/grain expansion=3e-5", "materials/sand/skeleton/Young's modulus=1e6"))
         for probe in ("one metre", "three metres", "five metres"):
             self.assertLess(np.abs(history[f"probe/{probe}/temperature"] - 30).max(), 1e-8)
