@@ -194,6 +194,10 @@ def choose_fields(result, step, wanted):
     # Components of vectors are there for who asks for them; their length says enough for an overview.
     whole = [name for name in available if not (name[-2:] in (" x", " y") and name[:-2] in available)]
     ordered = [name for name in FAVOURITES if name in whole] + [name for name in whole if name not in FAVOURITES]
+    # first of all the unknowns that not every model has: a temperature, what a plugin adds
+    special = [name for name in ordered if not available[name].by_cell and name not in FAVOURITES and name + " x" not in available
+               and not name.startswith("contact ")]
+    ordered = special + [name for name in ordered if name not in special]
     return ordered[:MAX_DEFAULT_FIELDS]
 
 
