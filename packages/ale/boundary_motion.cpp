@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
@@ -57,7 +58,7 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
     focus = bodies.at(focus_)->initial_position();
   }
-  paths_ = find_paths(mesh, source, corners_, corner_angle_ * std::acos(-1.0) / 180,
+  paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
                       [&](int node) { return starts_on_body(source[node]); });
   for (const MeshPath& path : paths_) {
     const PathCurve curve(places(path, source));

@@ -3,24 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pi.hpp"
+#include "discretisation/cell_map.hpp"
+
 namespace mudline {
 
 namespace {
 
-/// Map of one element at one quadrature point.
-struct PointMap {
-  double j[2][2] = {{0, 0}, {0, 0}}, r = 0;
-  double det = 0, factor = 0;  // factor det: volume
+/// Map of one element at one quadrature point; factor det: volume.
+struct PointMap : CellMap<2> {
+  double factor = 0;
 
   PointMap(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x, bool axisymmetric) {
+    double r = 0, gradient[2][2] = {};
     for (int a = 0; a < block.u.nodes; ++a) {
       const auto& place = x[element.nodes[a]];
       r += block.u.N(q, a) * place[0];
       for (int i = 0; i < 2; ++i)
-        for (int k = 0; k < 2; ++k) j[i][k] += place[i] * block.u.dN(q, a, k);
+        for (int k = 0; k < 2; ++k) gradient[i][k] += place[i] * block.u.dN(q, a, k);
     }
-    det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    factor = block.u.weights(q) * (axisymmetric ? 2 * std::acos(-1.0) * r : 1.0);
+    compute(gradient);
+    factor = block.u.weights(q) * (axisymmetric ? 2 * pi * r : 1.0);
   }
   double volume() const { return factor * det; }
 };
@@ -50,9 +53,9 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
         for (int a = 0; a < block.u.nodes; ++a) {
           const double d[2] = {block.u.dN(q, a, 0), block.u.dN(q, a, 1)};
           auto& g = gradient[element.nodes[a]];
-          g[0] += at.factor * (d[0] * at.j[1][1] - d[1] * at.j[1][0]);
-          g[1] += at.factor * (at.j[0][0] * d[1] - at.j[0][1] * d[0]);
-          if (soil.axisymmetric()) g[0] += 2 * std::acos(-1.0) * block.u.weights(q) * block.u.N(q, a) * at.det;
+          g[0] += at.factor * (d[0] * at.slope[1][1] - d[1] * at.slope[1][0]);
+          g[1] += at.factor * (at.slope[0][0] * d[1] - at.slope[0][1] * d[0]);
+          if (soil.axisymmetric()) g[0] += 2 * pi * block.u.weights(q) * block.u.N(q, a) * at.det;
         }
       }
     }

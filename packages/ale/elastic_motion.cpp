@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ale/interior_motion.hpp"
+#include "core/pi.hpp"
 
 namespace mudline {
 
@@ -114,7 +115,7 @@ void ArtificialMotion::parameters(Parameters& p) {
 
 void ArtificialMotion::move(const InteriorMesh& mesh, Positions& x) const {
   ElasticMotion::move(mesh, x);
-  const double turn = 2 * std::acos(-1.0);
+  const double turn = 2 * pi;
   for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
     if (!mesh.movable[node]) continue;
     double side = 1e300;

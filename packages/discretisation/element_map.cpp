@@ -34,39 +34,41 @@ std::array<double, 2> on_side(CellShape shape, int side, double t) {
   return {from[0] + 0.5 * (1 + t) * (to[0] - from[0]), from[1] + 0.5 * (1 + t) * (to[1] - from[1])};
 }
 
-std::array<double, 2> ElementMap::at(const double xi[2]) const {
-  double N[9], dN[18];
+CellMap<2> ElementMap::map(const double xi[2], std::array<double, 2>& x) const {
+  double N[9], dN[18], slope[2][2] = {};
   evaluate_shape(shape_, xi, N, dN);
-  std::array<double, 2> result{};
+  x = {};
   for (int a = 0; a < nodes_; ++a)
-    for (int i = 0; i < 2; ++i) result[i] += N[a] * x_[a][i];
+    for (int i = 0; i < 2; ++i) {
+      x[i] += N[a] * x_[a][i];
+      for (int k = 0; k < 2; ++k) slope[i][k] += x_[a][i] * dN[2 * a + k];
+    }
+  CellMap<2> result;
+  result.compute(slope);
   return result;
 }
 
+std::array<double, 2> ElementMap::at(const double xi[2]) const {
+  std::array<double, 2> x;
+  map(xi, x);
+  return x;
+}
+
 double ElementMap::determinant(const double xi[2]) const {
-  double N[9], dN[18], j[2][2] = {{0, 0}, {0, 0}};
-  evaluate_shape(shape_, xi, N, dN);
-  for (int a = 0; a < nodes_; ++a)
-    for (int i = 0; i < 2; ++i)
-      for (int k = 0; k < 2; ++k) j[i][k] += x_[a][i] * dN[2 * a + k];
-  return j[0][0] * j[1][1] - j[0][1] * j[1][0];
+  std::array<double, 2> x;
+  return map(xi, x).det;
 }
 
 bool ElementMap::invert(const std::array<double, 2>& point, double xi[2]) const {
   const double middle = num_corners(shape_) == 3 ? 1.0 / 3 : 0.0;
   xi[0] = xi[1] = middle;
-  double N[9], dN[18];
   for (int iteration = 0; iteration < 30; ++iteration) {
-    evaluate_shape(shape_, xi, N, dN);
-    double r[2] = {point[0], point[1]}, j[2][2] = {{0, 0}, {0, 0}};
-    for (int a = 0; a < nodes_; ++a)
-      for (int i = 0; i < 2; ++i) {
-        r[i] -= N[a] * x_[a][i];
-        for (int k = 0; k < 2; ++k) j[i][k] += x_[a][i] * dN[2 * a + k];
-      }
-    const double det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    if (!(std::abs(det) > 0)) return false;
-    const double step[2] = {(j[1][1] * r[0] - j[0][1] * r[1]) / det, (-j[1][0] * r[0] + j[0][0] * r[1]) / det};
+    std::array<double, 2> x;
+    const CellMap<2> here = map(xi, x);
+    if (!(std::abs(here.det) > 0)) return false;
+    const double r[2] = {point[0] - x[0], point[1] - x[1]};
+    double step[2];
+    for (int k = 0; k < 2; ++k) step[k] = here.inverse[k][0] * r[0] + here.inverse[k][1] * r[1];
     const double size = std::hypot(step[0], step[1]);
     if (!(size < 1e6)) return false;
     const double factor = size > 1 ? 1 / size : 1.0;  // far from the solution the quadratic map misleads

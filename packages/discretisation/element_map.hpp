@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "discretisation/cell_map.hpp"
 #include "discretisation/shapes.hpp"
 
 namespace mudline {
@@ -29,6 +30,9 @@ class ElementMap {
   double scaled_jacobian() const;
 
  private:
+  /// The map at a place, and where the place is.
+  CellMap<2> map(const double xi[2], std::array<double, 2>& x) const;
+
   CellShape shape_;
   int nodes_;
   double x_[9][2];

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/pi.hpp"
 #include "materials/earth_pressure.hpp"
 
 namespace mudline {
@@ -50,7 +51,7 @@ void DruckerPrager::check(const Section& section) const {
 void DruckerPrager::prepare() {
   tension_shape_ = LodeShape::mohr_coulomb(1.0, 29.0);
   if (match == Match::direct) return;
-  const double degree = std::acos(-1.0) / 180.0, root3 = std::sqrt(3.0);
+  const double degree = pi / 180.0, root3 = std::sqrt(3.0);
   const double sine = std::sin(friction * degree), cosine = std::cos(friction * degree),
                flow = std::sin(dilation * degree);
   double factor;  // eta = factor sin(phi), k = factor c cos(phi)
@@ -77,7 +78,7 @@ std::string DruckerPrager::initialise(const InitialPoint&, double* state) const 
 
 double DruckerPrager::k0(double overconsolidation_ratio) const {
   if (match == Match::direct) return -1.0;
-  return earth_pressure_within_strength(std::sin(friction * std::acos(-1.0) / 180.0), overconsolidation_ratio);
+  return earth_pressure_within_strength(std::sin(friction * pi / 180.0), overconsolidation_ratio);
 }
 
 }  // namespace mudline

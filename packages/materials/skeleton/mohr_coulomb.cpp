@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/pi.hpp"
 #include "materials/earth_pressure.hpp"
 
 namespace mudline {
@@ -36,7 +37,7 @@ void MohrCoulomb::check(const Section& section) const {
 }
 
 void MohrCoulomb::prepare() {
-  const double degree = std::acos(-1.0) / 180.0;
+  const double degree = pi / 180.0;
   sine_ = std::sin(friction * degree);
   cosine_ = std::cos(friction * degree);
   dilation_sine_ = std::sin(dilation * degree);
