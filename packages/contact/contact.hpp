@@ -8,6 +8,7 @@
 
 #include "bodies/rigid_body.hpp"
 #include "contact/laws/friction.hpp"
+#include "contact/laws/normal_law.hpp"
 #include "core/registry.hpp"
 #include "framework/term.hpp"
 
@@ -18,6 +19,7 @@ struct ContactContext {
   const Space& space;
   const std::map<std::string, std::shared_ptr<RigidBody>>& bodies;  // by name
   const Registry<Friction>& frictions;
+  const Registry<NormalLaw>& normal_laws;
   /// Representative constrained modulus lambda + 2 G [Pa] of the soil in an element (block, element): scale of
   /// penalties.
   std::function<double(int block, int element)> stiffness;

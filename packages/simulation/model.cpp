@@ -191,7 +191,7 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
   const Section section = deck.section("contacts");
   if (!section.section_names().empty() && !soil_) section.fail("contacts need a physics with soil");
   for (const Section& entry : collection(section)) {
-    const ContactContext context{*space_, bodies_, registries.frictions,
+    const ContactContext context{*space_, bodies_, registries.frictions, registries.normal_laws,
                                  [this](int block, int element) { return constrained_modulus(block, element); }};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
   }

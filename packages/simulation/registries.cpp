@@ -21,6 +21,7 @@ void register_all(Registries& r) {
   register_motions(r.motions);
   register_contact(r.contacts);
   register_friction(r.frictions);
+  register_normal_laws(r.normal_laws);
   register_interior_motions(r.interior_motions);
   register_remaps(r.remaps);
   register_time_integrators(r.integrators);
@@ -68,6 +69,7 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.conditions);
   append(docs, r.contacts);
   append(docs, r.frictions);
+  append(docs, r.normal_laws);
   docs.push_back(fixed("mesh motion", "how the mesh moves against the soil (ALE); absent: it goes with it",
                        [](Parameters& p) { Ale::document(p); }));
   append(docs, r.interior_motions);

@@ -28,6 +28,7 @@ struct Registries {
   Registry<BodyMotion> motions{"motion"};
   ContactRegistry contacts{"contact"};
   Registry<Friction> frictions{"friction"};
+  Registry<NormalLaw> normal_laws{"normal law"};
   Registry<InteriorMotion> interior_motions{"mesh motion"};
   Registry<Remap> remaps{"remap"};
   Registry<TimeIntegrator> integrators{"integrator"};

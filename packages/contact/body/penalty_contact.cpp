@@ -166,19 +166,19 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
   }
   const SideShift shift = shifts(view, side);
   if (!friction_)
-    return penalty_side(rule(at), against, penalty, nullptr, step, shift, x, axisymmetric_, want_tangent, force,
-                        points);
+    return penalty_side(rule(at), against, *normal_law_, penalty, nullptr, step, shift, x, axisymmetric_, want_tangent,
+                        force, points);
   std::vector<ShearState> old = shear_states(*view.committed, side);
   add_multipliers(view, side, old);
   const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, penalty, &friction, step, shift, x, axisymmetric_, want_tangent, force,
-                      points);
+  return penalty_side(rule(at), against, *normal_law_, penalty, &friction, step, shift, x, axisymmetric_, want_tangent,
+                      force, points);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.sensitivity[displacement_].value == 0) return false;  // 0: the start of a stage, not a step
   if (deck_.impact == PenaltyParameters::Impact::automatic)
-    return !deck_.augmented() && !active_set_.used() && body_->unknowns().count > 0;
+    return !deck_.augmented() && !active_set_.used() && normal_law_->linear() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 

@@ -134,6 +134,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
   void check_drainage(const Section& section) const;
+  void check_normal_law(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
@@ -145,6 +146,7 @@ class PenaltyContact : public Contact, public ClosesSides {
 
   ContactContext context_;
   std::unique_ptr<const Friction> friction_;  // null: smooth
+  std::unique_ptr<const NormalLaw> normal_law_ = std::make_unique<LinearNormalLaw>();
   std::string name_;
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;

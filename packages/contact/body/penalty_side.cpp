@@ -183,9 +183,9 @@ void add_damping(const ContactRule& rule, int c, const SideAreas& areas, double 
 
 }  // namespace
 
-bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideStep& step, const SideShift& shift, const SideCoordinates& x, bool axisymmetric,
-                  bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
+bool penalty_side(const ContactRule& rule, const SideBody& against, const NormalLaw& law, double penalty,
+                  const SideFriction* friction, const SideStep& step, const SideShift& shift, const SideCoordinates& x,
+                  bool axisymmetric, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
   const RigidBody& body = against.body;
   const int pressures = friction ? friction->pressure_nodes : 0, first_body = 2 * rule.nodes + pressures;
   out = {};
@@ -219,15 +219,17 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
       if (want_tangent && shares.start.slope != 0)
         add.add_old_tangent(step.old[c], shares.start.slope / (1 - step.alpha_f), foot.normal);
     }
-    if (point.active) point.pressure = -penalty * pressed;
+    const NormalPressure normal =
+        point.active ? law.at(-pressed, penalty) : NormalPressure{0, against.touch_share * penalty};
+    point.pressure = normal.value;
     if (step.viscous > 0)
-      add_damping(rule, c, areas, penalty, step, shares, gap_start, arm, foot, ways, first_body, add, want_tangent, out,
-                  point);
+      add_damping(rule, c, areas, normal.slope, step, shares, gap_start, arm, foot, ways, first_body, add, want_tangent,
+                  out, point);
     if (!point.active && (!want_tangent || foot.gap >= against.touch)) continue;
     ShearTangent shear;
     if (point.active) {
       for (int i = 0; i < 2; ++i) point.force[i] = point.pressure * foot.normal[i] * point.area;
-      if (friction) add_friction(rule, c, body, against.start, *friction, penalty, shift, foot, point, shear);
+      if (friction) add_friction(rule, c, body, against.start, *friction, normal.slope, shift, foot, point, shear);
     }
     point.moment = arm[0] * point.force[1] - arm[1] * point.force[0];
     ImpactShare share{1, 0};  // of the end's part in the alpha level
@@ -238,8 +240,7 @@ bool penalty_side(const ContactRule& rule, const SideBody& against, double penal
     add.add_force(point.force, 1, out.f);
     if (!want_tangent) continue;
     double change[2][max_side_dofs] = {};
-    point_tangent(rule, c, areas, point.active ? penalty : against.touch_share * penalty, foot, point, shear, ways,
-                  pressures, change);
+    point_tangent(rule, c, areas, normal.slope, foot, point, shear, ways, pressures, change);
     for (int i = 0; i < 2; ++i)
       for (int b = 0; b < first_body + ways.count; ++b)
         change[i][b] = share.value * change[i][b] + share.slope * point.force[i] * add.gap_slope(b, foot.normal);

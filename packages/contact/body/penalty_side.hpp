@@ -6,6 +6,7 @@
 #include "contact/body/contact_rule.hpp"
 #include "contact/laws/contact_damping.hpp"
 #include "contact/laws/impact_share.hpp"
+#include "contact/laws/normal_law.hpp"
 #include "contact/laws/stick_slip.hpp"
 
 namespace mudline {
@@ -85,13 +86,13 @@ struct SideForce {
   double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
 };
 
-/// Penalty law t = penalty <shift - gap> at the contact points of a side against a body:
+/// Normal law t(shift - gap), by itself penalty <shift - gap>, at the contact points of a side against a body:
 /// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s =
 /// 0. The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
 /// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. `points` receives
 /// rule.points results. False for a degenerate side.
-bool penalty_side(const ContactRule& rule, const SideBody& against, double penalty, const SideFriction* friction,
-                  const SideStep& step, const SideShift& shift, const SideCoordinates& x, bool axisymmetric,
-                  bool want_tangent, SideForce& out, std::vector<ContactPoint>& points);
+bool penalty_side(const ContactRule& rule, const SideBody& against, const NormalLaw& law, double penalty,
+                  const SideFriction* friction, const SideStep& step, const SideShift& shift, const SideCoordinates& x,
+                  bool axisymmetric, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points);
 
 }  // namespace mudline

@@ -68,8 +68,9 @@ struct ContactModel {
     if (bodies_["b"]->may_be_free()) bodies_["b"]->bind(space, 2, 0);
     register_contact(registry);
     register_friction(frictions);
+    register_normal_laws(normal_laws);
     contact = registry.create(deck.deck.root().section("contacts").section("c"),
-                              {space, bodies_, frictions, std::move(stiffness)});
+                              {space, bodies_, frictions, normal_laws, std::move(stiffness)});
     contact->declare_state(store);
     contact->sparsity(assembler);
     assembler.finalise();
@@ -137,6 +138,7 @@ struct ContactModel {
   Assembler assembler;
   ContactRegistry registry{"contact"};
   Registry<Friction> frictions{"friction"};
+  Registry<NormalLaw> normal_laws{"normal law"};
   std::unique_ptr<Contact> contact;
   StepView view{};
   int failures = 0;

@@ -111,6 +111,28 @@ TEST_P(EveryContact, JacobianIsTheDifferencedResidual) {
   }
 }
 
+std::string smoothed(double depth) {
+  return "<ParameterList name=\"normal law\">\n" + text_parameter("type", "smoothed") +
+         number_parameter("depth", depth) + "</ParameterList>\n";
+}
+
+TEST_P(EveryContact, SmoothedLawStartsWithoutAKink) {
+  const Case c = GetParam();
+  // (penetration, pressure over the linear one's): within the depth of 0.02, at its end, and beyond
+  for (const auto& [penetration, share] : {std::pair<double, double>{0.01, 0.25}, {0.02, 0.5}, {0.05, 0.8}}) {
+    ContactModel model(c.geometry, strip(c.cells, 4, 1, 0, 4, 1, 0), plate_xml(-penetration),
+                       contact_parameters(c.method, eps) + smoothed(0.02));
+    model.begin(1);
+    model.residual();
+    EXPECT_NEAR(model.points(model.store.trial())(0, 1), share * eps * penetration, 1e-9 * eps * penetration);
+  }
+  ContactModel model(c.geometry, strip(c.cells, 3, 1, 0, 2, 1, 0.05), cylinder_xml(3, -0.05),
+                     contact_parameters(c.method, eps) + smoothed(0.03));
+  model.begin(1);
+  deform(model, 0.005);
+  EXPECT_LT(jacobian_error(model), 1e-6);
+}
+
 TEST_P(EveryContact, ForceIsTheIntegralOverTheTouchedArea) {
   const Case c = GetParam();
   const double radius = 1, depth = 0.02;
@@ -367,6 +389,9 @@ TEST(Contact, EnforcementRejectsWhatItDoesNotUse) {
   EXPECT_NE(input_error(make(augmented(1e-6) + text_parameter("impact", "conserving")))
                 .find("conserving is for 'enforcement' = penalty"),
             std::string::npos);
+  for (const std::string& more : {augmented(1e-6), text_parameter("impact", "conserving")})
+    EXPECT_NE(input_error(make(more + smoothed(0.01))).find("in proportion to the penetration; allowed here: linear"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/registry.hpp"
+
+namespace mudline {
+
+/// What presses at a point that lies in the body.
+struct NormalPressure {
+  double value;  // [Pa]
+  double slope;  // [Pa/m] d value / d penetration
+};
+
+/// Pressure over penetration: type of a contact's "normal law". Pure.
+class NormalLaw {
+ public:
+  virtual ~NormalLaw() = default;
+  /// At a penetration [m], 0 or more, for a contact of this stiffness [Pa/m], its penalty.
+  virtual NormalPressure at(double penetration, double stiffness) const = 0;
+  /// Whether it is stiffness times penetration, on which multipliers, active sets and the shares of impacts stand.
+  virtual bool linear() const { return false; }
+};
+
+/// stiffness x penetration.
+class LinearNormalLaw : public NormalLaw {
+ public:
+  void parameters(Parameters&) {}
+  NormalPressure at(double penetration, double stiffness) const override {
+    return {stiffness * penetration, stiffness};
+  }
+  bool linear() const override { return true; }
+};
+
+/// The slope grows from 0 to the stiffness over a small depth: contact opens and closes without a kink, at which
+/// Newton's method goes back and forth. Deeper it is the linear law, half that depth further in.
+class SmoothedNormalLaw : public NormalLaw {
+ public:
+  void parameters(Parameters& p);
+  NormalPressure at(double penetration, double stiffness) const override;
+
+ private:
+  double depth_ = 0;  // [m]
+};
+
+/// "linear", "smoothed"; a plain list.
+void register_normal_laws(Registry<NormalLaw>& registry);
+
+}  // namespace mudline
