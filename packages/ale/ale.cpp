@@ -53,6 +53,7 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
+  for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"));
   corners_ = CornerTriangles(mesh_, deck_.boundary.paths());
@@ -191,7 +192,8 @@ double Ale::largest_motion(const Positions& x_old, const Positions& x_new) const
 
 double Ale::carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const {
   double restored = 0;
-  for (const SoilBlock& b : soil_.blocks) {
+  for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
+    const SoilBlock& b = soil_.blocks[k];
     // all of the block's point data in one table: points are located and patches fitted once
     std::vector<StateVariable> variables;
     std::vector<PointView> arrays;
@@ -215,7 +217,7 @@ double Ale::carry_points(StateStore& store, const Positions& x_old, const Positi
     });
     const std::vector<double> old = mesh_.gather_points(b.block, b.points, table);
     std::vector<double> now = old;
-    const PointTransfer transfer{mesh_, b, x_old, x_new, variables, columns, old, now};
+    const PointTransfer transfer{mesh_, b, patches_[k], x_old, x_new, variables, columns, old, now};
     remap_->transfer(transfer);
     if (deck_.conserve) {
       const double share = restore_grains(transfer, soil_.axisymmetric(), dry);

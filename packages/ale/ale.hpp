@@ -82,7 +82,8 @@ class Ale {
   const Space& space_;
   const Soil& soil_;
   WholeMesh mesh_;
-  Positions source_;  // and the ends of its tangents
+  std::vector<RecoveryPatches> patches_;  // (block)
+  Positions source_;                      // and the ends of its tangents
   CornerTriangles corners_;
   std::unique_ptr<InteriorMotion> interior_;
   std::unique_ptr<Remap> remap_;

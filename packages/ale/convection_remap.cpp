@@ -12,9 +12,9 @@ void ConvectionRemap::parameters(Parameters& p) {
 }
 
 void ConvectionRemap::transfer(const PointTransfer& t) const {
-  const Recovery recovered(t.mesh, t.block, t.x_old, t.old, t.columns);
+  const Recovery recovered(t.mesh, t.block, t.patches, t.x_old, t.old, t.columns);
   const PointLocator locator(t.mesh, t.x_old);
-  std::vector<double> low, high;
+  std::vector<double> low, high, there(t.columns), here(t.columns);  // bounds; recovered
   for (const StateVariable& variable : t.variables)
     for (int c = 0; c < variable.components; ++c) {
       low.push_back(variable.low);
@@ -40,13 +40,13 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
       const double courant = std::min(1.0, std::hypot(to[0] - from[0], to[1] - from[1]) / (0.5 * size));
       const double own = scheme_ == Scheme::upwind ? 1 - courant : 1.0;
       const std::size_t row = static_cast<std::size_t>(t.mesh.first_row(e, t.block.points) + q) * t.columns;
+      recovered.at(place, there.data());
+      recovered.at_point(e, q, here.data());
       for (int c = 0; c < t.columns; ++c) {
-        double value = recovered.at(place, c) + own * (t.old[row + c] - recovered.at_point(e, q, c));
+        double value = there[c] + own * (t.old[row + c] - here[c]);
         if (limited_) {
-          double least = 1e300, most = -1e300;
-          recovered.widen_range(e, c, least, most);
-          recovered.widen_range(place.element, c, least, most);
-          value = std::clamp(value, least, most);
+          const auto &left = recovered.range(e, c), &entered = recovered.range(place.element, c);
+          value = std::clamp(value, std::min(left.first, entered.first), std::max(left.second, entered.second));
         }
         t.now[row + c] = std::clamp(value, low[c], high[c]);
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace mudline {
@@ -11,7 +12,8 @@ namespace {
 constexpr int terms = 6;                  // of a quadratic polynomial
 constexpr std::size_t enough_points = 9;  // for a fit that does not follow noise
 
-struct Patch {
+/// Fitted around a vertex.
+struct Polynomial {
   std::array<double, 2> centre;
   double size;
   std::vector<double> coefficients;  // (column, term)
@@ -61,19 +63,11 @@ std::array<double, 2> Recovery::position(const WholeMesh::Element& element, cons
   return result;
 }
 
-Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, const std::vector<double>& table,
-                   int columns)
-    : mesh_(mesh),
-      block_(block),
-      table_(table),
-      columns_(columns),
-      nodal_(static_cast<std::size_t>(mesh.num_nodes()) * columns, 0.0) {
+RecoveryPatches::RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {
   std::map<int, std::set<int>> around;  // elements at a vertex
   for (int e : mesh.block_elements(block.block))
     for (int a = 0; a < num_corners(block.shape); ++a) around[mesh.elements()[e].nodes[a]].insert(e);
-  std::map<int, Patch> patches;
-  for (const auto& [node, touching] : around) {
-    std::set<int> elements = touching;
+  for (auto& [node, elements] : around) {
     while (elements.size() * block.points < enough_points) {
       std::set<int> wider = elements;
       for (int e : elements)
@@ -82,54 +76,69 @@ Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const Position
       if (wider.size() == elements.size()) break;
       elements.swap(wider);
     }
-    Patch patch{x[node], 0, std::vector<double>(terms * columns, 0.0)};
-    std::vector<std::array<double, 2>> places;
+    of_node_[node] = static_cast<int>(patches_.size());
+    patches_.push_back({node, {elements.begin(), elements.end()}});
+  }
+}
+
+Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
+                   const std::vector<double>& table, int columns)
+    : mesh_(mesh),
+      block_(block),
+      table_(table),
+      columns_(columns),
+      nodal_(static_cast<std::size_t>(mesh.num_nodes()) * columns, 0.0) {
+  fit(patches, x);
+  find_ranges();
+}
+
+void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
+  std::vector<Polynomial> polynomials;
+  std::vector<std::array<double, 2>> places;
+  for (const auto& [node, elements] : patches.patches()) {
+    Polynomial fitted{x[node], 0, std::vector<double>(terms * columns_, 0.0)};
+    places.clear();
     for (int e : elements)
-      for (int q = 0; q < block.points; ++q) {
-        places.push_back(position(mesh.elements()[e], block, q, x));
-        patch.size = std::max(patch.size, std::hypot(places.back()[0] - x[node][0], places.back()[1] - x[node][1]));
+      for (int q = 0; q < block_.points; ++q) {
+        places.push_back(position(mesh_.elements()[e], block_, q, x));
+        fitted.size = std::max(fitted.size, std::hypot(places.back()[0] - x[node][0], places.back()[1] - x[node][1]));
       }
     double a[terms][terms] = {};
-    std::size_t i = 0;
-    for (int e : elements)
-      for (int q = 0; q < block.points; ++q, ++i) {
-        const auto powers = patch.basis(places[i]);
-        const double* values = &table[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * columns];
-        for (int r = 0; r < terms; ++r) {
-          for (int s = 0; s < terms; ++s) a[r][s] += powers[r] * powers[s];
-          for (int c = 0; c < columns; ++c) patch.coefficients[terms * c + r] += powers[r] * values[c];
-        }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto powers = fitted.basis(places[i]);
+      const double* values = row(elements[i / block_.points], static_cast<int>(i % block_.points));
+      for (int r = 0; r < terms; ++r) {
+        for (int s = 0; s < terms; ++s) a[r][s] += powers[r] * powers[s];
+        for (int c = 0; c < columns_; ++c) fitted.coefficients[terms * c + r] += powers[r] * values[c];
       }
-    solve_normal(a, patch.coefficients);
-    patches[node] = std::move(patch);
+    }
+    solve_normal(a, fitted.coefficients);
+    for (int c = 0; c < columns_; ++c) nodal_[static_cast<std::size_t>(node) * columns_ + c] = fitted.at(x[node], c);
+    polynomials.push_back(std::move(fitted));
   }
-  for (const auto& [node, patch] : patches)
-    for (int c = 0; c < columns; ++c) nodal_[static_cast<std::size_t>(node) * columns + c] = patch.at(x[node], c);
-  const int corners = num_corners(block.shape), nodes = num_nodes(block.shape);
-  for (int e : mesh.block_elements(block.block)) {
-    const auto& n = mesh.elements()[e].nodes;
+  const int corners = num_corners(block_.shape), nodes = num_nodes(block_.shape);
+  for (int e : mesh_.block_elements(block_.block)) {
+    const auto& n = mesh_.elements()[e].nodes;
     for (int a = corners; a < nodes; ++a)
-      for (int c = 0; c < columns; ++c) {
+      for (int c = 0; c < columns_; ++c) {
         double sum = 0;
         int share = 0;
         for (int b = 0; b < corners; ++b) {
           const bool end =
               a < 2 * corners ? b == a - corners || b == (a - corners + 1) % corners : true;  // the centre: all
           if (!end) continue;
-          sum += patches.at(n[b]).at(x[n[a]], c);
+          sum += polynomials[patches.at(n[b])].at(x[n[a]], c);
           ++share;
         }
-        nodal_[static_cast<std::size_t>(n[a]) * columns + c] = sum / share;
+        nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / share;
       }
   }
-  bound_inner_nodes();
 }
 
-void Recovery::bound_inner_nodes() {
-  bounded_ = nodal_;
+std::vector<double> Recovery::bounded_nodes() const {
   const auto& elements = mesh_.elements();
   std::vector<bool> outer(mesh_.num_nodes(), false);
-  std::vector<double> low(nodal_.size(), 1e300), high(nodal_.size(), -1e300);
+  std::vector<double> bounded = nodal_, low(nodal_.size(), 1e300), high(nodal_.size(), -1e300);
   for (int e : mesh_.block_elements(block_.block)) {
     const auto& element = elements[e];
     const int corners = num_corners(element.shape);
@@ -139,50 +148,54 @@ void Recovery::bound_inner_nodes() {
       outer[element.nodes[side]] = outer[element.nodes[(side + 1) % corners]] = true;
       if (num_nodes(element.shape) > corners) outer[element.nodes[corners + side]] = true;
     }
-    for (int q = 0; q < block_.points; ++q) {
-      const double* row = &table_[static_cast<std::size_t>(mesh_.first_row(e, block_.points) + q) * columns_];
+    for (int q = 0; q < block_.points; ++q)
       for (int a = 0; a < num_nodes(element.shape); ++a)
         for (int c = 0; c < columns_; ++c) {
           const std::size_t i = static_cast<std::size_t>(element.nodes[a]) * columns_ + c;
-          low[i] = std::min(low[i], row[c]);
-          high[i] = std::max(high[i], row[c]);
+          low[i] = std::min(low[i], row(e, q)[c]);
+          high[i] = std::max(high[i], row(e, q)[c]);
         }
-    }
   }
   for (int node = 0; node < mesh_.num_nodes(); ++node)
     for (int c = 0; c < columns_ && !outer[node]; ++c) {
       const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
-      if (low[i] <= high[i]) bounded_[i] = std::clamp(nodal_[i], low[i], high[i]);
+      if (low[i] <= high[i]) bounded[i] = std::clamp(nodal_[i], low[i], high[i]);
     }
+  return bounded;
 }
 
-double Recovery::at(const MeshPlace& place, int column) const {
+void Recovery::find_ranges() {
+  const std::vector<double> bounded = bounded_nodes();
+  range_.assign(mesh_.block_elements(block_.block).size() * columns_, {1e300, -1e300});
+  for (int e : mesh_.block_elements(block_.block)) {
+    std::pair<double, double>* ranges = &range_[static_cast<std::size_t>(mesh_.first_row(e, 1)) * columns_];
+    const auto take = [&](const double* values) {
+      for (int c = 0; c < columns_; ++c)
+        ranges[c] = {std::min(ranges[c].first, values[c]), std::max(ranges[c].second, values[c])};
+    };
+    for (int q = 0; q < block_.points; ++q) take(row(e, q));
+    const auto& element = mesh_.elements()[e];
+    for (int a = 0; a < num_nodes(element.shape); ++a)
+      take(&bounded[static_cast<std::size_t>(element.nodes[a]) * columns_]);
+  }
+}
+
+void Recovery::interpolate(const WholeMesh::Element& element, const double* N, int nodes, double* values) const {
+  std::fill_n(values, columns_, 0.0);
+  for (int a = 0; a < nodes; ++a)
+    for (int c = 0; c < columns_; ++c)
+      values[c] += N[a] * nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + c];
+}
+
+void Recovery::at(const MeshPlace& place, double* values) const {
   const auto& element = mesh_.elements()[place.element];
-  double N[9], dN[18], sum = 0;
+  double N[9], dN[18];
   evaluate_shape(element.shape, place.xi, N, dN);
-  for (int a = 0; a < num_nodes(element.shape); ++a)
-    sum += N[a] * nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column];
-  return sum;
+  interpolate(element, N, num_nodes(element.shape), values);
 }
 
-double Recovery::at_point(int e, int point, int column) const {
-  const auto& element = mesh_.elements()[e];
-  double sum = 0;
-  for (int a = 0; a < block_.u.nodes; ++a)
-    sum += block_.u.N(point, a) * nodal_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column];
-  return sum;
-}
-
-void Recovery::widen_range(int e, int column, double& low, double& high) const {
-  const auto& element = mesh_.elements()[e];
-  const auto take = [&](double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  };
-  for (int q = 0; q < block_.points; ++q)
-    take(table_[static_cast<std::size_t>(mesh_.first_row(e, block_.points) + q) * columns_ + column]);
-  for (int a = 0; a < num_nodes(element.shape); ++a)
-    take(bounded_[static_cast<std::size_t>(element.nodes[a]) * columns_ + column]);
+void Recovery::at_point(int e, int point, double* values) const {
+  interpolate(mesh_.elements()[e], &block_.u.N(point, 0), block_.u.nodes, values);
 }
 
 }  // namespace mudline

@@ -1,11 +1,30 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "ale/point_locator.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline {
+
+/// The elements to whose points a polynomial around each vertex of a block is fitted: those that touch it, and more
+/// around them where they have too few points. They depend on the topology alone.
+class RecoveryPatches {
+ public:
+  struct Patch {
+    int node;
+    std::vector<int> elements;
+  };
+  RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block);
+  const std::vector<Patch>& patches() const { return patches_; }
+  /// Number of the patch around a vertex of the block.
+  int at(int node) const { return of_node_[node]; }
+
+ private:
+  std::vector<Patch> patches_;
+  std::vector<int> of_node_;  // -1: no vertex of the block
+};
 
 /// A continuous field recovered from values at the quadrature points of one block: around every vertex a quadratic
 /// polynomial is fitted, by least squares, to the points of the elements that touch it (Zienkiewicz & Zhu 1992), so
@@ -14,30 +33,39 @@ namespace mudline {
 class Recovery {
  public:
   /// `x`: where the points and nodes were; `table`: (row of gather_points, column).
-  Recovery(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, const std::vector<double>& table,
-           int columns);
-  /// Value at a place of the block's mesh.
-  double at(const MeshPlace& place, int column) const;
+  Recovery(const WholeMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
+           const std::vector<double>& table, int columns);
+  /// Values of all columns at a place of the block's mesh.
+  void at(const MeshPlace& place, double* values) const;
   /// At a quadrature point of an element.
-  double at_point(int element, int point, int column) const;
-  /// Widens [low, high] by the old values of the element's points and by what is recovered at its nodes; at a node
+  void at_point(int element, int point, double* values) const;
+  /// Lowest and highest of the old values of the element's points and of what is recovered at its nodes; at a node
   /// inside the block no farther than the old values around it reach, where the polynomial of a steep field overshoots.
   /// (On the block's boundary what is recovered lies outside of those values even for a linear field.)
-  void widen_range(int element, int column, double& low, double& high) const;
+  const std::pair<double, double>& range(int element, int column) const {
+    return range_[static_cast<std::size_t>(mesh_.first_row(element, 1)) * columns_ + column];
+  }
   /// Position of a quadrature point.
   static std::array<double, 2> position(const WholeMesh::Element& element, const SoilBlock& block, int point,
                                         const Positions& x);
 
  private:
+  /// Fills nodal_.
+  void fit(const RecoveryPatches& patches, const Positions& x);
+  /// Fills range_ from nodal_.
+  void find_ranges();
+  std::vector<double> bounded_nodes() const;
+  const double* row(int element, int point) const {
+    return &table_[static_cast<std::size_t>(mesh_.first_row(element, block_.points) + point) * columns_];
+  }
+  void interpolate(const WholeMesh::Element& element, const double* N, int nodes, double* values) const;
+
   const WholeMesh& mesh_;
   const SoilBlock& block_;
   const std::vector<double>& table_;
   int columns_;
-  /// Fills bounded_ from nodal_.
-  void bound_inner_nodes();
-
-  std::vector<double> nodal_;    // (node, column)
-  std::vector<double> bounded_;  // the same, within the old values around a node inside the block
+  std::vector<double> nodal_;                     // (node, column)
+  std::vector<std::pair<double, double>> range_;  // (element of the block, column)
 };
 
 }  // namespace mudline

@@ -12,6 +12,7 @@ namespace mudline {
 struct PointTransfer {
   const WholeMesh& mesh;
   const SoilBlock& block;
+  const RecoveryPatches& patches;
   const Positions &x_old, &x_new;
   const std::vector<StateVariable>& variables;  // split of the columns: rules and bounds
   int columns;

@@ -29,7 +29,8 @@ double linear(double x, double y) { return 3 - 2 * x + 5 * y; }
 double smooth(double x, double y) { return std::sin(2 * x + 1) * std::cos(3 * y); }
 
 struct Points {
-  explicit Points(const Mesh& mesh) : whole(mesh), block(points_of(mesh)), start(whole.gather(mesh.coordinates())) {}
+  explicit Points(const Mesh& mesh)
+      : whole(mesh), block(points_of(mesh)), patches(whole, block), start(whole.gather(mesh.coordinates())) {}
   std::vector<double> values(Field field, const Positions& x) const {
     std::vector<double> result;
     for (int e : whole.block_elements(0))
@@ -41,11 +42,12 @@ struct Points {
   }
   std::vector<double> carried(const std::vector<double>& old, const Positions& from, const Positions& to) const {
     std::vector<double> now = old;
-    remap.transfer({whole, block, from, to, variables, 1, old, now});
+    remap.transfer({whole, block, patches, from, to, variables, 1, old, now});
     return now;
   }
   WholeMesh whole;
   SoilBlock block;
+  RecoveryPatches patches;
   Positions start;
   ConvectionRemap remap;
   std::vector<StateVariable> variables{{"f", 1, "-"}};
@@ -168,8 +170,8 @@ TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
       return sum;
     };
     const double mass = grains(old, points.start);
-    const double share =
-        restore_grains({points.whole, points.block, points.start, to, points.variables, 1, old, now}, axisymmetric, 0);
+    const double share = restore_grains(
+        {points.whole, points.block, points.patches, points.start, to, points.variables, 1, old, now}, axisymmetric, 0);
     EXPECT_GT(std::abs(share), 1e-7);  // the transfer alone does not conserve
     EXPECT_NEAR(grains(transported, to) / mass, 1 - share, 1e-13);
     EXPECT_NEAR(grains(now, to) / mass, 1, 1e-14);
