@@ -21,17 +21,22 @@ struct AutomaticTangent : Law {
   KOKKOS_INLINE_FUNCTION bool operator()(const SkeletonPoint& in, const double* state_old, double* state,
                                          SkeletonResponse& out) const {
     for (int i = 0; i < Law::state_size; ++i) state[i] = state_old[i];
-    bool ok;
-    if (in.want_tangent) {
-      Dual<6> strain[6], stress[6];
-      for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
-      ok = this->update(in, strain, state_old, stress, state);
-      for (int i = 0; i < 6; ++i) out.stress[i] = stress[i].v;
-      write_tangent(stress, out.tangent);
-    } else {
-      ok = this->update(in, in.strain, state_old, out.stress, state);
-    }
+    const bool ok = !in.want_tangent ? this->update(in, in.strain, state_old, out.stress, state)
+                    : in.plane       ? differentiate<4>(in, state_old, state, out)
+                                     : differentiate<6>(in, state_old, state, out);
     for (int i = 0; !ok && i < 6; ++i) out.stress[i] = in.stress[i];
+    return ok;
+  }
+
+ private:
+  template <int N>
+  KOKKOS_INLINE_FUNCTION bool differentiate(const SkeletonPoint& in, const double* state_old, double* state,
+                                            SkeletonResponse& out) const {
+    Dual<N> strain[6], stress[6];
+    make_variable(in.strain, strain);
+    const bool ok = this->update(in, strain, state_old, stress, state);
+    for (int i = 0; i < 6; ++i) out.stress[i] = stress[i].v;
+    write_tangent(stress, out.tangent);
     return ok;
   }
 };

@@ -14,7 +14,7 @@ namespace mudline {
 /// equations by dual numbers, so a model gives first derivatives only; each iterate must lower the residual. Where it
 /// does not converge the increment is subdivided, as fine as `maximum_substeps` allows.
 ///
-/// With T = Dual<6> the solution is differentiated implicitly: one more evaluation with the strain (and what the model
+/// With T = Dual the solution is differentiated implicitly: one more evaluation with the strain (and what the model
 /// has of it) as independent variables, and a solution with the last matrix for each of them.
 template <class T, class Model>
 class ImplicitReturn : public PlasticPath<T, Model> {

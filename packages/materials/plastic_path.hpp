@@ -141,10 +141,24 @@ struct ConstantElasticity {
   KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }  // hardening is by a plastic strain
 };
 
-/// d stress_i / d strain_j, row-major, from a stress that was computed with the strain as independent variables.
-KOKKOS_INLINE_FUNCTION void write_tangent(const Dual<6>* stress, double* tangent) {
+/// Which component of strain direction k of N stands for: all six, or the four of a plane problem (no yz and xz).
+template <int N>
+KOKKOS_INLINE_FUNCTION constexpr int strain_component(int k) {
+  static_assert(N == 4 || N == 6, "the directions of a plane problem or all");
+  return N == 4 && k == 3 ? 5 : k;
+}
+/// The strain increment with those components as independent variables.
+template <int N>
+KOKKOS_INLINE_FUNCTION void make_variable(const double* strain, Dual<N>* variable) {
+  for (int i = 0; i < 6; ++i) variable[i] = Dual<N>(strain[i]);
+  for (int k = 0; k < N; ++k) variable[strain_component<N>(k)].d[k] = 1.0;
+}
+/// d stress_i / d strain_j, row-major, from a stress that was computed with such a strain; 0 by the other components.
+template <int N>
+KOKKOS_INLINE_FUNCTION void write_tangent(const Dual<N>* stress, double* tangent) {
+  for (int i = 0; i < 36; ++i) tangent[i] = 0.0;
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) tangent[6 * i + j] = stress[i].d[j];
+    for (int k = 0; k < N; ++k) tangent[6 * i + strain_component<N>(k)] = stress[i].d[k];
 }
 KOKKOS_INLINE_FUNCTION void write_tangent(const double*, double*) {}
 

@@ -14,6 +14,7 @@ struct SkeletonPoint {
   double void_ratio;  // [-] committed
   double time, dt;    // [s]
   bool want_tangent;
+  bool plane = false;  // no shear yz and xz: the tangent's rows and columns of these are not read
 };
 
 struct SkeletonResponse {
@@ -87,6 +88,7 @@ class PointwiseSkeleton : public Skeleton {
           in.time = w.time;
           in.dt = w.dt;
           in.want_tangent = w.want_tangent;
+          in.plane = w.plane;
           SkeletonResponse out;
           const double* state_old = w.state_old.data() + i * w.state_old.extent(1);
           double* state = w.state.data() + i * w.state.extent(1);

@@ -42,6 +42,7 @@ struct SkeletonWorkset {
   PointView state;                // (points, n) out
   PointView tangent;              // (points, 36) [Pa] out, row-major d stress_i / d strain_j, if want_tangent
   Kokkos::View<int*> failed;      // (points) out: 1 where the law found no admissible state
+  bool plane = false;             // no shear yz and xz: the tangent's rows and columns of these are not read
 };
 
 /// Bulk and shear modulus [Pa] of the elastic response: wave speeds, penalties, preconditioners.

@@ -12,7 +12,7 @@ namespace mudline {
 /// Source: Sloan 1987, IJNME 24:893; Sloan, Abbo & Sheng 2001, Engineering Computations 18:121; Dormand & Prince 1980,
 /// J. Comput. Appl. Math. 6:19 (RK5(4)6M).
 ///
-/// With T = Dual<6> and a strain whose components are the independent variables, the result carries the derivative of
+/// With T = Dual and a strain whose components are the independent variables, the result carries the derivative of
 /// the update as it was computed: the crossing point, the substep sizes and the drift correction are differentiated
 /// too, only the number of substeps is fixed.
 template <class T, class Model>

@@ -140,7 +140,7 @@ KOKKOS_INLINE_FUNCTION void exponential_quotient(double z, double& f, double& sl
   }
   f = slope = 0.0;
   double term = 1.0;  // z^k / (k+1)!
-  for (int k = 0; k < 12; ++k) {
+  for (int k = 0; k < 12 && ::fabs(term) > 1e-19; ++k) {
     f += term;
     slope += term * (k + 1) / (k + 2);  // d/dz of z^(k+1)/(k+2)!
     term *= z / (k + 2);

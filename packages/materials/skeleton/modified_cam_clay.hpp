@@ -246,8 +246,13 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::operator()(const SkeletonPoint& in,
                                                         SkeletonResponse& out) const {
   for (int i = 0; i < state_size; ++i) state[i] = state_old[i];
   if (!in.want_tangent) return update(in, in.strain, state_old, state, out);
+  if (in.plane) {
+    Dual<4> strain[6];
+    make_variable(in.strain, strain);
+    return update(in, strain, state_old, state, out);
+  }
   Dual<6> strain[6];
-  for (int i = 0; i < 6; ++i) strain[i] = Dual<6>(in.strain[i], i);
+  make_variable(in.strain, strain);
   return update(in, strain, state_old, state, out);
 }
 

@@ -37,6 +37,32 @@ TEST(LinearElastic, StressAddsToTheInitialStress) {
   EXPECT_NEAR(law->k0(1.0), 1.0 / 3.0, 1e-15);
 }
 
+TEST(PlaneTangent, IsThatOfTheWholeLaw) {
+  const std::array<double, 6> stress{-6e4, -1e5, -7e4, 0, 0, 1e4}, increment{4e-3, -9e-3, 1e-3, 0, 0, 5e-3};
+  Teuchos::ParameterList clay, sand, soft, metal;
+  clay.set("type", "modified cam clay").set("critical stress ratio", 1.0).set("compression slope", 0.2);
+  clay.set("swelling slope", 0.04).set("Poisson's ratio", 0.3);
+  sand.set("type", "mohr-coulomb").set("Young's modulus", 1e7).set("Poisson's ratio", 0.25);
+  sand.set("friction angle [deg]", 30.0).set("cohesion", 5e3);
+  soft.set("type", "tresca").set("rigidity index", 100.0).set("Poisson's ratio", 0.49).set("undrained strength", 3e4);
+  metal.set("type", "von mises").set("Young's modulus", 1e7).set("Poisson's ratio", 0.25).set("yield stress", 6e4);
+  for (Teuchos::ParameterList* list : {&clay, &sand, &soft, &metal}) {
+    const auto law = Registries().skeletons.create(section(*list));
+    const PointDriver point(*law, stress, 0.9);
+    std::array<double, 6> whole_stress{}, plane_stress{};
+    std::array<double, 36> whole{}, plane{};
+    std::vector<double> state;
+    ASSERT_TRUE(point.evaluate(increment, whole_stress, state, &whole));
+    ASSERT_TRUE(point.evaluate(increment, plane_stress, state, &plane, true));
+    EXPECT_EQ(whole_stress, plane_stress);
+    EXPECT_NE(whole[0], 0);
+    EXPECT_NE(whole[6 * 4 + 4], 0);
+    EXPECT_NE(whole, plane) << "the plane tangent has no shear out of the plane";
+    for (const int i : {0, 1, 2, 5})
+      for (const int j : {0, 1, 2, 5}) EXPECT_EQ(whole[6 * i + j], plane[6 * i + j]) << i << " " << j;
+  }
+}
+
 TEST(StrengthProfile, GrowsBelowTheReferenceElevation) {
   Teuchos::ParameterList sand, clay;
   sand.set("type", "mohr-coulomb").set("Young's modulus", 1e7).set("Poisson's ratio", 0.25);

@@ -36,7 +36,7 @@ class PointDriver {
 
   /// One evaluation without committing; returns success.
   bool evaluate(const std::array<double, 6>& increment, std::array<double, 6>& stress, std::vector<double>& state,
-                std::array<double, 36>* tangent = nullptr) const {
+                std::array<double, 36>* tangent = nullptr, bool plane = false) const {
     const int n = law_.state_size();
     PointView old_stress("", 1, 6), de("", 1, 6), e("", 1, 1), old_state("", 1, n), s("", 1, 6), now("", 1, n),
         t("", 1, 36);
@@ -48,7 +48,7 @@ class PointDriver {
     e(0, 0) = void_ratio_;
     for (int c = 0; c < n; ++c) old_state(0, c) = state_[c];
     const int failures =
-        law_.evaluate({1, 0.0, 0.0, tangent != nullptr, old_stress, de, e, old_state, s, now, t, failed});
+        law_.evaluate({1, 0.0, 0.0, tangent != nullptr, old_stress, de, e, old_state, s, now, t, failed, plane});
     EXPECT_EQ(failures, failed(0));
     for (int c = 0; c < 6; ++c) stress[c] = s(0, c);
     state.assign(now.data(), now.data() + n);

@@ -228,6 +228,7 @@ int StressUpdate::run(int first, int last) {
   w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
   w.tangent = tangent_;
   w.failed = failed_;
+  w.plane = true;  // in plane strain and in axial symmetry
   if (failures > 0 && failure_.empty())
     failure_ = "material '" + block_.material->name + "': the motion turns elements inside out";
   LawFailure failure;
