@@ -155,16 +155,18 @@ MumpsFactor::MumpsFactor(const CrsMatrix& matrix, bool one_process) : instance_(
   mumps.run(job_start);
   for (const int silent : {1, 2, 3}) mumps.control(silent) = -1;
   mumps.control(4) = 0;
-  mumps.control(5) = 0;    // assembled matrix
-  mumps.control(18) = 3;   // entries where they are
-  mumps.control(28) = 1;   // sequential analysis
-  mumps.control(7) = 7;    // ordering chosen by MUMPS
-  mumps.control(14) = 30;  // workspace beyond the estimate [%]
+  mumps.control(5) = 0;  // assembled matrix
+  const bool central = mumps.one_process || comm.getSize() == 1;
+  mumps.control(18) = central ? 0 : 3;  // entries on rank 0, or where they are
+  mumps.control(6) = 0;                 // columns are not permuted, as with distributed entries
+  mumps.control(28) = 1;                // sequential analysis
+  mumps.control(7) = 7;                 // ordering chosen by MUMPS
+  mumps.control(14) = 30;               // workspace beyond the estimate [%]
   mumps.id.n = static_cast<MUMPS_INT>(mumps.owned->getGlobalNumElements());
-  mumps.id.nnz_loc = static_cast<MUMPS_INT8>(mumps.rows.size());
-  mumps.id.irn_loc = mumps.rows.data();
-  mumps.id.jcn_loc = mumps.columns.data();
-  mumps.id.a_loc = mumps.values.data();
+  (central ? mumps.id.nnz : mumps.id.nnz_loc) = static_cast<MUMPS_INT8>(mumps.rows.size());
+  (central ? mumps.id.irn : mumps.id.irn_loc) = mumps.rows.data();
+  (central ? mumps.id.jcn : mumps.id.jcn_loc) = mumps.columns.data();
+  (central ? mumps.id.a : mumps.id.a_loc) = mumps.values.data();
   mumps.run(job_analyse);
   analysis_ = mumps.outcome();
 }
