@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "contact/laws/contact_damping.hpp"
+#include "contact/laws/contact_point.hpp"
 #include "core/log.hpp"
 #include "discretisation/mesh_topology.hpp"
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pi.hpp"
-
 namespace mudline {
 
 double farthest(const SideCoordinates& x) {
@@ -44,29 +42,11 @@ PlanePoint ContactRule::place(int c, const SideCoordinates& x) const {
   return at;
 }
 
-bool SideAreas::compute(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric) {
-  area.assign(rule.points, 0.0);
-  variation.assign(rule.points, {});
-  for (int q = 0; q < rule.samples; ++q) {
-    double tangent[2] = {0, 0}, r = 0;
-    for (int a = 0; a < rule.nodes; ++a) {
-      for (int i = 0; i < 2; ++i) tangent[i] += rule.dN[q][a] * x[a][i];
-      r += rule.N[q][a] * x[a][0];
-    }
-    const double stretch = std::hypot(tangent[0], tangent[1]);
-    if (!(stretch > 0) || (axisymmetric && !(r >= 0))) return false;
-    const double round = axisymmetric ? 2 * pi * r : 1.0;
-    for (int c = 0; c < rule.points; ++c) {
-      const double w = rule.weight[c][q];
-      if (w == 0) continue;
-      area[c] += w * stretch * round;
-      for (int b = 0; b < rule.nodes; ++b) {
-        for (int j = 0; j < 2; ++j) variation[c][2 * b + j] += w * round * tangent[j] / stretch * rule.dN[q][b];
-        if (axisymmetric) variation[c][2 * b] += w * stretch * 2 * pi * rule.N[q][b];
-      }
-    }
-  }
-  return true;
+bool contact_areas(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric,
+                   double (&area)[max_contact_points]) {
+  PlaneVector<double> at[max_side_nodes];
+  for (int a = 0; a < rule.nodes; ++a) at[a] = {x[a][0], x[a][1]};
+  return contact_areas(rule, at, axisymmetric, area);
 }
 
 }  // namespace mudline

@@ -3,8 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "contact/plane_vector.hpp"
+#include "core/pi.hpp"
 #include "discretisation/shapes.hpp"
-#include "geometry/contour_piece.hpp"
 
 namespace mudline {
 
@@ -34,12 +35,22 @@ struct ContactRule {
   std::vector<std::array<double, max_side_nodes>> N, dN;  // (sample, node)
 };
 
-/// Current areas of the contact points of a side [m2], in plane strain per metre of depth, and their derivatives with
-/// respect to the nodes' coordinates. False when the side is degenerate: no length, or r < 0.
-struct SideAreas {
-  bool compute(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric);
-  std::vector<double> area;                                       // (point)
-  std::vector<std::array<double, 2 * max_side_nodes>> variation;  // (point, dof) [m]
-};
+/// Current areas of the contact points of a side [m2], in plane strain per metre of depth, from the nodes' positions.
+/// False when the side is degenerate: no length, or r < 0.
+template <class T>
+bool contact_areas(const ContactRule& rule, const PlaneVector<T>* x, bool axisymmetric, T (&area)[max_contact_points]) {
+  for (int c = 0; c < rule.points; ++c) area[c] = T(0.0);
+  for (int q = 0; q < rule.samples; ++q) {
+    const T stretch = length(combine(rule.nodes, rule.dN[q].data(), x)), r = combine(rule.nodes, rule.N[q].data(), x).x;
+    if (!(value(stretch) > 0) || (axisymmetric && !(value(r) >= 0))) return false;
+    const T whole = axisymmetric ? stretch * (2 * pi * r) : stretch;
+    for (int c = 0; c < rule.points; ++c)
+      if (rule.weight[c][q] != 0) area[c] += rule.weight[c][q] * whole;
+  }
+  return true;
+}
+
+bool contact_areas(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric,
+                   double (&area)[max_contact_points]);
 
 }  // namespace mudline

@@ -24,20 +24,6 @@ void PenaltyContact::check_enforcement(const Section& section) const {
         "impact");
 }
 
-SideShift PenaltyContact::shifts(const StepView& view, std::size_t side) const {
-  SideShift result;
-  result.fixed = active_set_.used();
-  for (int row = first_row_[side]; result.fixed && row < first_row_[side + 1]; ++row)
-    result.member[row - first_row_[side]] = active_set_.holds(*view.trial, row);
-  if (!deck_.augmented()) return result;
-  const double penalty = view.trial->arrays[penalties_](side, 0);
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) {
-    result.now[row - first_row_[side]] = view.trial->arrays[multipliers_](row, multiplier_column::normal) / penalty;
-    result.old[row - first_row_[side]] = view.committed->arrays[multipliers_](row, multiplier_column::normal) / penalty;
-  }
-  return result;
-}
-
 bool PenaltyContact::sticks(const State& state, int row) const {
   return friction_ && state.arrays[points_](row, column::active) > 0 &&
          state.arrays[frictions_](row, friction_column::slides) == 0;
@@ -55,14 +41,6 @@ void PenaltyContact::start_multipliers(const StepView& view) const {
     view.trial->arrays[multipliers_](row, multiplier_column::shear) = initial_shear_multiplier(*view.committed, row);
 }
 
-void PenaltyContact::add_multipliers(const StepView& view, std::size_t side, std::vector<ShearState>& old) const {
-  if (!deck_.augmented()) return;
-  const PointView& now = view.trial->arrays[multipliers_];
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    old[row - first_row_[side]].shear +=
-        now(row, multiplier_column::shear) - initial_shear_multiplier(*view.committed, row);
-}
-
 Misfit PenaltyContact::misfit(const State& state) const {
   const int nodes = context_.space.mesh().num_nodes();
   std::vector<double> normals(nodes, 0.0), shears(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
@@ -71,8 +49,8 @@ Misfit PenaltyContact::misfit(const State& state) const {
   double spring = 0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const ContactRule& r = rule(sides[s]);
-    SideAreas lengths_here;  // without the circumference: nodes on the axis have weight too
-    if (!lengths_here.compute(r, coordinates(sides[s], state.coordinates), false)) continue;
+    double here[max_contact_points];  // lengths, without the circumference: nodes on the axis have weight too
+    if (!contact_areas(r, coordinates(sides[s], state.coordinates), false, here)) continue;
     const double stiffness = state.arrays[penalties_](s, 0);
     for (int c = 0; c < r.points; ++c) {
       const int row = first_row_[s] + c;
@@ -83,7 +61,7 @@ Misfit PenaltyContact::misfit(const State& state) const {
                                               : 0.0;
       for (int a = 0; a < sides[s].count; ++a) {
         const int node = sides[s].node[a];
-        const double weight = r.shape[c][a] * lengths_here.area[c];
+        const double weight = r.shape[c][a] * here[c];
         lengths[node] += weight;
         stiffnesses[node] += weight * stiffness;
         normals[node] += weight * normal;
@@ -143,14 +121,14 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
                                std::vector<double>& lengths) {
     for (std::size_t s = 0; s < sides.size(); ++s) {
       const ContactRule& r = rule(sides[s]);
-      SideAreas here;
-      if (!here.compute(r, coordinates(sides[s], trial.coordinates), false)) continue;
+      double here[max_contact_points];
+      if (!contact_areas(r, coordinates(sides[s], trial.coordinates), false, here)) continue;
       for (int c = 0; c < r.points; ++c) {
         double value = 0;
         for (int a = 0; a < r.nodes; ++a) value += r.shape[c][a] * values[sides[s].node[a]];
         for (int a = 0; a < r.nodes; ++a) {
-          product[sides[s].node[a]] += r.shape[c][a] * here.area[c] * value;
-          lengths[sides[s].node[a]] += r.shape[c][a] * here.area[c];
+          product[sides[s].node[a]] += r.shape[c][a] * here[c] * value;
+          lengths[sides[s].node[a]] += r.shape[c][a] * here[c];
         }
       }
     }

@@ -106,29 +106,29 @@ void PenaltyContact::write_points(const State& trial, std::size_t side, const st
   }
 }
 
-std::vector<ShearState> PenaltyContact::shear_states(const State& state, std::size_t side) const {
+ShearState PenaltyContact::shear_state(const State& state, int row) const {
+  if (!friction_) return {};
   const PointView& rows = state.arrays[frictions_];
-  std::vector<ShearState> states;
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    states.push_back({rows(row, friction_column::shear), rows(row, friction_column::slip),
-                      rows(row, friction_column::dissipated), rows(row, friction_column::slides) > 0});
-  return states;
+  return {rows(row, friction_column::shear), rows(row, friction_column::slip), rows(row, friction_column::dissipated),
+          rows(row, friction_column::slides) > 0};
 }
 
-SideFriction PenaltyContact::side_friction(const StepView& view, std::size_t side,
-                                           const std::vector<ShearState>& old) const {
-  const SurfaceSide& at = surface_->sides()[side];
-  SideFriction result{*friction_,
-                      friction_->tangential_factor() * view.trial->arrays[penalties_](side, 0),
-                      view.time_end,
-                      view.dt,
-                      old.data(),
-                      predicting_,
-                      surface_->pressure_nodes(at.count),
-                      {}};
-  for (int a = 0; a < result.pressure_nodes; ++a)
-    result.pressure[a] = view.value_end(surface_->dofs(at.count)(at.row, 2 * at.count + a));
-  return result;
+PointStart PenaltyContact::point_start(const StepView& view, std::size_t side, int row) const {
+  const State &committed = *view.committed, &trial = *view.trial;
+  const PointView& rows = committed.arrays[points_];
+  PointStart start;
+  start.shear = shear_state(committed, row);
+  start.force = {rows(row, column::force_x), rows(row, column::force_y), rows(row, column::moment)};
+  start.normal_force = rows(row, column::pressure) * rows(row, column::area);
+  start.member = active_set_.used() && active_set_.holds(trial, row);
+  if (!deck_.augmented()) return start;
+  const double penalty = trial.arrays[penalties_](side, 0);
+  start.shift = trial.arrays[multipliers_](row, multiplier_column::normal) / penalty;
+  start.shift_old = committed.arrays[multipliers_](row, multiplier_column::normal) / penalty;
+  if (friction_)
+    start.shear.shear +=
+        trial.arrays[multipliers_](row, multiplier_column::shear) - initial_shear_multiplier(committed, row);
+  return start;
 }
 
 PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const {
@@ -140,39 +140,42 @@ PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const 
           moved_ahead(context_.space, view.x_end, view.ahead_end)};
 }
 
+PointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
+  PointLaw result;
+  result.normal_law = normal_law_.get();
+  result.friction = friction_.get();
+  result.penalty = view.trial->arrays[penalties_](side, 0);
+  result.fixed = active_set_.used();
+  result.first_guess = predicting_;
+  result.time = view.time_end;
+  result.dt = view.dt;
+  result.conserves = conserves(view);
+  result.impact_damping = view.damping;
+  if (view.sensitivity[displacement_].value > 0) result.start_weight = 1 - view.sensitivity[displacement_].value;
+  if (damps(view)) result.viscous = deck_.damping;
+  return result;
+}
+
 bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, std::size_t side, bool want_tangent,
                               SideForce& force, std::vector<ContactPoint>& points) const {
   const SurfaceSide& at = surface_->sides()[side];
+  SideContact contact{rule(at),
+                      *body_,
+                      positions.body_old,
+                      positions.body_end,
+                      coordinates(at, positions.x_old),
+                      coordinates(at, positions.x_end),
+                      axisymmetric_,
+                      law(view, side)};
+  contact.reach = touch_;
   // how far away the touch is in terms of forces is not known: every guess moves the body ten times as far
-  const double touch_share = std::pow(0.1, view.linearisation);
-  const SideBody against{
-      *body_, positions.body_end, {positions.body_old, coordinates(at, positions.x_old)}, touch_, touch_share};
-  const double penalty = view.trial->arrays[penalties_](side, 0);
-  const SideCoordinates x = coordinates(at, positions.x_end);
-  std::vector<PointForce> forces;
-  std::vector<double> normal;
-  SideStep step;
-  step.alpha_f = 1 - view.sensitivity[displacement_].value;
-  step.dt = view.dt;
-  if (conserves(view)) {
-    forces = point_forces(*view.committed, side);
-    step.old = forces.data();
-    step.impact_damping = view.damping;
-  }
-  if (damps(view)) {
-    normal = normal_forces(*view.committed, side);
-    step.normal_old = normal.data();
-    step.viscous = deck_.damping;
-  }
-  const SideShift shift = shifts(view, side);
-  if (!friction_)
-    return penalty_side(rule(at), against, *normal_law_, penalty, nullptr, step, shift, x, axisymmetric_, want_tangent,
-                        force, points);
-  std::vector<ShearState> old = shear_states(*view.committed, side);
-  add_multipliers(view, side, old);
-  const SideFriction friction = side_friction(view, side, old);
-  return penalty_side(rule(at), against, *normal_law_, penalty, &friction, step, shift, x, axisymmetric_, want_tangent,
-                      force, points);
+  contact.reach_share = std::pow(0.1, view.linearisation);
+  contact.pressure_nodes = surface_->pressure_nodes(at.count);
+  for (int a = 0; a < contact.pressure_nodes; ++a)
+    contact.pressure[a] = view.value_end(surface_->dofs(at.count)(at.row, 2 * at.count + a));
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
+    contact.start[row - first_row_[side]] = point_start(view, side, row);
+  return penalty_side(contact, want_tangent, force, points);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
@@ -180,22 +183,6 @@ bool PenaltyContact::conserves(const StepView& view) const {
   if (deck_.impact == PenaltyParameters::Impact::automatic)
     return !deck_.augmented() && !active_set_.used() && normal_law_->linear() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
-}
-
-std::vector<PointForce> PenaltyContact::point_forces(const State& state, std::size_t side) const {
-  const PointView& rows = state.arrays[points_];
-  std::vector<PointForce> forces;
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    forces.push_back({rows(row, column::force_x), rows(row, column::force_y), rows(row, column::moment)});
-  return forces;
-}
-
-std::vector<double> PenaltyContact::normal_forces(const State& state, std::size_t side) const {
-  const PointView& rows = state.arrays[points_];
-  std::vector<double> forces;
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    forces.push_back(rows(row, column::pressure) * rows(row, column::area));
-  return forces;
 }
 
 void PenaltyContact::book_damping(const State& trial, const std::vector<ContactPoint>& points) const {
@@ -250,12 +237,13 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   for (std::size_t s = 0; s < sides.size(); ++s) {
     if (!candidate_[s]) {
       // the rows of a skipped side say that it is at least as far away as the search looked
-      ContactPoint away{};
-      away.gap = capture_;
-      points.assign(rule(sides[s]).points, away);
-      if (friction_) {
-        const std::vector<ShearState> old = shear_states(*view.committed, s);
-        for (std::size_t c = 0; c < old.size(); ++c) points[c].shear = {0, old[c].slip, old[c].dissipated, false};
+      points.assign(rule(sides[s]).points, {});
+      for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
+        ContactPoint& away = points[row - first_row_[s]];
+        away.gap = capture_;
+        away.shear = shear_state(*view.committed, row);
+        away.shear.shear = 0;
+        away.shear.slides = false;
       }
       write_points(*view.trial, s, points);
       continue;

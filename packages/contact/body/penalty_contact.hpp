@@ -96,32 +96,26 @@ class PenaltyContact : public Contact, public ClosesSides {
     ConstCoordinateView x_old, x_end;
   };
   Positions positions(const StepView& view) const;
-  /// Whether points exert the shares of ImpactShare in dynamic steps.
+  /// Whether points exert the shares of impacts in dynamic steps.
   bool conserves(const StepView& view) const;
-  std::vector<PointForce> point_forces(const State& state, std::size_t side) const;
   /// Whether damping acts: not in the start of a stage, which is no step.
   bool damps(const StepView& view) const { return deck_.damping > 0 && view.sensitivity[displacement_].value > 0; }
-  std::vector<double> normal_forces(const State& state, std::size_t side) const;
   /// The heat of friction goes into the soil: the body takes none. Without derivatives, for it changes forces slowly.
   void add_heat(const StepView& view, const ResidualView& f) const;
   /// Adds the damping of one side's points to the rows of the trial state.
   void book_damping(const State& trial, const std::vector<ContactPoint>& points) const;
-  /// Shear states of one side's points.
-  std::vector<ShearState> shear_states(const State& state, std::size_t side) const;
+  ShearState shear_state(const State& state, int row) const;
+  /// What is known of a point of a side; the multiplier of its shear stress counts by what it has changed in this step.
+  PointStart point_start(const StepView& view, std::size_t side, int row) const;
+  PointLaw law(const StepView& view, std::size_t side) const;
   void check_enforcement(const Section& section) const;
-  /// Multipliers of one side; none: all 0.
-  SideShift shifts(const StepView& view, std::size_t side) const;
   /// The multiplier of a point's shear stress with which a step starts [Pa].
   double initial_shear_multiplier(const State& committed, int row) const;
   void start_multipliers(const StepView& view) const;
   void start_active_set(const StepView& view, const BodyPlacement& placement) const;
   std::optional<Augmentation> update_active_set(const State& trial) const;
-  /// Adds what the tangential multipliers of one side have changed by in this step.
-  void add_multipliers(const StepView& view, std::size_t side, std::vector<ShearState>& old) const;
   bool sticks(const State& state, int row) const;
   Misfit misfit(const State& state) const;
-  /// What friction on one side needs; refers to `old`, its committed shear states.
-  SideFriction side_friction(const StepView& view, std::size_t side, const std::vector<ShearState>& old) const;
   /// Force of one side at the linearisation point. False for a degenerate side.
   bool evaluate(const StepView& view, const Positions& at, std::size_t side, bool want_tangent, SideForce& force,
                 std::vector<ContactPoint>& points) const;
@@ -157,7 +151,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   std::vector<char> candidate_;                     // (side) near enough to be evaluated in this step
   double capture_ = 0;                              // [m] of this step
   double gap_tolerance_ = 0;                        // [m]
-  double touch_ = 0;                                // see SideBody
+  double touch_ = 0;                                // see SideContact::reach
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool predicting_ = false;

@@ -4,12 +4,30 @@
 
 #include "bodies/rigid_body.hpp"
 #include "contact/body/contact_rule.hpp"
-#include "contact/laws/contact_damping.hpp"
-#include "contact/laws/impact_share.hpp"
-#include "contact/laws/normal_law.hpp"
-#include "contact/laws/stick_slip.hpp"
+#include "contact/laws/contact_point.hpp"
 
 namespace mudline {
+
+/// Force [N] on the soil and its moment about the body's centre [N m].
+using PointForce = std::array<double, 3>;
+
+/// What friction remembers of a contact point.
+struct ShearState {
+  double shear = 0;       // [Pa] on the soil, along the contour's direction of travel; 0 off the body
+  double slip = 0;        // [m] path that the point has slid, since it was made
+  double dissipated = 0;  // [J] heat, over the point's area
+  bool slides = false;
+};
+
+/// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
+/// tangential multipliers are part of the shear.
+struct PointStart {
+  double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
+  bool member = false;              // of the active set
+  ShearState shear;                 // committed
+  PointForce force{};               // committed
+  double normal_force = 0;          // [N] committed
+};
 
 /// What happens at one contact point.
 struct ContactPoint {
@@ -25,53 +43,21 @@ struct ContactPoint {
   double damped;         // [J] heat that it makes in the step
 };
 
-/// Where the body and the side were when the step began.
-struct SideStart {
-  BodyPlacement placement;
-  SideCoordinates x;  // [m]
-};
-
-/// What friction on one side depends on.
-struct SideFriction {
-  const Friction& law;
-  double stiffness;                 // [Pa/m] along the surface
-  double time, dt;                  // [s] end of the step; its length
-  const ShearState* old;            // (point) committed
-  bool first_guess;                 // the response is linear: no point changes between sticking and sliding
-  int pressure_nodes;               // first nodes of the side that carry pore pressure; 0: none counts
-  double pressure[max_side_nodes];  // [Pa] there
-};
-
-/// Force [N] on the soil and its moment about the body's centre [N m].
-using PointForce = std::array<double, 3>;
-
-/// What acts over a step. By itself the integrator takes (1 - alpha_f) of the force at the end and alpha_f of that at
-/// the start.
-struct SideStep {
-  double alpha_f = 0, dt = 1;          // [-], [s]
-  const PointForce* old = nullptr;     // (point) at the start of the step: points exert shares of ImpactShare instead
-  double impact_damping = 0;           // [-] of those shares
-  double viscous = 0;                  // [s/m] coefficient of ContactDamping; 0: none
-  const double* normal_old = nullptr;  // (point) [N] normal force at the start of the step, for ContactDamping
-};
-
-/// Which points press. Augmented Lagrangian: the pressure of point c is penalty <shift_c - gap>, shift = multiplier /
-/// penalty [m]. Tangential multipliers are part of SideFriction::old.
-struct SideShift {
-  double now[max_contact_points] = {}, old[max_contact_points] = {};  // (point) in this step; in the committed state
-  bool fixed = false;  // member decides, not the gap: t = penalty (shift_c - gap)
-  bool member[max_contact_points] = {};
-};
-
-/// The body that a side may touch.
-struct SideBody {
+/// One side of the soil's surface against a body, at both ends of a step.
+struct SideContact {
+  const ContactRule& rule;
   const RigidBody& body;
-  BodyPlacement placement;
-  SideStart start;
+  BodyPlacement placement_old, placement;
+  SideCoordinates x_old, x;  // [m]
+  bool axisymmetric;
+  PointLaw law;
   /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
   /// touches nothing yet would have no stiffness at all.
-  double touch = 0;
-  double touch_share = 1;  // of the penalty that such points have in the tangent
+  double reach = 0;
+  double reach_share = 1;                     // of the penalty that such points have in the tangent
+  int pressure_nodes = 0;                     // first nodes of the side that carry pore pressure; 0: none counts
+  double pressure[max_side_nodes] = {};       // [Pa] there
+  PointStart start[max_contact_points] = {};  // (point)
 };
 
 /// Dofs of one side in its element matrix: the nodes' displacements, node after node, component after component; then
@@ -81,18 +67,15 @@ constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
 /// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m,
 /// m2].
 struct SideForce {
-  double f[max_side_dofs];           // at the end of the step
-  double correction[max_side_dofs];  // to be added at the alpha level, with shares of ImpactShare or ContactDamping
-  double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - alpha_f)
+  double f[max_side_dofs];                 // at the end of the step
+  double correction[max_side_dofs];        // to be added at the alpha level: shares of impacts, damping
+  double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - start_weight)
 };
 
-/// Normal law t(shift - gap), by itself penalty <shift - gap>, at the contact points of a side against a body:
-/// f_a = sum_c shape_ca (t n + s m) A_c with the shear stress s along the contour's direction m; null `friction`: s =
-/// 0. The body gets the opposite force and its moment. The tangent is exact: variation of gap, normal (curvature of the
-/// body), travel, length and radius of the side, place and rotation of the body. penalty [Pa/m]. `points` receives
-/// rule.points results. False for a degenerate side.
-bool penalty_side(const ContactRule& rule, const SideBody& against, const NormalLaw& law, double penalty,
-                  const SideFriction* friction, const SideStep& step, const SideShift& shift, const SideCoordinates& x,
-                  bool axisymmetric, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points);
+/// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s m) A_c with the pressure t, the shear
+/// stress s, the normal n from the body into the soil and the contour's direction m. The body gets the opposite force
+/// and its moment. The tangent is exact: variation of gap, normal (curvature of the body), travel, length and radius of
+/// the side, place and rotation of the body. `points` receives rule.points results. False for a degenerate side.
+bool penalty_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points);
 
 }  // namespace mudline

@@ -30,6 +30,8 @@ class LinearNormalLaw : public NormalLaw {
   bool linear() const override { return true; }
 };
 
+inline const LinearNormalLaw linear_normal_law{};
+
 /// The slope grows from 0 to the stiffness over a small depth: contact opens and closes without a kink, at which
 /// Newton's method goes back and forth. Deeper it is the linear law, half that depth further in.
 class SmoothedNormalLaw : public NormalLaw {

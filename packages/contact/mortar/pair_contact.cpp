@@ -100,7 +100,9 @@ void PairContact::begin(const StepView& view) {
   // the spring of friction starts unstretched from the stress that the step before left
   for (std::size_t row = 0; row < multipliers.extent(0); ++row)
     multipliers(row, 1) = view.committed->arrays[sides_](row, column::shear);
-  capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : slave_->longest(view.x_old);
+  const double longest = slave_->longest(view.x_old);
+  capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : longest;
+  touch_ = 1e-9 * longest;
   master_->sort(view.x_old);
   pairs_.clear();
   for (std::size_t s = 0; s < sides.size(); ++s) {
@@ -129,6 +131,7 @@ PairLaw PairContact::law(const StepView& view, int slave) const {
   result.rule = rule_;
   result.penalty = view.trial->arrays[penalties_](slave, 0);
   result.capture = capture_;
+  result.touch = touch_;
   result.friction = friction_.get();
   result.time = view.time_end;
   result.dt = view.dt;

@@ -89,10 +89,10 @@ class PairContact : public Contact {
   std::vector<Pair> pairs_;                    // of this step, ordered by slave side
   std::unordered_map<long long, int> row_of_;  // (slave, master) in the dof table
   ElementDofs dofs_;
-  QuadratureRule rule_;                             // on a segment
-  int group_ = -1, nodes_ = 3;                      // of a side
-  double gap_tolerance_ = 0, capture_ = 0;          // [m]
-  std::vector<std::pair<int, double>> correction_;  // (dof, damping) of the last residual call
+  QuadratureRule rule_;                                 // on a segment
+  int group_ = -1, nodes_ = 3;                          // of a side
+  double gap_tolerance_ = 0, capture_ = 0, touch_ = 0;  // [m]
+  std::vector<std::pair<int, double>> correction_;      // (dof, damping) of the last residual call
   bool axisymmetric_ = false, predicting_ = false, beyond_reach_ = false;
   int displacement_ = -1;
   int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles

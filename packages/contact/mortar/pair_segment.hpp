@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/body/contact_rule.hpp"
-#include "contact/laws/friction.hpp"
+#include "contact/laws/contact_point.hpp"
 
 namespace mudline {
 
@@ -16,19 +16,13 @@ struct PairCoordinates {
 };
 
 /// What acts between the sides.
-struct PairLaw {
+struct PairLaw : PointLaw {
   int nodes = 3;  // of either side
   bool axisymmetric = false;
-  QuadratureRule rule;                 // on a segment
-  double penalty = 0;                  // [Pa/m]
-  double capture = 0;                  // [m] points farther away than this, on either side, do not see each other
-  const Friction* friction = nullptr;  // null: smooth
-  double time = 0, dt = 1;             // [s] end of the step; its length
-  bool first_guess = false;            // friction sticks
+  QuadratureRule rule;  // on a segment
+  double capture = 0;   // [m] points farther away than this, on either side, do not see each other
   double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners
-  double viscous = 0;                                                  // [s/m] coefficient of ContactDamping; 0: none
-  double start_weight = 0;                     // weight of the start of the step in the integrator's force
-  double pressure_old[side_multipliers] = {};  // [Pa] at the slave's corners at the start of the step, for damping
+  double pressure_old[side_multipliers] = {};  // [Pa] there at the start of the step, for damping
 };
 
 /// Integrals over the segment, weighted by the multipliers' shapes (a) and the length without the circumference [m].
@@ -56,11 +50,11 @@ struct PairForce {
 };
 
 /// One side of the slave surface against one of the master surface, both straight or parabolic, by surface quadrature
-/// over the segment of the slave side whose points have their foot on the master side. Pressure t = <multiplier -
-/// penalty gap>, gap along the master's outward normal at the foot (nearest point); shear stress by `friction`, stick
-/// spring from the multiplier of shear. Positive shear acts on the slave along the master's direction (outward normal
-/// on its right). Slave gets t n + s m, master the opposite at the foot, so momentum is kept to rounding. The tangent
-/// is exact: ends of the segment, foot, normal, lengths. Returns false where the sides do not see each other.
+/// over the segment of the slave side whose points have their foot on the master side, by the point law: pressure t =
+/// <multiplier - penalty gap>, gap along the master's outward normal at the foot (nearest point); stick spring from the
+/// multiplier of shear. Positive shear acts on the slave along the master's direction (outward normal on its right).
+/// Slave gets t n + s m, master the opposite at the foot, so momentum is kept to rounding. The tangent is exact: ends
+/// of the segment, foot, normal, lengths. Returns false where the sides do not see each other.
 bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent,
                   PairForce& out);
 

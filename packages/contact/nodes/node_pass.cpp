@@ -96,15 +96,15 @@ void NodePass::measure(const ConstCoordinateView& x) {
     const ContactRule& rule = rules_[side.count - 2];
     SideCoordinates at{};
     for (int a = 0; a < side.count; ++a) at[a] = {x(side.node[a], 0), x(side.node[a], 1)};
-    SideAreas areas, lengths;
-    areas.compute(rule, at, axisymmetric_);
-    lengths.compute(rule, at, false);
+    double areas[max_contact_points], lengths[max_contact_points];
+    contact_areas(rule, at, axisymmetric_, areas);
+    contact_areas(rule, at, false, lengths);
     for (int a = 0; a < side.count; ++a, ++row) {
-      rows_[row].area = settings_.share * areas.area[a];
-      rows_[row].length = lengths.area[a];
+      rows_[row].area = settings_.share * areas[a];
+      rows_[row].length = lengths[a];
       rows_[row].facing = {at[1][0] - at[0][0], at[1][1] - at[0][1]};
       // a corner of a quadratic side on the axis has no area: nothing can press there
-      if (axisymmetric_ && areas.area[a] < 1e-9 * lengths.area[a] * lengths.area[a]) rows_[row].area = 0;
+      if (axisymmetric_ && areas[a] < 1e-9 * lengths[a] * lengths[a]) rows_[row].area = 0;
     }
   }
 }
@@ -131,10 +131,8 @@ void NodePass::start_active_set(const StepView& view) const {
     presses[row] = view.committed->arrays[points_](row, column::pressure) > 0;
     Seen seen;
     if (presses[row] || !look(row, view.x_end, capture_, seen)) continue;
-    NodeForce force;
-    const NodeCoordinates at = coordinates(row, seen.piece, view.x_end);
-    node_force({}, surface_.pieces()[seen.piece], seen.foot, at, at, false, force);
-    presses[row] = force.gap <= touch_;
+    presses[row] =
+        node_gap(surface_.pieces()[seen.piece], seen.foot, coordinates(row, seen.piece, view.x_end)) <= touch_;
   }
   active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
 }
@@ -177,11 +175,11 @@ NodeLaw NodePass::law(const StepView& view, int row) const {
   result.slip = old(row, column::slip);
   result.first_guess = predicting_;
   result.gap_old = old(row, column::gap);
-  result.damping = view.damping;
+  result.impact_damping = view.damping;
   result.fixed = active_set_.used();
   result.member = result.fixed && active_set_.holds(*view.trial, row);
   const double end_weight = view.sensitivity[displacement_].value;
-  result.end_weight = conserves(view) ? end_weight : 0.0;
+  result.conserves = conserves(view);
   if (end_weight > 0) {  // else it is the start of a stage, not a step
     result.viscous = settings_.deck->damping;
     result.start_weight = 1 - end_weight;
@@ -224,7 +222,7 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
     Seen seen;
     if (!look(row, at.end, capture_, seen)) {
       write_away(view, row);
-      add_old_share(view, row, capture_);
+      add_old_share(view, row, start_share(old(row, column::gap), capture_, view.damping));
       continue;
     }
     const NodeLaw acting = law(view, row);
@@ -232,6 +230,7 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
     const NodeCoordinates now = coordinates(row, seen.piece, at.end);
     node_force(acting, piece, seen.foot, coordinates(row, seen.piece, at.old), now, false, force);
     if (force.presses && seen.place < 0) ++failures;
+    const double before = force.start_share;
     if (seen.place < 0) force = {};
     for (int a = 0; a < node_dofs && force.presses; ++a) {
       const int dof = dofs_(seen.place, a);
@@ -239,21 +238,20 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
       f.cancelled(dof, acting.penalty * acting.area * std::hypot(now.slave[0], now.slave[1]));
       if (force.share != 1) correction_.emplace_back(dof, (1 - alpha) * (force.share - 1) * force.f[a]);
     }
-    add_old_share(view, row, force.gap);
+    add_old_share(view, row, before);
     for (int a = 0; a < node_dofs && force.damped != 0; ++a)
       correction_.emplace_back(dofs_(seen.place, a), force.damping[a]);
     damped += force.damped;
-    const double area = acting.area;
     points(row, column::gap) = force.gap;
     points(row, column::pressure) = force.pressure;
     points(row, column::shear) = force.shear;
     points(row, column::slides) = force.slides;
     points(row, column::force_x) = force.f[0];
     points(row, column::force_y) = force.f[1];
-    points(row, column::area) = force.pressure > 0 ? area : 0.0;
+    points(row, column::area) = force.pressure > 0 ? acting.area : 0.0;
     points(row, column::length) = rows_[row].length;
     points(row, column::slip) = old(row, column::slip) + force.slip;
-    points(row, column::heat) = old(row, column::heat) + std::abs(force.shear) * force.slip * area;
+    points(row, column::heat) = old(row, column::heat) + force.heat;
     points(row, column::piece) = seen.piece;
     points(row, column::eta) = seen.foot.eta;
   }
@@ -261,16 +259,15 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
   return failures;
 }
 
-void NodePass::add_old_share(const StepView& view, int row, double gap) {
+void NodePass::add_old_share(const StepView& view, int row, double share) {
   const PointView& old = view.committed->arrays[points_];
   if (!conserves(view) || !(old(row, column::pressure) > 0)) return;
   const int was = static_cast<int>(old(row, column::piece)), there = place(row, was);
   if (there < 0) return;
   double before[node_dofs];
   old_force(*view.committed, row, surface_.pieces()[was], before);
-  const double factor =
-      start_share(old(row, column::gap), gap, view.damping).value - (1 - view.sensitivity[displacement_].value);
-  for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(there, a), factor * before[a]);
+  const double more = share - (1 - view.sensitivity[displacement_].value);
+  for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(there, a), more * before[a]);
 }
 
 void NodePass::correction(const ResidualView& f) const {
@@ -294,16 +291,14 @@ void NodePass::jacobian(const StepView& view, Assembler& assembler, double weigh
     if (force.presses || force.damped != 0)
       for (int a = 0; a < node_dofs; ++a)
         for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * moved * force.k[a][b]);
-    const double slope = conserving && old(row, column::pressure) > 0
-                             ? start_share(old(row, column::gap), force.gap, view.damping).slope
-                             : 0.0;
     // across two pieces the matrix has no place for the change of a leaving force
-    if (slope == 0 || static_cast<int>(old(row, column::piece)) != seen.piece) continue;
+    if (!conserving || !(old(row, column::pressure) > 0) || static_cast<int>(old(row, column::piece)) != seen.piece)
+      continue;
     double before[node_dofs];
     old_force(*view.committed, row, piece, before);
     for (int a = 0; a < node_dofs; ++a)
       for (int b = 0; b < node_dofs; ++b)
-        to.add(seen.place, a, b, -weight * moved * slope / end_weight * before[a] * force.gap_slope[b]);
+        to.add(seen.place, a, b, -weight * moved / end_weight * before[a] * force.start_share_slope[b]);
   }
 }
 
@@ -405,10 +400,7 @@ double NodePass::least_gap(double capture, const ConstCoordinateView& x) const {
     int piece = -1;
     NodeFoot foot;
     if (!surface_.find_foot(surface_.near(at, capture), at, row.facing, capture, x, piece, foot)) continue;
-    NodeForce force;
-    NodeCoordinates here{at, surface_.coordinates(piece, x)};
-    node_force({}, surface_.pieces()[piece], foot, here, here, false, force);
-    least = std::min(least, force.gap);
+    least = std::min(least, node_gap(surface_.pieces()[piece], foot, {at, surface_.coordinates(piece, x)}));
   }
   return least;
 }

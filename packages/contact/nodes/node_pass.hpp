@@ -90,7 +90,7 @@ class NodePass {
   /// Force on nodes and piece that acted at the start of the step, by dof of its place.
   void old_force(const State& committed, int row, const SurfacePiece& piece, double (&force)[node_dofs]) const;
   /// A node that pressed at the start of the step exerts the share of that force, not what the integrator takes of it.
-  void add_old_share(const StepView& view, int row, double gap);
+  void add_old_share(const StepView& view, int row, double share);
   void write_away(const StepView& view, int row) const;
   double penalty(const State& state, int row) const { return state.arrays[penalties_](rows_[row].side, 0); }
   bool sticks(const State& state, int row) const;

@@ -164,9 +164,9 @@ TEST(ImpactShare, DoesTheWorkThatTheSpringStoresOrGivesBack) {
   for (const double gap_old : {1e-6, 0.3})
     for (const double gap : {-1e-6, -0.2}) {
       const double stored = 0.5 * stiffness * gap * gap, way = gap - gap_old;
-      EXPECT_NEAR(end_share(gap_old, gap, 0).value * stiffness * gap * way, stored, 1e-15);
+      EXPECT_NEAR(end_share(gap_old, gap, 0) * stiffness * gap * way, stored, 1e-15);
       // and back
-      EXPECT_NEAR(start_share(gap, gap_old, 0).value * stiffness * gap * -way, -stored, 1e-15);
+      EXPECT_NEAR(start_share(gap, gap_old, 0) * stiffness * gap * -way, -stored, 1e-15);
     }
 }
 
@@ -223,8 +223,8 @@ TEST(FreeBody, DampingTakesWhatItReports) {
       model.contact->correction(model.view, correction);
       const double rate = (before - y) / dt,
                    forces[2] = {2 * eps * std::max(-before, 0.0), 2 * eps * std::max(-y, 0.0)};
-      const double start = conserving ? start_share(before, y, 0).value : 0.5,
-                   end = conserving ? end_share(before, y, 0).value : 0.5;
+      const double start = conserving ? start_share(before, y, 0) : 0.5,
+                   end = conserving ? end_share(before, y, 0) : 0.5;
       const double mean = start * forces[0] + end * forces[1], damping = std::max(20 * rate, -1.0) * mean;
       heat += damping * (before - y);
       // upwards on the body; the residual has the sign of what resists

@@ -62,11 +62,11 @@ class EveryState : public testing::TestWithParam<Case> {
     law_.normal = c.multiplier;
     law_.shear = 0.2 * c.multiplier;
     if (c.friction > 0) law_.friction = &friction_;
-    law_.end_weight = c.late ? 0.6 : 0;
+    law_.conserves = c.late;
     law_.gap_old = 0.01;
     law_.viscous = c.viscous;
     law_.normal_old = 2e4;
-    if (c.viscous > 0) law_.start_weight = 0.4;
+    if (c.late || c.viscous > 0) law_.start_weight = 0.4;
   }
   /// Force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by them.
   NodeForce evaluate(double (&f)[14], double (&k)[14][14]) {

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cmath>
+
+#include "contact/laws/friction.hpp"
+#include "contact/laws/impact_share.hpp"
+#include "contact/laws/normal_law.hpp"
+#include "tensor/dual.hpp"
+
+namespace mudline {
+
+/// Of the deck's "damping".
+inline constexpr const char* damping_documentation =
+    "Viscous resistance of what presses: per speed of closing, this fraction of the contact pressure more; of opening, "
+    "less (Hunt and Crossley). A "
+    "mass that hits a linear spring at v comes back with about 1 - 2/3 of 'damping' times v of its speed";
+
+/// What acts in a step at all points of a contact that share a penalty.
+struct PointLaw {
+  const NormalLaw* normal_law = &linear_normal_law;
+  const Friction* friction = nullptr;  // null: smooth
+  double penalty = 0;                  // [Pa/m]
+  double touch = 0;                    // [m] below this gap a point counts as pressing: stiffness, if no force
+  bool fixed = false;                  // an active set decides which points press, not their gaps
+  bool first_guess = false;            // friction is linear: what stuck sticks, what slid slides on
+  double time = 0, dt = 1;             // [s] end of the step; its length
+  double start_weight = 0;             // [-] of the start of the step in the integrator's force
+  bool conserves = false;              // points exert the shares of start_share() and end_share() instead
+  double impact_damping = 0;           // [-] of those shares
+  double viscous = 0;                  // [s/m] of damping; 0: none
+};
+
+/// A contact point as the geometry of its engine sees it. T is double or a dual number, whose derivatives (by whatever
+/// the engine takes as unknowns) the response carries on. In the plane travel and shear are numbers; in space they are
+/// vectors of the tangent plane.
+template <class T>
+struct PointMotion {
+  T gap{0.0};             // [m] at the end of the step; negative: penetration
+  T shift{0.0};           // [m] gap at which the pressure starts: multiplier over penalty
+  bool member = false;    // of the active set
+  T gap_old{0.0};         // [m] at the start of the step, for shares and damping
+  T force_old{0.0};       // [N] normal force there, for damping
+  T area{1.0};            // [m2]
+  T travel{0.0};          // [m] advance along the surface in the step
+  T opened{0.0};          // [m] by which it was open at the start: travel counts from where it touched
+  T shear_old{0.0};       // [Pa] from which the stick spring starts
+  double slip_old = 0;    // [m] path slid before
+  bool slid = false;      // in the step before
+  T pore_pressure{0.0};   // [Pa] of the soil that touches
+  PlanePoint position{};  // [m] at the start of the step
+};
+
+template <class T>
+struct PointResponse {
+  bool presses = false, slides = false;
+  T pressure{0.0};                     // [Pa] on the soil, compression positive
+  T shear{0.0};                        // [Pa] on the soil, along the surface; resists positive travel
+  T damping{0.0};                      // [N] along the normal, added to the mean force over the step
+  T start_share{0.0}, end_share{0.0};  // [-] of the forces at both ends in that mean
+  double slip = 0;                     // [m] of this step
+  double heat = 0, damping_heat = 0;   // [J] of friction, of damping
+};
+
+namespace detail {
+
+template <class T>
+T magnitude(const T& a) {
+  return value(a) < 0 ? -1.0 * a : a;
+}
+
+/// slope * a without its value: what a function of a, known by value and slope, has in derivatives.
+template <class T>
+T change(const T& a, double slope) {
+  return chain(a, 0.0, slope);
+}
+
+/// All of the step's travel, or for a point that was open the part after the gap closed at constant speed, which makes
+/// the shear stress start from 0.
+template <class T>
+T touching_travel(const PointMotion<T>& point) {
+  const T pressed = point.gap - point.shift;
+  if (!(value(point.opened) > 0)) return point.travel;
+  if (!(value(pressed) < 0)) return T(0.0);  // held in tension by a fixed active set: it has not touched yet
+  return point.travel * (pressed / (pressed - point.opened));
+}
+
+template <class T>
+T pressure(const PointLaw& law, const PointMotion<T>& point) {
+  const T penetration = point.shift - point.gap;
+  const double depth = law.fixed || value(penetration) > 0 ? value(penetration) : 0.0;
+  const NormalPressure normal = law.normal_law->at(depth, law.penalty);
+  return chain(penetration, normal.value, normal.slope);
+}
+
+/// Viscous resistance: the mean normal force of the step times coefficient * closing speed (K. H. Hunt, F. R. E.
+/// Crossley, J. Appl. Mech. 42, 1975, 440-445, for a linear spring). It sets in and ends without a jump, takes energy
+/// only, and at most cancels the traction of surfaces that part: it never pulls.
+template <class T>
+void add_damping(const PointLaw& law, const PointMotion<T>& point, PointResponse<T>& out) {
+  const T closing = point.gap_old - point.gap,
+          mean = out.start_share * point.force_old + out.end_share * out.pressure * point.area;
+  const T factor = law.viscous / law.dt * closing;
+  out.damping = value(factor) <= -1 ? -1.0 * mean : factor * mean;
+  out.damping_heat = value(out.damping) * value(closing);
+}
+
+/// Return map: a spring along the surface is stretched by the travel; where that exceeds the law's strength the point
+/// slides.
+template <class T>
+void add_friction(const PointLaw& law, const PointMotion<T>& point, PointResponse<T>& out) {
+  const double stiffness = law.friction->tangential_factor() * law.penalty;
+  const T travel = touching_travel(point);
+  out.shear = point.shear_old - stiffness * travel;
+  if (law.first_guess) {
+    out.slides = point.slid;
+    if (point.slid) out.shear = point.shear_old;
+    return;
+  }
+  const T normal = law.friction->effective() ? out.pressure - point.pore_pressure : out.pressure;
+  const T rate = magnitude(travel) / law.dt;
+  const ShearStrength strength =
+      law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate)});
+  const double trial = value(out.shear), excess = std::abs(trial) - strength.value;
+  out.slides = excess > 0;
+  if (!out.slides) return;
+  const T carried = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope);
+  out.shear = trial > 0 ? carried : -1.0 * carried;
+  out.slip = excess / stiffness;
+  out.heat = std::abs(value(out.shear)) * out.slip * value(point.area);
+}
+
+}  // namespace detail
+
+/// Whether a point presses; the response of one that does not is that of damping alone.
+template <class T>
+bool presses(const PointLaw& law, const PointMotion<T>& point) {
+  return law.fixed ? point.member : value(point.gap) - value(point.shift) < law.touch;
+}
+
+/// The point law of all contacts: gap, travel and old state to pressure and shear stress.
+template <class T>
+PointResponse<T> respond(const PointLaw& law, const PointMotion<T>& point) {
+  PointResponse<T> out;
+  out.start_share = law.conserves ? start_share(point.gap_old, point.gap, law.impact_damping) : T(law.start_weight);
+  out.end_share = law.conserves ? end_share(point.gap_old, point.gap, law.impact_damping) : T(1 - law.start_weight);
+  out.presses = presses(law, point);
+  if (out.presses) out.pressure = detail::pressure(law, point);
+  if (law.viscous > 0) detail::add_damping(law, point, out);
+  if (out.presses && law.friction) detail::add_friction(law, point, out);
+  return out;
+}
+
+}  // namespace mudline
