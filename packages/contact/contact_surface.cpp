@@ -93,4 +93,13 @@ std::vector<double> ContactSurface::mean(std::vector<double> weighted, std::vect
   return weighted;
 }
 
+int declare_rows(StateStore& store, const std::string& name, std::vector<StateVariable> variables,
+                 std::vector<long long> ids, bool shares) {
+  ArrayInfo info{name, std::move(variables)};
+  const int rows = shares ? 1 : static_cast<int>(ids.size());
+  info.ids = std::move(ids);
+  info.shares = shares;
+  return store.declare(std::move(info), rows);
+}
+
 }  // namespace mudline

@@ -56,4 +56,8 @@ class ContactSurface {
   int body_unknowns_ = 0;
 };
 
+/// Declares an array of rows with these ids; `shares`: of one row, of which every rank has its part.
+int declare_rows(StateStore& store, const std::string& name, std::vector<StateVariable> variables,
+                 std::vector<long long> ids, bool shares = false);
+
 }  // namespace mudline

@@ -69,4 +69,24 @@ void spread(int count, const W* weight, const PlaneVector<T>& force, T* to) {
   }
 }
 
+/// Forces by the N unknowns [N]: at the end of the step, and what comes on top in the mean over it.
+template <class T, int N>
+struct StepForces {
+  StepForces() {
+    for (int a = 0; a < N; ++a) end[a] = more[a] = T(0.0);
+  }
+  /// Their values, and with dual numbers the derivatives of share * end + weight * more.
+  void write(const T& share, double weight, double (&f)[N], double (&on_top)[N], double (&k)[N][N]) const {
+    for (int a = 0; a < N; ++a) {
+      f[a] = value(end[a]);
+      on_top[a] = value(more[a]);
+      if constexpr (!std::is_same_v<T, double>) {
+        const T acting = end[a] * share + weight * more[a];
+        for (int b = 0; b < N; ++b) k[a][b] = acting.d[b];
+      }
+    }
+  }
+  T end[N], more[N];
+};
+
 }  // namespace mudline

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "contact/laws/contact_point.hpp"
 #include "core/log.hpp"
 #include "discretisation/mesh_topology.hpp"
 
@@ -26,6 +25,7 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
         "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far "
         "apart, half their distance");
   p.add("damping", damping, "s/m", non_negative(), damping_documentation);
+  ContactLaws::declare_normal_law(p);
 }
 
 void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master) {
@@ -51,17 +51,12 @@ void check_two_sets(const Mesh& mesh, const Section& section, const std::string&
   }
 }
 
-std::unique_ptr<const Friction> friction_of_two(const ContactContext& context, const Section& section) {
-  if (!section.has_section("friction")) return nullptr;
-  std::unique_ptr<const Friction> friction = context.frictions.create(section.section("friction"));
-  if (friction->effective() && context.space.find("pore pressure") >= 0)
-    section.section("friction")
-        .fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total",
-              "on");
-  if (context.space.find("temperature") >= 0)
+void read_laws_of_two(const ContactContext& context, const Section& section, ContactLaws& laws) {
+  laws.read(context, section);
+  laws.check_two_surfaces(section);
+  if (laws.friction() && context.space.find("temperature") >= 0)
     log::warn(section.source() + ": " + section.path() +
               ": the heat of friction between two surfaces does not warm them; it is counted only");
-  return friction;
 }
 
 void check_overlap_of_two(const ContactSurface& slave, const Section& section, const std::string& name,

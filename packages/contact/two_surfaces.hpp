@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "contact/contact.hpp"
+#include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/mortar/master_surface.hpp"
 #include "contact/uzawa.hpp"
@@ -28,9 +28,8 @@ struct TwoSurfaceParameters : EnforcementParameters {
 /// node. InputError. Collective.
 void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master);
 
-/// The deck's "friction"; null where there is none. InputError for friction on the effective traction of surfaces with
-/// pore pressure, which two surfaces do not know.
-std::unique_ptr<const Friction> friction_of_two(const ContactContext& context, const Section& section);
+/// The deck's "friction" and "normal law". InputError for laws that read the pore pressure.
+void read_laws_of_two(const ContactContext& context, const Section& section, ContactLaws& laws);
 
 /// InputError where the slave is deeper in the master at the start than half its shortest side; `least_gap`: this
 /// rank's [m]. Collective.

@@ -48,15 +48,20 @@ void EnforcementParameters::start_penalties(const ContactSurface& surface,
           penalty > 0 ? penalty : penalty_factor * stiffness(sides[s].block, sides[s].element) / sides[s].height;
 }
 
-Misfit::Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums,
-               std::vector<double> lengths, std::vector<double> stiffnesses, double tangential_factor, double deepest)
-    : spring(deepest) {
-  gap = surface.mean(normal_sums, stiffnesses);
-  normal = surface.mean(std::move(normal_sums), lengths);
+void MisfitSums::add(int node, double length, double penalty, double normal_sum, double shear_sum) {
+  normal[node] += normal_sum;
+  shear[node] += shear_sum;
+  lengths[node] += length;
+  stiffnesses[node] += length * penalty;
+}
+
+Misfit::Misfit(const ContactSurface& surface, MisfitSums sums, double tangential_factor) : spring(sums.spring) {
+  gap = surface.mean(sums.normal, sums.stiffnesses);
+  normal = surface.mean(std::move(sums.normal), sums.lengths);
   if (tangential_factor == 0) return;
-  stretch = surface.mean(shear_sums, std::move(stiffnesses));
+  stretch = surface.mean(sums.shear, std::move(sums.stiffnesses));
   for (double& value : stretch) value /= tangential_factor;
-  shear = surface.mean(std::move(shear_sums), std::move(lengths));
+  shear = surface.mean(std::move(sums.shear), std::move(sums.lengths));
 }
 
 Misfit::Largest Misfit::largest(const Comm& comm) const {

@@ -30,6 +30,16 @@ struct EnforcementParameters {
   void check(const Section& section, bool guarded = false) const;
 };
 
+/// Sums over a rank's sides for Misfit, by local node: of stresses less multipliers [N/m], lengths, lengths times
+/// penalties.
+struct MisfitSums {
+  explicit MisfitSums(const Mesh& mesh)
+      : normal(mesh.num_nodes()), shear(normal), lengths(normal), stiffnesses(normal) {}
+  void add(int node, double length, double penalty, double normal_sum, double shear_sum);
+  std::vector<double> normal, shear, lengths, stiffnesses;
+  double spring = 0;
+};
+
 /// By local node of a surface, weighted by the multipliers' shapes: what stresses differ by from their multipliers
 /// [Pa], and over the penalties the gap and the stretch of what sticks [m]. Without friction shear and stretch are
 /// empty.
@@ -37,9 +47,8 @@ struct Misfit {
   std::vector<double> normal, gap, shear, stretch;
   double spring;  // [m] the deepest penetration that this rank's pressures would need without multipliers
 
-  /// From sums over a rank's sides. `tangential_factor`: tangential over normal penalty; 0: no friction. Collective.
-  Misfit(const ContactSurface& surface, std::vector<double> normal_sums, std::vector<double> shear_sums,
-         std::vector<double> lengths, std::vector<double> stiffnesses, double tangential_factor, double spring);
+  /// `tangential_factor`: tangential over normal penalty; 0: no friction. Collective.
+  Misfit(const ContactSurface& surface, MisfitSums sums, double tangential_factor);
   struct Largest {
     double gap, stretch, spring;  // [m]
   };

@@ -21,6 +21,7 @@ class WeakeningInterface : public mudline::Friction {
   void check(const mudline::Section& section) const {
     if (residual_ > peak_) section.fail("must not be above the peak coefficient", "residual coefficient");
   }
+  bool reads_slip() const override { return true; }
   // Pure. `at.slip` is the path at the start of the step: within a step the coefficient is constant, the slope exact.
   mudline::ShearStrength strength(const mudline::FrictionPoint& at) const override {
     const double coefficient = residual_ + (peak_ - residual_) * std::exp(-at.slip / length_);

@@ -25,7 +25,7 @@ void PenaltyContact::check_enforcement(const Section& section) const {
 }
 
 bool PenaltyContact::sticks(const State& state, int row) const {
-  return friction_ && state.arrays[points_](row, column::active) > 0 &&
+  return laws_.friction() && state.arrays[points_](row, column::active) > 0 &&
          state.arrays[frictions_](row, friction_column::slides) == 0;
 }
 
@@ -36,17 +36,15 @@ double PenaltyContact::initial_shear_multiplier(const State& committed, int row)
 }
 
 void PenaltyContact::start_multipliers(const StepView& view) const {
-  if (!deck_.augmented() || !friction_) return;
+  if (!deck_.augmented() || !laws_.friction()) return;
   for (int row = 0; row < first_row_.back(); ++row)
     view.trial->arrays[multipliers_](row, multiplier_column::shear) = initial_shear_multiplier(*view.committed, row);
 }
 
 Misfit PenaltyContact::misfit(const State& state) const {
-  const int nodes = context_.space.mesh().num_nodes();
-  std::vector<double> normals(nodes, 0.0), shears(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
+  MisfitSums sums(surface_->mesh());
   const auto& sides = surface_->sides();
   const PointView &points = state.arrays[points_], &multipliers = state.arrays[multipliers_];
-  double spring = 0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const ContactRule& r = rule(sides[s]);
     double here[max_contact_points];  // lengths, without the circumference: nodes on the axis have weight too
@@ -54,28 +52,18 @@ Misfit PenaltyContact::misfit(const State& state) const {
     const double stiffness = state.arrays[penalties_](s, 0);
     for (int c = 0; c < r.points; ++c) {
       const int row = first_row_[s] + c;
-      spring = std::max(spring, points(row, column::pressure) / stiffness);
+      sums.spring = std::max(sums.spring, points(row, column::pressure) / stiffness);
       const double normal = points(row, column::pressure) - multipliers(row, multiplier_column::normal);
       const double shear = sticks(state, row) ? state.arrays[frictions_](row, friction_column::shear) -
                                                     multipliers(row, multiplier_column::shear)
                                               : 0.0;
       for (int a = 0; a < sides[s].count; ++a) {
-        const int node = sides[s].node[a];
         const double weight = r.shape[c][a] * here[c];
-        lengths[node] += weight;
-        stiffnesses[node] += weight * stiffness;
-        normals[node] += weight * normal;
-        shears[node] += weight * shear;
+        sums.add(sides[s].node[a], weight, stiffness, weight * normal, weight * shear);
       }
     }
   }
-  return {*surface_,
-          std::move(normals),
-          std::move(shears),
-          std::move(lengths),
-          std::move(stiffnesses),
-          friction_ ? friction_->tangential_factor() : 0.0,
-          spring};
+  return {*surface_, std::move(sums), laws_.tangential_factor()};
 }
 
 void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement& placement) const {
@@ -134,14 +122,14 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
     }
   };
   const std::vector<double> normal = in_shapes(*surface_, rest.normal, masses);
-  const std::vector<double> tangential = friction_ ? in_shapes(*surface_, rest.shear, masses) : rest.shear;
+  const std::vector<double> tangential = laws_.friction() ? in_shapes(*surface_, rest.shear, masses) : rest.shear;
   const PointView& multipliers = trial.arrays[multipliers_];
   for (std::size_t s = 0; s < sides.size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const auto& shape = rule(sides[s]).shape[row - first_row_[s]];
       for (int a = 0; a < sides[s].count; ++a)
         multipliers(row, multiplier_column::normal) += shape[a] * normal[sides[s].node[a]];
-      if (!friction_) continue;
+      if (!laws_.friction()) continue;
       double& shear = multipliers(row, multiplier_column::shear);
       if (sticks(trial, row))
         for (int a = 0; a < sides[s].count; ++a) shear += shape[a] * tangential[sides[s].node[a]];

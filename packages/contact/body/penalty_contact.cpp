@@ -13,37 +13,25 @@ namespace mudline {
 namespace column = contact_column;
 
 void PenaltyContact::declare_state(StateStore& store) {
+  laws_.declare_state(store);
   body_->declare_state(store);
-  ArrayInfo points, penalties, work_info;
-  points.ids = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
-  penalties.ids = surface_->row_ids([](std::size_t) { return 1; });
-  work_info.shares = true;
-  const std::vector<long long> rows = points.ids;
-  points.name = name() + "/points";
-  points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"active", 1, "-"}, {"force x", 1, "N"},
-                      {"force y", 1, "N"}, {"area", 1, "m2"},     {"height", 1, "m"}, {"moment", 1, "N m"}};
-  points_ = store.declare(std::move(points), first_row_.back());
-  penalties.name = name() + "/penalty";
-  penalties.variables = {{"penalty", 1, "Pa/m"}};
-  penalties_ = store.declare(std::move(penalties), static_cast<int>(surface_->sides().size()));
-  work_info.name = name() + "/work";
-  work_info.variables = {{"work", 1, "J"}, {"damping heat", 1, "J"}, {"damping x", 1, "N"}, {"damping y", 1, "N"}};
-  work_ = store.declare(std::move(work_info), 1);
-  if (deck_.augmented()) {
-    ArrayInfo multipliers;
-    multipliers.name = name() + "/multipliers";
-    multipliers.ids = rows;
-    multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
-    multipliers_ = store.declare(std::move(multipliers), first_row_.back());
-  }
+  const auto rows = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
+  const std::vector<StateVariable> columns = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"active", 1, "-"},
+                                              {"force x", 1, "N"}, {"force y", 1, "N"},   {"area", 1, "m2"},
+                                              {"height", 1, "m"},  {"moment", 1, "N m"}};
+  points_ = declare_rows(store, name() + "/points", columns, rows);
+  penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
+                            surface_->row_ids([](std::size_t) { return 1; }));
+  const std::vector<StateVariable> sums = {
+      {"work", 1, "J"}, {"damping heat", 1, "J"}, {"damping x", 1, "N"}, {"damping y", 1, "N"}};
+  work_ = declare_rows(store, name() + "/work", sums, {}, true);
+  if (deck_.augmented())
+    multipliers_ = declare_rows(store, name() + "/multipliers", {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}}, rows);
   if (deck_.active_set.outer()) active_set_.declare_state(store, name() + "/", rows);
-  if (!friction_) return;
-  ArrayInfo frictions;
-  frictions.name = name() + "/friction";
-  frictions.ids = rows;
-  frictions.variables = {{"shear", 1, "Pa"}, {"slip", 1, "m"},    {"dissipated", 1, "J"},
-                         {"slides", 1, "-"}, {"force x", 1, "N"}, {"force y", 1, "N"}};
-  frictions_ = store.declare(std::move(frictions), first_row_.back());
+  if (!laws_.friction()) return;
+  const std::vector<StateVariable> shear_columns = {{"shear", 1, "Pa"}, {"slip", 1, "m"},    {"dissipated", 1, "J"},
+                                                    {"slides", 1, "-"}, {"force x", 1, "N"}, {"force y", 1, "N"}};
+  frictions_ = declare_rows(store, name() + "/friction", shear_columns, rows);
 }
 
 void PenaltyContact::sparsity(Assembler& assembler) {
@@ -95,7 +83,7 @@ void PenaltyContact::write_points(const State& trial, std::size_t side, const st
     rows(row, column::area) = point.area;
     rows(row, column::height) = point.height;
     rows(row, column::moment) = point.moment;
-    if (!friction_) continue;
+    if (!laws_.friction()) continue;
     const PointView& shear = trial.arrays[frictions_];
     shear(row, friction_column::shear) = point.shear.shear;
     shear(row, friction_column::slip) = point.shear.slip;
@@ -107,7 +95,7 @@ void PenaltyContact::write_points(const State& trial, std::size_t side, const st
 }
 
 ShearState PenaltyContact::shear_state(const State& state, int row) const {
-  if (!friction_) return {};
+  if (!laws_.friction()) return {};
   const PointView& rows = state.arrays[frictions_];
   return {rows(row, friction_column::shear), rows(row, friction_column::slip), rows(row, friction_column::dissipated),
           rows(row, friction_column::slides) > 0};
@@ -120,12 +108,13 @@ PointStart PenaltyContact::point_start(const StepView& view, std::size_t side, i
   start.shear = shear_state(committed, row);
   start.force = {rows(row, column::force_x), rows(row, column::force_y), rows(row, column::moment)};
   start.normal_force = rows(row, column::pressure) * rows(row, column::area);
+  start.soil = laws_.soil(committed, surface_->sides()[side], rule(surface_->sides()[side]).xi[row - first_row_[side]]);
   start.member = active_set_.used() && active_set_.holds(trial, row);
   if (!deck_.augmented()) return start;
   const double penalty = trial.arrays[penalties_](side, 0);
   start.shift = trial.arrays[multipliers_](row, multiplier_column::normal) / penalty;
   start.shift_old = committed.arrays[multipliers_](row, multiplier_column::normal) / penalty;
-  if (friction_)
+  if (laws_.friction())
     start.shear.shear +=
         trial.arrays[multipliers_](row, multiplier_column::shear) - initial_shear_multiplier(committed, row);
   return start;
@@ -141,18 +130,11 @@ PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const 
 }
 
 PointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
-  PointLaw result;
-  result.normal_law = normal_law_.get();
-  result.friction = friction_.get();
+  PointLaw result = laws_.in_step(view, deck_.damping);
   result.penalty = view.trial->arrays[penalties_](side, 0);
   result.fixed = active_set_.used();
   result.first_guess = predicting_;
-  result.time = view.time_end;
-  result.dt = view.dt;
   result.conserves = conserves(view);
-  result.impact_damping = view.damping;
-  if (view.sensitivity[displacement_].value > 0) result.start_weight = 1 - view.sensitivity[displacement_].value;
-  if (damps(view)) result.viscous = deck_.damping;
   return result;
 }
 
@@ -181,7 +163,7 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.sensitivity[displacement_].value == 0) return false;  // 0: the start of a stage, not a step
   if (deck_.impact == PenaltyParameters::Impact::automatic)
-    return !deck_.augmented() && !active_set_.used() && normal_law_->linear() && body_->unknowns().count > 0;
+    return !deck_.augmented() && !active_set_.used() && laws_.normal().linear() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -196,7 +178,7 @@ void PenaltyContact::book_damping(const State& trial, const std::vector<ContactP
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
   for (const auto& [dof, share] : correction_) f.add(dof, -share);
   if (leak_) leak_->add(view, f);
-  if (friction_ && temperature_ >= 0 && view.flow) add_heat(view, f);
+  if (laws_.friction() && temperature_ >= 0 && view.flow) add_heat(view, f);
 }
 
 void PenaltyContact::add_heat(const StepView& view, const ResidualView& f) const {
@@ -369,7 +351,7 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
          sum[sums];
   double deepest = 0, deepest_everywhere = 0;
   for (int row = 0; row < first_row_.back(); ++row) {
-    if (friction_) {
+    if (laws_.friction()) {
       const PointView& shear = state.arrays[frictions_];
       local[5] -= shear(row, friction_column::force_x);
       local[6] -= shear(row, friction_column::force_y);
@@ -401,9 +383,9 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   if (deck_.augmented()) {
     const auto [gap, stretch, spring] = misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;
-    if (friction_) values[name() + "/stretch [m]"] = stretch;
+    if (laws_.friction()) values[name() + "/stretch [m]"] = stretch;
   }
-  if (!friction_) return;
+  if (!laws_.friction()) return;
   values[name() + "/friction x [N]"] = sum[5];
   values[name() + "/friction y [N]"] = sum[6];
   values[name() + "/friction heat [J]"] = sum[7];
@@ -431,14 +413,14 @@ std::vector<double> PenaltyContact::nodal_pressure(const State& state) const {
 }
 
 std::vector<double> PenaltyContact::nodal_shear(const State& state) const {
-  return friction_ ? nodal_mean(state.arrays[frictions_], friction_column::shear) : std::vector<double>();
+  return laws_.friction() ? nodal_mean(state.arrays[frictions_], friction_column::shear) : std::vector<double>();
 }
 
 void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
   // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid and multipliers are
   // history and are convected along the side, f + (s_new - s_old) df/ds
   std::vector<std::pair<int, int>> convected;  // (array, column)
-  if (friction_) convected = {{frictions_, friction_column::shear}, {frictions_, friction_column::slip}};
+  if (laws_.friction()) convected = {{frictions_, friction_column::shear}, {frictions_, friction_column::slip}};
   if (deck_.augmented()) {
     convected.emplace_back(multipliers_, multiplier_column::normal);
     convected.emplace_back(multipliers_, multiplier_column::shear);
@@ -465,7 +447,7 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
 
 void PenaltyContact::adopt(const State& evaluated, State& committed) {
   Kokkos::deep_copy(committed.arrays[points_], evaluated.arrays[points_]);
-  if (friction_) Kokkos::deep_copy(committed.arrays[frictions_], evaluated.arrays[frictions_]);
+  if (laws_.friction()) Kokkos::deep_copy(committed.arrays[frictions_], evaluated.arrays[frictions_]);
 }
 
 }  // namespace mudline

@@ -7,7 +7,7 @@
 #include "contact/active_set.hpp"
 #include "contact/body/leaky_surface.hpp"
 #include "contact/body/penalty_side.hpp"
-#include "contact/contact.hpp"
+#include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/uzawa.hpp"
 #include "framework/closed_sides.hpp"
@@ -65,12 +65,12 @@ class PenaltyContact : public Contact, public ClosesSides {
   void check(const Section& section);
 
   std::string name() const override { return "contact/" + name_; }
-  ContactPartners partners() const override { return {deck_.surface, "", body_.get(), friction_ != nullptr}; }
+  ContactPartners partners() const override { return {deck_.surface, "", body_.get(), laws_.friction() != nullptr}; }
   bool history() const override { return true; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  bool asks_for_prediction() const override { return friction_ != nullptr && body_->active(); }
+  bool asks_for_prediction() const override { return laws_.friction() != nullptr && body_->active(); }
   void predicting(bool on) override { predicting_ = on; }
   void close(const State& committed, ClosedSides& closed) const override;
   void constrain(const StepView& view, Constraints& constraints) override;
@@ -128,7 +128,6 @@ class PenaltyContact : public Contact, public ClosesSides {
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
   SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
   void check_drainage(const Section& section) const;
-  void check_normal_law(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
@@ -139,8 +138,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   std::array<double, 3> local_force(const State& state) const;
 
   ContactContext context_;
-  std::unique_ptr<const Friction> friction_;  // null: smooth
-  std::unique_ptr<const NormalLaw> normal_law_ = std::make_unique<LinearNormalLaw>();
+  ContactLaws laws_;
   std::string name_;
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;

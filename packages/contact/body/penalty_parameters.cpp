@@ -39,7 +39,7 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.add("damping", damping, "s/m", non_negative(), damping_documentation);
   p.add("sealing gap", sealing_gap, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the body still seals the side");
-  p.passes_on("normal law", "pressure over penetration; see the normal law types; by default linear");
+  ContactLaws::declare_normal_law(p);
   p.add("advance limit", advance_limit, "-", positive(),
         "Largest advance of the body in one step, as a fraction of the surface's shortest side; while the body is far "
         "away, half the distance to the surface");
@@ -74,12 +74,11 @@ void PenaltyContact::check(const Section& section) {
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);
-  if (section.has_section("friction")) friction_ = context_.frictions.create(section.section("friction"));
-  if (section.has_section("normal law")) normal_law_ = context_.normal_laws.create(section.section("normal law"));
-  check_normal_law(section);
+  laws_.read(context_, section);
+  laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(),
+                     deck_.impact == PenaltyParameters::Impact::conserving);
   check_drainage(section);
-  surface_ =
-      std::make_unique<ContactSurface>(space, deck_.surface, friction_ && friction_->effective(), body_->unknowns());
+  surface_ = std::make_unique<ContactSurface>(space, deck_.surface, laws_.read_pore_pressure(), body_->unknowns());
   if (deck_.drainage == PenaltyParameters::Drainage::leaky)
     leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
@@ -92,16 +91,6 @@ void PenaltyContact::check(const Section& section) {
   candidate_.assign(surface_->sides().size(), 1);
   check_overlap(section);
   check_above(section);
-}
-
-void PenaltyContact::check_normal_law(const Section& section) const {
-  if (normal_law_->linear()) return;
-  const Section law = section.section("normal law");
-  if (deck_.augmented() || deck_.active_set.outer())
-    law.fail("multipliers and active sets need pressures in proportion to the penetration; allowed here: linear",
-             "type");
-  if (deck_.impact == PenaltyParameters::Impact::conserving)
-    law.fail("'impact' = conserving needs pressures in proportion to the penetration; allowed here: linear", "type");
 }
 
 void PenaltyContact::check_drainage(const Section& section) const {

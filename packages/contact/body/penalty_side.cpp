@@ -1,7 +1,5 @@
 #include "contact/body/penalty_side.hpp"
 
-#include <algorithm>
-
 namespace mudline {
 
 namespace {
@@ -43,10 +41,8 @@ struct BodyFoot {
 
 /// Forces by dof.
 template <class T>
-struct SideForces {
-  explicit SideForces(const SideContact& of) : side(of) {
-    for (int a = 0; a < max_side_dofs; ++a) end[a] = correction[a] = T(0.0);
-  }
+struct SideForces : StepForces<T, max_side_dofs> {
+  explicit SideForces(const SideContact& of) : side(of) {}
   /// A force on the soil at point c with its moment about the body's centre.
   void add(int c, const PlaneVector<T>& force, const T& moment, T (&to)[max_side_dofs]) const {
     spread(side.rule.nodes, side.rule.shape[c].data(), force, to);
@@ -58,8 +54,16 @@ struct SideForces {
                                                                       : moment);
   }
   const SideContact& side;
-  T end[max_side_dofs], correction[max_side_dofs];
 };
+
+template <class T>
+T pore_pressure(const SideContact& side, int c, const SideNumbers<T>& x) {
+  T result(side.start[c].soil.pore_pressure);
+  double shape[max_side_nodes], slope[max_side_nodes];
+  if (side.pressure_nodes > 0) evaluate_line(side.pressure_nodes, side.rule.xi[c], shape, slope);
+  for (int a = 0; a < side.pressure_nodes; ++a) result += shape[a] * x.pressure[a];
+  return result;
+}
 
 template <class T>
 PointMotion<T> motion_of_point(const SideContact& side, int c, const SideNumbers<T>& x, const ContourFoot& at,
@@ -70,6 +74,8 @@ PointMotion<T> motion_of_point(const SideContact& side, int c, const SideNumbers
   motion.area = x.area[c];
   motion.shift = T(start.shift);
   motion.member = start.member;
+  motion.soil = start.soil;
+  motion.pore_pressure = pore_pressure(side, c, x);
   const bool shears = side.law.friction && presses(side.law, motion);
   if (!shears && !side.law.conserves && !(side.law.viscous > 0)) return motion;
   motion.position = side.rule.place(c, side.x_old);
@@ -82,9 +88,6 @@ PointMotion<T> motion_of_point(const SideContact& side, int c, const SideNumbers
   motion.shear_old = T(start.shear.shear);
   motion.slip_old = start.shear.slip;
   motion.slid = start.shear.slides;
-  double shape[max_side_nodes], slope[max_side_nodes];
-  if (side.pressure_nodes > 0) evaluate_line(side.pressure_nodes, side.rule.xi[c], shape, slope);
-  for (int a = 0; a < side.pressure_nodes; ++a) motion.pore_pressure += shape[a] * x.pressure[a];
   return motion;
 }
 
@@ -99,10 +102,10 @@ void add_forces(const SideContact& side, int c, const BodyFoot<T>& foot, const P
   if (side.law.conserves) {
     const PointForce& old = side.start[c].force;
     const T more = now.end_share - (1 - side.law.start_weight), less = now.start_share - side.law.start_weight;
-    to.add(c, force * more, moment * more, to.correction);
-    to.add(c, {less * old[0], less * old[1]}, less * old[2], to.correction);
+    to.add(c, force * more, moment * more, to.more);
+    to.add(c, {less * old[0], less * old[1]}, less * old[2], to.more);
   }
-  if (side.law.viscous > 0) to.add(c, damping, cross(foot.arm, damping), to.correction);
+  if (side.law.viscous > 0) to.add(c, damping, cross(foot.arm, damping), to.more);
   for (int i = 0; i < 2; ++i) {
     point.force[i] = plain(force)[i];
     point.friction[i] = plain(friction)[i];
@@ -135,11 +138,12 @@ ContactPoint evaluate_point(const SideContact& side, int c, const SideNumbers<T>
 }
 
 template <class T>
-bool evaluate_side(const SideContact& side, SideForces<T>& forces, std::vector<ContactPoint>& points) {
+bool evaluate_side(const SideContact& side, SideForce& out, std::vector<ContactPoint>& points) {
   SideNumbers<T> x(side);
-  points.assign(side.rule.points, {});
+  SideForces<T> forces(side);
   if (!contact_areas(side.rule, x.node, side.axisymmetric, x.area)) return false;
   for (int c = 0; c < side.rule.points; ++c) points[c] = evaluate_point(side, c, x, forces);
+  forces.write(T(1.0), 1 / (1 - side.law.start_weight), out.f, out.correction, out.k);
   return true;
 }
 
@@ -147,24 +151,9 @@ bool evaluate_side(const SideContact& side, SideForces<T>& forces, std::vector<C
 
 bool penalty_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
   out = {};
-  if (!want_tangent) {
-    SideForces<double> forces(side);
-    const bool good = evaluate_side(side, forces, points);
-    std::copy_n(forces.end, max_side_dofs, out.f);
-    std::copy_n(forces.correction, max_side_dofs, out.correction);
-    return good;
-  }
-  using T = Dual<max_side_dofs>;
-  SideForces<T> forces(side);
-  const bool good = evaluate_side(side, forces, points);
-  const double weight = 1 / (1 - side.law.start_weight);
-  for (int a = 0; a < max_side_dofs; ++a) {
-    out.f[a] = value(forces.end[a]);
-    out.correction[a] = value(forces.correction[a]);
-    const T acting = forces.end[a] + weight * forces.correction[a];
-    std::copy_n(acting.d, max_side_dofs, out.k[a]);
-  }
-  return good;
+  points.assign(side.rule.points, {});
+  return want_tangent ? evaluate_side<Dual<max_side_dofs>>(side, out, points)
+                      : evaluate_side<double>(side, out, points);
 }
 
 }  // namespace mudline

@@ -24,6 +24,7 @@ struct ShearState {
 struct PointStart {
   double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
   bool member = false;              // of the active set
+  TouchingSoil soil;                // its pore pressure is that beside what the side's nodes have
   ShearState shear;                 // committed
   PointForce force{};               // committed
   double normal_force = 0;          // [N] committed
@@ -61,7 +62,7 @@ struct SideContact {
 };
 
 /// Dofs of one side in its element matrix: the nodes' displacements, node after node, component after component; then
-/// (with friction on the effective traction) the pore pressures of the first nodes; then the body's unknowns.
+/// (with laws that read them) the pore pressures of the first nodes; then the body's unknowns.
 constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
 
 /// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m,

@@ -47,6 +47,7 @@ struct PointMotion {
   double slip_old = 0;    // [m] path slid before
   bool slid = false;      // in the step before
   T pore_pressure{0.0};   // [Pa] of the soil that touches
+  TouchingSoil soil;      // the rest of it
   PlanePoint position{};  // [m] at the start of the step
 };
 
@@ -85,11 +86,18 @@ T touching_travel(const PointMotion<T>& point) {
 }
 
 template <class T>
+TouchingSoil soil_at(const PointMotion<T>& point) {
+  TouchingSoil soil = point.soil;
+  soil.pore_pressure = value(point.pore_pressure);
+  return soil;
+}
+
+template <class T>
 T pressure(const PointLaw& law, const PointMotion<T>& point) {
   const T penetration = point.shift - point.gap;
   const double depth = law.fixed || value(penetration) > 0 ? value(penetration) : 0.0;
-  const NormalPressure normal = law.normal_law->at(depth, law.penalty);
-  return chain(penetration, normal.value, normal.slope);
+  const NormalPressure normal = law.normal_law->at(depth, law.penalty, soil_at(point));
+  return chain(penetration, normal.value, normal.slope) + change(point.pore_pressure, normal.pore_slope);
 }
 
 /// Viscous resistance: the mean normal force of the step times coefficient * closing speed (K. H. Hunt, F. R. E.
@@ -119,11 +127,12 @@ void add_friction(const PointLaw& law, const PointMotion<T>& point, PointRespons
   const T normal = law.friction->effective() ? out.pressure - point.pore_pressure : out.pressure;
   const T rate = magnitude(travel) / law.dt;
   const ShearStrength strength =
-      law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate)});
+      law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil_at(point)});
   const double trial = value(out.shear), excess = std::abs(trial) - strength.value;
-  out.slides = excess > 0;
+  out.slides = !(excess <= 0);  // a strength that is no number is not hidden
   if (!out.slides) return;
-  const T carried = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope);
+  const T carried = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope) +
+                    change(point.pore_pressure, strength.pore_slope);
   out.shear = trial > 0 ? carried : -1.0 * carried;
   out.slip = excess / stiffness;
   out.heat = std::abs(value(out.shear)) * out.slip * value(point.area);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/laws/touching_soil.hpp"
 #include "core/registry.hpp"
 #include "geometry/contour_piece.hpp"
 
@@ -9,9 +10,10 @@ namespace mudline {
 struct FrictionPoint {
   double normal;        // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
   PlanePoint position;  // [m] of the contact point at the start of the step
-  double slip;          // [m] path that it has slid so far, at the start of the step
+  double slip;          // [m] path that it has slid so far, at the start of the step; see Friction::reads_slip
   double time;          // [s] end of the step
   double rate = 0;      // [m/s] mean speed along the surface in the step, >= 0
+  TouchingSoil soil;    // see Friction::reads
 };
 
 /// Largest shear stress that an interface carries.
@@ -19,6 +21,7 @@ struct ShearStrength {
   double value;           // [Pa] >= 0
   double slope;           // [-] d value / d normal
   double rate_slope = 0;  // [Pa s/m] d value / d rate
+  double pore_slope = 0;  // [-] d value / d pore pressure, at the same normal
 };
 
 /// Friction law of an interface: type of a contact's "friction". Pure. The contact does the rest: below the strength
@@ -27,6 +30,10 @@ class Friction {
  public:
   virtual ~Friction() = default;
   virtual ShearStrength strength(const FrictionPoint& at) const = 0;
+  /// What the strength reads of the soil that touches, besides `normal`, and whether it reads the path slid. What a law
+  /// does not ask for may be no number; a contact that cannot tell it refuses the law.
+  virtual SoilQuantities reads() const { return {}; }
+  virtual bool reads_slip() const { return false; }
   /// Stiffness along the surface while sticking, as a multiple of the contact's normal penalty.
   double tangential_factor() const { return tangential_factor_; }
   /// Whether FrictionPoint::normal is the total traction less the pore pressure of the soil at the interface.

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "contact/laws/touching_soil.hpp"
 #include "core/registry.hpp"
 
 namespace mudline {
 
 /// What presses at a point that lies in the body.
 struct NormalPressure {
-  double value;  // [Pa]
-  double slope;  // [Pa/m] d value / d penetration
+  double value;           // [Pa]
+  double slope;           // [Pa/m] d value / d penetration
+  double pore_slope = 0;  // [-] d value / d pore pressure of the soil
 };
 
 /// Pressure over penetration: type of a contact's "normal law". Pure.
@@ -15,7 +17,9 @@ class NormalLaw {
  public:
   virtual ~NormalLaw() = default;
   /// At a penetration [m], 0 or more, for a contact of this stiffness [Pa/m], its penalty.
-  virtual NormalPressure at(double penetration, double stiffness) const = 0;
+  virtual NormalPressure at(double penetration, double stiffness, const TouchingSoil& soil) const = 0;
+  /// What it reads of the soil; what it does not ask for may be no number.
+  virtual SoilQuantities reads() const { return {}; }
   /// Whether it is stiffness times penetration, on which multipliers, active sets and the shares of impacts stand.
   virtual bool linear() const { return false; }
 };
@@ -24,7 +28,7 @@ class NormalLaw {
 class LinearNormalLaw : public NormalLaw {
  public:
   void parameters(Parameters&) {}
-  NormalPressure at(double penetration, double stiffness) const override {
+  NormalPressure at(double penetration, double stiffness, const TouchingSoil&) const override {
     return {stiffness * penetration, stiffness};
   }
   bool linear() const override { return true; }
@@ -37,7 +41,7 @@ inline const LinearNormalLaw linear_normal_law{};
 class SmoothedNormalLaw : public NormalLaw {
  public:
   void parameters(Parameters& p);
-  NormalPressure at(double penetration, double stiffness) const override;
+  NormalPressure at(double penetration, double stiffness, const TouchingSoil& soil) const override;
 
  private:
   double depth_ = 0;  // [m]

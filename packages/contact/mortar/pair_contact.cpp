@@ -45,25 +45,16 @@ std::array<double, 2> corner_values(const double (&mass)[2][2], const double (&i
 }  // namespace
 
 void PairContact::declare_state(StateStore& store) {
-  const int rows = static_cast<int>(slave_->sides().size());
-  ArrayInfo sides, multipliers, penalties, heat;
-  sides.ids = multipliers.ids = slave_->row_ids([](std::size_t) { return side_multipliers; });
-  penalties.ids = slave_->row_ids([](std::size_t) { return 1; });
-  heat.shares = true;
-  sides.name = name() + "/sides";
-  sides.variables = {{"gap", 1, "m"},      {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"deepest", 1, "m"},
-                     {"force x", 1, "N"},  {"force y", 1, "N"},   {"slides", 1, "m"}, {"area", 1, "m2"},
-                     {"misfit", 1, "N/m"}, {"stretch", 1, "N/m"}};
-  sides_ = store.declare(std::move(sides), side_multipliers * rows);
-  multipliers.name = name() + "/multipliers";
-  multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
-  multipliers_ = store.declare(std::move(multipliers), side_multipliers * rows);
-  penalties.name = name() + "/penalty";
-  penalties.variables = {{"penalty", 1, "Pa/m"}};
-  penalties_ = store.declare(std::move(penalties), rows);
-  heat.name = name() + "/heat";
-  heat.variables = {{"friction heat", 1, "J"}, {"damping heat", 1, "J"}};
-  heat_ = store.declare(std::move(heat), 1);
+  laws_.declare_state(store);
+  const auto ids = slave_->row_ids([](std::size_t) { return side_multipliers; });
+  const std::vector<StateVariable> columns = {
+      {"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"deepest", 1, "m"},  {"force x", 1, "N"},
+      {"force y", 1, "N"}, {"slides", 1, "m"},    {"area", 1, "m2"},  {"misfit", 1, "N/m"}, {"stretch", 1, "N/m"}};
+  sides_ = declare_rows(store, name() + "/sides", columns, ids);
+  multipliers_ = declare_rows(store, name() + "/multipliers", {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}}, ids);
+  penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
+                            slave_->row_ids([](std::size_t) { return 1; }));
+  heat_ = declare_rows(store, name() + "/heat", {{"friction heat", 1, "J"}, {"damping heat", 1, "J"}}, {}, true);
 }
 
 void PairContact::sparsity(Assembler& assembler) {
@@ -126,24 +117,18 @@ PairCoordinates PairContact::coordinates(const Pair& pair, const ConstCoordinate
 
 PairLaw PairContact::law(const StepView& view, int slave) const {
   PairLaw result;
+  static_cast<PointLaw&>(result) = laws_.in_step(view, deck_.damping);
+  result.penalty = view.trial->arrays[penalties_](slave, 0);
+  result.touch = touch_;
+  result.first_guess = predicting_;
   result.nodes = nodes_;
   result.axisymmetric = axisymmetric_;
   result.rule = rule_;
-  result.penalty = view.trial->arrays[penalties_](slave, 0);
   result.capture = capture_;
-  result.touch = touch_;
-  result.friction = friction_.get();
-  result.time = view.time_end;
-  result.dt = view.dt;
-  result.first_guess = predicting_;
-  const double end_weight = view.sensitivity[displacement_].value;
-  if (end_weight > 0) {  // else it is the start of a stage, not a step
-    result.viscous = deck_.damping;
-    result.start_weight = 1 - end_weight;
-  }
   const PointView& multipliers = view.trial->arrays[multipliers_];
   for (int a = 0; a < side_multipliers; ++a) {
     result.pressure_old[a] = view.committed->arrays[sides_](side_multipliers * slave + a, column::pressure);
+    result.soil[a] = laws_.soil(*view.committed, slave_->sides()[slave], 2 * a - 1);
     result.normal[a] = multipliers(side_multipliers * slave + a, 0);
     result.shear[a] = multipliers(side_multipliers * slave + a, 1);
   }
@@ -271,7 +256,12 @@ void PairContact::check(const Section& section) {
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
   check_two_sets(mesh, section, deck_.slave, deck_.master);
   deck_.check(section);
-  friction_ = friction_of_two(context_, section);
+  read_laws_of_two(context_, section, laws_);
+  laws_.check_linear(section, deck_.augmented(), false);
+  if (laws_.friction() && laws_.friction()->reads_slip())
+    section.section("friction")
+        .fail("this law reads the path slid, which a mortar contact does not keep; allowed with it: node to segment",
+              "type");
   slave_ = std::make_unique<ContactSurface>(space, deck_.slave, false, BodyUnknowns());
   master_ = std::make_unique<MasterSurface>(mesh, deck_.master);
   nodes_ = order(mesh.blocks().front().shape) + 1;
@@ -321,27 +311,19 @@ std::array<std::array<double, 2>, 2> PairContact::mass(int slave, const ConstCoo
 }
 
 Misfit PairContact::misfit(const State& state) const {
-  const int nodes = context_.space.mesh().num_nodes();
-  std::vector<double> normal(nodes, 0.0), shear(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
-  double spring = 0;
+  const PointView& rows = state.arrays[sides_];
+  MisfitSums sums(slave_->mesh());
   for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
     const auto whole = mass(static_cast<int>(s), state.coordinates);
+    const double stiffness = state.arrays[penalties_](s, 0);
     for (int a = 0; a < side_multipliers; ++a) {
-      const int node = slave_->sides()[s].node[a], row = side_multipliers * static_cast<int>(s) + a;
-      normal[node] += state.arrays[sides_](row, column::misfit);
-      shear[node] += state.arrays[sides_](row, column::stretch);
-      lengths[node] += whole[a][0] + whole[a][1];
-      stiffnesses[node] += (whole[a][0] + whole[a][1]) * state.arrays[penalties_](s, 0);
-      spring = std::max(spring, state.arrays[sides_](row, column::pressure) / state.arrays[penalties_](s, 0));
+      const int row = side_multipliers * static_cast<int>(s) + a;
+      sums.spring = std::max(sums.spring, rows(row, column::pressure) / stiffness);
+      sums.add(slave_->sides()[s].node[a], whole[a][0] + whole[a][1], stiffness, rows(row, column::misfit),
+               rows(row, column::stretch));
     }
   }
-  return {*slave_,
-          std::move(normal),
-          std::move(shear),
-          std::move(lengths),
-          std::move(stiffnesses),
-          friction_ ? friction_->tangential_factor() : 0.0,
-          spring};
+  return {*slave_, std::move(sums), laws_.tangential_factor()};
 }
 
 Augmentation PairContact::augment(const StepView& view, int count) {
@@ -362,13 +344,13 @@ Augmentation PairContact::augment(const StepView& view, int count) {
     }
   };
   const std::vector<double> normal = in_shapes(*slave_, rest.normal, masses);
-  const std::vector<double> shear = friction_ ? in_shapes(*slave_, rest.shear, masses) : rest.shear;
+  const std::vector<double> shear = laws_.friction() ? in_shapes(*slave_, rest.shear, masses) : rest.shear;
   const PointView& multipliers = trial.arrays[multipliers_];
   for (std::size_t s = 0; s < slave_->sides().size(); ++s)
     for (int a = 0; a < side_multipliers; ++a) {
       const int node = slave_->sides()[s].node[a];
       multipliers(side_multipliers * s + a, 0) += normal[node];
-      if (friction_) multipliers(side_multipliers * s + a, 1) += shear[node];
+      if (laws_.friction()) multipliers(side_multipliers * s + a, 1) += shear[node];
     }
   return {true, ""};
 }
@@ -394,7 +376,7 @@ void PairContact::histories(const StepView& view, std::map<std::string, double>&
   const SlaveSums all = report_slave(comm, name(), deck_, here, values);
   const auto [gap, stretch, spring] = misfit(state).largest(comm);
   if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
-  if (!friction_) return;
+  if (!laws_.friction()) return;
   if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
   values[name() + "/sliding length [m]"] = all.slides;
   values[name() + "/friction heat [J]"] = all.heat;
@@ -420,7 +402,7 @@ std::vector<double> PairContact::nodal_pressure(const State& state) const {
 }
 
 std::vector<double> PairContact::nodal_shear(const State& state) const {
-  return friction_ ? nodal_mean(state, column::shear) : std::vector<double>();
+  return laws_.friction() ? nodal_mean(state, column::shear) : std::vector<double>();
 }
 
 }  // namespace mudline

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "contact/contact.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/mortar/master_surface.hpp"
 #include "contact/mortar/pair_segment.hpp"
@@ -46,12 +45,14 @@ class PairContact : public Contact {
   void check(const Section& section);
 
   std::string name() const override { return "contact/" + name_; }
-  ContactPartners partners() const override { return {deck_.slave, deck_.master, nullptr, friction_ != nullptr}; }
+  ContactPartners partners() const override {
+    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
+  }
   bool history() const override { return true; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  bool asks_for_prediction() const override { return friction_ != nullptr; }
+  bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void predicting(bool on) override { predicting_ = on; }
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
@@ -82,7 +83,7 @@ class PairContact : public Contact {
 
   ContactContext context_;
   PairParameters deck_;
-  std::unique_ptr<const Friction> friction_;  // null: smooth
+  ContactLaws laws_;
   std::string name_;
   std::unique_ptr<ContactSurface> slave_;
   std::unique_ptr<MasterSurface> master_;

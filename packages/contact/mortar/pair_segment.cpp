@@ -140,15 +140,6 @@ bool find_foot(const Curve<double>& master, const Curve<T>& master_t, const Plan
   return true;
 }
 
-/// Forces on the slave's nodes, then on the master's; what damping adds.
-template <class T>
-struct Forces {
-  Forces() {
-    for (int a = 0; a < pair_dofs; ++a) end[a] = damping[a] = T(0.0);
-  }
-  T end[pair_dofs], damping[pair_dofs];
-};
-
 /// Both sides at the end of the step and at its start.
 template <class T>
 struct Sides {
@@ -178,12 +169,23 @@ struct SegmentPoint {
   T field(const double (&corners)[side_multipliers]) const { return shape[0] * corners[0] + shape[1] * corners[1]; }
 };
 
+/// Linear between the corners.
+TouchingSoil soil_between(const TouchingSoil (&corner)[side_multipliers], double xi) {
+  const double from = 0.5 * (1 - xi), to = 0.5 * (1 + xi);
+  return {from * corner[0].pore_pressure + to * corner[1].pore_pressure,
+          from * corner[0].temperature + to * corner[1].temperature,
+          from * corner[0].mean_stress + to * corner[1].mean_stress};
+}
+
 template <class T>
 PointMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, const SegmentPoint<T>& point) {
   PointMotion<T> motion;
   motion.gap = point.foot.gap;
   const T multiplier = point.field(law.normal), before = point.field(law.pressure_old);
   motion.shift = multiplier / law.penalty;
+  motion.soil = soil_between(law.soil, value(point.xi));
+  motion.pore_pressure = T(motion.soil.pore_pressure);
+  motion.slip_old = TouchingSoil::unknown;  // its points come and go
   motion.area = law.axisymmetric ? point.length * (2 * pi * point.at.x) : point.length;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
   const PlaneVector<T> was = sides.slave_old.point(point.xi), foot_was = sides.master_old.point(point.foot.eta);
@@ -225,9 +227,11 @@ void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const PointMotion<
   if (now.slides) sums.sliding += weight;
 }
 
-/// False where the sides do not see each other.
 template <class T>
-bool integrate(const PairLaw& law, const Sides<T>& sides, Forces<T>& forces, PairSums& sums) {
+bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& at, PairForce& out) {
+  const Sides<T> sides(law, old, at);
+  StepForces<T, pair_dofs> forces;
+  PairSums& sums = out.sums;
   T from, to;
   if (!sides.segment(from, to)) return false;
   bool seen = false;
@@ -254,9 +258,10 @@ bool integrate(const PairLaw& law, const Sides<T>& sides, Forces<T>& forces, Pai
     const PointResponse<T> now = respond(law, motion);
     const Foot<T>& foot = point.foot;
     if (now.presses) act(sides, point, (foot.normal * now.pressure + foot.along * now.shear) * motion.area, forces.end);
-    if (law.viscous > 0) act(sides, point, foot.normal * now.damping, forces.damping);
+    if (law.viscous > 0) act(sides, point, foot.normal * now.damping, forces.more);
     sum_up(law, point, motion, now, sums);
   }
+  forces.write(T(1.0), 1 / (1 - law.start_weight), out.f, out.damping, out.k);
   return seen;
 }
 
@@ -265,25 +270,7 @@ bool integrate(const PairLaw& law, const Sides<T>& sides, Forces<T>& forces, Pai
 bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent,
                   PairForce& out) {
   out = {};
-  const int dofs = 4 * law.nodes;
-  if (!want_tangent) {
-    Forces<double> forces;
-    if (!integrate(law, Sides<double>(law, old, now), forces, out.sums)) return false;
-    std::copy_n(forces.end, dofs, out.f);
-    std::copy_n(forces.damping, dofs, out.damping);
-    return true;
-  }
-  using T = Dual<pair_dofs>;
-  Forces<T> forces;
-  if (!integrate(law, Sides<T>(law, old, now), forces, out.sums)) return false;
-  const double weight = 1 / (1 - law.start_weight);
-  for (int a = 0; a < dofs; ++a) {
-    out.f[a] = value(forces.end[a]);
-    out.damping[a] = value(forces.damping[a]);
-    const T acting = forces.end[a] + weight * forces.damping[a];
-    std::copy_n(acting.d, dofs, out.k[a]);
-  }
-  return true;
+  return want_tangent ? integrate<Dual<pair_dofs>>(law, old, now, out) : integrate<double>(law, old, now, out);
 }
 
 }  // namespace mudline

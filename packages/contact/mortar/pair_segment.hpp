@@ -23,6 +23,7 @@ struct PairLaw : PointLaw {
   double capture = 0;   // [m] points farther away than this, on either side, do not see each other
   double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners
   double pressure_old[side_multipliers] = {};  // [Pa] there at the start of the step, for damping
+  TouchingSoil soil[side_multipliers];         // of the slave, there
 };
 
 /// Integrals over the segment, weighted by the multipliers' shapes (a) and the length without the circumference [m].

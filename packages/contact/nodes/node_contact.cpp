@@ -69,13 +69,15 @@ void NodeContact::check(const Section& section) {
       section.has_parameter("corner angle [deg]"))
     section.fail("has a meaning only with a smooth 'master surface'; allowed with it: hermite, bezier",
                  "corner angle [deg]");
-  friction_ = friction_of_two(context_, section);
-  passes_.push_back(std::make_unique<NodePass>(
-      NodePassSettings{&context_, &deck_, friction_.get(), deck_.two_pass ? 0.5 : 1.0, name() + "/"}, deck_.slave,
-      deck_.master));
+  read_laws_of_two(context_, section, laws_);
+  laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(),
+                     deck_.impact == NodeParameters::Impact::conserving);
+  passes_.push_back(
+      std::make_unique<NodePass>(NodePassSettings{&context_, &deck_, &laws_, deck_.two_pass ? 0.5 : 1.0, name() + "/"},
+                                 deck_.slave, deck_.master));
   if (deck_.two_pass)
-    passes_.push_back(std::make_unique<NodePass>(
-        NodePassSettings{&context_, &deck_, friction_.get(), 0.5, name() + "/second "}, deck_.master, deck_.slave));
+    passes_.push_back(std::make_unique<NodePass>(NodePassSettings{&context_, &deck_, &laws_, 0.5, name() + "/second "},
+                                                 deck_.master, deck_.slave));
   const ContactSurface& slave = passes_[0]->slave();
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * slave.shortest(mesh.coordinates());
   check_overlap_of_two(slave, section, deck_.slave,
@@ -83,6 +85,7 @@ void NodeContact::check(const Section& section) {
 }
 
 void NodeContact::declare_state(StateStore& store) {
+  laws_.declare_state(store);
   for (auto& pass : passes_) pass->declare_state(store);
 }
 
@@ -149,9 +152,9 @@ void NodeContact::histories(const StepView& view, std::map<std::string, double>&
   if (deck_.augmented()) {
     const auto [gap, stretch, spring] = passes_[0]->misfit(state).largest(comm);
     values[name() + "/weighted gap [m]"] = gap;
-    if (friction_) values[name() + "/stretch [m]"] = stretch;
+    if (laws_.friction()) values[name() + "/stretch [m]"] = stretch;
   }
-  if (friction_) values[name() + "/friction heat [J]"] = all.heat;
+  if (laws_.friction()) values[name() + "/friction heat [J]"] = all.heat;
 }
 
 double NodeContact::step_limit(const State& committed, double) const {
@@ -178,7 +181,7 @@ std::vector<double> NodeContact::nodal_sum(const State& state, int c) const {
 std::vector<double> NodeContact::nodal_pressure(const State& state) const { return nodal_sum(state, column::pressure); }
 
 std::vector<double> NodeContact::nodal_shear(const State& state) const {
-  return friction_ ? nodal_sum(state, column::shear) : std::vector<double>();
+  return laws_.friction() ? nodal_sum(state, column::shear) : std::vector<double>();
 }
 
 }  // namespace mudline

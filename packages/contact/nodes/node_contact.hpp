@@ -25,12 +25,14 @@ class NodeContact : public Contact {
   void check(const Section& section);
 
   std::string name() const override { return "contact/" + name_; }
-  ContactPartners partners() const override { return {deck_.slave, deck_.master, nullptr, friction_ != nullptr}; }
+  ContactPartners partners() const override {
+    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
+  }
   bool history() const override { return true; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  bool asks_for_prediction() const override { return friction_ != nullptr; }
+  bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void predicting(bool on) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
@@ -49,7 +51,7 @@ class NodeContact : public Contact {
 
   ContactContext context_;
   NodeParameters deck_;
-  std::unique_ptr<const Friction> friction_;  // null: smooth
+  ContactLaws laws_;
   std::string name_;
   std::vector<std::unique_ptr<NodePass>> passes_;
   double gap_tolerance_ = 0;  // [m]

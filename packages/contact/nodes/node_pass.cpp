@@ -28,37 +28,23 @@ NodePass::NodePass(const NodePassSettings& settings, const std::string& slave, c
   for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(ContactPoints::nodes, nodes, quadrature_degree);
   for (std::size_t s = 0; s < slave_.sides().size(); ++s)
     for (int a = 0; a < slave_.sides()[s].count; ++a)
-      rows_.push_back({static_cast<int>(s), slave_.sides()[s].node[a], 0, 0, {}, {}});
+      rows_.push_back({static_cast<int>(s), slave_.sides()[s].node[a], a == 2 ? 0.0 : 2.0 * a - 1, 0, 0, {}, {}});
   measure(mesh_.coordinates());
   capture_ = slave_.longest(mesh_.coordinates());
 }
 
 void NodePass::declare_state(StateStore& store) {
-  const int rows = static_cast<int>(rows_.size());
-  ArrayInfo points, penalties;
-  points.ids = slave_.row_ids([this](std::size_t s) { return slave_.sides()[s].count; });
-  penalties.ids = slave_.row_ids([](std::size_t) { return 1; });
-  const std::vector<long long> ids = points.ids;
-  points.name = settings_.prefix + "points";
-  points.variables = {{"gap", 1, "m"},     {"pressure", 1, "Pa"}, {"shear", 1, "Pa"}, {"slides", 1, "-"},
-                      {"force x", 1, "N"}, {"force y", 1, "N"},   {"area", 1, "m2"},  {"length", 1, "m"},
-                      {"slip", 1, "m"},    {"heat", 1, "J"},      {"piece", 1, "-"},  {"eta", 1, "-"}};
-  points_ = store.declare(std::move(points), rows);
-  penalties.name = settings_.prefix + "penalty";
-  penalties.variables = {{"penalty", 1, "Pa/m"}};
-  penalties_ = store.declare(std::move(penalties), static_cast<int>(slave_.sides().size()));
-  ArrayInfo multipliers;
-  multipliers.name = settings_.prefix + "multipliers";
-  multipliers.ids = ids;
-  multipliers.variables = {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}};
-  multipliers_ = store.declare(std::move(multipliers), rows);
-  if (settings_.deck->damping > 0) {
-    ArrayInfo damping;
-    damping.name = settings_.prefix + "damping";
-    damping.shares = true;
-    damping.variables = {{"heat", 1, "J"}};
-    damping_ = store.declare(std::move(damping), 1);
-  }
+  const auto ids = slave_.row_ids([this](std::size_t s) { return slave_.sides()[s].count; });
+  const std::vector<StateVariable> columns = {{"gap", 1, "m"},    {"pressure", 1, "Pa"}, {"shear", 1, "Pa"},
+                                              {"slides", 1, "-"}, {"force x", 1, "N"},   {"force y", 1, "N"},
+                                              {"area", 1, "m2"},  {"length", 1, "m"},    {"slip", 1, "m"},
+                                              {"heat", 1, "J"},   {"piece", 1, "-"},     {"eta", 1, "-"}};
+  points_ = declare_rows(store, settings_.prefix + "points", columns, ids);
+  penalties_ = declare_rows(store, settings_.prefix + "penalty", {{"penalty", 1, "Pa/m"}},
+                            slave_.row_ids([](std::size_t) { return 1; }));
+  multipliers_ = declare_rows(store, settings_.prefix + "multipliers", {{"normal", 1, "Pa"}, {"shear", 1, "Pa"}}, ids);
+  if (settings_.deck->damping > 0)
+    damping_ = declare_rows(store, settings_.prefix + "damping", {{"heat", 1, "J"}}, {}, true);
   if (settings_.deck->active_set.outer()) active_set_.declare_state(store, settings_.prefix, ids);
 }
 
@@ -164,27 +150,20 @@ NodePass::Positions NodePass::positions(const StepView& view) const {
 NodeLaw NodePass::law(const StepView& view, int row) const {
   const PointView &multipliers = view.trial->arrays[multipliers_], &old = view.committed->arrays[points_];
   NodeLaw result;
+  static_cast<PointLaw&>(result) = settings_.laws->in_step(view, settings_.deck->damping);
   result.penalty = penalty(*view.trial, row);
-  result.area = rows_[row].area;
   result.touch = touch_;
+  result.fixed = active_set_.used();
+  result.first_guess = predicting_;
+  result.conserves = conserves(view);
+  result.area = rows_[row].area;
   result.normal = multipliers(row, 0);
   result.shear = multipliers(row, 1);
-  result.friction = settings_.friction;
-  result.time = view.time_end;
-  result.dt = view.dt;
-  result.slip = old(row, column::slip);
-  result.first_guess = predicting_;
-  result.gap_old = old(row, column::gap);
-  result.impact_damping = view.damping;
-  result.fixed = active_set_.used();
   result.member = result.fixed && active_set_.holds(*view.trial, row);
-  const double end_weight = view.sensitivity[displacement_].value;
-  result.conserves = conserves(view);
-  if (end_weight > 0) {  // else it is the start of a stage, not a step
-    result.viscous = settings_.deck->damping;
-    result.start_weight = 1 - end_weight;
-    result.normal_old = old(row, column::pressure) * old(row, column::area);
-  }
+  result.slip = old(row, column::slip);
+  result.gap_old = old(row, column::gap);
+  result.normal_old = old(row, column::pressure) * old(row, column::area);
+  result.soil = settings_.laws->soil(*view.committed, slave_.sides()[rows_[row].side], rows_[row].xi);
   return result;
 }
 
@@ -304,7 +283,7 @@ void NodePass::jacobian(const StepView& view, Assembler& assembler, double weigh
 
 bool NodePass::sticks(const State& state, int row) const {
   const PointView& points = state.arrays[points_];
-  return settings_.friction && points(row, column::pressure) > 0 && points(row, column::slides) == 0;
+  return settings_.laws->friction() && points(row, column::pressure) > 0 && points(row, column::slides) == 0;
 }
 
 std::optional<Augmentation> NodePass::update_active_set(const State& trial, const std::string& contact,
@@ -317,26 +296,15 @@ std::optional<Augmentation> NodePass::update_active_set(const State& trial, cons
 }
 
 Misfit NodePass::misfit(const State& state) const {
-  const int nodes = mesh_.num_nodes();
-  std::vector<double> normal(nodes, 0.0), shear(nodes, 0.0), lengths(nodes, 0.0), stiffnesses(nodes, 0.0);
   const PointView &points = state.arrays[points_], &multipliers = state.arrays[multipliers_];
-  double spring = 0;
+  MisfitSums sums(mesh_);
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
-    const int node = rows_[row].node;
-    const double length = rows_[row].length;
-    spring = std::max(spring, points(row, column::pressure) / penalty(state, row));
-    normal[node] += length * (points(row, column::pressure) - multipliers(row, 0));
-    if (sticks(state, row)) shear[node] += length * (points(row, column::shear) - multipliers(row, 1));
-    lengths[node] += length;
-    stiffnesses[node] += length * penalty(state, row);
+    const double length = rows_[row].length, stiffness = penalty(state, row);
+    sums.spring = std::max(sums.spring, points(row, column::pressure) / stiffness);
+    sums.add(rows_[row].node, length, stiffness, length * (points(row, column::pressure) - multipliers(row, 0)),
+             sticks(state, row) ? length * (points(row, column::shear) - multipliers(row, 1)) : 0.0);
   }
-  return {slave_,
-          std::move(normal),
-          std::move(shear),
-          std::move(lengths),
-          std::move(stiffnesses),
-          settings_.friction ? settings_.friction->tangential_factor() : 0.0,
-          spring};
+  return {slave_, std::move(sums), settings_.laws->tangential_factor()};
 }
 
 void NodePass::augment(const State& trial) const {

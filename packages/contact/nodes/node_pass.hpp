@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/contact.hpp"
+#include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/nodes/node_parameters.hpp"
 #include "contact/nodes/smooth_surface.hpp"
@@ -17,9 +17,9 @@ namespace mudline {
 struct NodePassSettings {
   const ContactContext* context;
   const NodeParameters* deck;
-  const Friction* friction;  // null: smooth
-  double share;              // of every force: 1, or 1/2 where a second pass does the other half
-  std::string prefix;        // of its state arrays
+  ContactLaws* laws;
+  double share;        // of every force: 1, or 1/2 where a second pass does the other half
+  std::string prefix;  // of its state arrays
 };
 
 /// The nodes of one surface against another one, drawn over its nodes. Rows: the nodes of each slave side, with their
@@ -67,6 +67,7 @@ class NodePass {
  private:
   struct Row {
     int side, node;       // on this rank
+    double xi;            // of the node on the side
     double area = 0;      // [m2] tributary, at the start of the step, with the pass's share
     double length = 0;    // [m] the same without the circumference
     PlanePoint facing{};  // along the side

@@ -72,6 +72,8 @@ PointMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, con
   motion.gap = g.gap;
   motion.shift = T(law.normal / law.penalty);
   motion.member = law.member;
+  motion.soil = law.soil;
+  motion.pore_pressure = T(law.soil.pore_pressure);
   motion.gap_old = T(law.gap_old);
   motion.force_old = T(law.normal_old);
   motion.area = T(law.area);
@@ -87,15 +89,6 @@ PointMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, con
   return motion;
 }
 
-/// Forces of a node by dof; at the end of the step, and what damping adds to the mean over it.
-template <class T>
-struct Forces {
-  Forces() {
-    for (int a = 0; a < node_dofs; ++a) end[a] = damping[a] = T(0.0);
-  }
-  T end[node_dofs], damping[node_dofs], share{1.0}, start_share{0.0};
-};
-
 /// A force on the slave node, the opposite at its foot.
 template <class T>
 void act(const SurfacePiece& piece, const Geometry<T>& g, const PlaneVector<T>& force, T (&to)[node_dofs]) {
@@ -105,18 +98,19 @@ void act(const SurfacePiece& piece, const Geometry<T>& g, const PlaneVector<T>& 
 }
 
 template <class T>
-Forces<T> evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
-                   const NodeCoordinates& at, NodeForce& out) {
+void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
+              const NodeCoordinates& at, NodeForce& out) {
   const Positions<T> x(at);
   const Geometry<T> g = geometry(piece, foot, x);
   const PointResponse<T> now = respond(law, motion_of_node(law, piece, g, x, old));
-  Forces<T> forces;
-  forces.start_share = now.start_share;
-  if (law.viscous > 0) act(piece, g, g.normal * now.damping, forces.damping);
-  if (now.presses) {
-    forces.share = now.end_share / (1 - law.start_weight);
-    act(piece, g, (g.normal * now.pressure + g.along * now.shear) * law.area, forces.end);
-  }
+  StepForces<T, node_dofs> forces;
+  if (law.viscous > 0) act(piece, g, g.normal * now.damping, forces.more);
+  if (now.presses) act(piece, g, (g.normal * now.pressure + g.along * now.shear) * law.area, forces.end);
+  const T share = now.end_share / (1 - law.start_weight);
+  forces.write(share, 1 / (1 - law.start_weight), out.f, out.damping, out.k);
+  if constexpr (!std::is_same_v<T, double>) std::copy_n(now.start_share.d, node_dofs, out.start_share_slope);
+  out.start_share = value(now.start_share);
+  if (now.presses) out.share = value(share);
   out.gap = value(g.gap);
   out.pressure = value(now.pressure);
   out.shear = value(now.shear);
@@ -125,9 +119,6 @@ Forces<T> evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot
   out.slip = now.slip;
   out.heat = now.heat;
   out.damped = now.damping_heat;
-  out.share = value(forces.share);
-  out.start_share = value(forces.start_share);
-  return forces;
 }
 
 }  // namespace
@@ -135,22 +126,8 @@ Forces<T> evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot
 void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
                 const NodeCoordinates& now, bool want_tangent, NodeForce& out) {
   out = {};
-  if (!want_tangent) {
-    const Forces<double> forces = evaluate<double>(law, piece, foot, old, now, out);
-    std::copy_n(forces.end, node_dofs, out.f);
-    std::copy_n(forces.damping, node_dofs, out.damping);
-    return;
-  }
-  using T = Dual<node_dofs>;
-  const Forces<T> forces = evaluate<T>(law, piece, foot, old, now, out);
-  std::copy_n(forces.start_share.d, node_dofs, out.start_share_slope);
-  const double weight = 1 / (1 - law.start_weight);
-  for (int a = 0; a < node_dofs; ++a) {
-    out.f[a] = value(forces.end[a]);
-    out.damping[a] = value(forces.damping[a]);
-    const T acting = forces.end[a] * forces.share + weight * forces.damping[a];
-    std::copy_n(acting.d, node_dofs, out.k[a]);
-  }
+  want_tangent ? evaluate<Dual<node_dofs>>(law, piece, foot, old, now, out)
+               : evaluate<double>(law, piece, foot, old, now, out);
 }
 
 double node_gap(const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& now) {

@@ -29,6 +29,7 @@ struct NodeLaw : PointLaw {
   double slip = 0;               // [m] path slid before the step
   double gap_old = 0;            // [m] at the start of the step, for shares and damping
   double normal_old = 0;         // [N] normal force there
+  TouchingSoil soil;             // of the slave
 };
 
 struct NodeForce {

@@ -2,38 +2,33 @@
 
 #include <cmath>
 
+#include "contact/plane_vector.hpp"
+
 namespace mudline {
 
 namespace {
 
 struct CurveValue {
-  double x[2] = {0, 0}, d[2] = {0, 0}, dd[2] = {0, 0};
+  PlaneVector<double> x, d, dd;
 };
 
 CurveValue curve_at(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta) {
   double W[max_piece_nodes], dW[max_piece_nodes], ddW[max_piece_nodes];
   piece.weights(eta, W, dW, ddW);
-  CurveValue result;
-  for (int j = 0; j < piece.count; ++j)
-    for (int i = 0; i < 2; ++i) {
-      result.x[i] += W[j] * nodes[j][i];
-      result.d[i] += dW[j] * nodes[j][i];
-      result.dd[i] += ddW[j] * nodes[j][i];
-    }
-  return result;
+  PlaneVector<double> at[max_piece_nodes];
+  for (int j = 0; j < piece.count; ++j) at[j] = constant<double>(nodes[j]);
+  return {combine(piece.count, W, at), combine(piece.count, dW, at), combine(piece.count, ddW, at)};
 }
 
 }  // namespace
 
 PlanePoint piece_point(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta) {
-  const CurveValue at = curve_at(piece, nodes, eta);
-  return {at.x[0], at.x[1]};
+  return plain(curve_at(piece, nodes, eta).x);
 }
 
 PlanePoint piece_direction(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta) {
-  const CurveValue at = curve_at(piece, nodes, eta);
-  const double size = std::hypot(at.d[0], at.d[1]);
-  return {at.d[0] / size, at.d[1] / size};
+  const PlaneVector<double> along = curve_at(piece, nodes, eta).d;
+  return plain(along * (1 / length(along)));
 }
 
 PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x, double low,
@@ -41,10 +36,10 @@ PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& no
   constexpr int samples = 8;
   const auto at = [&](double eta, double& ahead, double& slope) {  // ahead > 0: the foot has a larger eta
     const CurveValue c = curve_at(piece, nodes, eta);
-    const double way[2] = {x[0] - c.x[0], x[1] - c.x[1]};
-    ahead = way[0] * c.d[0] + way[1] * c.d[1];
-    slope = way[0] * c.dd[0] + way[1] * c.dd[1] - c.d[0] * c.d[0] - c.d[1] * c.d[1];
-    return std::hypot(way[0], way[1]);
+    const PlaneVector<double> way = constant<double>(x) - c.x;
+    ahead = dot(way, c.d);
+    slope = dot(way, c.dd) - dot(c.d, c.d);
+    return length(way);
   };
   int nearest = 0;
   double best = 1e300, ahead = 0, slope = 0;

@@ -12,6 +12,7 @@
 #include "contact/contact.hpp"
 #include "framework/closed_sides.hpp"
 #include "physics/register.hpp"
+#include "reading_laws.hpp"
 
 namespace mudline {
 
@@ -53,34 +54,42 @@ inline GlobalMesh strip(Cells cells, int nx, int ny, double x0, double width, do
   return mesh;
 }
 
-/// A soil strip, one body and one contact, driven by hand through steps: what a stepper would do.
+/// A soil strip, one body and one contact, driven by hand through steps: what a stepper would do. `warm`: with
+/// temperature and effective stress.
 struct ContactModel {
   ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
                std::function<double(int, int)> stiffness = {}, const std::string& type = "frictionless penalty",
-               Support pressure = Support::vertices)
+               Support pressure = Support::vertices, bool warm = false)
       : deck(bodies + "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" + text_parameter("type", type) +
              contact_parameters + "</ParameterList>\n</ParameterList>\n"),
         bodies_{{"b", deck.body("b", geometry)}},
         mesh(Tpetra::getDefaultComm(), geometry, std::move(global)),
-        space(mesh, fields(geometry, pressure)),
+        space(mesh, fields(geometry, pressure, warm)),
         store(space),
         assembler(space.dofs()) {
     if (bodies_["b"]->may_be_free()) bodies_["b"]->bind(space, 2, 0);
     register_contact(registry);
     register_friction(frictions);
     register_normal_laws(normal_laws);
+    frictions.add<ReadingFriction>("reading", "Friction that reads the soil");
+    normal_laws.add<ReadingNormalLaw>("reading", "Pressure that reads the soil");
+    if (warm)  // a stress at two points per element
+      store.declare({"soil/effective stress", {{"effective stress", 6, "Pa"}}, 0, 2},
+                    2 * static_cast<int>(mesh.blocks()[0].nodes.extent(0)));
     contact = registry.create(deck.deck.root().section("contacts").section("c"),
                               {space, bodies_, frictions, normal_laws, std::move(stiffness)});
+    bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);
     assembler.finalise();
   }
 
-  std::vector<Field> fields(Geometry geometry, Support pressure) {
+  std::vector<Field> fields(Geometry geometry, Support pressure, bool warm) {
     std::vector<Field> result{{"displacement", "m", "N", 2, Support::all_nodes, 2},
                               {"pore pressure", "Pa", "m3/s", 1, pressure, 1}};
     if (bodies_["b"]->may_be_free())
       result.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(geometry), Support::apart, 2, 1});
+    if (warm) result.push_back({"temperature", "degC", "W", 1, Support::vertices, 1});
     return result;
   }
 
@@ -98,7 +107,7 @@ struct ContactModel {
     view.x_end = trial.coordinates;
     view.flow = true;
     view.inertia = false;
-    view.sensitivity.assign(3, Sensitivity());
+    view.sensitivity.assign(4, Sensitivity());
     view.committed = &store.committed();
     view.trial = &trial;
     for (const auto& [name, body] : bodies_) body->advance(view);

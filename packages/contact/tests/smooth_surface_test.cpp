@@ -82,10 +82,8 @@ TEST(SmoothSurface, CornersStay) {
       NodeFoot foot;
       const bool seen = surface.find_foot(surface.near({x, y}, 1), {x, y}, facing, 0.5, square.x, piece, foot);
       if (!seen) return std::pair{1e300, false};
-      NodeForce force;
-      const NodeCoordinates at{{x, y}, surface.coordinates(piece, square.x)};
-      node_force({}, surface.pieces()[piece], foot, at, at, false, force);
-      return std::pair{force.gap, foot.corner};
+      const double size = node_gap(surface.pieces()[piece], foot, {{x, y}, surface.coordinates(piece, square.x)});
+      return std::pair{size, foot.corner};
     };
     EXPECT_NEAR(gap(0.3, 1.1, {1, 0}).first, 0.1, 1e-13);
     EXPECT_NEAR(gap(0.97, 0.9, {0, -1}).first, -0.03, 1e-13);

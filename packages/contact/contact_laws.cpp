@@ -1,0 +1,108 @@
+#include "contact/contact_laws.hpp"
+
+namespace mudline {
+
+void ContactLaws::declare_normal_law(Parameters& p) {
+  p.passes_on("normal law", "pressure over penetration; see the normal law types; by default linear");
+}
+
+void ContactLaws::read(const ContactContext& context, const Section& section) {
+  space_ = &context.space;
+  displacement_ = space_->find("displacement");
+  temperature_ = space_->find("temperature");
+  if (section.has_section("friction")) {
+    const Section law = section.section("friction");
+    friction_ = context.frictions.create(law);
+    note(friction_->reads(), law);
+    if (friction_->effective()) read_.pore_pressure = true;
+  }
+  if (section.has_section("normal law")) {
+    const Section law = section.section("normal law");
+    normal_ = context.normal_laws.create(law);
+    note(normal_->reads(), law);
+  }
+}
+
+void ContactLaws::note(const SoilQuantities& asked, const Section& law) {
+  if (asked.temperature && temperature_ < 0)
+    law.fail("this law reads the soil's temperature; it needs a model with the field 'temperature'", "type");
+  if (asked.mean_stress) stress_reader_ = law;
+  read_.pore_pressure = read_.pore_pressure || asked.pore_pressure;
+  read_.temperature = read_.temperature || asked.temperature;
+  read_.mean_stress = read_.mean_stress || asked.mean_stress;
+}
+
+void ContactLaws::check_linear(const Section& section, bool multipliers, bool conserving) const {
+  if (normal_->linear()) return;
+  const Section law = section.section("normal law");
+  if (multipliers)
+    law.fail("multipliers and active sets need pressures in proportion to the penetration; allowed here: linear",
+             "type");
+  if (conserving)
+    law.fail("'impact' = conserving needs pressures in proportion to the penetration; allowed here: linear", "type");
+}
+
+void ContactLaws::check_two_surfaces(const Section& section) const {
+  if (!read_.pore_pressure || space_->find("pore pressure") < 0) return;
+  if (friction_ && friction_->effective())
+    section.section("friction")
+        .fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total",
+              "on");
+  const bool by_friction = friction_ && friction_->reads().pore_pressure;
+  section.section(by_friction ? "friction" : "normal law")
+      .fail("this law reads the pore pressure between two surfaces, which a pair does not know", "type");
+}
+
+void ContactLaws::declare_state(const StateStore& store) {
+  if (!read_.mean_stress) return;
+  stress_.assign(space_->mesh().blocks().size(), {-1, 0});
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    const ArrayInfo& array = store.info(handle);
+    if (array.block >= 0 && array.variables.front().name == "effective stress")
+      stress_[array.block] = {handle, array.points_per_element};
+  }
+  for (const auto& [handle, points] : stress_)
+    if (handle < 0)
+      stress_reader_->fail("this law reads the soil's effective stress, of which the physics keeps none", "type");
+}
+
+PointLaw ContactLaws::in_step(const StepView& view, double damping) const {
+  PointLaw law;
+  law.normal_law = normal_.get();
+  law.friction = friction_.get();
+  law.time = view.time_end;
+  law.dt = view.dt;
+  law.impact_damping = view.damping;
+  const double end_weight = view.sensitivity[displacement_].value;
+  if (!(end_weight > 0)) return law;  // the start of a stage, not a step
+  law.viscous = damping;
+  law.start_weight = 1 - end_weight;
+  return law;
+}
+
+TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, double xi) const {
+  TouchingSoil result;
+  if (!read_.pore_pressure) result.pore_pressure = TouchingSoil::unknown;
+  if (read_.temperature) result.temperature = temperature(committed, side, xi);
+  if (read_.mean_stress) result.mean_stress = mean_stress(committed, side);
+  return result;
+}
+
+double ContactLaws::temperature(const State& committed, const SurfaceSide& side, double xi) const {
+  const int nodes = space_->field(temperature_).support == Support::vertices ? 2 : side.count;
+  double shape[3], slope[3], result = 0;
+  evaluate_line(nodes, xi, shape, slope);
+  for (int a = 0; a < nodes; ++a) result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
+  return result;
+}
+
+double ContactLaws::mean_stress(const State& committed, const SurfaceSide& side) const {
+  const auto [handle, points] = stress_[side.block];
+  const PointView& stress = committed.arrays[handle];
+  double sum = 0;
+  for (int q = 0; q < points; ++q)
+    for (int i = 0; i < 3; ++i) sum -= stress(side.element * points + q, i);  // tension positive
+  return sum / (3 * points);
+}
+
+}  // namespace mudline

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "contact/contact_surface.hpp"
+#include "contact/laws/contact_point.hpp"
+
+namespace mudline {
+
+/// The laws that the deck names for a contact, and what they read of the soil behind its surface.
+class ContactLaws {
+ public:
+  /// The entry "normal law" of a contact; that of friction is declare_friction().
+  static void declare_normal_law(Parameters& p);
+  /// InputError for laws that read what the model does not have.
+  void read(const ContactContext& context, const Section& section);
+  /// InputError for a normal law that is not linear where it has to be.
+  void check_linear(const Section& section, bool multipliers, bool conserving) const;
+  /// InputError for laws that read the pore pressure between two surfaces, which a contact of them does not know.
+  void check_two_surfaces(const Section& section) const;
+  /// After the physics. InputError for laws that read the stress of soil whose physics keeps none.
+  void declare_state(const StateStore& store);
+
+  const Friction* friction() const { return friction_.get(); }  // null: smooth
+  const NormalLaw& normal() const { return *normal_; }
+  /// Tangential over normal penalty; 0: no friction.
+  double tangential_factor() const { return friction_ ? friction_->tangential_factor() : 0.0; }
+  bool read_pore_pressure() const { return read_.pore_pressure; }
+  /// Laws, times and weights of a step; `damping` of the deck [s/m].
+  PointLaw in_step(const StepView& view, double damping) const;
+  /// At the reference coordinate xi of a side, in the state in which a step starts; without the pore pressure.
+  TouchingSoil soil(const State& committed, const SurfaceSide& side, double xi) const;
+
+ private:
+  void note(const SoilQuantities& asked, const Section& law);
+  double temperature(const State& committed, const SurfaceSide& side, double xi) const;
+  double mean_stress(const State& committed, const SurfaceSide& side) const;
+
+  const Space* space_ = nullptr;
+  std::unique_ptr<const Friction> friction_;
+  std::unique_ptr<const NormalLaw> normal_ = std::make_unique<LinearNormalLaw>();
+  SoilQuantities read_;
+  int displacement_ = -1, temperature_ = -1;  // fields
+  std::optional<Section> stress_reader_;      // the law that reads the mean stress
+  std::vector<std::pair<int, int>> stress_;   // (block) state handle, points per element
+};
+
+}  // namespace mudline
