@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-/// Coordinates of the nodes moved on by `ahead` (by overlap dof, [m]; empty: x itself), see StepView::ahead_end: where
+/// Coordinates of the nodes moved on by `ahead` (by overlap dof, [m]; empty: x itself), see ImpactView: where
 /// gaps are measured in dynamic steps by contacts that conserve energy.
 ConstCoordinateView moved_ahead(const Space& space, const ConstCoordinateView& x, const ConstNodalView& ahead);
 

@@ -8,7 +8,6 @@ void ContactLaws::declare_normal_law(Parameters& p) {
 
 void ContactLaws::read(const ContactContext& context, const Section& section) {
   space_ = &context.space;
-  displacement_ = space_->find("displacement");
   temperature_ = space_->find("temperature");
   if (section.has_section("friction")) {
     const Section law = section.section("friction");
@@ -72,11 +71,10 @@ PointLaw ContactLaws::in_step(const StepView& view, double damping) const {
   law.friction = friction_.get();
   law.time = view.time_end;
   law.dt = view.dt;
-  law.impact_damping = view.damping;
-  const double end_weight = view.sensitivity[displacement_].value;
-  if (!(end_weight > 0)) return law;  // the start of a stage, not a step
+  law.impact_damping = view.impact.damping;
+  if (view.kind != StepView::Kind::step) return law;
   law.viscous = damping;
-  law.start_weight = 1 - end_weight;
+  law.start_weight = 1 - view.end_weight;
   return law;
 }
 

@@ -43,7 +43,7 @@ class ContactLaws {
   std::unique_ptr<const Friction> friction_;
   std::unique_ptr<const NormalLaw> normal_ = std::make_unique<LinearNormalLaw>();
   SoilQuantities read_;
-  int displacement_ = -1, temperature_ = -1;  // fields
+  int temperature_ = -1;  // field
   std::optional<Section> stress_reader_;      // the law that reads the mean stress
   std::vector<std::pair<int, int>> stress_;   // (block) state handle, points per element
 };

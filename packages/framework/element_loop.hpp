@@ -93,7 +93,8 @@ inline LoopLevel loop_level(const StepView& view, const Level& level, const Fiel
 /// The end of the step, where state variables live. In the search for the rates at the start of a stage, which is no
 /// step, places do not depend on the unknowns.
 inline LoopLevel end_level(const StepView& view, const FieldBlock& block) {
-  LoopLevel at = loop_level(view, {view.time_end, view.x_end, view.balance.geometry_weight > 0 ? 1.0 : 0.0}, block);
+  LoopLevel at =
+      loop_level(view, {view.time_end, view.x_end, view.kind == StepView::Kind::initial_rates ? 0.0 : 1.0}, block);
   at.value = view.value_end;
   for (Sensitivity& s : at.scalar) s.value = 1;
   return at;

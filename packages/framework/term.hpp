@@ -17,7 +17,6 @@ struct Sensitivity {
   double rate = 0;          // d rate_alpha / dx        (balance equations)
   double velocity = 0;      // d velocity_alpha / dx    (damping)
   double acceleration = 0;  // d acceleration_alpha / dx
-  double conjugate = 1;     // d (value_{n+1} + ahead_{n+1}) / dx, see StepView
 };
 
 /// Instant and configuration at which a group of terms is evaluated.
@@ -27,22 +26,32 @@ struct Level {
   double geometry_weight;  // d x / d u_{n+1}
 };
 
+/// What forces of impact need of a step. The position that is conjugate to forces at the momentum level is ahead of the
+/// value of a field of second order: over its change, not over that of the value, such a force does the work that the
+/// integrator's kinetic energy takes up. Without inertia it is the value.
+struct ImpactView {
+  ConstNodalView ahead_old, ahead_end;  // by overlap dof [m]: conjugate position less value; empty: 0
+  double conjugate = 1;                 // [-] d (value_end + ahead_end) / d value_end
+  double damping = 0;  // [-] by which a force weighs the end of the step above 1/2 to damp what is not resolved
+  double lead = 0;     // [s] time by which the conjugate position is ahead, for what moves steadily
+};
+
 /// One linearisation point of one step, seen by the terms. They never see beta, gamma or alpha.
 /// All nodal views are by overlap dof. "end": t_{n+1}, where state variables live. The others are at the alpha level
 /// that the integrator chose: `momentum` for inertia, gravity and mechanical loads, `balance` for mass (and heat)
 /// balances.
 struct StepView {
-  double time_old, time_end, dt;
+  /// What is asked for: a step; the committed state as it is, at rest, no time passing; or the accelerations and rates
+  /// with which a stage starts from it.
+  enum class Kind { step, rest, initial_rates };
+  Kind kind = Kind::step;
+  double time_old, time_end, dt;  // [s]; dt of what is no step: 1 s
+  double end_weight = 1;  // by which the integrator weighs forces of the end of the step; 1 less that: the start
   ConstNodalView value_old, value_end;
   ConstNodalView value, rate, velocity, acceleration;  // at the alpha level
   ConstCoordinateView x_old, x_end;                    // [m]
   Level momentum, balance;
-  /// Dynamic steps, fields of second order [m]: by how much the position that is conjugate to forces at the momentum
-  /// level is ahead of the value. Over its change, not over that of the value, such a force does the work that the
-  /// integrator's kinetic energy takes up. Empty: it is the value.
-  ConstNodalView ahead_old, ahead_end;
-  double damping = 0;  // [-] by which such a force weighs the end of the step above 1/2 to damp what is not resolved
-  double lead = 0;     // [s] time by which it is ahead, for what moves steadily
+  ImpactView impact;
   std::vector<Sensitivity> sensitivity;   // by field
   int linearisation = 0;                  // how often the step has been linearised before
   bool inertia;                           // false in quasi-static and geostatic stages

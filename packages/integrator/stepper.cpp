@@ -81,13 +81,15 @@ void Stepper::activate(const std::vector<Term*>& active) {
   chord_.forget();
 }
 
-void Stepper::prepare_view(const StepRequest& request) {
+void Stepper::prepare_view(const StepRequest& request, StepView::Kind kind) {
   store_.begin();
   stands_ = false;
   scheme_ = request.scheme;
   const State& old = store_.committed();
   State& trial = store_.trial();
-  trial.time = old.time + request.dt;
+  const double passing = kind == StepView::Kind::step ? request.dt : 0.0;
+  trial.time = old.time + passing;
+  view_.kind = kind;
   view_.time_old = old.time;
   view_.time_end = trial.time;
   view_.dt = request.dt;
@@ -97,21 +99,19 @@ void Stepper::prepare_view(const StepRequest& request) {
   view_.rate = rate_;
   view_.velocity = velocity_;
   view_.acceleration = acceleration_;
-  view_.ahead_old = ahead_old_;
-  view_.ahead_end = ahead_end_;
   Kokkos::deep_copy(ahead_old_, 0.0);
   Kokkos::deep_copy(ahead_end_, 0.0);
-  view_.damping = scheme_.damping();
-  view_.lead = scheme_.lead() * request.dt;
+  const double conjugate = 1 + (scheme_.lead() * scheme_.gamma - scheme_.bend()) / scheme_.beta;
+  view_.impact = {ahead_old_, ahead_end_, conjugate, scheme_.damping(), scheme_.lead() * request.dt};
   view_.x_old = old.coordinates;
   view_.x_end = trial.coordinates;
-  const double momentum = 1 - scheme_.alpha_f;  // weight of the new level
+  const double momentum = view_.end_weight = 1 - scheme_.alpha_f;
   // A balance over the whole step sees the midpoint geometry, on which div(Delta u) is the volume change to second
   // order.
   const double balance = scheme_.incremental ? 0.5 : momentum;
   const double balance_time = scheme_.incremental ? scheme_.theta : momentum;
-  view_.momentum = {old.time + momentum * request.dt, x_momentum_, momentum};
-  view_.balance = {old.time + balance_time * request.dt, x_balance_, balance};
+  view_.momentum = {old.time + momentum * passing, x_momentum_, momentum};
+  view_.balance = {old.time + balance_time * passing, x_balance_, balance};
   view_.inertia = scheme_.inertia;
   view_.flow = scheme_.flow;
   view_.linearisation = 0;
@@ -129,13 +129,11 @@ void Stepper::set_sensitivities() {
       s.velocity = scheme_.inertia ? (1 - af) * scheme_.gamma / (scheme_.beta * dt) : 1 / dt;
       s.rate = scheme_.incremental ? 1 / dt : s.velocity;
       s.acceleration = scheme_.inertia ? (1 - scheme_.alpha_m) / (scheme_.beta * dt * dt) : 0.0;
-      s.conjugate = 1 + (scheme_.lead() * scheme_.gamma - scheme_.bend()) / scheme_.beta;
     } else {
       s.value = scheme_.incremental ? scheme_.theta : scheme_.flow_alpha_f;
       s.rate = scheme_.incremental ? 1 / dt : scheme_.flow_alpha_m / (scheme_.theta * dt);
       s.velocity = s.rate;
       s.acceleration = 0;
-      s.conjugate = 1;
     }
   }
 }
@@ -234,7 +232,6 @@ int Stepper::evaluate_terms() {
   for (const NodalView& sizes : {total_, acting_, whole_}) Kokkos::deep_copy(sizes, 0.0);
   int failures = 0;
   failure_.clear();
-  const double new_weight = 1 - scheme_.alpha_f;
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const NodalView force = force_[k];
     Kokkos::deep_copy(force, 0.0);
@@ -244,7 +241,7 @@ int Stepper::evaluate_terms() {
     if (slot >= 0) {
       const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
       Kokkos::deep_copy(now, force);
-      for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = new_weight * now(i) + scheme_.alpha_f * old(i);
+      for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = view_.end_weight * now(i) + scheme_.alpha_f * old(i);
       active_[k]->correction(view_, to);
     }
     for (std::size_t i = 0; i < force.extent(0); ++i) total_(i) += force(i);
@@ -277,7 +274,7 @@ bool Stepper::add_matrices() {
   std::string problem;
   for (Term* term : active_) {
     try {
-      term->jacobian(view_, assembler_, term->history() ? 1 - scheme_.alpha_f : 1.0);
+      term->jacobian(view_, assembler_, term->history() ? view_.end_weight : 1.0);
     } catch (...) {
       if (problem.empty()) problem = "the Jacobian of " + term->name() + ": " + what_was_thrown();
     }
@@ -390,7 +387,7 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
   std::fill(matrix_rounding_.begin(), matrix_rounding_.end(), 0.0);
   first_norms_.clear();
   observed_norms_.clear();
-  prepare_view(request);
+  prepare_view(request, StepView::Kind::step);
   constrain(request);
   check_chord();
   Vector x(map());

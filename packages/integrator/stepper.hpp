@@ -126,7 +126,7 @@ class Stepper : public NonlinearProblem {
   void solve_step(const NewtonOptions& newton, Vector& x, StepReport& report);
   /// Asks all active terms. Collective.
   Augmentation augment(int count);
-  void prepare_view(const StepRequest& request);
+  void prepare_view(const StepRequest& request, StepView::Kind kind);
   void set_sensitivities();
   void constrain(const StepRequest& request);
   /// Fills the level views and the trial's nodal part from x.

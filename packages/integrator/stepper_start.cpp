@@ -22,9 +22,8 @@ StepRequest standing_still(bool inertia) {
 }  // namespace
 
 bool Stepper::refresh_history() {
-  prepare_view(standing_still(false));
+  prepare_view(standing_still(false), StepView::Kind::rest);
   levels(owned_part(*space_.dofs(), store_.committed().value));
-  view_.time_end = store_.trial().time = store_.committed().time;
   int failures = 0;
   for (int k = 0; k < static_cast<int>(active_.size()); ++k) {
     const int slot = history_slot(k);
@@ -39,9 +38,8 @@ bool Stepper::refresh_history() {
 }
 
 NodalView Stepper::static_residual() {
-  prepare_view(standing_still(false));
+  prepare_view(standing_still(false), StepView::Kind::rest);
   levels(owned_part(*space_.dofs(), store_.committed().value));
-  view_.time_end = view_.momentum.time = view_.balance.time = store_.trial().time = store_.committed().time;
   for (Term* term : active_) term->begin(view_);
   evaluate_terms();
   return sum_overlap(*space_.dofs(), total_);
@@ -65,7 +63,7 @@ std::vector<double> Stepper::solver_memory() {
 }
 
 bool Stepper::initialise_rates(const StepRequest& request, double linear_tolerance) {
-  prepare_view(standing_still(true));
+  prepare_view(standing_still(true), StepView::Kind::initial_rates);
   chord_.forget();
   const State& old = store_.committed();
   constrain(request);
@@ -86,9 +84,7 @@ bool Stepper::initialise_rates(const StepRequest& request, double linear_toleran
   }
   for (CoordinateView* x : {&x_momentum_, &x_balance_}) Kokkos::deep_copy(*x, old.coordinates);
   Kokkos::deep_copy(store_.trial().coordinates, old.coordinates);
-  view_.time_end = view_.momentum.time = view_.balance.time = old.time;
   view_.momentum.geometry_weight = view_.balance.geometry_weight = 0;
-  scheme_.alpha_f = 0;
   for (Term* term : active_) term->begin(view_);
   if (sum_over_ranks(*space_.dofs()->comm(), evaluate_terms()) > 0) return false;
 

@@ -123,10 +123,10 @@ PointStart PenaltyContact::point_start(const StepView& view, std::size_t side, i
 PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const {
   if (!conserves(view))
     return {body_->placement(*view.committed), body_->placement(*view.trial), view.x_old, view.x_end};
-  return {moved_ahead(*body_, *view.committed, view.ahead_old, view.lead),
-          moved_ahead(*body_, *view.trial, view.ahead_end, view.lead),
-          moved_ahead(context_.space, view.x_old, view.ahead_old),
-          moved_ahead(context_.space, view.x_end, view.ahead_end)};
+  return {moved_ahead(*body_, *view.committed, view.impact.ahead_old, view.impact.lead),
+          moved_ahead(*body_, *view.trial, view.impact.ahead_end, view.impact.lead),
+          moved_ahead(context_.space, view.x_old, view.impact.ahead_old),
+          moved_ahead(context_.space, view.x_end, view.impact.ahead_end)};
 }
 
 PointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
@@ -161,7 +161,7 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
-  if (!view.inertia || view.sensitivity[displacement_].value == 0) return false;  // 0: the start of a stage, not a step
+  if (!view.inertia || view.kind != StepView::Kind::step) return false;
   if (deck_.impact == PenaltyParameters::Impact::automatic)
     return !deck_.augmented() && !active_set_.used() && laws_.normal().linear() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
@@ -273,7 +273,7 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
   std::vector<ContactPoint> points;
   SideForce force;
   const Positions at = positions(view);
-  const double moved = conserves(view) ? view.sensitivity[displacement_].conjugate : 1.0;
+  const double moved = conserves(view) ? view.impact.conjugate : 1.0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const SurfaceSide& side = sides[s];
     if (!candidate_[s]) continue;

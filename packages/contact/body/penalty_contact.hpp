@@ -98,8 +98,8 @@ class PenaltyContact : public Contact, public ClosesSides {
   Positions positions(const StepView& view) const;
   /// Whether points exert the shares of impacts in dynamic steps.
   bool conserves(const StepView& view) const;
-  /// Whether damping acts: not in the start of a stage, which is no step.
-  bool damps(const StepView& view) const { return deck_.damping > 0 && view.sensitivity[displacement_].value > 0; }
+  /// Whether damping acts.
+  bool damps(const StepView& view) const { return deck_.damping > 0 && view.kind == StepView::Kind::step; }
   /// The heat of friction goes into the soil: the body takes none. Without derivatives, for it changes forces slowly.
   void add_heat(const StepView& view, const ResidualView& f) const;
   /// Adds the damping of one side's points to the rows of the trial state.

@@ -7,7 +7,7 @@ namespace mudline {
 /// Share of its penalty force that a contact point exerts on the mean over a dynamic step, as if the gap changed
 /// linearly. Without damping share * force * change of gap is the energy that the spring stores or gives back (a
 /// discrete gradient), however long the step; with it more is taken and less given back. Gaps are those of the
-/// conjugate positions [m], see StepView::ahead_end; 0 <= damping <= 1/2.
+/// conjugate positions [m], see ImpactView; 0 <= damping <= 1/2.
 /// Of the force at the end of the step, where there is one (gap < 0).
 template <class T>
 T end_share(const T& gap_old, const T& gap, double damping) {

@@ -137,14 +137,14 @@ NodeCoordinates NodePass::coordinates(int row, int piece, const ConstCoordinateV
 }
 
 bool NodePass::conserves(const StepView& view) const {
-  return view.inertia && view.sensitivity[displacement_].value > 0 && !settings_.deck->augmented() &&
-         !active_set_.used() && settings_.deck->impact == NodeParameters::Impact::conserving;
+  return view.inertia && view.kind == StepView::Kind::step && !settings_.deck->augmented() && !active_set_.used() &&
+         settings_.deck->impact == NodeParameters::Impact::conserving;
 }
 
 NodePass::Positions NodePass::positions(const StepView& view) const {
   if (!conserves(view)) return {view.x_old, view.x_end};
   const Space& space = settings_.context->space;
-  return {moved_ahead(space, view.x_old, view.ahead_old), moved_ahead(space, view.x_end, view.ahead_end)};
+  return {moved_ahead(space, view.x_old, view.impact.ahead_old), moved_ahead(space, view.x_end, view.impact.ahead_end)};
 }
 
 NodeLaw NodePass::law(const StepView& view, int row) const {
@@ -193,7 +193,6 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
   correction_.clear();
   int failures = 0;
   const PointView &points = view.trial->arrays[points_], &old = view.committed->arrays[points_];
-  const double alpha = 1 - view.sensitivity[displacement_].value;
   NodeForce force;
   double damped = 0;
   const Positions at = positions(view);
@@ -201,7 +200,7 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
     Seen seen;
     if (!look(row, at.end, capture_, seen)) {
       write_away(view, row);
-      add_old_share(view, row, start_share(old(row, column::gap), capture_, view.damping));
+      add_old_share(view, row, start_share(old(row, column::gap), capture_, view.impact.damping));
       continue;
     }
     const NodeLaw acting = law(view, row);
@@ -215,7 +214,7 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
       const int dof = dofs_(seen.place, a);
       f.add(dof, -force.f[a]);
       f.cancelled(dof, acting.penalty * acting.area * std::hypot(now.slave[0], now.slave[1]));
-      if (force.share != 1) correction_.emplace_back(dof, (1 - alpha) * (force.share - 1) * force.f[a]);
+      if (force.share != 1) correction_.emplace_back(dof, view.end_weight * (force.share - 1) * force.f[a]);
     }
     add_old_share(view, row, before);
     for (int a = 0; a < node_dofs && force.damped != 0; ++a)
@@ -245,7 +244,7 @@ void NodePass::add_old_share(const StepView& view, int row, double share) {
   if (there < 0) return;
   double before[node_dofs];
   old_force(*view.committed, row, surface_.pieces()[was], before);
-  const double more = share - (1 - view.sensitivity[displacement_].value);
+  const double more = share - (1 - view.end_weight);
   for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(there, a), more * before[a]);
 }
 
@@ -257,8 +256,7 @@ void NodePass::jacobian(const StepView& view, Assembler& assembler, double weigh
   const MatrixScatter to = assembler.scatter(group_);
   const PointView& old = view.committed->arrays[points_];
   const bool conserving = conserves(view);
-  const double end_weight = view.sensitivity[displacement_].value,
-               moved = conserving ? view.sensitivity[displacement_].conjugate : 1.0;
+  const double moved = conserving ? view.impact.conjugate : 1.0;
   NodeForce force;
   const Positions at = positions(view);
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
@@ -277,7 +275,7 @@ void NodePass::jacobian(const StepView& view, Assembler& assembler, double weigh
     old_force(*view.committed, row, piece, before);
     for (int a = 0; a < node_dofs; ++a)
       for (int b = 0; b < node_dofs; ++b)
-        to.add(seen.place, a, b, -weight * moved / end_weight * before[a] * force.start_share_slope[b]);
+        to.add(seen.place, a, b, -weight * moved / view.end_weight * before[a] * force.start_share_slope[b]);
   }
 }
 

@@ -107,6 +107,7 @@ struct ContactModel {
     view.x_end = trial.coordinates;
     view.flow = true;
     view.inertia = false;
+    view.end_weight = 1;
     view.sensitivity.assign(4, Sensitivity());
     view.committed = &store.committed();
     view.trial = &trial;
@@ -122,11 +123,11 @@ struct ContactModel {
     return f;
   }
   /// Of the end of the step.
-  double weight() const { return view.inertia ? view.sensitivity[0].value : 1.0; }
+  double weight() const { return view.inertia ? view.end_weight : 1.0; }
   /// From now on dynamic, with this weight of the start of the step.
   void set_inertia(double alpha_f) {
     view.inertia = true;
-    view.sensitivity[0].value = 1 - alpha_f;
+    view.end_weight = 1 - alpha_f;
   }
   std::map<std::string, double> step(double dt) {
     begin(dt);
