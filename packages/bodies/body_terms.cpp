@@ -64,19 +64,6 @@ void BodyTerm::sparsity(Assembler& assembler) {
   group_ = assembler.add_group(dofs);
 }
 
-void BodyInertia::constrain(const StepView& view, Constraints& constraints) {
-  for (const auto& body : bodies_) {
-    const BodyUnknowns& unknowns = body->unknowns();
-    const BodyState end = body->prescribed(*view.committed, view.time_old, view.time_end);
-    for (int k = 0; k < unknowns.count; ++k) {
-      if (released(*body, k)) continue;
-      const int dof = unknowns.dof[k], direction = unknowns.direction[k];
-      constraints.mask(dof) = 1;
-      constraints.value(dof) = direction < 2 ? end.displacement[direction] : view.committed->value(dof);
-    }
-  }
-}
-
 int BodyInertia::residual(const StepView& view, const ResidualView& f) {
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();

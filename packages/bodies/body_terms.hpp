@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "bodies/rigid_body.hpp"
+#include "framework/term_faces.hpp"
 
 namespace mudline {
 
 using Bodies = std::vector<std::shared_ptr<RigidBody>>;
 
 /// What the terms of bodies with unknowns share: one element per body, on the rank that owns it.
-class BodyTerm : public Term {
+class BodyTerm : public Term, public Reports {
  public:
   explicit BodyTerm(Bodies bodies) : bodies_(std::move(bodies)) {}
   void sparsity(Assembler& assembler) override;
@@ -41,8 +42,6 @@ class BodyInertia : public BodyTerm {
   using BodyTerm::BodyTerm;
   std::string name() const override { return "body inertia"; }
   Role role() const override { return Role::inertia; }
-  /// Prescribes what does not move freely.
-  void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void histories(const StepView& view, std::map<std::string, double>& values) override;

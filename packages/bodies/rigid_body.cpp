@@ -123,6 +123,14 @@ BodyState RigidBody::prescribed(const State& committed, double t_old, double t_e
   return now;
 }
 
+void RigidBody::prescribe(const State& committed, double t_old, double t_end, Constraints& to) const {
+  const BodyState end = prescribed(committed, t_old, t_end);
+  for (int k = 0; k < unknowns_.count; ++k) {
+    const int dof = unknowns_.dof[k], direction = unknowns_.direction[k];
+    if (!releases(direction)) to.prescribe(dof, direction < 2 ? end.displacement[direction] : committed.value(dof));
+  }
+}
+
 void RigidBody::advance(const StepView& view) const {
   const BodyState now = prescribed(*view.committed, view.time_old, view.time_end);
   const PointView& row = view.trial->arrays[array_];

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "framework/term.hpp"
+#include "framework/term_faces.hpp"
 
 namespace mudline {
 

@@ -10,7 +10,7 @@
 #include "contact/laws/friction.hpp"
 #include "contact/laws/normal_law.hpp"
 #include "core/registry.hpp"
-#include "framework/term.hpp"
+#include "framework/term_faces.hpp"
 
 namespace mudline {
 
@@ -36,7 +36,7 @@ struct ContactPartners {
 /// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact
 /// type is constructible from a ContactContext, reads its parameters, and binds to sets and bodies in check(); all
 /// collective, every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
-class Contact : public Term {
+class Contact : public Term, public History, public Unilateral, public Carried, public Reports {
  public:
   Role role() const override { return Role::contact; }
   virtual ContactPartners partners() const = 0;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/contact_surface.hpp"
-#include "framework/term.hpp"
+#include "framework/term_faces.hpp"
 
 namespace mudline {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/registry.hpp"
+#include "framework/constraints.hpp"
 #include "framework/shared.hpp"
 #include "framework/term.hpp"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -89,19 +86,6 @@ struct ResidualView {
   }
 };
 
-/// Prescribed unknowns of a step, by overlap dof; consistent across ranks.
-struct Constraints {
-  Kokkos::View<char*> mask;  // 1: prescribed
-  NodalView value;           // prescribed value at t_{n+1}
-};
-
-/// What a term wants once Newton's method has converged: nothing, another solve with what it holds changed
-/// (multipliers), or to refuse the step for the reason given.
-struct Augmentation {
-  bool again = false;
-  std::string refusal;
-};
-
 /// What a term is in the balances of the history file.
 enum class Role {
   force,     // acts on displacements: stresses, weights, loads
@@ -112,52 +96,22 @@ enum class Role {
   none
 };
 
-/// Where a term adds its element matrices: one group per element block, registered before the graph is built.
+/// A part of the equations: its residual and its matrix. What only some terms have is in term_faces.hpp.
 class Term {
  public:
   virtual ~Term() = default;
   /// "stress divergence", "inertia", "contact/cone": used in balances and messages.
   virtual std::string name() const = 0;
   virtual Role role() const { return Role::force; }
-  /// History terms are evaluated at n+1 and interpolated by the integrator; the others at the alpha level.
-  virtual bool history() const { return false; }
   virtual void declare_state(StateStore&) {}
-  /// Registers the element groups that jacobian() scatters to.
+  /// Registers the element groups that jacobian() scatters to, one per element block, before the graph is built.
   virtual void sparsity(Assembler&) {}
   /// Once per step, after the predictor: search, freeze what stays fixed during Newton.
   virtual void begin(const StepView&) {}
-  /// True where the first guess of a step needs a linear answer to what moves in it (a body that drags the soil along):
-  /// the integrator then solves once, between predicting(true) and predicting(false), before it iterates.
-  virtual bool asks_for_prediction() const { return false; }
-  /// Whether its force may change at a standstill: strength that follows the strain rate.
-  virtual bool may_relax() const { return false; }
-  /// While predicting, a term may be more linear than it is: friction sticks.
-  virtual void predicting(bool) {}
-  /// Adds or releases prescribed unknowns that depend on state (drainage under contact).
-  virtual void constrain(const StepView&, Constraints&) {}
   /// Adds to `f`. Pure in (committed, x). Returns the number of points on this rank where it failed.
   virtual int residual(const StepView&, const ResidualView& f) = 0;
-  /// History terms: adds what acts within the step only (a point that touches or leaves in it), at the alpha level; not
-  /// part of F_n. After residual(), at the same x; jacobian() holds its derivative.
-  virtual void correction(const StepView&, const ResidualView&) {}
-  /// What a user should know when a step fails on account of this term; empty: nothing. Collective.
-  virtual std::string hint(const StepView&) const { return ""; }
   /// Adds weight * dR/dx at the linearisation point of the last residual call.
   virtual void jacobian(const StepView&, Assembler&, double weight) = 0;
-  /// After Newton's method has converged, with the trial state at the solution: an outer iteration on what the term
-  /// keeps in its part of the trial state and residual() only reads. `count`: solves of this kind that the step has
-  /// had. The same answer on every rank. Collective.
-  virtual Augmentation augment(const StepView&, int count) { return {}; }
-  /// After the mesh was moved under the committed state (ALE): carries the term's own arrays, those that are not point
-  /// data of the soil, over to their new places.
-  virtual void relocate(const ConstCoordinateView& x_old, State& committed) {}
-  /// Takes over what an evaluation of the relocated state at rest wrote: stresses back on the yield surface, gaps.
-  virtual void adopt(const State& evaluated, State& committed) {}
-  /// Named scalars for the history file, already summed over ranks: "reaction y [N]" -> value. Collective, after
-  /// acceptance.
-  virtual void histories(const StepView&, std::map<std::string, double>&) {}
-  /// Largest step the term can accept [s] given the committed state (contact advance); infinite by default. Collective.
-  virtual double step_limit(const State&, double dt) const { return 1e300; }
 };
 
 }  // namespace mudline

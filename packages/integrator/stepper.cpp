@@ -52,8 +52,9 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   for (Term* term : terms_) {
     term->declare_state(store_);
     term->sparsity(assembler_);
-    history_slot_.push_back(term->history() ? slots++ : -1);
+    history_slot_.push_back(face<History>(*term) ? slots++ : -1);
   }
+  history_ = faces<History>(terms_);
   store_.allocate_history(slots);
   assembler_.finalise();
   const int n = space.dofs()->num_overlap_dofs(), nodes = space.mesh().num_nodes();
@@ -61,7 +62,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
        {&value_, &rate_, &velocity_, &acceleration_, &ahead_old_, &ahead_end_, &reaction_, &total_, &acting_, &whole_})
     *v = NodalView("level", n);
   for (CoordinateView* v : {&x_end_, &x_momentum_, &x_balance_}) *v = CoordinateView("coordinates", nodes, 2);
-  constraints_ = {Kokkos::View<char*>("constrained", n), NodalView("prescribed", n)};
+  constraints_ = Constraints(n);
   for (auto* sizes : {&reference_, &rounding_, &matrix_rounding_, &reference_floor_, &size_floor_})
     sizes->assign(space.num_fields(), 0);
   double squares = 0;
@@ -75,6 +76,9 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
 
 void Stepper::activate(const std::vector<Term*>& active) {
   active_ = active;
+  unilateral_ = faces<Unilateral>(active_);
+  carried_ = faces<Carried>(active_);
+  reports_ = faces<Reports>(active_);
   force_.clear();
   for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", value_.extent(0));
   solver_.reset();
@@ -198,11 +202,7 @@ void Stepper::constrain(const StepRequest& request) {
     for (int f = 0; f < space_.num_fields(); ++f)
       if (space_.field(f).time_order == 1)
         for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
-          for (int i = begin; i < end; ++i) {
-            constraints_.mask(i) = 1;
-            constraints_.value(i) = store_.committed().value(i);
-          }
-  for (Term* term : active_) term->constrain(view_, constraints_);
+          for (int i = begin; i < end; ++i) constraints_.prescribe(i, store_.committed().value(i));
 }
 
 int Stepper::history_slot(int k) const {
@@ -242,7 +242,7 @@ int Stepper::evaluate_terms() {
       const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
       Kokkos::deep_copy(now, force);
       for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = view_.end_weight * now(i) + scheme_.alpha_f * old(i);
-      active_[k]->correction(view_, to);
+      history_[slot]->correction(view_, to);
     }
     for (std::size_t i = 0; i < force.extent(0); ++i) total_(i) += force(i);
   }
@@ -272,11 +272,11 @@ bool Stepper::residual(const Vector& x, Vector& f) {
 bool Stepper::add_matrices() {
   assembler_.begin(constraints_.mask);
   std::string problem;
-  for (Term* term : active_) {
+  for (std::size_t k = 0; k < active_.size(); ++k) {
     try {
-      term->jacobian(view_, assembler_, term->history() ? view_.end_weight : 1.0);
+      active_[k]->jacobian(view_, assembler_, history_slot(static_cast<int>(k)) >= 0 ? view_.end_weight : 1.0);
     } catch (...) {
-      if (problem.empty()) problem = "the Jacobian of " + term->name() + ": " + what_was_thrown();
+      if (problem.empty()) problem = "the Jacobian of " + active_[k]->name() + ": " + what_was_thrown();
     }
   }
   assembler_.end();
@@ -402,11 +402,11 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
 }
 
 bool Stepper::predict(Vector& x) {
-  const bool asked =
-      std::any_of(active_.begin(), active_.end(), [](Term* term) { return term->asks_for_prediction(); });
-  for (Term* term : active_) term->predicting(asked);
+  const bool asked = std::any_of(unilateral_.begin(), unilateral_.end(),
+                                 [](const Unilateral* term) { return term->asks_for_prediction(); });
+  for (Unilateral* term : unilateral_) term->predicting(asked);
   const bool predicted = predict_linear(x, asked);
-  for (Term* term : active_) term->predicting(false);
+  for (Unilateral* term : unilateral_) term->predicting(false);
   if (!asked) return predicted;
   // nothing of the more linear step may enter the iteration: no state, no Jacobian
   stands_ = false;
@@ -417,8 +417,8 @@ bool Stepper::predict(Vector& x) {
 bool Stepper::rests() const {
   double sums[2] = {0, 0};  // squares of F at rest less F_n, and of F_n: this rank's
   for (int k = 0; k < static_cast<int>(active_.size()); ++k) {
-    if (!active_[k]->may_relax()) continue;
     const int slot = history_slot(k);
+    if (slot < 0 || !history_[slot]->may_relax()) continue;
     const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
     for (std::size_t i = 0; i < old.extent(0); ++i) {
       sums[0] += (now(i) - old(i)) * (now(i) - old(i));
@@ -481,7 +481,7 @@ bool Stepper::stands_at(const Vector& x) const {
 
 Augmentation Stepper::augment(int count) {
   Augmentation all;
-  for (Term* term : active_) {
+  for (Unilateral* term : unilateral_) {
     const Augmentation one = term->augment(view_, count);
     all.again = all.again || one.again;
     if (all.refusal.empty()) all.refusal = one.refusal;
@@ -521,9 +521,14 @@ void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& rep
 
 std::string Stepper::hints() const {
   std::string all;
-  for (const Term* term : active_)
+  for (const Reports* term : reports_)
     if (const std::string hint = term->hint(view_); !hint.empty()) all += "; " + hint;
   return all;
+}
+
+double Stepper::step_limit(double dt) const {
+  for (const Unilateral* term : unilateral_) dt = std::min(dt, term->step_limit(store_.committed(), dt));
+  return dt;
 }
 
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {

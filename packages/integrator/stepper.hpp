@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "algebra/linear_solver.hpp"
-#include "framework/term.hpp"
+#include "framework/constraints.hpp"
+#include "framework/term_faces.hpp"
 #include "integrator/chord.hpp"
 #include "integrator/newton.hpp"
 #include "integrator/time_scheme.hpp"
@@ -78,6 +79,10 @@ class Stepper : public NonlinearProblem {
   // What the balances read after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
   const std::vector<Term*>& active() const { return active_; }
+  const std::vector<Carried*>& carried() const { return carried_; }
+  const std::vector<Reports*>& reports() const { return reports_; }
+  /// Largest step that the active terms accept from the committed state, at most `dt` [s]. Collective.
+  double step_limit(double dt) const;
   /// Alpha-level contribution of active term k (history terms: interpolated), this rank's part, by overlap dof.
   NodalView term_force(int k) const { return force_[k]; }
   /// Index of active term k's F_n among State::history_forces; -1 where it has none.
@@ -154,7 +159,11 @@ class Stepper : public NonlinearProblem {
   const Space& space_;
   StateStore& store_;
   std::vector<Term*> terms_, active_;
-  std::vector<int> history_slot_;  // by term: index of its F_n, -1
+  std::vector<int> history_slot_;        // by term: index of its F_n, -1
+  std::vector<History*> history_;        // by slot
+  std::vector<Unilateral*> unilateral_;  // of the active terms, as the other faces
+  std::vector<Carried*> carried_;
+  std::vector<Reports*> reports_;
   LinearSolver& solver_;
   std::function<BlockData(const StepView&)> block_data_;
   Assembler assembler_;

@@ -91,8 +91,8 @@ bool Stepper::initialise_rates(const StepRequest& request, double linear_toleran
   // Rows without a rate matrix (incompressible constituents) cannot be solved for: their fields keep the rate zero.
   const auto assemble = [&] {
     assembler_.begin(constraints_.mask);
-    for (Term* term : active_)
-      if (!term->history()) term->jacobian(view_, assembler_, 1.0);
+    for (int k = 0; k < static_cast<int>(active_.size()); ++k)
+      if (history_slot(k) < 0) active_[k]->jacobian(view_, assembler_, 1.0);
     assembler_.end();
   };
   assemble();

@@ -9,7 +9,6 @@
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
-#include "framework/closed_sides.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
 #include "simulation/supports.hpp"
@@ -156,6 +155,7 @@ void Model::read_conditions(const Section& deck, const Registries& registries) {
     guarded(entry, "type", "the boundary condition cannot be used", [&] {
       conditions_.back()->bind({*space_, shared_}, entry);
     });
+    if (auto* holds = face<HoldsOnOpenSides>(*conditions_.back())) on_open_sides_.push_back(holds);
   }
 }
 
@@ -194,6 +194,7 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
     const ContactContext context{*space_, bodies_, registries.frictions, registries.normal_laws,
                                  [this](int block, int element) { return constrained_modulus(block, element); }};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
+    if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);
   }
 }
 
@@ -257,7 +258,7 @@ void Model::activate(const Stage& stage, bool fresh) {
         staying.push_back(condition->term());
     stepper_->activate(staying);
     const NodalView unbalanced = stepper_->static_residual();
-    Constraints held{Kokkos::View<char*>("held", unbalanced.extent(0)), NodalView("value", unbalanced.extent(0))};
+    Constraints held(static_cast<int>(unbalanced.extent(0)));
     prescribe(stage, store_->committed().time, store_->committed().time, store_->committed(), held);
     for (std::size_t i = 0; i < unbalanced.extent(0); ++i)
       if (held.mask(i)) unbalanced(i) = 0;
@@ -422,18 +423,18 @@ void Model::prescribe(const Stage& stage, double t_old, double t_end, const Stat
   ClosedSides closed;
   // without flow the pore pressure is given everywhere: nothing is released
   if (stage.type != Stage::Type::geostatic)
-    for (const auto& [name, contact] : contacts_)
-      if (const auto* closes = dynamic_cast<const ClosesSides*>(contact.get()); closes && named(stage.contacts, name))
-        closes->close(committed, closed);
+    for (const auto& [name, contact] : sealing_)
+      if (named(stage.contacts, name)) contact->close(committed, closed);
+  for (HoldsOnOpenSides* condition : on_open_sides_) condition->set_closed(closed);
   for (const auto& condition : conditions_) {
     if (!named(stage.conditions, condition->name)) continue;
-    if (auto* holds = dynamic_cast<HoldsOnOpenSides*>(condition.get())) holds->set_closed(closed);
     condition->prescribe(t_old, t_end, committed, to);
     for (std::size_t i = 0; i < to.mask.extent(0); ++i)
       if (to.mask(i) && !std::isfinite(to.value(i)))
         throw std::runtime_error("boundary condition '" + condition->name +
                                  "' prescribes a value that is not finite at t = " + number_text(t_end) + " s");
   }
+  for (const auto& [name, body] : bodies_) body->prescribe(committed, t_old, t_end, to);
 }
 
 void Model::check_contradictions(const Section& deck) const {
@@ -449,7 +450,7 @@ void Model::check_contradictions(const Section& deck) const {
         if (std::find(stage->conditions.begin(), stage->conditions.end(), conditions_[c]->name) ==
             stage->conditions.end())
           continue;
-        Constraints mine{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+        Constraints mine(n);
         conditions_[c]->prescribe(t_old, t_end, store_->committed(), mine);
         for (int i = 0; i < n; ++i) {
           if (!mine.mask(i)) continue;

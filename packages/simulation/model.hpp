@@ -8,6 +8,7 @@
 
 #include "ale/ale.hpp"
 #include "bodies/body_terms.hpp"
+#include "framework/closed_sides.hpp"
 #include "integrator/stepper.hpp"
 #include "simulation/registries.hpp"
 #include "simulation/stage.hpp"
@@ -77,10 +78,12 @@ class Model {
   std::function<BlockData(const StepView&)> block_data_;
   std::vector<std::unique_ptr<Term>> terms_;  // of the physics
   std::vector<std::unique_ptr<Condition>> conditions_;
+  std::vector<HoldsOnOpenSides*> on_open_sides_;  // of the conditions
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const BodyMotion>> stage_motions_;  // by stage and body
   std::set<std::string> moved_anew_;  // bodies whose motion in this stage is another than before
   std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
+  std::vector<std::pair<std::string, const ClosesSides*>> sealing_;  // of the contacts
   std::unique_ptr<Ale> ale_;
   std::vector<std::unique_ptr<Stage>> stages_;
   std::unique_ptr<LinearSolver> solver_;

@@ -354,7 +354,7 @@ double Plausibility::pressure_time(const Section& deck, std::size_t number) cons
   const Stage& stage = *model_.stages()[number];
   const Space& space = model_.space();
   const int p = space.find("pore pressure"), n = space.dofs()->num_overlap_dofs();
-  Constraints held{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+  Constraints held(n);
   model_.prescribe(stage, 0, stage.duration, model_.store().committed(), held);
   std::set<std::pair<int, int>> beside;  // (block, element)
   const auto& x = model_.mesh().coordinates();

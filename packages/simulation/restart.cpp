@@ -65,7 +65,7 @@ std::vector<StateArray> arrays_of(Model& model, const NodalView& initial_pressur
   std::size_t slot = 0;
   std::map<std::string, int> namesakes;
   for (const Term* term : model.all_terms()) {
-    if (!term->history()) continue;
+    if (!face<const History>(*term)) continue;
     const int before = namesakes[term->name()]++;
     const std::string name = term->name() + (before > 0 ? "#" + std::to_string(before) : "");
     arrays.push_back(nodal("history force/" + name, state.history_forces[slot++], forces));

@@ -170,8 +170,7 @@ void Run::reset_displacements() {
 
 double Run::choose_dt(const Stage& stage) const {
   const double time = model_.store().committed().time, end = progress_.stage_start + stage.duration;
-  double dt = std::min(progress_.next_dt, stage.control.maximum);
-  for (Term* term : model_.stepper().active()) dt = std::min(dt, term->step_limit(model_.store().committed(), dt));
+  const double dt = model_.stepper().step_limit(std::min(progress_.next_dt, stage.control.maximum));
   const double left = end - time;
   if (dt > left * (1 - 1e-9)) return left;
   // two equal last steps instead of a full one and a sliver
@@ -189,15 +188,14 @@ LocalError Run::local_error(const Stage& stage) const {
 std::map<std::string, double> Run::term_histories() {
   std::map<std::string, double> values;
   const StepView& view = model_.stepper().view();
+  for (Reports* term : model_.stepper().reports()) term->histories(view, values);
+  const auto& active = model_.stepper().active();
   for (const auto& [name, contact] : model_.contacts()) {
+    if (std::find(active.begin(), active.end(), contact.get()) != active.end()) continue;
     std::map<std::string, double> own;
     contact->histories(view, own);
-    const auto& active = model_.stepper().active();
-    const bool acts = std::find(active.begin(), active.end(), contact.get()) != active.end();
-    for (const auto& [key, value] : own) values[key] = acts || key.find("/work") != std::string::npos ? value : 0.0;
+    for (const auto& [key, value] : own) values[key] = key.find("/work") != std::string::npos ? value : 0.0;
   }
-  for (Term* term : model_.stepper().active())
-    if (term->role() != Role::contact) term->histories(view, values);
   std::map<std::string, double> shares;
   for (const auto& condition : model_.conditions()) condition->reactions(model_.stepper().reaction(), shares);
   const char* directions[] = {"driving force x [N]", "driving force y [N]", "driving moment [N m]"};
@@ -276,10 +274,10 @@ std::string Run::relocate_mesh() {
   MeshReceipt receipt = model_.ale()->relocate(store, model_.stepper().constraints());
   if (!receipt.moved) return receipt.veto;
   // the trial state still has the mesh as it was
-  for (Term* term : model_.stepper().active()) term->relocate(store.trial().coordinates, store.committed());
+  for (Carried* term : model_.stepper().carried()) term->relocate(store.trial().coordinates, store.committed());
   if (!model_.stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_.stepper().hints();
   receipt.yield_drift = yield_drift(*model_.soil(), store.committed(), store.trial());
-  for (Term* term : model_.stepper().active()) term->adopt(store.trial(), store.committed());
+  for (Carried* term : model_.stepper().carried()) term->adopt(store.trial(), store.committed());
   balances_.add_remap(receipt);
   balances_.add_remap_of_conserved(conserved);
   char line[240];

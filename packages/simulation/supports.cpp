@@ -179,7 +179,7 @@ void Supports::Collector::resist(int first, int second, const Vec& at, const Vec
 void Supports::Collector::add_prescribed(double time) {
   const Space& space = supports_.model_.space();
   const int n = space.dofs()->num_overlap_dofs(), u = space.find("displacement");
-  Constraints held{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+  Constraints held(n);
   supports_.model_.prescribe(stage_, time, time + stage_.duration, supports_.model_.store().committed(), held);
   NodalView mask("held", n);
   for (int i = 0; i < n; ++i) mask(i) = held.mask(i);

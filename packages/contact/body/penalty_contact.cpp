@@ -48,6 +48,7 @@ SideCoordinates PenaltyContact::coordinates(const SurfaceSide& side, const Const
 void PenaltyContact::begin(const StepView& view) {
   deck_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
   start_multipliers(view);
+  if (leak_) leak_->open(view.flow ? covered_sides(*view.committed) : std::vector<char>());
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet
   const double advance = body_->released() ? body_->speed(*view.committed, view.dt) * view.dt
@@ -315,10 +316,6 @@ void PenaltyContact::close(const State& committed, ClosedSides& closed) const {
   const std::vector<char> flags = covered_sides(committed);
   for (std::size_t s = 0; s < sides.size(); ++s)
     if (flags[s]) closed.sides.insert({sides[s].block, sides[s].element, sides[s].side});
-}
-
-void PenaltyContact::constrain(const StepView& view, Constraints&) {
-  if (leak_) leak_->open(view.flow ? covered_sides(*view.committed) : std::vector<char>());
 }
 
 double PenaltyContact::step_limit(const State& committed, double dt) const {

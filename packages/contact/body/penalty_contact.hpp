@@ -66,14 +66,12 @@ class PenaltyContact : public Contact, public ClosesSides {
 
   std::string name() const override { return "contact/" + name_; }
   ContactPartners partners() const override { return {deck_.surface, "", body_.get(), laws_.friction() != nullptr}; }
-  bool history() const override { return true; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
   bool asks_for_prediction() const override { return laws_.friction() != nullptr && body_->active(); }
   void predicting(bool on) override { predicting_ = on; }
   void close(const State& committed, ClosedSides& closed) const override;
-  void constrain(const StepView& view, Constraints& constraints) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;

@@ -48,7 +48,6 @@ class PairContact : public Contact {
   ContactPartners partners() const override {
     return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
   }
-  bool history() const override { return true; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;

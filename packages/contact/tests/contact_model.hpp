@@ -168,7 +168,7 @@ inline std::vector<double> released(ContactModel& model, const std::string& set)
   const std::unique_ptr<Condition> drained = conditions.create(section);
   drained->bind({model.space, Shared()}, section);
   const int p = model.space.find("pore pressure"), n = model.space.dofs()->num_overlap_dofs();
-  Constraints constraints{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+  Constraints constraints(n);
   ClosedSides closed;
   dynamic_cast<const ClosesSides&>(*model.contact).close(model.store.committed(), closed);
   dynamic_cast<HoldsOnOpenSides&>(*drained).set_closed(closed);

@@ -22,7 +22,7 @@ struct Mode {
 };
 
 /// k u - l p at n+1.
-class Spring : public Term {
+class Spring : public Term, public History {
  public:
   Spring(const Space& space, Mode& mode)
       : mode_(mode), dofs_(space.element_dofs(0, fields(space))), coupled_(space.num_fields() > 1) {}
@@ -30,7 +30,6 @@ class Spring : public Term {
     return space.num_fields() > 1 ? std::vector<int>{0, 1} : std::vector<int>{0};
   }
   std::string name() const override { return "spring"; }
-  bool history() const override { return true; }
   void sparsity(Assembler& assembler) override { group_ = assembler.add_group(dofs_); }
   int residual(const StepView& view, const ResidualView& f) override {
     for (int i = 0; i < 3; ++i) {

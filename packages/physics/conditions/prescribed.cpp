@@ -61,7 +61,7 @@ void DisplacementCondition::check(const Section& section) {
 void DisplacementCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
   for_each_node([&](int dof, int, const Point& x) {
     for (int i = 0; i < 2; ++i)
-      if (given_[i]) prescribe_dof(to, dof + i, component_[i](t_end, x));
+      if (given_[i]) to.prescribe(dof + i, component_[i](t_end, x));
   });
 }
 
@@ -99,7 +99,7 @@ void VelocityCondition::prescribe(double t_old, double t_end, const State& commi
         const double t = t_old + 0.5 * dt * (1 + node[q]);
         change += weight[q] * dt * ramp(t) * component_[i](t, x);
       }
-      prescribe_dof(to, dof + i, committed.value(dof + i) + change);
+      to.prescribe(dof + i, committed.value(dof + i) + change);
     }
   });
 }
@@ -112,8 +112,8 @@ void FixedCondition::parameters(Parameters& p) {
 
 void FixedCondition::prescribe(double, double, const State&, Constraints& to) const {
   for_each_node([&](int dof, int, const Point&) {
-    if (components_ != Components::y) prescribe_dof(to, dof, 0);
-    if (components_ != Components::x) prescribe_dof(to, dof + 1, 0);
+    if (components_ != Components::y) to.prescribe(dof, 0);
+    if (components_ != Components::x) to.prescribe(dof + 1, 0);
   });
 }
 
@@ -123,7 +123,7 @@ void PorePressureCondition::parameters(Parameters& p) {
 }
 
 void PorePressureCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  for_each_open_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof, value_(t_end, x)); });
+  for_each_open_node([&](int dof, int, const Point& x) { to.prescribe(dof, value_(t_end, x)); });
 }
 
 void HydrostaticCondition::parameters(Parameters& p) {
@@ -134,7 +134,7 @@ void HydrostaticCondition::parameters(Parameters& p) {
 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
   for_each_open_node([&](int dof, int node, const Point& x) {
-    prescribe_dof(to, dof, std::max(0.0, unit_weight_ * (level_(t_end, x) - committed.coordinates(node, 1))));
+    to.prescribe(dof, std::max(0.0, unit_weight_ * (level_(t_end, x) - committed.coordinates(node, 1))));
   });
 }
 
@@ -154,7 +154,7 @@ void ValueCondition::bind(const ConditionContext& context, const Section& sectio
 }
 
 void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  for_each_open_node([&](int dof, int, const Point& x) { prescribe_dof(to, dof + component_, value_(t_end, x)); });
+  for_each_open_node([&](int dof, int, const Point& x) { to.prescribe(dof + component_, value_(t_end, x)); });
 }
 
 }  // namespace mudline

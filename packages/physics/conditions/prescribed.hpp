@@ -41,10 +41,6 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
       if (open_.empty() || open_[node]) f(dof, node, x);
     });
   }
-  static void prescribe_dof(Constraints& to, int dof, double value) {
-    to.mask(dof) = 1;
-    to.value(dof) = value;
-  }
   std::string set_;
   const Space* space_ = nullptr;
   int field_ = -1;

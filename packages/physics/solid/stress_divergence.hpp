@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "framework/term.hpp"
+#include "framework/term_faces.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline {
@@ -11,11 +11,10 @@ namespace mudline {
 /// update (Hughes-Winget rotation around the skeleton law) and writes effective stress, law state and void ratio of the
 /// trial state. Consistent tangent incl. geometric stiffness and the variation of the rotation (exact for isotropic
 /// laws).
-class StressDivergence : public Term {
+class StressDivergence : public Term, public History, public Carried, public Reports {
  public:
   explicit StressDivergence(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
   std::string name() const override { return "stress divergence"; }
-  bool history() const override { return true; }
   bool may_relax() const override { return true; }
   void declare_state(StateStore& store) override { soil_->declare_state(store); }
   void sparsity(Assembler& assembler) override { soil_->sparsity(assembler); }

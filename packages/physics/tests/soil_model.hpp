@@ -132,7 +132,7 @@ struct SoilModel {
   /// What a condition prescribes in a step of 1 s from the committed state.
   Constraints prescribed(const std::string& name, double t_old = 0, double t_end = 1) const {
     const int n = space->dofs()->num_overlap_dofs();
-    Constraints to{Kokkos::View<char*>("mask", n), NodalView("value", n)};
+    Constraints to(n);
     named.at(name)->prescribe(t_old, t_end, store->committed(), to);
     return to;
   }
