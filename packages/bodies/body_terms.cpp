@@ -98,7 +98,7 @@ void BodyInertia::jacobian(const StepView& view, Assembler& assembler, double we
   }
 }
 
-void BodyInertia::histories(const StepView& view, std::map<std::string, double>& values) {
+void BodyInertia::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
@@ -109,13 +109,13 @@ void BodyInertia::histories(const StepView& view, std::map<std::string, double>&
       kinetic += 0.5 * moving_mass(*body) * state.rate(dof) * state.rate(dof);
       const double acceleration = state.acceleration(dof) * unknowns.scale[k];
       if (direction < 2) {
-        values[name + "acceleration " + (direction == 0 ? "x" : "y") + " [m/s2]"] = acceleration;
+        values[name + "acceleration " + (direction == 0 ? "x" : "y")] = {"m/s2", acceleration};
         continue;
       }
-      values[name + "rotation [rad]"] = state.value(dof) * unknowns.scale[k];
-      values[name + "spin [rad/s]"] = state.rate(dof) * unknowns.scale[k];
+      values[name + "rotation"] = {"rad", state.value(dof) * unknowns.scale[k]};
+      values[name + "spin"] = {"rad/s", state.rate(dof) * unknowns.scale[k]};
     }
-    values[name + "kinetic energy [J]"] = kinetic;
+    values[name + "kinetic energy"] = {"J", kinetic};
   }
 }
 
@@ -153,9 +153,9 @@ void BodyLoads::jacobian(const StepView& view, Assembler& assembler, double weig
   }
 }
 
-void BodyLoads::histories(const StepView& view, std::map<std::string, double>& values) {
+void BodyLoads::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
-  const char* names[body_directions] = {"load x [N]", "load y [N]", "load moment [N m]"};
+  const char* names[body_directions] = {"load x", "load y", "load moment"};
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
     double value[body_directions], rate[body_directions];
@@ -166,7 +166,8 @@ void BodyLoads::histories(const StepView& view, std::map<std::string, double>& v
     BodyLoad acting;
     if (body->released()) acting = body->released()->load(body->properties(), instant(*body, state.time, value, rate));
     for (int k = 0; k < unknowns.count; ++k)
-      values["body/" + body->name() + "/" + names[unknowns.direction[k]]] = acting.force[unknowns.direction[k]];
+      values["body/" + body->name() + "/" + names[unknowns.direction[k]]] = {unknowns.direction[k] < 2 ? "N" : "N m",
+                                                                             acting.force[unknowns.direction[k]]};
   }
 }
 

@@ -44,7 +44,7 @@ class BodyInertia : public BodyTerm {
   Role role() const override { return Role::inertia; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
-  void histories(const StepView& view, std::map<std::string, double>& values) override;
+  void histories(const StepView& view, Report& values) override;
 };
 
 /// Weight, buoyancy, drag and given forces, at the alpha level. R = -F.
@@ -54,7 +54,7 @@ class BodyLoads : public BodyTerm {
   std::string name() const override { return "body loads"; }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
-  void histories(const StepView& view, std::map<std::string, double>& values) override;
+  void histories(const StepView& view, Report& values) override;
 };
 
 /// [kg] that the inertia of a body's unknowns holds in its present motion.

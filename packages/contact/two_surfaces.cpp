@@ -120,7 +120,7 @@ std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool he
 }
 
 SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck,
-                       const SlaveSums& here, std::map<std::string, double>& values) {
+                       const SlaveSums& here, Report& values) {
   constexpr int sums = 6;
   const double local[sums] = {here.force[0], here.force[1], here.area, here.slides, here.heat, here.damped};
   double sum[sums];
@@ -132,11 +132,11 @@ SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSu
   all.slides = sum[3];
   all.heat = sum[4];
   all.damped = sum[5];
-  values[contact + "/force on slave x [N]"] = all.force[0];
-  values[contact + "/force on slave y [N]"] = all.force[1];
-  values[contact + "/contact area [m2]"] = all.area;
-  values[contact + "/maximum penetration [m]"] = all.deepest;
-  if (deck.damping > 0) values[contact + "/damping heat [J]"] = all.damped;
+  values[contact + "/force on slave x"] = {"N", all.force[0]};
+  values[contact + "/force on slave y"] = {"N", all.force[1]};
+  values[contact + "/contact area"] = {"m2", all.area};
+  values[contact + "/maximum penetration"] = {"m", all.deepest};
+  if (deck.damping > 0) values[contact + "/damping heat"] = {"J", all.damped};
   return all;
 }
 

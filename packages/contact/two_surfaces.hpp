@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -57,6 +56,6 @@ struct SlaveSums {
 /// Writes the columns that all contacts of two surfaces have under the contact's name; the other sums of all ranks are
 /// returned. Collective.
 SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck,
-                       const SlaveSums& here, std::map<std::string, double>& values);
+                       const SlaveSums& here, Report& values);
 
 }  // namespace mudline

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/registry.hpp"
 #include "framework/constraints.hpp"
+#include "framework/report.hpp"
 #include "framework/shared.hpp"
 #include "framework/term.hpp"
 
@@ -37,9 +37,9 @@ class Condition {
   /// under what stays active, by overlap dof; zero where the stage prescribes the unknown. A condition that takes over
   /// a force sets it to zero there (owned dofs are enough), so that no other takes it too.
   virtual void activate(const State& committed, const NodalView& unbalanced) {}
-  /// Adds this rank's share of the reactions at the prescribed unknowns: "reaction/<name> x [N]" -> value. The same
-  /// names in every call; nodes that two conditions share count in both.
-  virtual void reactions(const NodalView& reaction, std::map<std::string, double>& shares) const {}
+  /// Adds this rank's share of the reactions at the prescribed unknowns, "reaction/<name> x". The same names in every
+  /// call; nodes that two conditions share count in both.
+  virtual void reactions(const NodalView& reaction, Report& shares) const {}
   std::string name;
 };
 

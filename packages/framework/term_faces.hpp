@@ -1,10 +1,10 @@
 // What a term may offer beside its core: faces, which it inherits. Whoever takes terms looks for their faces once.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
+#include "framework/report.hpp"
 #include "framework/term.hpp"
 
 namespace mudline {
@@ -59,9 +59,8 @@ class Carried {
 class Reports {
  public:
   virtual ~Reports() = default;
-  /// Named scalars for the history file, already summed over ranks: "reaction y [N]" -> value. Collective, after
-  /// acceptance.
-  virtual void histories(const StepView&, std::map<std::string, double>&) {}
+  /// Scalars for the history file, already summed over ranks. Collective, after acceptance.
+  virtual void histories(const StepView&, Report&) {}
   /// What a user should know when a step fails on account of this term; empty: nothing. Collective.
   virtual std::string hint(const StepView&) const { return ""; }
 };

@@ -197,8 +197,7 @@ void Results::write_fields(int step, const std::string& stage) {
   fields_.write(state.time, step, stage, coordinates, nodal_fields(), cell_fields(), bodies);
 }
 
-void Results::write_history(const Balances& balances, const std::map<std::string, double>& terms, double dt,
-                            int iterations) {
+void Results::write_history(const Balances& balances, const Report& terms, double dt, int iterations) {
   const State& state = model_.store().committed();
   const Space& space = model_.space();
   std::vector<HistoryValue> row{{"step/dt", "s", dt}, {"step/newton iterations", "-", static_cast<double>(iterations)}};
@@ -210,11 +209,7 @@ void Results::write_history(const Balances& balances, const std::map<std::string
     for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/displacement " + axes[i], "m", u[i]});
     for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/velocity " + axes[i], "m/s", v[i]});
   }
-  for (const auto& [name, value] : terms) {
-    const auto bracket = name.rfind(" [");
-    row.push_back({name.substr(0, bracket),
-                   bracket == std::string::npos ? "-" : name.substr(bracket + 2, name.size() - bracket - 3), value});
-  }
+  for (const auto& [name, quantity] : terms) row.push_back({name, quantity.unit, quantity.value});
   const auto excess = [&] { return excess_pressure(space.find("pore pressure")); };
   for (const HistoryValue& value : probes_.values(state, excess)) row.push_back(value);
   for (const HistoryValue& value : balances.values()) row.push_back(value);

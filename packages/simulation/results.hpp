@@ -35,7 +35,7 @@ class Results {
 
   void write_fields(int step, const std::string& stage);
   /// `terms`: what the terms say of the last step.
-  void write_history(const Balances& balances, const std::map<std::string, double>& terms, double dt, int iterations);
+  void write_history(const Balances& balances, const Report& terms, double dt, int iterations);
   /// Pore pressures from which the excess is counted, by overlap dof. Set when the run starts, part of the checkpoint.
   NodalView initial_pressure() const { return initial_pressure_; }
   void take_initial_pressure();

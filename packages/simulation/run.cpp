@@ -149,14 +149,14 @@ bool Run::run_geostatic(const Stage& stage) {
   Kokkos::deep_copy(model_.store().trial().rate, 0.0);
   Kokkos::deep_copy(model_.store().trial().acceleration, 0.0);
   model_.store().accept();
-  auto histories = term_histories();
+  Report terms = report_terms();
   look_at_mesh();
-  histories["mesh/quality [-]"] = quality_.lowest;
+  terms["mesh/quality"] = {"-", quality_.lowest};
   ++progress_.step;
   reset_displacements();
   balances_.start();
   results_->take_initial_pressure();
-  results_->write_history(balances_, histories, 0.0, report.newton_iterations);
+  results_->write_history(balances_, terms, 0.0, report.newton_iterations);
   return true;
 }
 
@@ -185,28 +185,30 @@ LocalError Run::local_error(const Stage& stage) const {
                stepper.size_floor(), stage.control.error_tolerance);
 }
 
-std::map<std::string, double> Run::term_histories() {
-  std::map<std::string, double> values;
+Report Run::report_terms() {
+  Report report;
   const StepView& view = model_.stepper().view();
-  for (Reports* term : model_.stepper().reports()) term->histories(view, values);
+  for (Reports* term : model_.stepper().reports()) term->histories(view, report);
   const auto& active = model_.stepper().active();
   for (const auto& [name, contact] : model_.contacts()) {
     if (std::find(active.begin(), active.end(), contact.get()) != active.end()) continue;
-    std::map<std::string, double> own;
+    Report own;
     contact->histories(view, own);
-    for (const auto& [key, value] : own) values[key] = key.find("/work") != std::string::npos ? value : 0.0;
+    for (const auto& [key, quantity] : own)
+      report[key] = {quantity.unit, quantity.lasting ? quantity.value : 0.0, quantity.lasting};
   }
-  std::map<std::string, double> shares;
+  Report shares;
   for (const auto& condition : model_.conditions()) condition->reactions(model_.stepper().reaction(), shares);
-  const char* directions[] = {"driving force x [N]", "driving force y [N]", "driving moment [N m]"};
+  const char* directions[] = {"driving force x", "driving force y", "driving moment"};
   for (const auto& [name, body] : model_.bodies()) {
     const BodyUnknowns& unknowns = body->unknowns();
     for (int k = 0; k < unknowns.count; ++k)
-      shares["body/" + name + "/" + directions[unknowns.direction[k]]] =
-          model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k];
+      shares["body/" + name + "/" + directions[unknowns.direction[k]]] = {
+          unknowns.direction[k] < 2 ? "N" : "N m", model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k]};
   }
-  for (const auto& [name, share] : shares) values[name] = sum_over_ranks(*model_.mesh().comm(), share);
-  return values;
+  for (const auto& [name, share] : shares)
+    report[name] = {share.unit, sum_over_ranks(*model_.mesh().comm(), share.value)};
+  return report;
 }
 
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
@@ -252,7 +254,7 @@ void Run::log_step(const Stage& stage, double dt, const StepReport& report) cons
 bool Run::accept(const Stage& stage, StepReport& report) {
   balances_.add_step();
   model_.store().accept();
-  histories_ = term_histories();
+  report_ = report_terms();
   const bool moves = moves_mesh(stage) && model_.ale()->due(progress_.step + 1, model_.store().committed());
   const std::string veto = moves ? relocate_mesh() : "";
   if (!veto.empty()) {
@@ -262,7 +264,7 @@ bool Run::accept(const Stage& stage, StepReport& report) {
     return false;
   }
   look_at_mesh();
-  histories_["mesh/quality [-]"] = quality_.lowest;
+  report_["mesh/quality"] = {"-", quality_.lowest};
   return true;
 }
 
@@ -317,7 +319,6 @@ double Run::next_field_time(double time) const {
 }
 
 void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
-  const auto& histories = histories_;
   ++progress_.step;
   ++progress_.step_in_stage;
   ++steps_here_;
@@ -329,7 +330,7 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
       dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
   log_step(stage, dt, report);
   if (progress_.step % settings_.history_steps == 0)
-    results_->write_history(balances_, histories, dt, report.newton_iterations);
+    results_->write_history(balances_, report_, dt, report.newton_iterations);
   const double time = model_.store().committed().time;
   const bool by_time = settings_.field_interval > 0 && time >= progress_.next_field_time * (1 - 1e-12);
   const bool by_step = settings_.field_steps > 0 && progress_.step % settings_.field_steps == 0;

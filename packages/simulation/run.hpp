@@ -59,7 +59,8 @@ class Run {
   LocalError local_error(const Stage& stage) const;
   StepRequest request(const Stage& stage, double dt) const;
   void reset_displacements();
-  std::map<std::string, double> term_histories();
+  /// What terms, contacts that do not act, and conditions report. Collective.
+  Report report_terms();
   void log_step(const Stage& stage, double dt, const StepReport& report) const;
   bool stop_requested() const;
   void save_checkpoint();
@@ -84,9 +85,9 @@ class Run {
   Balances balances_;
   std::unique_ptr<Results> results_;
   Progress progress_;
-  CheckpointData checkpoint_;                // that a restart began from
-  LocalError error_;                         // of the step last tried
-  std::map<std::string, double> histories_;  // of its terms
+  CheckpointData checkpoint_;  // that a restart began from
+  LocalError error_;           // of the step last tried
+  Report report_;              // of its terms
   int steps_here_ = 0;
   int rejected_ = 0;
   MeshQuality quality_;     // of the committed state's mesh

@@ -336,7 +336,7 @@ std::string PenaltyContact::hint(const StepView& view) const {
          "' and has no inertia in a quasi-static stage: hold it, or release it in a dynamic stage";
 }
 
-void PenaltyContact::histories(const StepView& view, std::map<std::string, double>& values) {
+void PenaltyContact::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   const PointView& rows = state.arrays[points_];
   const auto force = local_force(state);
@@ -364,29 +364,29 @@ void PenaltyContact::histories(const StepView& view, std::map<std::string, doubl
   const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, sums, local, sum);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, deepest, Teuchos::outArg(deepest_everywhere));
-  values[name() + "/reaction x [N]"] = sum[0];
-  values[name() + "/reaction y [N]"] = sum[1];
-  values[name() + "/tip reaction y [N]"] = sum[9];
-  values[name() + "/shaft reaction y [N]"] = sum[1] - sum[9];
-  values[name() + "/contact area [m2]"] = sum[2];
-  values[name() + "/active points"] = sum[3];
-  values[name() + "/maximum penetration [m]"] = deepest_everywhere;
-  values[name() + "/work [J]"] = sum[4];
+  values[name() + "/reaction x"] = {"N", sum[0]};
+  values[name() + "/reaction y"] = {"N", sum[1]};
+  values[name() + "/tip reaction y"] = {"N", sum[9]};
+  values[name() + "/shaft reaction y"] = {"N", sum[1] - sum[9]};
+  values[name() + "/contact area"] = {"m2", sum[2]};
+  values[name() + "/active points"] = {"-", sum[3]};
+  values[name() + "/maximum penetration"] = {"m", deepest_everywhere};
+  values[name() + "/work"] = {"J", sum[4], true};
   if (deck_.damping > 0) {
-    values[name() + "/damping heat [J]"] = sum[10];
-    values[name() + "/damping x [N]"] = sum[11];
-    values[name() + "/damping y [N]"] = sum[12];
+    values[name() + "/damping heat"] = {"J", sum[10]};
+    values[name() + "/damping x"] = {"N", sum[11]};
+    values[name() + "/damping y"] = {"N", sum[12]};
   }
   if (deck_.augmented()) {
     const auto [gap, stretch, spring] = misfit(state).largest(comm);
-    values[name() + "/weighted gap [m]"] = gap;
-    if (laws_.friction()) values[name() + "/stretch [m]"] = stretch;
+    values[name() + "/weighted gap"] = {"m", gap};
+    if (laws_.friction()) values[name() + "/stretch"] = {"m", stretch};
   }
   if (!laws_.friction()) return;
-  values[name() + "/friction x [N]"] = sum[5];
-  values[name() + "/friction y [N]"] = sum[6];
-  values[name() + "/friction heat [J]"] = sum[7];
-  values[name() + "/sliding points"] = sum[8];
+  values[name() + "/friction x"] = {"N", sum[5]};
+  values[name() + "/friction y"] = {"N", sum[6]};
+  values[name() + "/friction heat"] = {"J", sum[7]};
+  values[name() + "/sliding points"] = {"-", sum[8]};
 }
 
 std::vector<double> PenaltyContact::nodal_mean(const PointView& rows, int column) const {

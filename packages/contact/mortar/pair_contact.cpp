@@ -359,7 +359,7 @@ std::string PairContact::hint(const StepView&) const {
   return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
 }
 
-void PairContact::histories(const StepView& view, std::map<std::string, double>& values) {
+void PairContact::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   const PointView& rows = state.arrays[sides_];
   SlaveSums here;
@@ -375,11 +375,11 @@ void PairContact::histories(const StepView& view, std::map<std::string, double>&
   const Comm& comm = *context_.space.mesh().comm();
   const SlaveSums all = report_slave(comm, name(), deck_, here, values);
   const auto [gap, stretch, spring] = misfit(state).largest(comm);
-  if (deck_.augmented()) values[name() + "/weighted gap [m]"] = gap;
+  if (deck_.augmented()) values[name() + "/weighted gap"] = {"m", gap};
   if (!laws_.friction()) return;
-  if (deck_.augmented()) values[name() + "/stretch [m]"] = stretch;
-  values[name() + "/sliding length [m]"] = all.slides;
-  values[name() + "/friction heat [J]"] = all.heat;
+  if (deck_.augmented()) values[name() + "/stretch"] = {"m", stretch};
+  values[name() + "/sliding length"] = {"m", all.slides};
+  values[name() + "/friction heat"] = {"J", all.heat};
 }
 
 std::vector<double> PairContact::nodal_mean(const State& state, int column) const {

@@ -58,7 +58,7 @@ class PairContact : public Contact {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView& view, int count) override;
   std::string hint(const StepView& view) const override;
-  void histories(const StepView& view, std::map<std::string, double>& values) override;
+  void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
   void relocate(const ConstCoordinateView& x_old, State& committed) override;
   void adopt(const State& evaluated, State& committed) override;

@@ -134,7 +134,7 @@ std::string NodeContact::hint(const StepView&) const {
   return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
 }
 
-void NodeContact::histories(const StepView& view, std::map<std::string, double>& values) {
+void NodeContact::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   SlaveSums here;
   for (std::size_t k = 0; k < passes_.size(); ++k) {
@@ -151,10 +151,10 @@ void NodeContact::histories(const StepView& view, std::map<std::string, double>&
   const SlaveSums all = report_slave(comm, name(), deck_, here, values);
   if (deck_.augmented()) {
     const auto [gap, stretch, spring] = passes_[0]->misfit(state).largest(comm);
-    values[name() + "/weighted gap [m]"] = gap;
-    if (laws_.friction()) values[name() + "/stretch [m]"] = stretch;
+    values[name() + "/weighted gap"] = {"m", gap};
+    if (laws_.friction()) values[name() + "/stretch"] = {"m", stretch};
   }
-  if (laws_.friction()) values[name() + "/friction heat [J]"] = all.heat;
+  if (laws_.friction()) values[name() + "/friction heat"] = {"J", all.heat};
 }
 
 double NodeContact::step_limit(const State& committed, double) const {

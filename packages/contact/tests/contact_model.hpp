@@ -129,11 +129,11 @@ struct ContactModel {
     view.inertia = true;
     view.end_weight = 1 - alpha_f;
   }
-  std::map<std::string, double> step(double dt) {
+  Report step(double dt) {
     begin(dt);
     residual();
     store.accept();
-    std::map<std::string, double> values;
+    Report values;
     contact->histories(view, values);
     return values;
   }

@@ -232,10 +232,10 @@ TEST(FreeBody, DampingTakesWhatItReports) {
       old_force = now(dof);
       before = y;
       model.store.accept();
-      std::map<std::string, double> values;
+      Report values;
       model.contact->histories(model.view, values);
-      EXPECT_NEAR(values.at("contact/c/damping heat [J]"), heat, 1e-9 * eps) << y;
-      EXPECT_NEAR(values.at("contact/c/damping y [N]"), damping, 1e-9 * eps) << y;
+      EXPECT_NEAR(values.at("contact/c/damping heat").value, heat, 1e-9 * eps) << y;
+      EXPECT_NEAR(values.at("contact/c/damping y").value, damping, 1e-9 * eps) << y;
       EXPECT_LE(-(mean + damping), 1e-9 * eps);
     }
     EXPECT_GT(heat, 0);

@@ -33,14 +33,15 @@ void Prescribed::set_closed(const ClosedSides& closed) {
   for (double sides : open_sides) open_.push_back(sides > 0);
 }
 
-void Prescribed::reactions(const NodalView& reaction, std::map<std::string, double>& shares) const {
+void Prescribed::reactions(const NodalView& reaction, Report& shares) const {
   const Field& field = space_->field(field_);
   const char* axes[2] = {" x", " y"};
   for (int c = 0; c < field.components; ++c) {
     const std::string axis = field.components == 2 ? axes[c] : field.components > 1 ? " " + std::to_string(c) : "";
-    double& share = shares["reaction/" + name + axis + " [" + field.flux + "]"];
+    Quantity& share = shares["reaction/" + name + axis];
+    share.unit = field.flux;
     for (int node : nodes_)
-      if (space_->node_dof(field_)(node) >= 0) share += reaction(space_->node_dof(field_)(node) + c);
+      if (space_->node_dof(field_)(node) >= 0) share.value += reaction(space_->node_dof(field_)(node) + c);
   }
 }
 

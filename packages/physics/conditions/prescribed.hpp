@@ -15,7 +15,7 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
  public:
   void set_closed(const ClosedSides& closed) override;
   void bind(const ConditionContext& context, const Section& section) override;
-  void reactions(const NodalView& reaction, std::map<std::string, double>& shares) const override;
+  void reactions(const NodalView& reaction, Report& shares) const override;
   std::string holds() const override { return field_name() == "displacement" ? set_ : ""; }
 
  protected:
