@@ -9,36 +9,19 @@ namespace {
 
 bool released(const RigidBody& body, int k) { return body.releases(body.unknowns().direction[k]); }
 
-/// What the loads see: reference point and angle, and their rates, given by unknown.
-BodyInstant instant(const RigidBody& body, double time, const double* value, const double* rate) {
+/// Loads of a released body; values and rates of its unknowns by overlap dof.
+BodyLoad load(const RigidBody& body, double time, const ConstNodalView& value, const ConstNodalView& rate) {
   BodyInstant at{time, {body.initial_position()[0], body.initial_position()[1], 0}, {}};
   const BodyUnknowns& unknowns = body.unknowns();
   for (int k = 0; k < unknowns.count; ++k) {
-    at.position[unknowns.direction[k]] += value[k] * unknowns.scale[k];
-    at.velocity[unknowns.direction[k]] = rate[k] * unknowns.scale[k];
+    at.position[unknowns.direction[k]] += value(unknowns.dof[k]) * unknowns.scale[k];
+    at.velocity[unknowns.direction[k]] = rate(unknowns.dof[k]) * unknowns.scale[k];
   }
-  return at;
+  return body.released()->load(body.properties(), at);
 }
 
-/// Loads at the alpha level.
 BodyLoad load(const RigidBody& body, const StepView& view) {
-  double value[body_directions], rate[body_directions];
-  for (int k = 0; k < body.unknowns().count; ++k) {
-    const int dof = body.unknowns().dof[k];
-    value[k] = view.value(dof);
-    rate[k] = released(body, k) ? view.velocity(dof) : view.trial->rate(dof);
-  }
-  return body.released()->load(body.properties(), instant(body, view.momentum.time, value, rate));
-}
-
-/// Loads of the committed state.
-BodyLoad load_at_start(const RigidBody& body, const StepView& view) {
-  double value[body_directions], rate[body_directions];
-  for (int k = 0; k < body.unknowns().count; ++k) {
-    value[k] = view.value_old(body.unknowns().dof[k]);
-    rate[k] = view.committed->rate(body.unknowns().dof[k]);
-  }
-  return body.released()->load(body.properties(), instant(body, view.time_old, value, rate));
+  return load(body, view.momentum.time, view.value, view.velocity);
 }
 
 }  // namespace
@@ -65,22 +48,11 @@ void BodyTerm::sparsity(Assembler& assembler) {
 }
 
 int BodyInertia::residual(const StepView& view, const ResidualView& f) {
+  if (!view.inertia) return 0;
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
-    const BodyState end = body->prescribed(*view.committed, view.time_old, view.time_end);
-    const double mass = moving_mass(*body);
-    for (int k = 0; k < unknowns.count; ++k) {
-      const int dof = unknowns.dof[k], direction = unknowns.direction[k];
-      double acceleration = view.acceleration(dof);
-      if (!released(*body, k)) {
-        // the integrator's rates of a prescribed motion would ring after every corner of it
-        view.trial->rate(dof) = direction < 2 ? end.velocity[direction] : 0.0;
-        acceleration = view.inertia ? (view.trial->rate(dof) - view.committed->rate(dof)) / view.dt : 0.0;
-        view.trial->acceleration(dof) = acceleration;
-      }
-      if (!view.inertia || !unknowns.owned) continue;
-      f.add(dof, mass * acceleration);
-    }
+    for (int k = 0; unknowns.owned && k < unknowns.count; ++k)
+      f.add(unknowns.dof[k], moving_mass(*body) * view.acceleration(unknowns.dof[k]));
   }
   return 0;
 }
@@ -123,7 +95,7 @@ int BodyLoads::residual(const StepView& view, const ResidualView& f) {
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
     if (!body->released() || !unknowns.owned) continue;
-    const BodyLoad acting = load(*body, view), old = load_at_start(*body, view);
+    const BodyLoad acting = load(*body, view), old = load(*body, view.time_old, view.value_old, view.committed->rate);
     for (int k = 0; k < unknowns.count; ++k) {
       const int direction = unknowns.direction[k];
       const double force = acting.force[direction] * unknowns.scale[k];
@@ -158,13 +130,7 @@ void BodyLoads::histories(const StepView& view, Report& values) {
   const char* names[body_directions] = {"load x", "load y", "load moment"};
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
-    double value[body_directions], rate[body_directions];
-    for (int k = 0; k < unknowns.count; ++k) {
-      value[k] = state.value(unknowns.dof[k]);
-      rate[k] = state.rate(unknowns.dof[k]);
-    }
-    BodyLoad acting;
-    if (body->released()) acting = body->released()->load(body->properties(), instant(*body, state.time, value, rate));
+    const BodyLoad acting = body->released() ? load(*body, state.time, state.value, state.rate) : BodyLoad();
     for (int k = 0; k < unknowns.count; ++k)
       values["body/" + body->name() + "/" + names[unknowns.direction[k]]] = {unknowns.direction[k] < 2 ? "N" : "N m",
                                                                              acting.force[unknowns.direction[k]]};
@@ -176,19 +142,16 @@ void set_free(const RigidBody& body, State& committed, const NodalView& unbalanc
   const ReleasedMotion& motion = *body.released();
   std::array<double, 2> start{};
   const bool starts = anew && motion.initial_velocity(start);
-  double value[body_directions], rate[body_directions], rest[body_directions] = {};
   for (int k = 0; k < unknowns.count; ++k) {
     double& v = committed.rate(unknowns.dof[k]);
     if (!released(body, k))
       v = 0;
     else if (starts)
       v = unknowns.direction[k] < 2 ? start[unknowns.direction[k]] : 0.0;
-    value[k] = committed.value(unknowns.dof[k]);
-    rate[k] = v;
   }
   // the residual at rest lacks what the velocity adds to the loads
-  const BodyLoad moving = motion.load(body.properties(), instant(body, committed.time, value, rate));
-  const BodyLoad resting = motion.load(body.properties(), instant(body, committed.time, value, rest));
+  const BodyLoad moving = load(body, committed.time, committed.value, committed.rate);
+  const BodyLoad resting = load(body, committed.time, committed.value, NodalView("rest", committed.rate.extent(0)));
   for (int k = 0; k < unknowns.count; ++k) {
     const int dof = unknowns.dof[k], direction = unknowns.direction[k];
     const double drag = (moving.force[direction] - resting.force[direction]) * unknowns.scale[k];

@@ -35,8 +35,8 @@ class BodyPaths : public Term {
   Bodies bodies_;
 };
 
-/// R = m a of the released directions, with the water that moves along. A prescribed direction gives the momentum that
-/// its motion takes in the step; its rates in the trial state are those of the motion, not the integrator's.
+/// R = m a, with the water that moves along; in a prescribed direction, whose rates are those of the motion, the
+/// momentum that this takes in the step.
 class BodyInertia : public BodyTerm {
  public:
   using BodyTerm::BodyTerm;

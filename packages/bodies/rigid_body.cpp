@@ -127,7 +127,10 @@ void RigidBody::prescribe(const State& committed, double t_old, double t_end, Co
   const BodyState end = prescribed(committed, t_old, t_end);
   for (int k = 0; k < unknowns_.count; ++k) {
     const int dof = unknowns_.dof[k], direction = unknowns_.direction[k];
-    if (!releases(direction)) to.prescribe(dof, direction < 2 ? end.displacement[direction] : committed.value(dof));
+    const bool turns = direction > 1;
+    if (!releases(direction))
+      to.prescribe(dof, turns ? committed.value(dof) : end.displacement[direction],
+                   turns ? 0 : end.velocity[direction]);
   }
 }
 

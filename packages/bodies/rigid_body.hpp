@@ -88,7 +88,7 @@ class RigidBody {
   void advance(const StepView& view) const;
   /// Prescribed motion over a step of a body with unknowns: displacement and velocity at its end.
   BodyState prescribed(const State& committed, double t_old, double t_end) const;
-  /// Prescribes over such a step what does not move freely.
+  /// Prescribes over such a step what does not move freely, with the rates of the motion.
   void prescribe(const State& committed, double t_old, double t_end, Constraints& to) const;
   /// Largest mean speed [m/s] of the body over any eighth of the dt [s] that follow the state; 0 when inactive.
   double speed(const State& state, double dt) const;

@@ -6,15 +6,25 @@ namespace mudline {
 
 /// Prescribed unknowns of a step, by overlap dof; consistent across ranks.
 struct Constraints {
-  Kokkos::View<char*> mask;  // 1: prescribed
-  NodalView value;           // prescribed value at t_{n+1}
+  Kokkos::View<char*> mask;   // 1: prescribed
+  NodalView value;            // prescribed value at t_{n+1}
+  Kokkos::View<char*> moves;  // 1: its rate is given as well
+  NodalView rate;             // given rate at t_{n+1}, per second
 
   Constraints() = default;
   /// Of so many unknowns, none of them prescribed.
-  explicit Constraints(int dofs) : mask("prescribed", dofs), value("prescribed value", dofs) {}
+  explicit Constraints(int dofs)
+      : mask("prescribed", dofs), value("value", dofs), moves("moves", dofs), rate("rate", dofs) {}
   void prescribe(int dof, double to) const {
     mask(dof) = 1;
     value(dof) = to;
+  }
+  /// With the rate of a motion that is known: the integrator's own, found from the values, would ring after every
+  /// corner of the motion.
+  void prescribe(int dof, double to, double at_rate) const {
+    prescribe(dof, to);
+    moves(dof) = 1;
+    rate(dof) = at_rate;
   }
 };
 

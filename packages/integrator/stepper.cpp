@@ -176,12 +176,23 @@ void Stepper::levels_of_field(int f, int begin, int end) {
   }
 }
 
+void Stepper::given_rates() {
+  const State& old = store_.committed();
+  State& trial = store_.trial();
+  for (std::size_t i = 0; i < constraints_.moves.extent(0); ++i) {
+    if (!constraints_.moves(i)) continue;
+    trial.rate(i) = velocity_(i) = constraints_.rate(i);
+    trial.acceleration(i) = acceleration_(i) = scheme_.inertia ? (trial.rate(i) - old.rate(i)) / view_.dt : 0.0;
+  }
+}
+
 void Stepper::levels(const Vector& x) {
   const State& old = store_.committed();
   State& trial = store_.trial();
   import_owned(*space_.dofs(), x, trial.value);
   for (int f = 0; f < space_.num_fields(); ++f)
     for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f)) levels_of_field(f, begin, end);
+  if (view_.kind == StepView::Kind::step) given_rates();
   const int displacement = space_.find("displacement");
   const double momentum = view_.momentum.geometry_weight, balance = view_.balance.geometry_weight;
   for (int node = 0; node < space_.mesh().num_nodes(); ++node)
@@ -196,6 +207,7 @@ void Stepper::levels(const Vector& x) {
 
 void Stepper::constrain(const StepRequest& request) {
   Kokkos::deep_copy(constraints_.mask, char(0));
+  Kokkos::deep_copy(constraints_.moves, char(0));
   Kokkos::deep_copy(constraints_.value, store_.committed().value);
   request.prescribe(view_.time_old, view_.time_end, store_.committed(), constraints_);
   if (!scheme_.flow)  // geostatic: what is not mechanical is given

@@ -137,6 +137,8 @@ class Stepper : public NonlinearProblem {
   /// Fills the level views and the trial's nodal part from x.
   void levels(const Vector& x);
   void levels_of_field(int f, int begin, int end);
+  /// Prescribed unknowns whose rates are given have those, and over the step their mean acceleration.
+  void given_rates();
   int evaluate_terms();
   /// Term::residual into `force`, behind `to`; one that throws, or gives what is not finite, counts as failed.
   int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
