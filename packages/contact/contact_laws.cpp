@@ -65,8 +65,8 @@ void ContactLaws::declare_state(const StateStore& store) {
       stress_reader_->fail("this law reads the soil's effective stress, of which the physics keeps none", "type");
 }
 
-PointLaw ContactLaws::in_step(const StepView& view, double damping) const {
-  PointLaw law;
+ContactPointLaw ContactLaws::in_step(const StepView& view, double damping) const {
+  ContactPointLaw law;
   law.normal_law = normal_.get();
   law.friction = friction_.get();
   law.time = view.time_end;

@@ -30,7 +30,7 @@ class ContactLaws {
   double tangential_factor() const { return friction_ ? friction_->tangential_factor() : 0.0; }
   bool read_pore_pressure() const { return read_.pore_pressure; }
   /// Laws, times and weights of a step; `damping` of the deck [s/m].
-  PointLaw in_step(const StepView& view, double damping) const;
+  ContactPointLaw in_step(const StepView& view, double damping) const;
   /// At the reference coordinate xi of a side, in the state in which a step starts; without the pore pressure.
   TouchingSoil soil(const State& committed, const SurfaceSide& side, double xi) const;
 
@@ -43,9 +43,9 @@ class ContactLaws {
   std::unique_ptr<const Friction> friction_;
   std::unique_ptr<const NormalLaw> normal_ = std::make_unique<LinearNormalLaw>();
   SoilQuantities read_;
-  int temperature_ = -1;  // field
-  std::optional<Section> stress_reader_;      // the law that reads the mean stress
-  std::vector<std::pair<int, int>> stress_;   // (block) state handle, points per element
+  int temperature_ = -1;                     // field
+  std::optional<Section> stress_reader_;     // the law that reads the mean stress
+  std::vector<std::pair<int, int>> stress_;  // (block) state handle, points per element
 };
 
 }  // namespace mudline

@@ -102,10 +102,10 @@ ShearState PenaltyContact::shear_state(const State& state, int row) const {
           rows(row, friction_column::slides) > 0};
 }
 
-PointStart PenaltyContact::point_start(const StepView& view, std::size_t side, int row) const {
+ContactStart PenaltyContact::point_start(const StepView& view, std::size_t side, int row) const {
   const State &committed = *view.committed, &trial = *view.trial;
   const PointView& rows = committed.arrays[points_];
-  PointStart start;
+  ContactStart start;
   start.shear = shear_state(committed, row);
   start.force = {rows(row, column::force_x), rows(row, column::force_y), rows(row, column::moment)};
   start.normal_force = rows(row, column::pressure) * rows(row, column::area);
@@ -130,8 +130,8 @@ PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const 
           moved_ahead(context_.space, view.x_end, view.impact.ahead_end)};
 }
 
-PointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
-  PointLaw result = laws_.in_step(view, deck_.damping);
+ContactPointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
+  ContactPointLaw result = laws_.in_step(view, deck_.damping);
   result.penalty = view.trial->arrays[penalties_](side, 0);
   result.fixed = active_set_.used();
   result.first_guess = predicting_;

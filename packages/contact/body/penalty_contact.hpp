@@ -104,8 +104,8 @@ class PenaltyContact : public Contact, public ClosesSides {
   void book_damping(const State& trial, const std::vector<ContactPoint>& points) const;
   ShearState shear_state(const State& state, int row) const;
   /// What is known of a point of a side; the multiplier of its shear stress counts by what it has changed in this step.
-  PointStart point_start(const StepView& view, std::size_t side, int row) const;
-  PointLaw law(const StepView& view, std::size_t side) const;
+  ContactStart point_start(const StepView& view, std::size_t side, int row) const;
+  ContactPointLaw law(const StepView& view, std::size_t side) const;
   void check_enforcement(const Section& section) const;
   /// The multiplier of a point's shear stress with which a step starts [Pa].
   double initial_shear_multiplier(const State& committed, int row) const;
@@ -151,7 +151,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool axisymmetric_ = false;
   bool predicting_ = false;
-  int displacement_ = -1, pressure_ = -1, temperature_ = -1;
+  int pressure_ = -1, temperature_ = -1;
   int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1, multipliers_ = -1;  // state handles
   int group_[2] = {-1, -1};
 };

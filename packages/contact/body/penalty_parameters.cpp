@@ -66,10 +66,10 @@ void PenaltyContact::check(const Section& section) {
     section.fail("unknown body '" + deck_.body + "'" + suggestion(deck_.body, names), "body");
   }
   body_ = body->second;
-  displacement_ = space.find("displacement");
+  const int displacement = space.find("displacement");
   pressure_ = space.find("pore pressure");
   temperature_ = space.find("temperature");
-  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
+  if (displacement < 0) section.fail("contact needs a model with the field 'displacement'", "type");
   require_boundary(mesh, section, "surface", deck_.surface);
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");

@@ -66,10 +66,10 @@ T pore_pressure(const SideContact& side, int c, const SideNumbers<T>& x) {
 }
 
 template <class T>
-PointMotion<T> motion_of_point(const SideContact& side, int c, const SideNumbers<T>& x, const ContourFoot& at,
-                               const BodyFoot<T>& foot) {
-  const PointStart& start = side.start[c];
-  PointMotion<T> motion;
+ContactMotion<T> motion_of_point(const SideContact& side, int c, const SideNumbers<T>& x, const ContourFoot& at,
+                                 const BodyFoot<T>& foot) {
+  const ContactStart& start = side.start[c];
+  ContactMotion<T> motion;
   motion.gap = foot.gap;
   motion.area = x.area[c];
   motion.shift = T(start.shift);
@@ -93,7 +93,7 @@ PointMotion<T> motion_of_point(const SideContact& side, int c, const SideNumbers
 
 /// What a point's response means in forces.
 template <class T>
-void add_forces(const SideContact& side, int c, const BodyFoot<T>& foot, const PointResponse<T>& now, const T& area,
+void add_forces(const SideContact& side, int c, const BodyFoot<T>& foot, const ContactResponse<T>& now, const T& area,
                 ContactPoint& point, SideForces<T>& to) {
   const PlaneVector<T> friction = foot.tangent * (now.shear * area),
                        force = foot.normal * (now.pressure * area) + friction, damping = foot.normal * now.damping;
@@ -119,8 +119,8 @@ ContactPoint evaluate_point(const SideContact& side, int c, const SideNumbers<T>
   const PlaneVector<T> at = combine(side.rule.nodes, side.rule.shape[c].data(), x.node);
   const ContourFoot nearest = side.body.closest(side.placement, plain(at));
   const BodyFoot<T> foot(nearest, at - x.centre, x.turn);
-  const PointMotion<T> motion = motion_of_point(side, c, x, nearest, foot);
-  PointResponse<T> now = respond(side.law, motion);
+  const ContactMotion<T> motion = motion_of_point(side, c, x, nearest, foot);
+  ContactResponse<T> now = respond(side.law, motion);
   const bool reached = !now.presses && nearest.gap < side.reach;
   if (reached) now.pressure = chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
   ContactPoint point{};

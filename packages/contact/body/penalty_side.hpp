@@ -21,7 +21,7 @@ struct ShearState {
 
 /// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
 /// tangential multipliers are part of the shear.
-struct PointStart {
+struct ContactStart {
   double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
   bool member = false;              // of the active set
   TouchingSoil soil;                // its pore pressure is that beside what the side's nodes have
@@ -51,14 +51,14 @@ struct SideContact {
   BodyPlacement placement_old, placement;
   SideCoordinates x_old, x;  // [m]
   bool axisymmetric;
-  PointLaw law;
+  ContactPointLaw law;
   /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
   /// touches nothing yet would have no stiffness at all.
   double reach = 0;
-  double reach_share = 1;                     // of the penalty that such points have in the tangent
-  int pressure_nodes = 0;                     // first nodes of the side that carry pore pressure; 0: none counts
-  double pressure[max_side_nodes] = {};       // [Pa] there
-  PointStart start[max_contact_points] = {};  // (point)
+  double reach_share = 1;                       // of the penalty that such points have in the tangent
+  int pressure_nodes = 0;                       // first nodes of the side that carry pore pressure; 0: none counts
+  double pressure[max_side_nodes] = {};         // [Pa] there
+  ContactStart start[max_contact_points] = {};  // (point)
 };
 
 /// Dofs of one side in its element matrix: the nodes' displacements, node after node, component after component; then

@@ -16,7 +16,7 @@ inline constexpr const char* damping_documentation =
     "mass that hits a linear spring at v comes back with about 1 - 2/3 of 'damping' times v of its speed";
 
 /// What acts in a step at all points of a contact that share a penalty.
-struct PointLaw {
+struct ContactPointLaw {
   const NormalLaw* normal_law = &linear_normal_law;
   const Friction* friction = nullptr;  // null: smooth
   double penalty = 0;                  // [Pa/m]
@@ -34,7 +34,7 @@ struct PointLaw {
 /// the engine takes as unknowns) the response carries on. In the plane travel and shear are numbers; in space they are
 /// vectors of the tangent plane.
 template <class T>
-struct PointMotion {
+struct ContactMotion {
   T gap{0.0};             // [m] at the end of the step; negative: penetration
   T shift{0.0};           // [m] gap at which the pressure starts: multiplier over penalty
   bool member = false;    // of the active set
@@ -52,7 +52,7 @@ struct PointMotion {
 };
 
 template <class T>
-struct PointResponse {
+struct ContactResponse {
   bool presses = false, slides = false;
   T pressure{0.0};                     // [Pa] on the soil, compression positive
   T shear{0.0};                        // [Pa] on the soil, along the surface; resists positive travel
@@ -78,7 +78,7 @@ T change(const T& a, double slope) {
 /// All of the step's travel, or for a point that was open the part after the gap closed at constant speed, which makes
 /// the shear stress start from 0.
 template <class T>
-T touching_travel(const PointMotion<T>& point) {
+T touching_travel(const ContactMotion<T>& point) {
   const T pressed = point.gap - point.shift;
   if (!(value(point.opened) > 0)) return point.travel;
   if (!(value(pressed) < 0)) return T(0.0);  // held in tension by a fixed active set: it has not touched yet
@@ -86,14 +86,14 @@ T touching_travel(const PointMotion<T>& point) {
 }
 
 template <class T>
-TouchingSoil soil_at(const PointMotion<T>& point) {
+TouchingSoil soil_at(const ContactMotion<T>& point) {
   TouchingSoil soil = point.soil;
   soil.pore_pressure = value(point.pore_pressure);
   return soil;
 }
 
 template <class T>
-T pressure(const PointLaw& law, const PointMotion<T>& point) {
+T pressure(const ContactPointLaw& law, const ContactMotion<T>& point) {
   const T penetration = point.shift - point.gap;
   const double depth = law.fixed || value(penetration) > 0 ? value(penetration) : 0.0;
   const NormalPressure normal = law.normal_law->at(depth, law.penalty, soil_at(point));
@@ -104,7 +104,7 @@ T pressure(const PointLaw& law, const PointMotion<T>& point) {
 /// Crossley, J. Appl. Mech. 42, 1975, 440-445, for a linear spring). It sets in and ends without a jump, takes energy
 /// only, and at most cancels the traction of surfaces that part: it never pulls.
 template <class T>
-void add_damping(const PointLaw& law, const PointMotion<T>& point, PointResponse<T>& out) {
+void add_damping(const ContactPointLaw& law, const ContactMotion<T>& point, ContactResponse<T>& out) {
   const T closing = point.gap_old - point.gap,
           mean = out.start_share * point.force_old + out.end_share * out.pressure * point.area;
   const T factor = law.viscous / law.dt * closing;
@@ -115,7 +115,7 @@ void add_damping(const PointLaw& law, const PointMotion<T>& point, PointResponse
 /// Return map: a spring along the surface is stretched by the travel; where that exceeds the law's strength the point
 /// slides.
 template <class T>
-void add_friction(const PointLaw& law, const PointMotion<T>& point, PointResponse<T>& out) {
+void add_friction(const ContactPointLaw& law, const ContactMotion<T>& point, ContactResponse<T>& out) {
   const double stiffness = law.friction->tangential_factor() * law.penalty;
   const T travel = touching_travel(point);
   out.shear = point.shear_old - stiffness * travel;
@@ -142,14 +142,14 @@ void add_friction(const PointLaw& law, const PointMotion<T>& point, PointRespons
 
 /// Whether a point presses; the response of one that does not is that of damping alone.
 template <class T>
-bool presses(const PointLaw& law, const PointMotion<T>& point) {
+bool presses(const ContactPointLaw& law, const ContactMotion<T>& point) {
   return law.fixed ? point.member : value(point.gap) - value(point.shift) < law.touch;
 }
 
 /// The point law of all contacts: gap, travel and old state to pressure and shear stress.
 template <class T>
-PointResponse<T> respond(const PointLaw& law, const PointMotion<T>& point) {
-  PointResponse<T> out;
+ContactResponse<T> respond(const ContactPointLaw& law, const ContactMotion<T>& point) {
+  ContactResponse<T> out;
   out.start_share = law.conserves ? start_share(point.gap_old, point.gap, law.impact_damping) : T(law.start_weight);
   out.end_share = law.conserves ? end_share(point.gap_old, point.gap, law.impact_damping) : T(1 - law.start_weight);
   out.presses = presses(law, point);

@@ -117,7 +117,7 @@ PairCoordinates PairContact::coordinates(const Pair& pair, const ConstCoordinate
 
 PairLaw PairContact::law(const StepView& view, int slave) const {
   PairLaw result;
-  static_cast<PointLaw&>(result) = laws_.in_step(view, deck_.damping);
+  static_cast<ContactPointLaw&>(result) = laws_.in_step(view, deck_.damping);
   result.penalty = view.trial->arrays[penalties_](slave, 0);
   result.touch = touch_;
   result.first_guess = predicting_;

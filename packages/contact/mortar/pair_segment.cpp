@@ -178,8 +178,8 @@ TouchingSoil soil_between(const TouchingSoil (&corner)[side_multipliers], double
 }
 
 template <class T>
-PointMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, const SegmentPoint<T>& point) {
-  PointMotion<T> motion;
+ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, const SegmentPoint<T>& point) {
+  ContactMotion<T> motion;
   motion.gap = point.foot.gap;
   const T multiplier = point.field(law.normal), before = point.field(law.pressure_old);
   motion.shift = multiplier / law.penalty;
@@ -209,8 +209,8 @@ void act(const Sides<T>& sides, const SegmentPoint<T>& point, const PlaneVector<
 }
 
 template <class T>
-void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const PointMotion<T>& motion, const PointResponse<T>& now,
-            PairSums& sums) {
+void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const ContactMotion<T>& motion,
+            const ContactResponse<T>& now, PairSums& sums) {
   const double weight = value(point.length);
   sums.damped += now.damping_heat;
   if (!now.presses) return;
@@ -253,9 +253,9 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
       sums.length[a] += value(point.length) * value(point.shape[a]);
       sums.gap[a] += value(point.length) * value(point.shape[a]) * gap;
     }
-    const PointMotion<T> motion = motion_of_point(law, sides, point);
+    const ContactMotion<T> motion = motion_of_point(law, sides, point);
     if (!presses(law, motion) && !(law.viscous > 0)) continue;
-    const PointResponse<T> now = respond(law, motion);
+    const ContactResponse<T> now = respond(law, motion);
     const Foot<T>& foot = point.foot;
     if (now.presses) act(sides, point, (foot.normal * now.pressure + foot.along * now.shear) * motion.area, forces.end);
     if (law.viscous > 0) act(sides, point, foot.normal * now.damping, forces.more);

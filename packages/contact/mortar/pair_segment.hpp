@@ -16,7 +16,7 @@ struct PairCoordinates {
 };
 
 /// What acts between the sides.
-struct PairLaw : PointLaw {
+struct PairLaw : ContactPointLaw {
   int nodes = 3;  // of either side
   bool axisymmetric = false;
   QuadratureRule rule;  // on a segment

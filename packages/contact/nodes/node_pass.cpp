@@ -150,7 +150,7 @@ NodePass::Positions NodePass::positions(const StepView& view) const {
 NodeLaw NodePass::law(const StepView& view, int row) const {
   const PointView &multipliers = view.trial->arrays[multipliers_], &old = view.committed->arrays[points_];
   NodeLaw result;
-  static_cast<PointLaw&>(result) = settings_.laws->in_step(view, settings_.deck->damping);
+  static_cast<ContactPointLaw&>(result) = settings_.laws->in_step(view, settings_.deck->damping);
   result.penalty = penalty(*view.trial, row);
   result.touch = touch_;
   result.fixed = active_set_.used();

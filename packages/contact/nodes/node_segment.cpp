@@ -66,9 +66,9 @@ Geometry<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Positi
 }
 
 template <class T>
-PointMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g,
-                              const Positions<T>& x, const NodeCoordinates& old) {
-  PointMotion<T> motion;
+ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g,
+                                const Positions<T>& x, const NodeCoordinates& old) {
+  ContactMotion<T> motion;
   motion.gap = g.gap;
   motion.shift = T(law.normal / law.penalty);
   motion.member = law.member;
@@ -102,7 +102,7 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
               const NodeCoordinates& at, NodeForce& out) {
   const Positions<T> x(at);
   const Geometry<T> g = geometry(piece, foot, x);
-  const PointResponse<T> now = respond(law, motion_of_node(law, piece, g, x, old));
+  const ContactResponse<T> now = respond(law, motion_of_node(law, piece, g, x, old));
   StepForces<T, node_dofs> forces;
   if (law.viscous > 0) act(piece, g, g.normal * now.damping, forces.more);
   if (now.presses) act(piece, g, (g.normal * now.pressure + g.along * now.shear) * law.area, forces.end);

@@ -22,7 +22,7 @@ struct NodeFoot {
 };
 
 /// What acts between a slave node and the master.
-struct NodeLaw : PointLaw {
+struct NodeLaw : ContactPointLaw {
   double area = 0;               // [m2] tributary, at the start of the step
   double normal = 0, shear = 0;  // [Pa] multipliers
   bool member = false;           // of the active set

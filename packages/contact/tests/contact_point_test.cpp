@@ -16,20 +16,20 @@ using Numbers = std::array<double, inputs>;
 
 /// The numbers of a motion with derivatives, in this order.
 template <class T>
-std::array<T*, inputs> numbers(PointMotion<T>& m) {
+std::array<T*, inputs> numbers(ContactMotion<T>& m) {
   return {&m.gap, &m.shift, &m.gap_old, &m.force_old, &m.area, &m.travel, &m.opened, &m.shear_old, &m.pore_pressure};
 }
 
 struct Case {
   const char* name;
   bool presses, slides;
-  std::function<void(PointLaw&, PointMotion<double>&)> set;
+  std::function<void(ContactPointLaw&, ContactMotion<double>&)> set;
 };
 
 Slope slope(0.3);
 
 /// Pressed 1 cm, dragged by 1 mm.
-void usual(PointLaw& law, PointMotion<double>& m) {
+void usual(ContactPointLaw& law, ContactMotion<double>& m) {
   law.penalty = 1e6;
   law.dt = 0.5;
   law.start_weight = 0.4;
@@ -44,74 +44,74 @@ void usual(PointLaw& law, PointMotion<double>& m) {
 }
 
 const Case cases[] = {
-    {"Open", false, false, [](PointLaw&, auto& m) { m.gap = 0.002; }},
-    {"Stick", true, false, [](PointLaw&, auto&) {}},
-    {"Slide", true, true, [](PointLaw&, auto& m) { m.travel = 0.02; }},
-    {"SlideBack", true, true, [](PointLaw&, auto& m) { m.travel = -0.02; }},
+    {"Open", false, false, [](ContactPointLaw&, auto& m) { m.gap = 0.002; }},
+    {"Stick", true, false, [](ContactPointLaw&, auto&) {}},
+    {"Slide", true, true, [](ContactPointLaw&, auto& m) { m.travel = 0.02; }},
+    {"SlideBack", true, true, [](ContactPointLaw&, auto& m) { m.travel = -0.02; }},
     {"Touched", true, false,
-     [](PointLaw&, auto& m) {
+     [](ContactPointLaw&, auto& m) {
        m.opened = m.gap_old = 0.03;
        m.shear_old = 0;
      }},
     {"TouchedAndSlides", true, true,
-     [](PointLaw&, auto& m) {
+     [](ContactPointLaw&, auto& m) {
        m.opened = m.gap_old = 0.03;
        m.travel = 0.03;
      }},
     {"FirstGuess", true, false,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.first_guess = true;
        m.travel = 0.02;
      }},
     {"FirstGuessSlid", true, true,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.first_guess = true;
        m.slid = true;
      }},
-    {"DampedClosing", true, false, [](PointLaw& law, auto&) { law.viscous = 3; }},
+    {"DampedClosing", true, false, [](ContactPointLaw& law, auto&) { law.viscous = 3; }},
     {"DampedParting", true, true,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.viscous = 3;
        m.gap = -0.003;
      }},
     {"DampedToNothing", true, false,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.viscous = 3e3;
        m.gap_old = -0.02;
      }},
     {"DampedAndLeft", false, false,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.viscous = 3;
        m.gap = 0.002;
      }},
     {"ConservingTouch", true, false,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.conserves = true;
        law.viscous = 3;
        law.impact_damping = 0.1;
        m.gap_old = m.opened = 0.004;
      }},
     {"ConservingLeave", false, false,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.conserves = true;
        law.viscous = 3;
        law.impact_damping = 0.1;
        m.gap = 0.004;
      }},
     {"Multiplier", true, false,
-     [](PointLaw&, auto& m) {
+     [](ContactPointLaw&, auto& m) {
        m.gap = 0.002;
        m.shift = 0.015;
      }},
     {"MemberInTension", true, false,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.fixed = m.member = true;
        m.gap = 0.002;
        m.pore_pressure = -8e3;
      }},
-    {"NoMember", false, false, [](PointLaw& law, auto&) { law.fixed = true; }},
+    {"NoMember", false, false, [](ContactPointLaw& law, auto&) { law.fixed = true; }},
     {"Touch", true, true,
-     [](PointLaw& law, auto& m) {
+     [](ContactPointLaw& law, auto& m) {
        law.touch = 1e-3;
        m.gap = 5e-4;
        m.pore_pressure = -500;
@@ -123,13 +123,13 @@ INSTANTIATE_TEST_SUITE_P(ContactPoint, EveryPoint, testing::ValuesIn(cases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 template <class T>
-std::array<T, 5> results(const PointResponse<T>& r) {
+std::array<T, 5> results(const ContactResponse<T>& r) {
   return {r.pressure, r.shear, r.damping, r.start_share, r.end_share};
 }
 
-void expect_differences(const PointLaw& law, PointMotion<double> motion) {
+void expect_differences(const ContactPointLaw& law, ContactMotion<double> motion) {
   using T = Dual<inputs>;
-  PointMotion<T> dual;
+  ContactMotion<T> dual;
   dual.member = motion.member;
   dual.slid = motion.slid;
   dual.slip_old = motion.slip_old;
@@ -155,11 +155,11 @@ void expect_differences(const PointLaw& law, PointMotion<double> motion) {
 }
 
 TEST_P(EveryPoint, DerivativesAreDifferences) {
-  PointLaw law;
-  PointMotion<double> motion;
+  ContactPointLaw law;
+  ContactMotion<double> motion;
   usual(law, motion);
   GetParam().set(law, motion);
-  const PointResponse<double> now = respond(law, motion);
+  const ContactResponse<double> now = respond(law, motion);
   EXPECT_EQ(now.presses, GetParam().presses);
   EXPECT_EQ(now.slides, GetParam().slides);
   if (std::string(GetParam().name) == "Touch") return;  // between its branches: stiffness without force
@@ -167,8 +167,8 @@ TEST_P(EveryPoint, DerivativesAreDifferences) {
 }
 
 TEST(ContactPoint, HasStiffnessButNoForceWhereSurfacesMeet) {
-  PointLaw law;
-  PointMotion<Dual<1>> motion;
+  ContactPointLaw law;
+  ContactMotion<Dual<1>> motion;
   law.penalty = 1e6;
   law.touch = 1e-3;
   motion.gap = Dual<1>(5e-4, 0);
@@ -179,8 +179,8 @@ TEST(ContactPoint, HasStiffnessButNoForceWhereSurfacesMeet) {
 }
 
 TEST(ContactPoint, HeatIsShearTimesSlip) {
-  PointLaw law;
-  PointMotion<double> m;
+  ContactPointLaw law;
+  ContactMotion<double> m;
   usual(law, m);
   m.travel = 0.02;
   const auto now = respond(law, m);
@@ -191,8 +191,8 @@ TEST(ContactPoint, HeatIsShearTimesSlip) {
 }
 
 TEST(ContactPoint, LawsSeeTheSoil) {
-  PointLaw law;
-  PointMotion<double> motion;
+  ContactPointLaw law;
+  ContactMotion<double> motion;
   usual(law, motion);
   ReadingFriction friction;
   ReadingNormalLaw pressure;
