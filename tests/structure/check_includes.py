@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The shape of the tree: include arrows, heavy headers, file lengths, no machine paths, format.
+"""The shape of the tree: include arrows, heavy headers, file lengths, no machine paths, class names once, format.
 
     check_includes.py [ROOT]     prints one line per fault and ends with 1 if there is any
 """
@@ -128,6 +128,20 @@ def path_faults(root):
                 yield f"{name}:{number}: path of one machine: {line.strip()[:80]}"
 
 
+def name_faults(root):
+    """Two classes of one name in two headers are one class to the linker: it takes either, silently."""
+    seen = {}
+    for name, path in files_of(root, {".hpp"}):
+        if not name.startswith("packages/"):
+            continue
+        text = path.read_text()
+        space = re.search(r"^namespace (mudline\S*) {", text, re.M)
+        for found in re.finditer(r"^(?:struct|class) (?:alignas\(\d+\) )?(\w+)(?: final)?(?: :| {)", text, re.M):
+            type_name = f"{space.group(1) if space else ''}::{found.group(1)}"
+            if seen.setdefault(type_name, name) != name:
+                yield f"{name}: {type_name} is also a class in {seen[type_name]}"
+
+
 def clang_format():
     """The program of the project's version, or "" where there is none."""
     for program in (f"clang-format-{CLANG_FORMAT}", "clang-format"):
@@ -156,9 +170,10 @@ def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     if not (root / "packages").is_dir():
         sys.exit(f"{root}: no packages/ here")
-    faults = [*source_faults(root), *length_faults(root), *path_faults(root), *format_faults(root)]
+    faults = [*source_faults(root), *length_faults(root), *path_faults(root), *name_faults(root),
+              *format_faults(root)]
     layout = "format" if clang_format() else f"columns (no clang-format {CLANG_FORMAT} here: layout not checked)"
-    print("\n".join(faults) if faults else f"include arrows, heavy headers, file lengths, paths, {layout}: in order")
+    print("\n".join(faults) if faults else f"include arrows, heavy headers, file lengths, paths, class names, {layout}: in order")
     return 1 if faults else 0
 
 
