@@ -35,5 +35,5 @@ function(mudline_test name)
   math(EXPR wall "11 * ${arg_CPU} + 900")  # cpu_limit.py ends it before
   list(JOIN mudline_mpiexec " " mpiexec)
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${wall} PROCESSORS ${arg_RANKS} ENVIRONMENT
-    "MUDLINE=$<TARGET_FILE:mudline>;MUDLINE_MPIEXEC=${mpiexec};PYTHONPATH=${support};OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;${arg_ENVIRONMENT}")
+    "MUDLINE=$<TARGET_FILE:mudline>;MUDLINE_MPIEXEC=${mpiexec};PYTHONPATH=${support};OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;HWLOC_HIDE_ERRORS=2;${arg_ENVIRONMENT}")
 endfunction()
