@@ -137,6 +137,12 @@ class Stepper : public NonlinearProblem {
   /// Fills the level views and the trial's nodal part from x.
   void levels(const Vector& x);
   void levels_of_field(int f, int begin, int end);
+  /// All levels are the committed state: no acceleration, no rates of first order; sensitivities to those alone.
+  void levels_at_rest();
+  /// The matrix of inertia and storage, by the terms that are no history.
+  void add_rate_matrices();
+  /// Prescribes the fields whose rate matrix has a row of zeros: it cannot be solved for. Whether there are any.
+  bool hold_fields_without_rates();
   /// Prescribed unknowns whose rates are given have those, and over the step their mean acceleration.
   void given_rates();
   int evaluate_terms();

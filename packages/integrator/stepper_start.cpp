@@ -62,11 +62,8 @@ std::vector<double> Stepper::solver_memory() {
   return memory;
 }
 
-bool Stepper::initialise_rates(const StepRequest& request, double linear_tolerance) {
-  prepare_view(standing_still(true), StepView::Kind::initial_rates);
-  chord_.forget();
+void Stepper::levels_at_rest() {
   const State& old = store_.committed();
-  constrain(request);
   for (std::size_t i = 0; i < old.value.extent(0); ++i) {
     store_.trial().value(i) = value_(i) = old.value(i);
     rate_(i) = velocity_(i) = old.rate(i);
@@ -85,33 +82,41 @@ bool Stepper::initialise_rates(const StepRequest& request, double linear_toleran
   for (CoordinateView* x : {&x_momentum_, &x_balance_}) Kokkos::deep_copy(*x, old.coordinates);
   Kokkos::deep_copy(store_.trial().coordinates, old.coordinates);
   view_.momentum.geometry_weight = view_.balance.geometry_weight = 0;
+}
+
+void Stepper::add_rate_matrices() {
+  assembler_.begin(constraints_.mask);
+  for (int k = 0; k < static_cast<int>(active_.size()); ++k)
+    if (history_slot(k) < 0) active_[k]->jacobian(view_, assembler_, 1.0);
+  assembler_.end();
+}
+
+bool Stepper::hold_fields_without_rates() {
+  bool held = false;
+  Vector diagonal(map());
+  assembler_.matrix()->getLocalDiagCopy(diagonal);
+  const auto data = diagonal.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    double smallest = 1e300;
+    for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i)
+      if (!constraints_.mask(i)) smallest = std::min(smallest, std::abs(data(i, 0)));
+    if (min_over_ranks(*space_.dofs()->comm(), smallest) > 1e-250) continue;
+    held = true;
+    for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
+      for (int i = begin; i < end; ++i) constraints_.mask(i) = 1;
+  }
+  return held;
+}
+
+bool Stepper::initialise_rates(const StepRequest& request, double linear_tolerance) {
+  prepare_view(standing_still(true), StepView::Kind::initial_rates);
+  chord_.forget();
+  constrain(request);
+  levels_at_rest();
   for (Term* term : active_) term->begin(view_);
   if (sum_over_ranks(*space_.dofs()->comm(), evaluate_terms()) > 0) return false;
-
-  // Rows without a rate matrix (incompressible constituents) cannot be solved for: their fields keep the rate zero.
-  const auto assemble = [&] {
-    assembler_.begin(constraints_.mask);
-    for (int k = 0; k < static_cast<int>(active_.size()); ++k)
-      if (history_slot(k) < 0) active_[k]->jacobian(view_, assembler_, 1.0);
-    assembler_.end();
-  };
-  assemble();
-  bool held = false;
-  {
-    Vector diagonal(map());
-    assembler_.matrix()->getLocalDiagCopy(diagonal);
-    const auto data = diagonal.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (int f = 0; f < space_.num_fields(); ++f) {
-      double smallest = 1e300;
-      for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i)
-        if (!constraints_.mask(i)) smallest = std::min(smallest, std::abs(data(i, 0)));
-      if (min_over_ranks(*space_.dofs()->comm(), smallest) > 1e-250) continue;
-      held = true;
-      for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
-        for (int i = begin; i < end; ++i) constraints_.mask(i) = 1;
-    }
-  }
-  if (held) assemble();
+  add_rate_matrices();
+  if (hold_fields_without_rates()) add_rate_matrices();
   for (std::size_t i = 0; i < total_.extent(0); ++i) total_(i) = constraints_.mask(i) ? 0.0 : -total_(i);
   Vector right(map()), y(map());
   export_overlap(*space_.dofs(), total_, right);
@@ -121,9 +126,9 @@ bool Stepper::initialise_rates(const StepRequest& request, double linear_toleran
   const bool solved = solver_.solve(right, y, linear_tolerance).converged;
   solver_.reset();
   if (!solved) return false;
-  NodalView result("initial rates", old.value.extent(0));
-  import_owned(*space_.dofs(), y, result);
   State& state = store_.committed();
+  NodalView result("initial rates", state.value.extent(0));
+  import_owned(*space_.dofs(), y, result);
   for (int f = 0; f < space_.num_fields(); ++f)
     for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
       for (int i = begin; i < end; ++i)
