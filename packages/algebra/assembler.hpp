@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "algebra/dof_map.hpp"
@@ -28,14 +29,17 @@ struct MatrixScatter {
     if (a != b && (constrained(dofs(e, a)) || constrained(dofs(e, b)))) return;
     accumulate(&values(offsets(e, a, b)), value);
   }
+#ifdef KOKKOS_ENABLE_SERIAL
+  static constexpr bool concurrent = !std::is_same_v<Kokkos::DefaultExecutionSpace, Kokkos::Serial>;
+#else
+  static constexpr bool concurrent = true;
+#endif
   /// Atomic only where the execution space is concurrent.
   KOKKOS_INLINE_FUNCTION static void accumulate(double* target, double value) {
-#if defined(KOKKOS_ENABLE_OPENMP) || defined(KOKKOS_ENABLE_CUDA) || defined(KOKKOS_ENABLE_HIP) || \
-    defined(KOKKOS_ENABLE_THREADS)
-    Kokkos::atomic_add(target, value);
-#else
-    *target += value;
-#endif
+    if constexpr (concurrent)
+      Kokkos::atomic_add(target, value);
+    else
+      *target += value;
   }
 };
 

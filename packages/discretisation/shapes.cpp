@@ -123,24 +123,38 @@ void evaluate_shape(CellShape shape, const double xi[2], double* N, double* dN) 
   }
 }
 
-ShapeTable tabulate(CellShape shape, const QuadratureRule& rule) {
+namespace {
+/// evaluate(q, N, dN): shapes at point q of the rule.
+template <class Evaluate>
+ShapeTable make_table(int nodes, int dim, const QuadratureRule& rule, Evaluate&& evaluate) {
   ShapeTable table;
   table.points = static_cast<int>(rule.points.size());
-  table.nodes = num_nodes(shape);
+  table.nodes = nodes;
   table.weights = Kokkos::View<double*>("weights", table.points);
-  table.N = Kokkos::View<double**, Kokkos::LayoutRight>("N", table.points, table.nodes);
-  table.dN = Kokkos::View<double***, Kokkos::LayoutRight>("dN", table.points, table.nodes, 2);
+  table.N = Kokkos::View<double**, Kokkos::LayoutRight>("N", table.points, nodes);
+  table.dN = Kokkos::View<double***, Kokkos::LayoutRight>("dN", table.points, nodes, dim);
   const auto weights = Kokkos::create_mirror_view(table.weights);
   const auto N = Kokkos::create_mirror_view(table.N);
   const auto dN = Kokkos::create_mirror_view(table.dN);
   for (int q = 0; q < table.points; ++q) {
     weights(q) = rule.weights[q];
-    evaluate_shape(shape, rule.points[q].data(), &N(q, 0), &dN(q, 0, 0));
+    evaluate(q, &N(q, 0), &dN(q, 0, 0));
   }
   Kokkos::deep_copy(table.weights, weights);
   Kokkos::deep_copy(table.N, N);
   Kokkos::deep_copy(table.dN, dN);
   return table;
+}
+}  // namespace
+
+ShapeTable tabulate(CellShape shape, const QuadratureRule& rule) {
+  return make_table(num_nodes(shape), 2, rule,
+                    [&](int q, double* N, double* dN) { evaluate_shape(shape, rule.points[q].data(), N, dN); });
+}
+
+ShapeTable tabulate_line(int nodes, const QuadratureRule& rule) {
+  return make_table(nodes, 1, rule,
+                    [&](int q, double* N, double* dN) { evaluate_line(nodes, rule.points[q][0], N, dN); });
 }
 
 }  // namespace mudline

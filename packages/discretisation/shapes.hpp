@@ -45,8 +45,10 @@ struct ShapeTable {
   int points = 0, nodes = 0;
   Kokkos::View<double*> weights;                    // (point)
   Kokkos::View<double**, Kokkos::LayoutRight> N;    // (point, node)
-  Kokkos::View<double***, Kokkos::LayoutRight> dN;  // (point, node, 2)
+  Kokkos::View<double***, Kokkos::LayoutRight> dN;  // (point, node, 2; of a line 1)
 };
 ShapeTable tabulate(CellShape shape, const QuadratureRule& rule);
+/// Of a line of 2 or 3 nodes.
+ShapeTable tabulate_line(int nodes, const QuadratureRule& rule);
 
 }  // namespace mudline

@@ -8,30 +8,46 @@
 namespace mudline {
 
 // Coordinate systems. Kernels are templates on one of them: `dim` directions, and in axial symmetry a hoop, the strain
-// u_r / r out of the plane. measure(x): length [m] out of the plane that a point stands for; 1 in space.
+// u_r / r out of the plane. measure(x): length [m] out of the plane that a point stands for; 1 in space. x: numbers, or
+// dual numbers.
 
 struct PlaneStrain {
   static constexpr int dim = 2;
   static constexpr bool hoop = false;
-  KOKKOS_INLINE_FUNCTION static double measure(const double*) { return 1.0; }
+  template <class T>
+  KOKKOS_INLINE_FUNCTION static T measure(const T*) {
+    return T(1.0);
+  }
 };
 
 struct Axisymmetric {
   static constexpr int dim = 2;
   static constexpr bool hoop = true;
-  KOKKOS_INLINE_FUNCTION static double measure(const double* x) { return 2 * pi * x[0]; }
+  template <class T>
+  KOKKOS_INLINE_FUNCTION static T measure(const T* x) {
+    return 2 * pi * x[0];
+  }
 };
 
 struct Space3 {
   static constexpr int dim = 3;
   static constexpr bool hoop = false;
-  KOKKOS_INLINE_FUNCTION static double measure(const double*) { return 1.0; }
+  template <class T>
+  KOKKOS_INLINE_FUNCTION static T measure(const T*) {
+    return T(1.0);
+  }
 };
 
 /// Calls f(coordinate system) of a mesh.
 template <class F>
 auto with_coordinates(Geometry geometry, F&& f) {
   return geometry == Geometry::axisymmetric ? f(Axisymmetric{}) : f(PlaneStrain{});
+}
+
+/// The same length where the coordinate system is known at run time only.
+template <class T>
+T measure(Geometry geometry, const T* x) {
+  return with_coordinates(geometry, [&](auto coordinates) { return decltype(coordinates)::measure(x); });
 }
 
 }  // namespace mudline

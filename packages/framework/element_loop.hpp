@@ -557,37 +557,58 @@ constexpr bool fits = (Law::fields == PointLaw::any || Law::fields == Shapes::S)
   throw std::logic_error("a law of balance does not fit the fields of its block");
 }
 
+/// What runs on every element: adds its balance to the residual; `failed` counts folded elements.
+template <class Loop, class Law>
+struct ElementResidual {
+  Loop loop;
+  Law law;
+  ResidualView to;
+  KOKKOS_INLINE_FUNCTION void operator()(int e, int& failed) const { failed += loop.residual(e, law, to); }
+};
+template <class Loop, class Law>
+ElementResidual(Loop, Law, ResidualView) -> ElementResidual<Loop, Law>;
+/// Adds its matrix.
+template <class Loop, class Law>
+struct ElementTangent {
+  Loop loop;
+  Law law;
+  MatrixScatter to;
+  double weight;
+  KOKKOS_INLINE_FUNCTION void operator()(int e) const { loop.tangent(e, law, to, weight); }
+};
+template <class Loop, class Law>
+ElementTangent(Loop, Law, MatrixScatter, double) -> ElementTangent<Loop, Law>;
+
+/// Calls f(loop) with the element loop that a law needs on a block.
+template <class Law, class F>
+void with_loop(Geometry geometry, const FieldBlock& block, const LoopLevel& level, F&& f) {
+  with_element(geometry, block, [&](auto coordinates, auto shapes) {
+    if constexpr (fits<Law, decltype(shapes)>)
+      f(ElementLoop<decltype(coordinates), decltype(shapes)>{block, level});
+    else
+      fail_to_fit();
+  });
+}
+
 /// Adds the balance of a block's elements to the residual. `level`: the state to look at. Returns the number of folded
 /// elements.
 template <class Law>
 int add_residual(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
                  const ResidualView& f) {
-  return with_element(geometry, block, [&](auto coordinates, auto shapes) {
-    int failed = 0;
-    if constexpr (fits<Law, decltype(shapes)>) {
-      const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block, level};
-      Kokkos::parallel_reduce(
-          "residual", Kokkos::RangePolicy<>(0, block.elements),
-          KOKKOS_LAMBDA(int e, int& sum) { sum += loop.residual(e, law, f); }, failed);
-    } else {
-      fail_to_fit();
-    }
-    return failed;
+  int failed = 0;
+  with_loop<Law>(geometry, block, level, [&](const auto& loop) {
+    Kokkos::parallel_reduce("residual", Kokkos::RangePolicy<>(0, block.elements), ElementResidual{loop, law, f},
+                            failed);
   });
+  return failed;
 }
 
 /// Adds weight times its derivative, of elements [first, last).
 template <class Law>
 void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
                  const MatrixScatter& to, double weight, int first, int last) {
-  with_element(geometry, block, [&](auto coordinates, auto shapes) {
-    if constexpr (fits<Law, decltype(shapes)>) {
-      const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block, level};
-      Kokkos::parallel_for(
-          "tangent", Kokkos::RangePolicy<>(first, last), KOKKOS_LAMBDA(int e) { loop.tangent(e, law, to, weight); });
-    } else {
-      fail_to_fit();
-    }
+  with_loop<Law>(geometry, block, level, [&](const auto& loop) {
+    Kokkos::parallel_for("tangent", Kokkos::RangePolicy<>(first, last), ElementTangent{loop, law, to, weight});
   });
 }
 template <class Law>

@@ -4,6 +4,7 @@
 
 #include "contact/contact_surface.hpp"
 #include "core/function.hpp"
+#include "framework/side_block.hpp"
 #include "framework/term.hpp"
 
 namespace mudline {
@@ -16,29 +17,27 @@ class LeakySurface {
   LeakySurface(const Space& space, const ContactSurface& surface, double conductance, const Function& outside);
 
   void sparsity(Assembler& assembler);
-  /// Which sides leak in the coming step: nonzero flags.
-  void open(std::vector<char> flags) { flags_ = std::move(flags); }
+  /// Which sides leak in the coming step: nonzero flags, by side.
+  void open(const std::vector<char>& flags);
   /// Adds to the residual, by overlap dof.
   void add(const StepView& view, const ResidualView& f) const;
   void jacobian(const StepView& view, Assembler& assembler) const;
 
  private:
-  /// Matrix of one side: integral of the pressures' shapes [m2/(Pa s)], and the flux of the outside pressure [m3/s] by
-  /// node.
-  struct SideMatrix {
-    double k[3][3], outside[3];
+  /// The sides of 2 or of 3 nodes, by their rows in the surface.
+  struct Part {
+    SideBlock block;
+    PointView outside;  // [Pa] at the points
+    Kokkos::View<char*> open;
   };
-  SideMatrix side_matrix(const SurfaceSide& side, const StepView& view) const;
-  bool leaks(std::size_t side) const { return side < flags_.size() && flags_[side]; }
+  template <class F>
+  void for_each_part(const StepView& view, F&& f) const;
 
+  const Space& space_;
   const ContactSurface& surface_;
   double conductance_;
   const Function& outside_;
-  bool axisymmetric_;
-  int field_;
-  ElementDofs dofs_[2];  // for sides of 2 and of 3 nodes
-  int group_[2] = {-1, -1};
-  std::vector<char> flags_;
+  Part parts_[2];
 };
 
 }  // namespace mudline

@@ -3,8 +3,28 @@
 #include <cmath>
 
 #include "framework/dof_ids.hpp"
+#include "framework/side_loop.hpp"
 
 namespace mudline {
+
+namespace {
+
+struct Dashpots : SideLaw {
+  static constexpr bool damps = true;
+  int points;                // of a side
+  ConstPointView impedance;  // (side, normal and tangential) [Pa s/m]
+
+  template <class C, class T>
+  KOKKOS_INLINE_FUNCTION void operator()(int row, const SidePoint<C, T>& at, SideBalance<C, T>& out) const {
+    const double p = impedance(row / points, 0), s = impedance(row / points, 1);
+    T through = T(0.0);  // area-weighted normal velocity
+    for (int i = 0; i < C::dim; ++i) through += at.velocity[i] * at.normal[i];
+    for (int i = 0; i < C::dim; ++i)
+      out.force[i] = s * at.area * at.velocity[i] + (p - s) * (through / at.area) * at.normal[i];
+  }
+};
+
+}  // namespace
 
 void AbsorbingBoundary::parameters(Parameters& p) {
   declare_set(p);
@@ -16,10 +36,11 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
   SideLoad::bind(context, section);
   soil_ = context.shared.find<Soil>();
   if (!soil_) section.fail("an absorbing boundary needs a physics with soil", "type");
+  impedance_ = PointView("impedance", block_.sides, 2);
   const int owned = space_->dofs()->num_owned_dofs();
   for (int node : space_->mesh().nodes_of_set(set_))
     for (int i = 0; i < 2; ++i) {
-      const int dof = space_->node_dof(field_)(node) + i;
+      const int dof = space_->node_dof(block_.field)(node) + i;
       if (dof < owned) held_dofs_.push_back(dof);
     }
 }
@@ -41,13 +62,12 @@ void AbsorbingBoundary::activate(const State& committed, const NodalView& unbala
 }
 
 void AbsorbingBoundary::begin(const StepView& view) {
-  impedance_p_.assign(sides_.size(), 0);
-  impedance_s_.assign(sides_.size(), 0);
-  for (std::size_t s = 0; s < sides_.size(); ++s) {
-    const SoilBlock& b = soil_->blocks[sides_[s].block];
+  const std::vector<Side>& sides = space_->mesh().side_sets().at(set_);
+  for (int s = 0; s < block_.sides; ++s) {
+    const SoilBlock& b = soil_->blocks[sides[s].block];
     double m = 0, shear = 0, rho = 0;
     for (int q = 0; q < b.points; ++q) {
-      const int row = sides_[s].element * b.points + q;
+      const int row = sides[s].element * b.points + q;
       const double e = view.committed->arrays[b.void_ratio](row, 0), n = e / (1 + e);
       const ElasticModuli moduli = b.material->skeleton->moduli(&view.committed->arrays[b.stress](row, 0), e,
                                                                 &view.committed->arrays[b.law](row, 0));
@@ -57,49 +77,23 @@ void AbsorbingBoundary::begin(const StepView& view) {
       shear += moduli.shear / b.points;
       rho += b.material->density(n) / b.points;
     }
-    impedance_p_[s] = normal_factor_ * std::sqrt(rho * m);
-    impedance_s_[s] = tangential_factor_ * std::sqrt(rho * shear);
+    impedance_(s, 0) = normal_factor_ * std::sqrt(rho * m);
+    impedance_(s, 1) = tangential_factor_ * std::sqrt(rho * shear);
   }
-}
-
-void AbsorbingBoundary::side_matrix(int s, const ConstCoordinateView& x, double (&c)[6][6]) const {
-  const LoadedSide& side = sides_[s];
-  for_each_point(side, x, [&](const SidePoint& p) {
-    const double ds = std::hypot(p.tangent[0], p.tangent[1]);
-    const double n[2] = {p.tangent[1] / ds, -p.tangent[0] / ds};
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) {
-        const double normal = n[i] * n[j];
-        const double d = (impedance_p_[s] * normal + impedance_s_[s] * ((i == j ? 1 : 0) - normal)) * ds * p.weight;
-        for (std::size_t a = 0; a < side.nodes.size(); ++a)
-          for (std::size_t b = 0; b < side.nodes.size(); ++b) c[2 * a + i][2 * b + j] += p.N[a] * p.N[b] * d;
-      }
-  });
 }
 
 int AbsorbingBoundary::residual(const StepView& view, const ResidualView& f) {
   if (view.inertia)
-    for (std::size_t s = 0; s < sides_.size(); ++s) {
-      double c[6][6] = {{0}};
-      side_matrix(static_cast<int>(s), view.x_old, c);
-      for (std::size_t a = 0; a < dofs_.extent(1); ++a) {
-        double force = 0;
-        for (std::size_t b = 0; b < dofs_.extent(1); ++b) force += c[a][b] * view.velocity(dofs_(s, b));
-        f.add(dofs_(s, a), force);
-      }
-    }
+    add_side_residual(geometry(), block_, side_level(view, block_, view.x_old), Dashpots{{}, block_.points, impedance_},
+                      f);
   for (std::size_t i = 0; i < held_dofs_.size(); ++i) f.add(held_dofs_[i], view.committed->arrays[held_](i, 0), 0);
   return 0;
 }
 
 void AbsorbingBoundary::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  if (!view.inertia) return;
-  const MatrixScatter to = assembler.scatter(group_);
-  for (std::size_t s = 0; s < sides_.size(); ++s) {
-    double c[6][6] = {{0}};
-    side_matrix(static_cast<int>(s), view.x_old, c);
-    scatter(to, static_cast<int>(s), c, weight * view.sensitivity[field_].velocity);
-  }
+  if (view.inertia)
+    add_side_tangent(geometry(), block_, side_level(view, block_, view.x_old), Dashpots{{}, block_.points, impedance_},
+                     assembler.scatter(block_.group), weight);
 }
 
 }  // namespace mudline

@@ -27,13 +27,12 @@ class AbsorbingBoundary : public SideLoad {
   std::string kind() const override { return "absorbing"; }
 
  private:
-  /// Dashpot matrix of side s (6x6), on the committed configuration.
-  void side_matrix(int s, const ConstCoordinateView& x, double (&c)[6][6]) const;
+  int columns() const override { return 0; }  // its load is that of the dashpots, on the committed configuration
   std::shared_ptr<Soil> soil_;
   double normal_factor_ = 1, tangential_factor_ = 1;
-  std::vector<double> impedance_p_, impedance_s_;  // rho c [Pa s/m] by side
-  int held_ = -1;                                  // state array: (overlap displacement node dof) held force
-  std::vector<int> held_dofs_;                     // owned dofs of the set
+  PointView impedance_;         // (side, normal and tangential) rho c [Pa s/m]
+  int held_ = -1;               // state array: (overlap displacement node dof) held force
+  std::vector<int> held_dofs_;  // owned dofs of the set
   StateStore* store_ = nullptr;
 };
 

@@ -14,7 +14,8 @@ namespace mudline {
 
 namespace {
 
-constexpr int batch = 64;  // elements at a time, few enough that the staging arrays stay in the cache
+/// Elements at a time: few enough that the staging arrays stay in the cache of each thread.
+int batch_size() { return 64 * Kokkos::DefaultExecutionSpace().concurrency(); }
 
 /// The midpoint rule of a step from the gradients that a point has in the configuration of the end. False where the
 /// configuration half way is inverted.
@@ -143,7 +144,7 @@ class StressUpdate {
 
 StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, bool want_tangent)
     : soil_(soil), block_(block), view_(view), level_(end_level(view, block)), want_tangent_(want_tangent) {
-  const int rows = batch * block.points;
+  const int rows = batch_size() * block.points;
   const int state_size = block.material->skeleton->state_size();
   strain_ = PointView("strain", rows, 6);
   stress_old_ = PointView("rotated stress", rows, 6);
@@ -263,6 +264,7 @@ TotalStress total_stress(const SoilBlock& b, const StepView& view) {
 }  // namespace
 
 int StressDivergence::residual(const StepView& view, const ResidualView& f) {
+  const int batch = batch_size();
   int failures = 0;
   failure_.clear();
   for (const SoilBlock& b : soil_->blocks) {
@@ -276,6 +278,7 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
 }
 
 void StressDivergence::jacobian(const StepView& view, Assembler& assembler, double weight) {
+  const int batch = batch_size();
   std::string broken;
   for (const SoilBlock& b : soil_->blocks) {
     StressUpdate update(*soil_, b, view, true);

@@ -1,0 +1,25 @@
+#include "framework/side_block.hpp"
+
+namespace mudline {
+
+SideBlock::SideBlock(const Space& space, int field_, const std::vector<std::vector<int>>& of_sides, int degree)
+    : sides(static_cast<int>(of_sides.size())), field(field_) {
+  const QuadratureRule rule = line_quadrature(degree);
+  const Field& unknown = space.field(field);
+  const int count = sides == 0 ? 2 : static_cast<int>(of_sides.front().size());
+  const int carry = unknown.support == Support::vertices ? 2 : count;
+  points = static_cast<int>(rule.weights.size());
+  shape = tabulate_line(count, rule);
+  partner = tabulate_line(carry, rule);
+  nodes = Kokkos::View<int**, Kokkos::LayoutRight>("side nodes", sides, count);
+  Kokkos::View<int**, Kokkos::LayoutRight> table("side dofs", sides, carry * unknown.components);
+  for (int s = 0; s < sides; ++s) {
+    for (int a = 0; a < count; ++a) nodes(s, a) = of_sides[s][a];
+    for (int a = 0; a < carry; ++a)
+      for (int c = 0; c < unknown.components; ++c)
+        table(s, a * unknown.components + c) = space.node_dof(field)(of_sides[s][a]) + c;
+  }
+  dofs = table;
+}
+
+}  // namespace mudline

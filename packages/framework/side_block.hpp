@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra/assembler.hpp"
+#include "discretisation/shapes.hpp"
+#include "framework/space.hpp"
+
+namespace mudline {
+
+/// Sides of the boundary with the same number of nodes, and the tables that a load on one field needs. Columns of
+/// `dofs`: the displacement node by node, or a scalar field at its nodes, which are the first of the side's.
+struct SideBlock {
+  int sides = 0, points = 0;
+  ShapeTable shape, partner;  // of the side and of the field, at the same quadrature points
+  Kokkos::View<int**, Kokkos::LayoutRight> nodes;
+  ElementDofs dofs;
+  int field = -1;
+  int group = -1;  // of the assembler
+
+  SideBlock() = default;
+  /// `of_sides`: the nodes of every side, two corners and the middle of a quadratic one. degree: of the quadrature.
+  SideBlock(const Space& space, int field, const std::vector<std::vector<int>>& of_sides, int degree);
+};
+
+}  // namespace mudline

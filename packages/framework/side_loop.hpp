@@ -1,0 +1,218 @@
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "discretisation/side_map.hpp"
+#include "framework/coordinates.hpp"
+#include "framework/side_block.hpp"
+#include "framework/term.hpp"
+
+namespace mudline {
+
+/// What a load sees at a quadrature point of a side. T: double, or a dual number with derivatives by the place, the
+/// velocity and the scalar field there.
+template <class C, class T>
+struct SidePoint {
+  static constexpr int D = C::dim;
+  T x[D];         // [m]
+  T normal[D];    // outward, times the area that the point stands for, per quadrature weight [m2]
+  T area;         // its length [m2]; in plane strain per metre of depth
+  T velocity[D];  // [m/s]
+  T value;        // of the scalar field
+};
+
+/// What it puts in, per quadrature weight: sum of weight * (force . w + flow q) over the points, for the test functions
+/// w of the displacement or q of the scalar field.
+template <class C, class T>
+struct SideBalance {
+  T force[C::dim];               // [N]
+  T flow;                        // of the scalar's conjugate [1/s]
+  double standing[C::dim] = {};  // part of the force that stood before the step [N]
+};
+
+/// What a load depends on. One inherits this and says otherwise by constants of the same names.
+struct SideLaw {
+  static constexpr bool flows = false;   // acts on a scalar field, not on the displacement
+  static constexpr bool moves = false;   // depends on where the side is
+  static constexpr bool damps = false;   // on the velocity
+  static constexpr bool drains = false;  // on the scalar field
+};
+
+/// The state that a loop over sides looks at, and how it follows from the unknowns.
+struct SideLevel {
+  ConstCoordinateView x;  // [m]
+  ConstNodalView velocity, value;
+  double geometry_weight = 0;  // d x / d u_{n+1}
+  double velocity_weight = 0, value_weight = 0;
+};
+inline SideLevel side_level(const StepView& view, const SideBlock& block, const ConstCoordinateView& x,
+                            double geometry_weight = 0) {
+  const Sensitivity& by = view.sensitivity[block.field];
+  return {x, view.velocity, view.value, geometry_weight, by.velocity, by.value};
+}
+
+/// One generic loop over sides. A law is called once per quadrature point: law(row, point, out), with the row
+/// side * points + q of the point's data. It is written once for numbers and for dual numbers. NN: nodes of a side, NF:
+/// those of the scalar field.
+template <class Coordinates, int NN, int NF>
+struct SideLoop {
+  static constexpr int D = Coordinates::dim, K = D - 1;
+  SideBlock b;
+  SideLevel at;
+
+  template <class Law>
+  struct Directions {
+    static constexpr int x = Law::moves ? K * D : 0, velocity = x + (Law::moves ? D : 0),
+                         value = velocity + (Law::damps ? D : 0), count = value + (Law::drains ? 1 : 0);
+  };
+  template <class Law>
+  static constexpr int rows = Law::flows ? NF : D* NN;
+
+  template <class Law, class T>
+  KOKKOS_INLINE_FUNCTION SidePoint<Coordinates, T> point(int s, int q) const {
+    using Way = Directions<Law>;
+    SideMap<D, T> map;
+    map.compute(NN, &b.shape.N(q, 0), &b.shape.dN(q, 0, 0), [&](int a, int i) { return at.x(b.nodes(s, a), i); });
+    SidePoint<Coordinates, T> p;
+    if constexpr (Law::moves && !std::is_same_v<T, double>) {
+      for (int i = 0; i < D; ++i) {
+        for (int k = 0; k < K; ++k) map.along[k][i].d[D * k + i] = 1;
+        map.x[i].d[Way::x + i] = 1;
+      }
+      map.finish();
+    }
+    const T measure = Coordinates::measure(map.x);
+    p.area = map.stretch * measure;
+    p.value = T(0.0);
+    for (int i = 0; i < D; ++i) {
+      p.x[i] = map.x[i];
+      p.normal[i] = map.normal[i] * measure;
+      p.velocity[i] = T(0.0);
+      if constexpr (Law::damps) {
+        for (int a = 0; a < NN; ++a) p.velocity[i] += b.shape.N(q, a) * at.velocity(b.dofs(s, D * a + i));
+        if constexpr (!std::is_same_v<T, double>) p.velocity[i].d[Way::velocity + i] = 1;
+      }
+    }
+    if constexpr (Law::drains) {
+      for (int c = 0; c < NF; ++c) p.value += b.partner.N(q, c) * at.value(b.dofs(s, c));
+      if constexpr (!std::is_same_v<T, double>) p.value.d[Way::value] = 1;
+    }
+    return p;
+  }
+
+  /// Adds the load on side s to the residual.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION void residual(int s, const Law& law, const ResidualView& to) const {
+    double r[rows<Law>] = {}, acting[rows<Law>] = {};
+    for (int q = 0; q < b.points; ++q) {
+      SideBalance<Coordinates, double> out;
+      law(s * b.points + q, point<Law, double>(s, q), out);
+      const double w = b.shape.weights(q);
+      if constexpr (Law::flows)
+        for (int c = 0; c < NF; ++c) r[c] += w * b.partner.N(q, c) * out.flow;
+      else
+        for (int a = 0; a < NN; ++a)
+          for (int i = 0; i < D; ++i) {
+            r[D * a + i] += w * b.shape.N(q, a) * out.force[i];
+            acting[D * a + i] += w * b.shape.N(q, a) * (out.force[i] - out.standing[i]);
+          }
+    }
+    for (int a = 0; a < rows<Law>; ++a) to.add(b.dofs(s, a), r[a], Law::flows ? r[a] : acting[a]);
+  }
+
+  /// Adds weight times the derivative of residual() to the matrix.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION void tangent(int s, const Law& law, const MatrixScatter& to, double weight) const {
+    using Way = Directions<Law>;
+    using T = Dual<Way::count>;
+    constexpr int n = rows<Law>;
+    double k[n][n] = {};
+    for (int q = 0; q < b.points; ++q) {
+      SideBalance<Coordinates, T> out;
+      law(s * b.points + q, point<Law, T>(s, q), out);
+      for (int row = 0; row < n; ++row)
+        for (int column = 0; column < n; ++column)
+          k[row][column] += b.shape.weights(q) * entry<Law>(q, row, column, out);
+    }
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < n; ++c) to.add(s, a, c, weight * k[a][c]);
+  }
+
+ private:
+  template <class Law, class T>
+  KOKKOS_INLINE_FUNCTION double entry(int q, int row, int column, const SideBalance<Coordinates, T>& out) const {
+    using Way = Directions<Law>;
+    if constexpr (Law::flows) {
+      return b.partner.N(q, row) * out.flow.d[Way::value] * at.value_weight * b.partner.N(q, column);
+    } else {
+      const T& force = out.force[row % D];
+      const int node = column / D, j = column % D;
+      double sum = 0;
+      if constexpr (Law::moves) {
+        double moved = force.d[Way::x + j] * b.shape.N(q, node);
+        for (int k = 0; k < K; ++k) moved += force.d[D * k + j] * b.shape.dN(q, node, k);
+        sum += moved * at.geometry_weight;
+      }
+      if constexpr (Law::damps) sum += force.d[Way::velocity + j] * b.shape.N(q, node) * at.velocity_weight;
+      return b.shape.N(q, row / D) * sum;
+    }
+  }
+};
+
+/// What runs on every side: adds its load to the residual.
+template <class Loop, class Law>
+struct SideResidual {
+  Loop loop;
+  Law law;
+  ResidualView to;
+  KOKKOS_INLINE_FUNCTION void operator()(int s) const { loop.residual(s, law, to); }
+};
+template <class Loop, class Law>
+SideResidual(Loop, Law, ResidualView) -> SideResidual<Loop, Law>;
+/// Adds its matrix.
+template <class Loop, class Law>
+struct SideTangent {
+  Loop loop;
+  Law law;
+  MatrixScatter to;
+  double weight;
+  KOKKOS_INLINE_FUNCTION void operator()(int s) const { loop.tangent(s, law, to, weight); }
+};
+template <class Loop, class Law>
+SideTangent(Loop, Law, MatrixScatter, double) -> SideTangent<Loop, Law>;
+
+/// Calls f(loop) with the loop that fits a block's sides.
+template <class F>
+void with_side_loop(Geometry geometry, const SideBlock& b, const SideLevel& level, F&& f) {
+  with_coordinates(geometry, [&](auto coordinates) {
+    using C = decltype(coordinates);
+    if (b.shape.nodes == 2)
+      f(SideLoop<C, 2, 2>{b, level});
+    else if (b.partner.nodes == 2)
+      f(SideLoop<C, 3, 2>{b, level});
+    else
+      f(SideLoop<C, 3, 3>{b, level});
+  });
+}
+
+/// Adds a load on all sides of a block to the residual.
+template <class Law>
+void add_side_residual(Geometry geometry, const SideBlock& block, const SideLevel& level, const Law& law,
+                       const ResidualView& f) {
+  with_side_loop(geometry, block, level, [&](const auto& loop) {
+    Kokkos::parallel_for("side residual", Kokkos::RangePolicy<>(0, block.sides), SideResidual{loop, law, f});
+  });
+}
+
+/// Adds weight times its derivative.
+template <class Law>
+void add_side_tangent(Geometry geometry, const SideBlock& block, const SideLevel& level, const Law& law,
+                      const MatrixScatter& to, double weight) {
+  with_side_loop(geometry, block, level, [&](const auto& loop) {
+    Kokkos::parallel_for("side tangent", Kokkos::RangePolicy<>(0, block.sides), SideTangent{loop, law, to, weight});
+  });
+}
+
+}  // namespace mudline
