@@ -24,7 +24,7 @@ get_property(mudline_packages GLOBAL PROPERTY MUDLINE_PACKAGES)
 install(TARGETS ${mudline_packages} mudline_flags mudline_plugin EXPORT mudlineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mudline
-  FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE PATTERN benchmarks EXCLUDE)
 if(TARGET mudline)
   install(TARGETS mudline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -60,7 +60,7 @@ TEXT = SOURCES + (".xml", ".md", ".txt", ".json", ".geo", ".sh")
 
 
 def files_of(root, suffixes):
-    for folder in ("packages", "apps", "tests", "benchmarks", "cmake", "examples", "inputs", "docs", ".ci"):
+    for folder in ("packages", "apps", "tests", "cmake", "examples", "inputs", "docs", ".ci"):
         for path in sorted((root / folder).rglob("*")):
             if path.is_file() and (path.suffix in suffixes or folder == ".ci") and "__pycache__" not in path.parts:
                 yield path.relative_to(root).as_posix(), path
