@@ -1,4 +1,4 @@
-# `cmake --install`: headers, libraries, program, decks, and the CMake package "mudline" for authors of plugins.
+# `cmake --install`: headers, libraries, program, decks with the examples of plugins, and the CMake package "mudline" for authors of plugins.
 include(CMakePackageConfigHelpers)
 set(mudline_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mudline)
 
@@ -24,11 +24,13 @@ get_property(mudline_packages GLOBAL PROPERTY MUDLINE_PACKAGES)
 install(TARGETS ${mudline_packages} mudline_flags mudline_plugin EXPORT mudlineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mudline
-  FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE PATTERN benchmarks EXCLUDE)
 if(TARGET mudline)
   install(TARGETS mudline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/mudline)
+# Without what stands beside an example of a plugin that was built and run in its folder.
+install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/mudline
+  PATTERN build EXCLUDE PATTERN results EXCLUDE PATTERN "*.so" EXCLUDE)
 
 install(EXPORT mudlineTargets NAMESPACE mudline:: DESTINATION ${mudline_config_dir})
 configure_package_config_file(cmake/mudlineConfig.cmake.in ${PROJECT_BINARY_DIR}/mudlineConfig.cmake

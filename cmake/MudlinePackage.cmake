@@ -1,5 +1,6 @@
 # One package = one static library mudline_<name> (alias mudline::<name>), include root packages/,
 # and, when tests/ holds *_test.cpp, one gtest executable <name>_tests. Files named *_test.np2.cpp run on 2 ranks.
+# benchmarks/ holds timed figures, with a CMakeLists.txt: programs to run by hand (docs/benchmarks), never tests.
 #
 #   mudline_package(materials SOURCES a.cpp b.cpp DEPENDS core tensor [PRIVATE mudline::metis ...])
 #
@@ -46,6 +47,9 @@ function(mudline_package name)
 
   if(MUDLINE_TESTS)
     mudline_package_tests(${name})
+  endif()
+  if(MUDLINE_BENCHMARKS AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/benchmarks/CMakeLists.txt)
+    add_subdirectory(benchmarks)
   endif()
 endfunction()
 

@@ -15,7 +15,6 @@ import numpy as np
 from mudline_case import ROOT, History, MudlineCase, program
 from references import heat
 
-EXAMPLES = os.path.join(ROOT, "examples", "plugins")
 LAUNCHER = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
 
 OTHER_ABI = """extern "C" const char* mudline_plugin_abi() { return "interface 0; gcc 4; Trilinos 12.0; debug"; }
@@ -94,7 +93,7 @@ def setUpModule():
     call("cmake", "--install", os.environ["MUDLINE_BUILD"], "--prefix", PREFIX)
     for name in ("my_clay", "heat_conduction", "my_interface", "solute"):
         source = os.path.join(SCRATCH, name)
-        shutil.copytree(os.path.join(EXAMPLES, name), source)  # as an author has it, away from mudline's tree
+        shutil.copytree(os.path.join(PREFIX, "share", "mudline", "inputs", "plugins", name), source)  # as an author has it, away from mudline's tree
         call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
              "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
         call("cmake", "--build", source + "/build")

@@ -1,4 +1,4 @@
-"""One-character mutations of names and words, over all valid decks of inputs/.
+"""One-character mutations of names and words, over all valid decks of inputs/ (without those of its plugins, which must be built first).
 
 A letter is replaced, inserted, left out or swapped with its neighbour in the name of a parameter or section, or in a word
 that means something to the program (a type, a choice, a set, a body, a function, ...). Names that the author chooses freely
@@ -88,7 +88,7 @@ def check_each(paths, folder):
 
 def run(count, seed, folder):
     rng = random.Random(seed)
-    shutil.copytree(ROOT / "inputs", folder / "inputs")
+    shutil.copytree(ROOT / "inputs", folder / "inputs", ignore=shutil.ignore_patterns("plugins"))
     decks = sorted(path.relative_to(folder) for path in (folder / "inputs").rglob("*.xml"))
     decks = [deck for deck, line in zip(decks, check_each(decks, folder)) if line and line.endswith(": the deck is valid")]
     known = known_words(folder)

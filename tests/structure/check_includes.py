@@ -60,10 +60,12 @@ TEXT = SOURCES + (".xml", ".md", ".txt", ".json", ".geo", ".sh")
 
 
 def files_of(root, suffixes):
-    for folder in ("packages", "apps", "tests", "benchmarks", "cmake", "examples", "inputs", "docs", ".ci"):
+    for folder in ("packages", "apps", "tests", "cmake", "inputs", "docs", ".ci"):
         for path in sorted((root / folder).rglob("*")):
-            if path.is_file() and (path.suffix in suffixes or folder == ".ci") and "__pycache__" not in path.parts:
-                yield path.relative_to(root).as_posix(), path
+            name = path.relative_to(root)
+            # a plugin of inputs/plugins may have been built where it stands
+            if path.is_file() and (path.suffix in suffixes or folder == ".ci") and not {"__pycache__", "build"} & set(name.parts):
+                yield name.as_posix(), path
 
 
 def listed(name, allowed):

@@ -28,8 +28,7 @@ def is_source(path):
 
 
 def texts(root):
-    for folder in ("inputs", "examples"):
-        yield from (root / folder).rglob("*.xml")
+    yield from (root / "inputs").rglob("*.xml")
     for folder in ("tests", "packages", "apps"):
         yield from filter(is_source, (root / folder).rglob("*"))
 

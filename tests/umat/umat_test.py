@@ -9,7 +9,7 @@ import numpy as np
 from mudline_case import ROOT, MudlineCase, point_deck, program
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-EXAMPLES = os.path.join(ROOT, "examples", "plugins", "umat")
+EXAMPLES = os.path.join(ROOT, "inputs", "plugins", "umat")
 E, NU = 2e7, 0.25
 NATIVE = {"type": "linear elastic", "Young's modulus": E, "Poisson's ratio": NU}
 START = {"vertical effective stress": 1e5, "K0": 0.6}

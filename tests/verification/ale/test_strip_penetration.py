@@ -1,5 +1,5 @@
 """A smooth strip footing pushed deep into Tresca clay, on a coarse mesh: resistance against the limit load of the deformed geometry (found by
-benchmarks/limit_load.py on a finer mesh, without elasticity, contact law or history), and against the mesh that goes with the soil while
+docs/benchmarks/limit_load.py on a finer mesh, without elasticity, contact law or history), and against the mesh that goes with the soil while
 that is still good. Also what the first guess of a step changes: iterations, not answers."""
 import os
 import unittest

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "model_fixture.hpp"
+#include "simulation/tests/model_fixture.hpp"
 
 namespace {
 

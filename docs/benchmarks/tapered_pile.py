@@ -14,7 +14,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 for folder in ("support", "verification"):
-    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / folder))
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / folder))
 from pile_in_clay import RADIUS, at_half_height, shares_of_cavity, wall  # noqa: E402
 
 TAPER_IN = 2.4  # [m] depth of the tip from which the taper is in the ground

@@ -14,10 +14,10 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "support"))
 from mudline_case import History  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECK = ROOT / "inputs" / "contact" / "ironing.xml"
 ELEMENT = 0.25  # [m] of the deck's mesh
 KINDS = {"facets": "facets of one element length", "bezier": "smoothed through the facets' corners", "exact": "exact"}

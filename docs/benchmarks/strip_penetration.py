@@ -16,10 +16,10 @@ from limit_load import limit_loads
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "support"))
 from mudline_case import History  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECK = ROOT / "inputs" / "footing" / "tresca_penetration.xml"
 HALF_WIDTH, STRENGTH = 0.5, 10e3
 KINDS = {"ale": ("mesh moved against the soil", []), "lagrangian": ("mesh that goes with the soil", ["--set", "stages/push/mesh motion=false"])}

@@ -13,11 +13,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "support"))
 from dynamic_ironing import METHODS, SLOWEST, Response, settings  # noqa: E402
 from mudline_case import History  # noqa: E402
 
-DECKS = pathlib.Path(__file__).resolve().parent.parent / "inputs" / "contact"
+DECKS = pathlib.Path(__file__).resolve().parents[2] / "inputs" / "contact"
 CONTOURS = {"facets": "facets of one element length", "bezier": "smoothed through their corners", "exact": "exact"}
 
 

@@ -13,10 +13,10 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "support"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "support"))
 from mudline_case import History  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECKS = ROOT / "inputs" / "cpt"
 RADIUS, STRENGTH = 0.01785, 10e3
 KINDS = {"faceted": ("chords of one element length", [DECKS / "faceted.xml"]), "exact": ("arcs", [])}

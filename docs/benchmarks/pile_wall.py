@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 for folder in ("support", "verification"):
-    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / folder))
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / folder))
 from mudline_case import History  # noqa: E402
 from pile_in_clay import CLAY, CONDUCTIVITY, GAMMA_WATER, K0, OCR, RADIUS, START, cavity, vertical  # noqa: E402
 from references.strain_path import SimplePile  # noqa: E402

@@ -1,7 +1,7 @@
 """Collapse load of rigid, perfectly plastic Tresca soil in plane strain on the meshes that a run left behind: an independent check of a
 footing's resistance at any depth, without elasticity, stress history, contact law or time.
 
-    python3 benchmarks/limit_load.py RESULT.h5 [BODY] [rough]
+    python3 docs/benchmarks/limit_load.py RESULT.h5 [BODY] [rough]
 
 At the output times: the velocity field (six-node triangles, no change of volume at three points each) that dissipates least while the body
 goes down by one unit and the soil that it presses keeps to its contour (what would pull is released, one node after the other). Prints

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Time per step and unknown of the 2-D dynamic footing, split into residual, Jacobian and linear solve.
 
-    python3 benchmarks/dynamic_footing.py PROGRAM [--cells 40 80 120 160] [--ranks 1 2]
+    python3 docs/benchmarks/dynamic_footing.py PROGRAM [--cells 40 80 120 160] [--ranks 1 2]
 
 Prints a markdown table with the settlement under the strip's centre; the converged values are in the verification test.
 Wall-clock microseconds; compare ratios within one run, not figures of different days.
@@ -13,7 +13,7 @@ import re
 import subprocess
 import tempfile
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 DECK = os.path.join(ROOT, "inputs", "footing", "dynamic_footing.xml")
 
 
