@@ -5,8 +5,7 @@
 #include <type_traits>
 
 #include "discretisation/cell_map.hpp"
-#include "framework/coordinates.hpp"
-#include "framework/field_block.hpp"
+#include "framework/element_shapes.hpp"
 #include "framework/point_fields.hpp"
 #include "framework/term.hpp"
 #include "tensor/dual.hpp"
@@ -20,51 +19,6 @@
 #endif
 
 namespace mudline {
-
-/// Compile-time sizes of an element: nodes of the cell and of the scalar fields, number of scalar fields, and whether
-/// the displacement is among the unknowns.
-template <int NU_, int NS_, int S_, bool Moves = true>
-struct ElementShapes {
-  static constexpr int NU = NU_, NS = NS_, S = S_;
-  static constexpr bool moves = Moves;
-};
-
-/// Calls f(coordinate system, ElementShapes) of a block. The displacement stands at all nodes; scalar fields at the
-/// corners, or, without a displacement, at all nodes.
-template <class F>
-auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
-  using Result = decltype(f(PlaneStrain{}, ElementShapes<6, 0, 0>{}));
-  const auto of_cell = [&](auto coordinates, auto cell, auto partner) -> Result {
-    constexpr int N = decltype(cell)::value, P = decltype(partner)::value;
-    const bool corners = block.p.nodes < N;
-    const auto of_scalars = [&](auto scalars) -> Result {
-      constexpr int S = decltype(scalars)::value;
-      if (!block.moves())
-        return corners ? f(coordinates, ElementShapes<N, P, S, false>{})
-                       : f(coordinates, ElementShapes<N, N, S, false>{});
-      if constexpr (P < N)
-        if (corners) return f(coordinates, ElementShapes<N, P, S>{});
-      throw std::logic_error("no inf-sup stable set of fields for the cell");
-    };
-    static_assert(max_scalars == 2);
-    if (block.scalars == 2) return of_scalars(std::integral_constant<int, 2>{});
-    if (block.scalars == 1) return of_scalars(std::integral_constant<int, 1>{});
-    return f(coordinates, ElementShapes<N, 0, 0>{});
-  };
-  return with_coordinates(geometry, [&](auto coordinates) -> Result {
-    switch (block.shape) {
-      case CellShape::tri6:
-        return of_cell(coordinates, std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{});
-      case CellShape::quad9:
-        return of_cell(coordinates, std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
-      case CellShape::tri3:
-        return of_cell(coordinates, std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{});
-      case CellShape::quad4:
-        return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
-    }
-    throw std::logic_error("unknown cell");
-  });
-}
 
 /// The state that a loop looks at: places and fields of one level, and how they follow from the unknowns.
 struct LoopLevel {
@@ -111,6 +65,7 @@ struct PointLaw {
   static constexpr bool rates = true;       // on velocities, accelerations and rates at all
   static constexpr bool gradients = false;  // on the scalar fields' gradients
   static constexpr bool stands = false;     // its stress stood before the step, the change is given beside it
+  static constexpr bool cancels = false;    // a storage is the difference of two large numbers, whose size is given
 };
 
 /// One generic loop over the elements of a block. A law is called once per quadrature point: law(row, fields, out),
@@ -248,7 +203,7 @@ struct ElementLoop {
     Nodes n;
     gather<Law::rates>(e, n);
     double r[NU][D] = {}, acting[NU][D] = {}, skeleton[NU][D] = {}, fluid[NU][D] = {};
-    double stored[SQ][NQ] = {}, flown[SQ][NQ] = {};
+    double stored[SQ][NQ] = {}, flown[SQ][NQ] = {}, cancelled[SQ][NQ] = {};
     for (int q = 0; q < b.points; ++q) {
       Shape s;
       Fields f;
@@ -278,6 +233,7 @@ struct ElementLoop {
       for (int k = 0; k < S; ++k)
         for (int c = 0; c < NS; ++c) {
           if constexpr (Law::storages) stored[k][c] += s.dv * s.Np[c] * out.storage[k];
+          if constexpr (Law::cancels) cancelled[k][c] += s.dv * std::abs(s.Np[c]) * out.cancelled[k];
           if constexpr (Law::fluxes)
             for (int j = 0; j < D; ++j) flown[k][c] += s.dv * s.gp[c][j] * out.flux[k][j];
         }
@@ -290,9 +246,11 @@ struct ElementLoop {
         }
     if constexpr (Law::storages || Law::fluxes)
       for (int k = 0; k < S; ++k)
-        for (int c = 0; c < NS; ++c)
-          to.add(b.dofs(e, MU + k * NS + c), stored[k][c] + flown[k][c],
-                 std::abs(stored[k][c]) + std::abs(flown[k][c]));
+        for (int c = 0; c < NS; ++c) {
+          const int dof = b.dofs(e, MU + k * NS + c);
+          to.add(dof, stored[k][c] + flown[k][c], std::abs(stored[k][c]) + std::abs(flown[k][c]));
+          if constexpr (Law::cancels) to.cancelled(dof, cancelled[k][c]);
+        }
     return 0;
   }
 

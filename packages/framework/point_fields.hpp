@@ -45,6 +45,8 @@ struct PointBalance {
   double standing_force[D] = {};            // part of the force that stood before the step [N/m3]
   double stress_change[D][D], hoop_change;  // of the skeleton's stress [Pa]
   double pressure_change;                   // of the isotropic stress of the pore fluid [Pa]
+  // Size of the numbers of which a storage is the difference: their rounding is in the residual.
+  double cancelled[S > 0 ? S : 1] = {};
 };
 
 }  // namespace mudline

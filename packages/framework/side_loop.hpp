@@ -102,24 +102,23 @@ struct SideLoop {
     return p;
   }
 
-  /// Adds the load on side s to the residual.
+  /// Adds the load on side s to the residual, point by point: a corner's shape has both signs on a quadratic side, and
+  /// sizes are wanted before they cancel.
   template <class Law>
   KOKKOS_INLINE_FUNCTION void residual(int s, const Law& law, const ResidualView& to) const {
-    double r[rows<Law>] = {}, acting[rows<Law>] = {};
     for (int q = 0; q < b.points; ++q) {
       SideBalance<Coordinates, double> out;
       law(s * b.points + q, point<Law, double>(s, q), out);
       const double w = b.shape.weights(q);
       if constexpr (Law::flows)
-        for (int c = 0; c < NF; ++c) r[c] += w * b.partner.N(q, c) * out.flow;
+        for (int c = 0; c < NF; ++c) to.add(b.dofs(s, c), w * b.partner.N(q, c) * out.flow);
       else
         for (int a = 0; a < NN; ++a)
           for (int i = 0; i < D; ++i) {
-            r[D * a + i] += w * b.shape.N(q, a) * out.force[i];
-            acting[D * a + i] += w * b.shape.N(q, a) * (out.force[i] - out.standing[i]);
+            const double share = w * b.shape.N(q, a);
+            to.add(b.dofs(s, D * a + i), share * out.force[i], share * (out.force[i] - out.standing[i]));
           }
     }
-    for (int a = 0; a < rows<Law>; ++a) to.add(b.dofs(s, a), r[a], Law::flows ? r[a] : acting[a]);
   }
 
   /// Adds weight times the derivative of residual() to the matrix.

@@ -46,7 +46,7 @@ struct WarmSoil {
 /// What changes in the step, at its end.
 struct Stored : PointLaw {
   static constexpr int fields = 2;
-  static constexpr bool storages = true, rates = false;
+  static constexpr bool storages = true, rates = false, cancels = true;
   WarmSoil soil;
   double dt, theta;
 
@@ -61,6 +61,7 @@ struct Stored : PointLaw {
     const double grains = (1 - old_n) * soil.mixture.grain_density_at(old_t) * soil.grain_capacity;
     const T capacity = grains * share + soil.water_capacity() * ((1 - theta) * now + theta * old);
     out.storage[pressure] = (now - old) * (1 / dt);
+    out.cancelled[pressure] = (value(now) + value(old)) / dt;
     out.storage[temperature] = capacity * at.change[temperature] * (1 / dt);
   }
 };

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <stdexcept>
+#include <type_traits>
+
+#include "framework/coordinates.hpp"
+#include "framework/field_block.hpp"
+
+namespace mudline {
+
+/// Compile-time sizes of an element: nodes of the cell and of the scalar fields, number of scalar fields, and whether
+/// the displacement is among the unknowns.
+template <int NU_, int NS_, int S_, bool Moves = true>
+struct ElementShapes {
+  static constexpr int NU = NU_, NS = NS_, S = S_;
+  static constexpr bool moves = Moves;
+};
+
+/// Calls f(coordinate system, ElementShapes) of a block. The displacement stands at all nodes; scalar fields at the
+/// corners, or, without a displacement, at all nodes.
+template <class F>
+auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
+  using Result = decltype(f(PlaneStrain{}, ElementShapes<6, 0, 0>{}));
+  const auto of_cell = [&](auto coordinates, auto cell, auto partner) -> Result {
+    constexpr int N = decltype(cell)::value, P = decltype(partner)::value;
+    const bool corners = block.p.nodes < N;
+    const auto of_scalars = [&](auto scalars) -> Result {
+      constexpr int S = decltype(scalars)::value;
+      if (!block.moves())
+        return corners ? f(coordinates, ElementShapes<N, P, S, false>{})
+                       : f(coordinates, ElementShapes<N, N, S, false>{});
+      if constexpr (P < N)
+        if (corners) return f(coordinates, ElementShapes<N, P, S>{});
+      throw std::logic_error("no inf-sup stable set of fields for the cell");
+    };
+    static_assert(max_scalars == 2);
+    if (block.scalars == 2) return of_scalars(std::integral_constant<int, 2>{});
+    if (block.scalars == 1) return of_scalars(std::integral_constant<int, 1>{});
+    return f(coordinates, ElementShapes<N, 0, 0>{});
+  };
+  return with_coordinates(geometry, [&](auto coordinates) -> Result {
+    switch (block.shape) {
+      case CellShape::tri6:
+        return of_cell(coordinates, std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{});
+      case CellShape::quad9:
+        return of_cell(coordinates, std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
+      case CellShape::tri3:
+        return of_cell(coordinates, std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{});
+      case CellShape::quad4:
+        return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
+    }
+    throw std::logic_error("unknown cell");
+  });
+}
+
+}  // namespace mudline
