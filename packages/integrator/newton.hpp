@@ -64,7 +64,7 @@ struct NewtonOptions {
   int halvings = 4;
   double largest_growth = 0;  // 0: any
   bool reuse_jacobian = true;
-  FirstGuess first_guess = FirstGuess::committed;
+  FirstGuess first_guess = FirstGuess::extrapolated;
   bool guarded = true;  // the deck names no line search of NOX
   NoxOptions nox;
   void parameters(Parameters& p);

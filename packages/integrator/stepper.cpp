@@ -469,7 +469,7 @@ bool Stepper::extrapolate(Vector& x) {
   {
     auto data = guess.getLocalViewHost(Tpetra::Access::ReadWrite);
     for (int f = 0; f < space_.num_fields(); ++f) {
-      if (space_.field(f).time_order != 2) continue;
+      if (space_.field(f).time_order < 1) continue;
       for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i)
         if (!constraints_.mask(i)) data(i, 0) += view_.dt * old.rate(i);
     }
