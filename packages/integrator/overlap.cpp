@@ -18,23 +18,19 @@ std::vector<std::pair<int, int>> overlap_ranges(const DofMap& dofs, int f) {
 void import_owned(const DofMap& dofs, const Vector& owned, const NodalView& overlap) {
   Vector target(dofs.overlap());
   target.doImport(owned, *dofs.import(), Tpetra::INSERT);
-  const auto data = target.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (int i = 0; i < dofs.num_overlap_dofs(); ++i) overlap(i) = data(i, 0);
+  Kokkos::deep_copy(overlap, entries(target, Tpetra::Access::ReadOnly));
 }
 
 Vector owned_part(const DofMap& dofs, const NodalView& overlap) {
   Vector owned(dofs.owned());
-  auto data = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (int i = 0; i < dofs.num_owned_dofs(); ++i) data(i, 0) = overlap(i);
+  const auto first = Kokkos::subview(overlap, std::make_pair(0, dofs.num_owned_dofs()));
+  Kokkos::deep_copy(entries(owned, Tpetra::Access::OverwriteAll), first);
   return owned;
 }
 
 void export_overlap(const DofMap& dofs, const NodalView& overlap, Vector& owned) {
   Vector source(dofs.overlap());
-  {
-    auto data = source.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int i = 0; i < dofs.num_overlap_dofs(); ++i) data(i, 0) = overlap(i);
-  }
+  Kokkos::deep_copy(entries(source, Tpetra::Access::OverwriteAll), overlap);
   owned.putScalar(0.0);
   owned.doExport(source, *dofs.import(), Tpetra::ADD);
 }
@@ -50,9 +46,11 @@ NodalView sum_overlap(const DofMap& dofs, const NodalView& overlap) {
 std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v) {
   std::vector<double> squares(dofs.num_fields(), 0.0);
   {
-    const auto data = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto data = entries(v, Tpetra::Access::ReadOnly);
     for (int f = 0; f < dofs.num_fields(); ++f)
-      for (int i = dofs.owned_begin(f); i < dofs.owned_end(f); ++i) squares[f] += data(i, 0) * data(i, 0);
+      Kokkos::parallel_reduce(
+          "squares", Kokkos::RangePolicy<>(dofs.owned_begin(f), dofs.owned_end(f)),
+          KOKKOS_LAMBDA(int i, double& sum) { sum += data(i) * data(i); }, squares[f]);
   }
   squares = sum_over_ranks(*dofs.comm(), squares);
   for (double& s : squares) s = std::sqrt(s);

@@ -9,6 +9,11 @@
 
 namespace mudline {
 
+/// The entries of a vector as a view of rank one, for kernels. access: Tpetra::Access::ReadOnly and its like.
+template <class V, class Access>
+auto entries(V& vector, Access access) {
+  return Kokkos::subview(vector.getLocalViewDevice(access), Kokkos::ALL(), 0);
+}
 /// Local (overlap) dof ranges of one field: owned, then ghost.
 std::vector<std::pair<int, int>> overlap_ranges(const DofMap& dofs, int field);
 /// Owned vector -> overlap view (ghost copies filled). Collective.

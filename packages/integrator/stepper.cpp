@@ -1,5 +1,7 @@
 #include "integrator/stepper.hpp"
 
+#include <KokkosBlas1_axpby.hpp>
+#include <KokkosBlas1_update.hpp>
 #include <Teuchos_Time.hpp>
 
 #include <algorithm>
@@ -28,6 +30,63 @@ class Stopwatch {
   double start_;
 };
 
+bool finite(const NodalView& values) {
+  double sum = 0;  // NaN where one is not finite
+  Kokkos::parallel_reduce(
+      "finite", Kokkos::RangePolicy<>(0, values.extent(0)),
+      KOKKOS_LAMBDA(int i, double& part) { part += 0.0 * values(i); }, sum);
+  return sum == 0.0;
+}
+
+bool equal(const Vector& a, const Vector& b) {
+  const auto here = entries(a, Tpetra::Access::ReadOnly), there = entries(b, Tpetra::Access::ReadOnly);
+  int differences = 0;
+  Kokkos::parallel_reduce(
+      "equal", Kokkos::RangePolicy<>(0, here.extent(0)),
+      KOKKOS_LAMBDA(int i, int& count) { count += here(i) == there(i) ? 0 : 1; }, differences);
+  return differences == 0;
+}
+
+/// x: prescribed values, and for the rest those given.
+void start_from(const Constraints& constraints, const NodalView& values, Vector& x) {
+  const auto data = entries(x, Tpetra::Access::OverwriteAll);
+  const Constraints given = constraints;
+  const NodalView otherwise = values;
+  Kokkos::parallel_for(
+      "start values", Kokkos::RangePolicy<>(0, data.extent(0)),
+      KOKKOS_LAMBDA(int i) { data(i) = given.mask(i) ? given.value(i) : otherwise(i); });
+}
+
+/// Adds time times rate to the unknowns [begin, end) of x that are not prescribed.
+void move_on(const Constraints& constraints, const NodalView& rates, double time, int begin, int end, Vector& x) {
+  const auto data = entries(x, Tpetra::Access::ReadWrite);
+  const Kokkos::View<char*> prescribed = constraints.mask;
+  const NodalView rate = rates;
+  Kokkos::parallel_for(
+      "first guess", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) {
+        if (!prescribed(i)) data(i) += time * rate(i);
+      });
+}
+
+/// Sums of squares of the change of forces and of the forces before it.
+struct SquaresOfChange {
+  NodalView now, old;
+  KOKKOS_FUNCTION void operator()(int i, double& change, double& size) const {
+    change += (now(i) - old(i)) * (now(i) - old(i));
+    size += old(i) * old(i);
+  }
+};
+
+/// What acts on prescribed unknowns goes over to their reactions.
+void split_reactions(const Constraints& constraints, const NodalView& total, const NodalView& reaction) {
+  const Kokkos::View<char*> prescribed = constraints.mask;
+  Kokkos::parallel_for(
+      "reactions", Kokkos::RangePolicy<>(0, total.extent(0)), KOKKOS_LAMBDA(int i) {
+        reaction(i) = prescribed(i) ? total(i) : 0.0;
+        if (prescribed(i)) total(i) = 0;
+      });
+}
+
 }  // namespace
 
 void StepTolerances::parameters(Parameters& p) {
@@ -47,6 +106,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
       solver_(solver),
       block_data_(std::move(block_data)),
       assembler_(space.dofs()),
+      levels_(space),
       evaluated_(space.dofs()->owned()) {
   int slots = 0;
   for (Term* term : terms_) {
@@ -57,11 +117,8 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   history_ = faces<History>(terms_);
   store_.allocate_history(slots);
   assembler_.finalise();
-  const int n = space.dofs()->num_overlap_dofs(), nodes = space.mesh().num_nodes();
-  for (NodalView* v :
-       {&value_, &rate_, &velocity_, &acceleration_, &ahead_old_, &ahead_end_, &reaction_, &total_, &acting_, &whole_})
-    *v = NodalView("level", n);
-  for (CoordinateView* v : {&x_end_, &x_momentum_, &x_balance_}) *v = CoordinateView("coordinates", nodes, 2);
+  const int n = space.dofs()->num_overlap_dofs();
+  for (NodalView* v : {&reaction_, &total_, &acting_, &whole_}) *v = NodalView("sum of forces", n);
   constraints_ = Constraints(n);
   for (auto* sizes : {&reference_, &rounding_, &matrix_rounding_, &reference_floor_, &size_floor_})
     sizes->assign(space.num_fields(), 0);
@@ -80,7 +137,7 @@ void Stepper::activate(const std::vector<Term*>& active) {
   carried_ = faces<Carried>(active_);
   reports_ = faces<Reports>(active_);
   force_.clear();
-  for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", value_.extent(0));
+  for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", total_.extent(0));
   solver_.reset();
   chord_.forget();
 }
@@ -99,14 +156,8 @@ void Stepper::prepare_view(const StepRequest& request, StepView::Kind kind) {
   view_.dt = request.dt;
   view_.value_old = old.value;
   view_.value_end = trial.value;
-  view_.value = value_;
-  view_.rate = rate_;
-  view_.velocity = velocity_;
-  view_.acceleration = acceleration_;
-  Kokkos::deep_copy(ahead_old_, 0.0);
-  Kokkos::deep_copy(ahead_end_, 0.0);
   const double conjugate = 1 + (scheme_.lead() * scheme_.gamma - scheme_.bend()) / scheme_.beta;
-  view_.impact = {ahead_old_, ahead_end_, conjugate, scheme_.damping(), scheme_.lead() * request.dt};
+  view_.impact = {{}, {}, conjugate, scheme_.damping(), scheme_.lead() * request.dt};
   view_.x_old = old.coordinates;
   view_.x_end = trial.coordinates;
   const double momentum = view_.end_weight = 1 - scheme_.alpha_f;
@@ -114,8 +165,9 @@ void Stepper::prepare_view(const StepRequest& request, StepView::Kind kind) {
   // order.
   const double balance = scheme_.incremental ? 0.5 : momentum;
   const double balance_time = scheme_.incremental ? scheme_.theta : momentum;
-  view_.momentum = {old.time + momentum * passing, x_momentum_, momentum};
-  view_.balance = {old.time + balance_time * passing, x_balance_, balance};
+  view_.momentum = {old.time + momentum * passing, {}, momentum};
+  view_.balance = {old.time + balance_time * passing, {}, balance};
+  levels_.show(view_);
   view_.inertia = scheme_.inertia;
   view_.flow = scheme_.flow;
   view_.linearisation = 0;
@@ -142,67 +194,12 @@ void Stepper::set_sensitivities() {
   }
 }
 
-void Stepper::levels_of_field(int f, int begin, int end) {
-  const State& old = store_.committed();
-  State& trial = store_.trial();
-  const double dt = view_.dt, af = scheme_.alpha_f, am = scheme_.alpha_m;
-  const double lead = scheme_.lead() * dt, bend = scheme_.bend() * dt * dt;
-  const bool second = space_.field(f).time_order == 2;
-  for (int i = begin; i < end; ++i) {
-    const double change = trial.value(i) - old.value(i), mean = change / dt;
-    if (second && scheme_.inertia) {
-      trial.acceleration(i) =
-          (mean - old.rate(i)) / (scheme_.beta * dt) - (0.5 / scheme_.beta - 1) * old.acceleration(i);
-      trial.rate(i) =
-          old.rate(i) + dt * ((1 - scheme_.gamma) * old.acceleration(i) + scheme_.gamma * trial.acceleration(i));
-      acceleration_(i) = (1 - am) * trial.acceleration(i) + am * old.acceleration(i);
-      velocity_(i) = (1 - af) * trial.rate(i) + af * old.rate(i);
-      value_(i) = old.value(i) + (1 - af) * change;
-      rate_(i) = scheme_.incremental ? mean : velocity_(i);
-      ahead_old_(i) = lead * old.rate(i) - bend * old.acceleration(i);
-      ahead_end_(i) = lead * trial.rate(i) - bend * trial.acceleration(i);
-    } else if (second) {
-      trial.rate(i) = velocity_(i) = rate_(i) = scheme_.flow ? mean : 0.0;
-      trial.acceleration(i) = acceleration_(i) = ahead_old_(i) = ahead_end_(i) = 0;
-      value_(i) = trial.value(i);
-    } else if (scheme_.incremental) {
-      trial.rate(i) = rate_(i) = velocity_(i) = scheme_.flow ? mean : 0.0;
-      value_(i) = old.value(i) + scheme_.theta * change;
-    } else {
-      trial.rate(i) = mean / scheme_.theta - (1 - scheme_.theta) / scheme_.theta * old.rate(i);
-      rate_(i) = velocity_(i) = old.rate(i) + scheme_.flow_alpha_m * (trial.rate(i) - old.rate(i));
-      value_(i) = old.value(i) + scheme_.flow_alpha_f * change;
-    }
-  }
-}
-
-void Stepper::given_rates() {
-  const State& old = store_.committed();
-  State& trial = store_.trial();
-  for (std::size_t i = 0; i < constraints_.moves.extent(0); ++i) {
-    if (!constraints_.moves(i)) continue;
-    trial.rate(i) = velocity_(i) = constraints_.rate(i);
-    trial.acceleration(i) = acceleration_(i) = scheme_.inertia ? (trial.rate(i) - old.rate(i)) / view_.dt : 0.0;
-  }
-}
-
 void Stepper::levels(const Vector& x) {
   const State& old = store_.committed();
-  State& trial = store_.trial();
+  const State& trial = store_.trial();
   import_owned(*space_.dofs(), x, trial.value);
-  for (int f = 0; f < space_.num_fields(); ++f)
-    for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f)) levels_of_field(f, begin, end);
-  if (view_.kind == StepView::Kind::step) given_rates();
-  const int displacement = space_.find("displacement");
-  const double momentum = view_.momentum.geometry_weight, balance = view_.balance.geometry_weight;
-  for (int node = 0; node < space_.mesh().num_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) {
-      const int dof = displacement >= 0 ? space_.node_dof(displacement)(node) : -1;
-      const double change = dof >= 0 ? trial.value(dof + i) - old.value(dof + i) : 0.0;
-      trial.coordinates(node, i) = old.coordinates(node, i) + change;
-      x_momentum_(node, i) = old.coordinates(node, i) + momentum * change;
-      x_balance_(node, i) = old.coordinates(node, i) + balance * change;
-    }
+  levels_.of_step(scheme_, view_, old, trial);
+  if (view_.kind == StepView::Kind::step) levels_.given_rates(constraints_, scheme_, view_.dt, old, trial);
 }
 
 void Stepper::constrain(const StepRequest& request) {
@@ -230,9 +227,7 @@ int Stepper::evaluate_term(Term& term, const NodalView& force, const ResidualVie
     failed = 1;
     problem = ", which throws: " + what_was_thrown();
   }
-  double sum = 0;
-  for (std::size_t i = 0; i < force.extent(0); ++i) sum += 0.0 * force(i);  // NaN where one is not finite
-  if (failed == 0 && sum != 0.0) {
+  if (failed == 0 && !finite(force)) {
     failed = 1;
     problem = ", which gives a force or flux that is not finite";
   }
@@ -253,10 +248,10 @@ int Stepper::evaluate_terms() {
     if (slot >= 0) {
       const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
       Kokkos::deep_copy(now, force);
-      for (std::size_t i = 0; i < force.extent(0); ++i) force(i) = view_.end_weight * now(i) + scheme_.alpha_f * old(i);
+      KokkosBlas::update(view_.end_weight, now, scheme_.alpha_f, old, 0.0, force);
       history_[slot]->correction(view_, to);
     }
-    for (std::size_t i = 0; i < force.extent(0); ++i) total_(i) += force(i);
+    KokkosBlas::axpy(1.0, force, total_);
   }
   return failures;
 }
@@ -271,9 +266,7 @@ bool Stepper::residual(const Vector& x, Vector& f) {
                of_first_rank(*space_.dofs()->comm(), failure_);
     return false;
   }
-  for (std::size_t i = 0; i < total_.extent(0); ++i) reaction_(i) = constraints_.mask(i) ? total_(i) : 0.0;
-  for (std::size_t i = 0; i < total_.extent(0); ++i)
-    if (constraints_.mask(i)) total_(i) = 0;
+  split_reactions(constraints_, total_, reaction_);
   export_overlap(*space_.dofs(), total_, f);
   measure();
   Tpetra::deep_copy(evaluated_, x);
@@ -403,11 +396,7 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
   constrain(request);
   check_chord();
   Vector x(map());
-  {
-    auto data = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int i = 0; i < space_.dofs()->num_owned_dofs(); ++i)
-      data(i, 0) = constraints_.mask(i) ? constraints_.value(i) : store_.committed().value(i);
-  }
+  start_from(constraints_, store_.committed().value, x);
   levels(x);
   for (Term* term : active_) term->begin(view_);
   return x;
@@ -432,10 +421,10 @@ bool Stepper::rests() const {
     const int slot = history_slot(k);
     if (slot < 0 || !history_[slot]->may_relax()) continue;
     const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
-    for (std::size_t i = 0; i < old.extent(0); ++i) {
-      sums[0] += (now(i) - old(i)) * (now(i) - old(i));
-      sums[1] += old(i) * old(i);
-    }
+    double change = 0, size = 0;
+    Kokkos::parallel_reduce("rests", Kokkos::RangePolicy<>(0, old.extent(0)), SquaresOfChange{now, old}, change, size);
+    sums[0] += change;
+    sums[1] += size;
   }
   const auto total = sum_over_ranks(*space_.dofs()->comm(), std::vector<double>(sums, sums + 2));
   return total[0] <= 1e-6 * total[1];
@@ -466,14 +455,9 @@ bool Stepper::extrapolate(Vector& x) {
   if (!scheme_.flow) return false;  // geostatic: no time passes
   const State& old = store_.committed();
   Vector guess(x, Teuchos::Copy);
-  {
-    auto data = guess.getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (int f = 0; f < space_.num_fields(); ++f) {
-      if (space_.field(f).time_order < 1) continue;
-      for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i)
-        if (!constraints_.mask(i)) data(i, 0) += view_.dt * old.rate(i);
-    }
-  }
+  for (int f = 0; f < space_.num_fields(); ++f)
+    if (space_.field(f).time_order > 0)
+      move_on(constraints_, old.rate, view_.dt, space_.dofs()->owned_begin(f), space_.dofs()->owned_end(f), guess);
   Vector change(guess, Teuchos::Copy), f(map());
   change.update(-1, x, 1);
   if (change.norm2() == 0 || !residual(guess, f)) return false;
@@ -482,13 +466,7 @@ bool Stepper::extrapolate(Vector& x) {
 }
 
 bool Stepper::stands_at(const Vector& x) const {
-  bool same = stands_;
-  if (same) {
-    const auto here = evaluated_.getLocalViewHost(Tpetra::Access::ReadOnly),
-               there = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (std::size_t i = 0; same && i < here.extent(0); ++i) same = here(i, 0) == there(i, 0);
-  }
-  return sum_over_ranks(*space_.dofs()->comm(), same ? 0 : 1) == 0;
+  return sum_over_ranks(*space_.dofs()->comm(), stands_ && equal(evaluated_, x) ? 0 : 1) == 0;
 }
 
 Augmentation Stepper::augment(int count) {

@@ -8,6 +8,7 @@
 #include "framework/constraints.hpp"
 #include "framework/term_faces.hpp"
 #include "integrator/chord.hpp"
+#include "integrator/levels.hpp"
 #include "integrator/newton.hpp"
 #include "integrator/time_scheme.hpp"
 
@@ -136,15 +137,12 @@ class Stepper : public NonlinearProblem {
   void constrain(const StepRequest& request);
   /// Fills the level views and the trial's nodal part from x.
   void levels(const Vector& x);
-  void levels_of_field(int f, int begin, int end);
   /// All levels are the committed state: no acceleration, no rates of first order; sensitivities to those alone.
   void levels_at_rest();
   /// The matrix of inertia and storage, by the terms that are no history.
   void add_rate_matrices();
   /// Prescribes the fields whose rate matrix has a row of zeros: it cannot be solved for. Whether there are any.
   bool hold_fields_without_rates();
-  /// Prescribed unknowns whose rates are given have those, and over the step their mean acceleration.
-  void given_rates();
   int evaluate_terms();
   /// Term::residual into `force`, behind `to`; one that throws, or gives what is not finite, counts as failed.
   int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
@@ -179,8 +177,8 @@ class Stepper : public NonlinearProblem {
   TimeScheme scheme_;
   StepTolerances tolerances_;
   Constraints constraints_;
-  NodalView value_, rate_, velocity_, acceleration_, ahead_old_, ahead_end_, reaction_, total_, acting_, whole_;
-  CoordinateView x_end_, x_momentum_, x_balance_;
+  Levels levels_;
+  NodalView reaction_, total_, acting_, whole_;
   std::vector<NodalView> force_;
   // By field: what acts at the last evaluation, rounding of residual and matrix, norms of the residual of the first and
   // of the last iterate that was measured, and of the one observed before.

@@ -63,24 +63,11 @@ std::vector<double> Stepper::solver_memory() {
 }
 
 void Stepper::levels_at_rest() {
-  const State& old = store_.committed();
-  for (std::size_t i = 0; i < old.value.extent(0); ++i) {
-    store_.trial().value(i) = value_(i) = old.value(i);
-    rate_(i) = velocity_(i) = old.rate(i);
-    acceleration_(i) = 0;
-  }
+  levels_.at_rest(store_.committed(), store_.trial());
   for (int f = 0; f < space_.num_fields(); ++f) {
-    view_.sensitivity[f] = {0, 0, 0, 0};
-    if (space_.field(f).time_order == 2) {
-      view_.sensitivity[f].acceleration = 1;
-      continue;
-    }
-    view_.sensitivity[f].rate = 1;
-    for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
-      for (int i = begin; i < end; ++i) rate_(i) = velocity_(i) = 0;
+    const bool second = space_.field(f).time_order == 2;
+    view_.sensitivity[f] = {0, second ? 0.0 : 1.0, 0, second ? 1.0 : 0.0};
   }
-  for (CoordinateView* x : {&x_momentum_, &x_balance_}) Kokkos::deep_copy(*x, old.coordinates);
-  Kokkos::deep_copy(store_.trial().coordinates, old.coordinates);
   view_.momentum.geometry_weight = view_.balance.geometry_weight = 0;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <exception>
 #include <memory>
 #include <type_traits>
 
@@ -20,6 +22,34 @@ struct SkeletonPoint {
 struct SkeletonResponse {
   double stress[6];    // [Pa]
   double tangent[36];  // [Pa] row-major, written when want_tangent
+};
+
+/// The first exception thrown in a kernel on host threads: none may leave a parallel region.
+class CaughtInKernel {
+ public:
+  /// action(), or false where it throws. On a device, which knows no exceptions, just action().
+  template <class Action>
+  KOKKOS_INLINE_FUNCTION static bool run(CaughtInKernel* caught, const Action& action) {
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || defined(__SYCL_DEVICE_ONLY__)
+    (void)caught;
+    return action();
+#else
+    try {
+      return action();
+    } catch (...) {
+      if (!caught->taken_.test_and_set()) caught->thrown_ = std::current_exception();
+      return false;
+    }
+#endif
+  }
+  /// After the kernel: throws what was caught.
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
+  std::exception_ptr thrown_;
 };
 
 /// Turns a trivially copyable law with
@@ -78,6 +108,7 @@ class PointwiseSkeleton : public Skeleton {
   int evaluate(const SkeletonWorkset& w) const override {
     const Law law = law_;
     int failures = 0;
+    CaughtInKernel thrown, *caught = &thrown;
     Kokkos::parallel_reduce(
         "skeleton", Kokkos::RangePolicy<>(0, w.points),
         KOKKOS_LAMBDA(int i, int& sum) {
@@ -92,7 +123,7 @@ class PointwiseSkeleton : public Skeleton {
           SkeletonResponse out;
           const double* state_old = w.state_old.data() + i * w.state_old.extent(1);
           double* state = w.state.data() + i * w.state.extent(1);
-          const bool ok = law(in, state_old, state, out);
+          const bool ok = CaughtInKernel::run(caught, [&] { return law(in, state_old, state, out); });
           if (!ok) {  // a failed point shows its old state, so that nothing undefined gets about
             for (int c = 0; c < 6; ++c) out.stress[c] = in.stress[c];
             for (int c = 0; c < 36; ++c) out.tangent[c] = 0.0;
@@ -105,6 +136,7 @@ class PointwiseSkeleton : public Skeleton {
           sum += ok ? 0 : 1;
         },
         failures);
+    thrown.rethrow();
     return failures;
   }
   const Law& law() const { return law_; }

@@ -110,6 +110,56 @@ struct TotalStress : PointLaw {
   }
 };
 
+/// What the law sees of the points of a batch: (row of the batch, component).
+struct LawInput {
+  PointView strain, stress_old, void_ratio_old, state_old;  // tensors rotated with the material
+  Kokkos::View<int*> tensors;                               // first columns of the law's tensor variables
+};
+
+/// Writes the law's input, and the void ratios of the end, for the points of an element.
+template <class Loop>
+struct Staging {
+  Loop loop;
+  int first;  // element of the batch's first row
+  Mixture mixture;
+  LawInput to;
+  PointView stress, law, void_ratio_old, void_ratio;  // (point, component): committed, and trial void ratio
+
+  /// Adds the number of inverted points.
+  KOKKOS_FUNCTION void operator()(int e, int& inverted) const {
+    int next = 0;
+    if (loop.template for_each_point<false>(e,
+                                            [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
+                                              stage(e, q, at, inverted);
+                                              next = q + 1;
+                                            })) {
+      typename Loop::Fields still{};  // from the folded point on: as if nothing moved
+      still.volume_ratio = 1;
+      inverted += loop.b.points - next;
+      for (; next < loop.b.points; ++next) stage(e, next, still, inverted);
+    }
+  }
+
+  KOKKOS_FUNCTION void stage(int e, int q, const typename Loop::Fields& at, int& inverted) const {
+    MidpointRule<Loop::D> motion;
+    const int from = e * loop.b.points + q, i = (e - first) * loop.b.points + q;
+    const bool valid = find_motion(at, motion);
+    if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
+    motion.increment(&to.strain(i, 0));
+    if constexpr (Loop::S > 1)  // what heat alone would do is no strain of the law's
+      for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[1];
+    for (int c = 0; c < 6 && !valid; ++c) to.strain(i, c) = 0;
+    motion.rotate(&stress(from, 0), &to.stress_old(i, 0));
+    for (std::size_t c = 0; c < to.state_old.extent(1); ++c) to.state_old(i, c) = law(from, c);
+    for (std::size_t t = 0; t < to.tensors.extent(0); ++t)
+      motion.rotate(&law(from, to.tensors(t)), &to.state_old(i, to.tensors(t)));
+    to.void_ratio_old(i, 0) = void_ratio_old(from, 0);
+    const double n = mixture.porosity(void_ratio_old(from, 0), at);
+    void_ratio(from, 0) = n / (1 - n);
+    void_ratio(from, 1) = void_ratio_old(from, 1);
+  }
+};
+
 /// Runs the law over batches of elements: strains from the motion, stress, state and void ratio into the trial state.
 class StressUpdate {
  public:
@@ -126,8 +176,6 @@ class StressUpdate {
 
  private:
   int stage_motion(int first, int last);
-  template <class Loop>
-  int stage_element(const Loop& loop, int e, int row) const;
   std::string describe(int first, const LawFailure& failure) const;
 
   const Soil& soil_;
@@ -135,9 +183,9 @@ class StressUpdate {
   const StepView& view_;
   LoopLevel level_;
   bool want_tangent_;
-  PointView strain_, stress_old_, void_ratio_old_, state_old_, tangent_;
+  LawInput input_;
+  PointView tangent_;
   Kokkos::View<int*> failed_;
-  Kokkos::View<int*> tensors_;  // first columns of the law's tensor variables
   std::string failure_;
   bool law_is_broken_ = false;
 };
@@ -146,10 +194,10 @@ StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepV
     : soil_(soil), block_(block), view_(view), level_(end_level(view, block)), want_tangent_(want_tangent) {
   const int rows = batch_size() * block.points;
   const int state_size = block.material->skeleton->state_size();
-  strain_ = PointView("strain", rows, 6);
-  stress_old_ = PointView("rotated stress", rows, 6);
-  void_ratio_old_ = PointView("void ratio", rows, 1);
-  state_old_ = PointView("rotated state", rows, state_size);
+  input_.strain = PointView("strain", rows, 6);
+  input_.stress_old = PointView("rotated stress", rows, 6);
+  input_.void_ratio_old = PointView("void ratio", rows, 1);
+  input_.state_old = PointView("rotated state", rows, state_size);
   tangent_ = PointView("tangent", want_tangent ? rows : 0, 36);
   failed_ = Kokkos::View<int*>("failed", rows);
   int column = 0;
@@ -158,56 +206,24 @@ StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepV
     if (v.components == 6) tensors.push_back(column);
     column += v.components;
   }
-  tensors_ = Kokkos::View<int*>("tensors", tensors.size());
-  std::copy(tensors.begin(), tensors.end(), tensors_.data());
-}
-
-/// What the law sees of the points of element e, the first of which is row `row` of the batch; void ratios of the end.
-template <class Loop>
-int StressUpdate::stage_element(const Loop& loop, int e, int row) const {
-  constexpr int D = Loop::D;
-  const PointView stress = view_.committed->arrays[block_.stress], law = view_.committed->arrays[block_.law];
-  const PointView e_old = view_.committed->arrays[block_.void_ratio], e_new = view_.trial->arrays[block_.void_ratio];
-  const Mixture mixture(soil_, block_);
-  int inverted = 0;
-  const auto stage = [&](int q, const typename Loop::Fields& at) {
-    MidpointRule<D> motion;
-    const int from = e * block_.points + q, i = row + q;
-    const bool valid = find_motion(at, motion);
-    if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
-    motion.increment(&strain_(i, 0));
-    if constexpr (Loop::S > 1)  // what heat alone would do is no strain of the law's
-      for (int c = 0; c < 3; ++c) strain_(i, c) -= block_.grain_expansion / 3 * at.change[1];
-    for (int c = 0; c < 6 && !valid; ++c) strain_(i, c) = 0;
-    motion.rotate(&stress(from, 0), &stress_old_(i, 0));
-    for (std::size_t c = 0; c < state_old_.extent(1); ++c) state_old_(i, c) = law(from, c);
-    for (std::size_t t = 0; t < tensors_.extent(0); ++t)
-      motion.rotate(&law(from, tensors_(t)), &state_old_(i, tensors_(t)));
-    void_ratio_old_(i, 0) = e_old(from, 0);
-    const double n = mixture.porosity(e_old(from, 0), at);
-    e_new(from, 0) = n / (1 - n);
-    e_new(from, 1) = e_old(from, 1);
-  };
-  int next = 0;
-  if (loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape&, const typename Loop::Fields& at) {
-        stage(q, at);
-        next = q + 1;
-      })) {
-    typename Loop::Fields still{};  // from the folded point on: as if nothing moved
-    still.volume_ratio = 1;
-    inverted += block_.points - next;
-    for (; next < block_.points; ++next) stage(next, still);
-  }
-  return inverted;
+  input_.tensors = Kokkos::View<int*>("tensors", tensors.size());
+  std::copy(tensors.begin(), tensors.end(), input_.tensors.data());
 }
 
 int StressUpdate::stage_motion(int first, int last) {
   return with_element(soil_.geometry, block_, [&](auto coordinates, auto shapes) {
-    const ElementLoop<decltype(coordinates), decltype(shapes)> loop{block_, level_};
+    using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
+    const State &old = *view_.committed, &now = *view_.trial;
+    const Staging<Loop> staging{{block_, level_},
+                                first,
+                                Mixture(soil_, block_),
+                                input_,
+                                old.arrays[block_.stress],
+                                old.arrays[block_.law],
+                                old.arrays[block_.void_ratio],
+                                now.arrays[block_.void_ratio]};
     int inverted = 0;
-    Kokkos::parallel_reduce(
-        "kinematics", Kokkos::RangePolicy<>(first, last),
-        [&](int e, int& sum) { sum += stage_element(loop, e, (e - first) * block_.points); }, inverted);
+    Kokkos::parallel_reduce("kinematics", Kokkos::RangePolicy<>(first, last), staging, inverted);
     return inverted;
   });
 }
@@ -221,10 +237,10 @@ int StressUpdate::run(int first, int last) {
   w.time = view_.time_end;
   w.dt = view_.flow ? view_.dt : 0.0;
   w.want_tangent = want_tangent_;
-  w.stress_old = stress_old_;
-  w.strain = strain_;
-  w.void_ratio_old = void_ratio_old_;
-  w.state_old = state_old_;
+  w.stress_old = input_.stress_old;
+  w.strain = input_.strain;
+  w.void_ratio_old = input_.void_ratio_old;
+  w.state_old = input_.state_old;
   w.stress = PointView(stress.data() + row * 6, count, 6);
   w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
   w.tangent = tangent_;
@@ -249,7 +265,7 @@ std::string StressUpdate::describe(int first, const LawFailure& failure) const {
   char place[80];
   std::snprintf(place, sizeof place, "(%.4g, %.4g)", at[0], at[1]);
   return "the law of material '" + block_.material->name + "' fails at " + place + ": " + failure.reason + " (" +
-         increment_text(&stress_old_(failure.point, 0), &strain_(failure.point, 0)) + ")";
+         increment_text(&input_.stress_old(failure.point, 0), &input_.strain(failure.point, 0)) + ")";
 }
 
 TotalStress total_stress(const SoilBlock& b, const StepView& view) {
