@@ -88,19 +88,15 @@ void check_fit(const GlobalMesh& mesh) {
 
 /// Where the Jacobian is looked at: the points of the usual quadrature, and the corners, where a curved side folds an
 /// element first.
-std::vector<std::array<double, 2>> jacobian_points(CellShape shape) {
-  std::vector<std::array<double, 2>> points = cell_quadrature(shape, 4).points;
-  if (num_corners(shape) == 3) {
-    points.insert(points.end(), {{0, 0}, {1, 0}, {0, 1}});
-  } else {
-    points.insert(points.end(), {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
-  }
+std::vector<std::array<double, 3>> jacobian_points(CellShape shape) {
+  std::vector<std::array<double, 3>> points = cell_quadrature(shape, 4).points;
+  for (int c = 0; c < num_corners(shape); ++c) points.push_back(reference_node(shape, c));
   return points;
 }
 
 void check_jacobians(const GlobalMesh& mesh) {
   const GlobalMesh::Block* current = nullptr;
-  std::vector<std::array<double, 2>> points;
+  std::vector<std::array<double, 3>> points;
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
     if (&block != current) points = jacobian_points(block.shape);
     current = &block;

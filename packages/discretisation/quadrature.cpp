@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -38,7 +40,7 @@ class TriangleRule {
 
  private:
   void add(double xi, double eta, double weight) {
-    rule_.points.push_back({xi, eta});
+    rule_.points.push_back({xi, eta, 0});
     rule_.weights.push_back(0.5 * weight);
   }
   QuadratureRule rule_;
@@ -77,6 +79,66 @@ QuadratureRule triangle_quadrature(int degree) {
   throw std::invalid_argument("triangle quadrature exists for the degrees 1 to 8, not " + std::to_string(degree));
 }
 
+/// Points that the symmetries of the tetrahedron map onto each other. Weights are fractions of the volume.
+class TetrahedronRule {
+ public:
+  TetrahedronRule& centre() {
+    add_all({0.25, 0.25, 0.25, 0.25}, 1);
+    return *this;
+  }
+  /// One volume coordinate differs: (a, a, a, 1 - 3a) and its permutations.
+  TetrahedronRule& four(double a, double weight) {
+    add_all({a, a, a, 1 - 3 * a}, weight);
+    return *this;
+  }
+  /// (a, a, 1/2 - a, 1/2 - a) and its permutations.
+  TetrahedronRule& six(double a, double weight) {
+    add_all({a, a, 0.5 - a, 0.5 - a}, weight);
+    return *this;
+  }
+  /// (a, a, b, 1 - 2a - b) and its permutations.
+  TetrahedronRule& twelve(double a, double b, double weight) {
+    add_all({a, a, b, 1 - 2 * a - b}, weight);
+    return *this;
+  }
+  operator QuadratureRule() const { return rule_; }
+
+ private:
+  void add_all(std::array<double, 4> place, double weight) {
+    std::sort(place.begin(), place.end());
+    do {
+      rule_.points.push_back({place[0], place[1], place[2]});
+      rule_.weights.push_back(weight / 6);
+    } while (std::next_permutation(place.begin(), place.end()));
+  }
+  QuadratureRule rule_;
+};
+
+/// Symmetric rules with positive weights and all points inside; degree 3 and 4 take that of 5.
+/// Source: Keast 1986, Comput. Methods Appl. Mech. Engng 55 (degree 6); Walkington 2000 (degree 5); digits refined by
+/// Newton on the moment equations.
+QuadratureRule tetrahedron_quadrature(int degree) {
+  TetrahedronRule rule;
+  switch (degree) {
+    case 1:
+      return rule.centre();
+    case 2:
+      return rule.four(0.13819660112501051518, 0.25);
+    case 3:
+    case 4:
+    case 5:
+      return rule.four(0.3108859192633006098, 0.1126879257180158508)
+          .four(0.092735250310891226402, 0.073493043116361949544)
+          .six(0.045503704125649649492, 0.042546020777081466438);
+    case 6:
+      return rule.four(0.21460287125915202929, 0.0399227502581674921)
+          .four(0.040673958534611353116, 0.010077211055320642948)
+          .four(0.32233789014227551034, 0.055357181543654722095)
+          .twelve(0.063661001875017525299, 0.26967233145831580803, 0.048214285714285714286);
+  }
+  throw std::invalid_argument("tetrahedron quadrature exists for the degrees 1 to 6, not " + std::to_string(degree));
+}
+
 }  // namespace
 
 QuadratureRule line_quadrature(int degree) {
@@ -99,21 +161,26 @@ QuadratureRule line_quadrature(int degree) {
       slope = n * (x * value - before) / (x * x - 1);
       x -= value / slope;
     }
-    rule.points[i] = {x, 0};
+    rule.points[i] = {x, 0, 0};
     rule.weights[i] = 2 / ((1 - x * x) * slope * slope);
   }
   return rule;
 }
 
 QuadratureRule cell_quadrature(CellShape shape, int degree) {
-  if (num_corners(shape) == 3) return triangle_quadrature(degree);
+  if (is_simplex(shape)) return dimension(shape) == 2 ? triangle_quadrature(degree) : tetrahedron_quadrature(degree);
   const QuadratureRule line = line_quadrature(degree);
-  QuadratureRule rule;
-  for (std::size_t j = 0; j < line.points.size(); ++j)
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-      rule.points.push_back({line.points[i][0], line.points[j][0]});
-      rule.weights.push_back(line.weights[i] * line.weights[j]);
-    }
+  QuadratureRule rule{{{0, 0, 0}}, {1.0}};
+  for (int d = 0; d < dimension(shape); ++d) {  // the first direction runs fastest
+    QuadratureRule product;
+    for (std::size_t j = 0; j < line.points.size(); ++j)
+      for (std::size_t i = 0; i < rule.points.size(); ++i) {
+        product.points.push_back(rule.points[i]);
+        product.points.back()[d] = line.points[j][0];
+        product.weights.push_back(rule.weights[i] * line.weights[j]);
+      }
+    rule = product;
+  }
   return rule;
 }
 

@@ -2,15 +2,16 @@
 
 namespace mudline {
 
-SideBlock::SideBlock(const Space& space, int field_, const std::vector<std::vector<int>>& of_sides, int degree)
+SideBlock::SideBlock(const Space& space, int field_, CellShape side, const std::vector<std::vector<int>>& of_sides,
+                     int degree)
     : sides(static_cast<int>(of_sides.size())), field(field_) {
-  const QuadratureRule rule = line_quadrature(degree);
+  const QuadratureRule rule = cell_quadrature(side, degree);
   const Field& unknown = space.field(field);
-  const int count = sides == 0 ? 2 : static_cast<int>(of_sides.front().size());
-  const int carry = unknown.support == Support::vertices ? 2 : count;
+  const CellShape carrier = unknown.support == Support::vertices ? linear_partner(side) : side;
+  const int count = num_nodes(side), carry = num_nodes(carrier);
   points = static_cast<int>(rule.weights.size());
-  shape = tabulate_line(count, rule);
-  partner = tabulate_line(carry, rule);
+  shape = tabulate(side, rule);
+  partner = tabulate(carrier, rule);
   nodes = Kokkos::View<int**, Kokkos::LayoutRight>("side nodes", sides, count);
   Kokkos::View<int**, Kokkos::LayoutRight> table("side dofs", sides, carry * unknown.components);
   for (int s = 0; s < sides; ++s) {

@@ -19,8 +19,8 @@ struct SideBlock {
   int group = -1;  // of the assembler
 
   SideBlock() = default;
-  /// `of_sides`: the nodes of every side, two corners and the middle of a quadratic one. degree: of the quadrature.
-  SideBlock(const Space& space, int field, const std::vector<std::vector<int>>& of_sides, int degree);
+  /// Sides of one shape; `of_sides`: the nodes of each, in the order of that shape. degree: of the quadrature.
+  SideBlock(const Space& space, int field, CellShape side, const std::vector<std::vector<int>>& of_sides, int degree);
 };
 
 }  // namespace mudline

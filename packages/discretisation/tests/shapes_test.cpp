@@ -7,72 +7,109 @@
 namespace mudline {
 namespace {
 
-const std::vector<CellShape> all{CellShape::tri3, CellShape::tri6, CellShape::quad4, CellShape::quad9};
+const std::vector<CellShape> plane{CellShape::tri3, CellShape::tri6, CellShape::quad4, CellShape::quad9},
+    space{CellShape::tet4, CellShape::tet10, CellShape::hex8, CellShape::hex27},
+    all{CellShape::line2, CellShape::line3, CellShape::tri3,  CellShape::tri6, CellShape::quad4,
+        CellShape::quad9, CellShape::tet4,  CellShape::tet10, CellShape::hex8, CellShape::hex27};
+
+using Place = std::array<double, 3>;
 
 struct Values {
-  double N[9], dN[18];
+  double N[27], dN[81];
 };
 
-Values evaluate(CellShape shape, double xi, double eta) {
+Values evaluate(CellShape shape, const Place& xi) {
   Values v{};
-  const double point[2] = {xi, eta};
-  evaluate_shape(shape, point, v.N, v.dN);
+  evaluate_shape(shape, xi.data(), v.N, v.dN);
   return v;
 }
 
-std::vector<std::array<double, 2>> node_places(CellShape shape) {
-  if (num_corners(shape) == 3) return {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
-  return {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
+TEST(Shapes, NodesOfThePlaneAndOfTheEdgesOfSpace) {
+  const Place triangle[] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
+  const Place square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
+  for (int a = 0; a < 6; ++a) EXPECT_EQ(reference_node(CellShape::tri6, a), triangle[a]);
+  for (int a = 0; a < 9; ++a) EXPECT_EQ(reference_node(CellShape::quad9, a), square[a]);
+  EXPECT_EQ(reference_node(CellShape::tet10, 9), (Place{0, 0.5, 0.5}));  // the last edge joins the last two corners
+  EXPECT_EQ(reference_node(CellShape::hex27, 16), (Place{-1, -1, 0}));   // the first upright edge
+  EXPECT_EQ(reference_node(CellShape::hex27, 21), (Place{1, 0, 0}));     // faces: x, y, z, low before high
+  EXPECT_EQ(reference_node(CellShape::hex27, 24), (Place{0, 0, -1}));
+  EXPECT_EQ(reference_node(CellShape::hex27, 26), (Place{0, 0, 0}));
 }
 
 TEST(Shapes, AreOneAtTheirNodeAndZeroAtTheOthers) {
   for (CellShape shape : all)
     for (int a = 0; a < num_nodes(shape); ++a) {
-      const auto place = node_places(shape)[a];
-      const Values v = evaluate(shape, place[0], place[1]);
+      const Values v = evaluate(shape, reference_node(shape, a));
       for (int b = 0; b < num_nodes(shape); ++b) EXPECT_NEAR(v.N[b], a == b ? 1 : 0, 1e-15) << name(shape);
     }
 }
 
 TEST(Shapes, SumToOneAndTheirGradientsToZero) {
   for (CellShape shape : all) {
-    const Values v = evaluate(shape, 0.31, 0.17);
-    double sum = 0, slope[2] = {0, 0};
+    const Values v = evaluate(shape, {0.31, 0.17, 0.23});
+    double sum = 0, slope[3] = {0, 0, 0};
     for (int a = 0; a < num_nodes(shape); ++a) {
       sum += v.N[a];
-      slope[0] += v.dN[2 * a];
-      slope[1] += v.dN[2 * a + 1];
+      for (int d = 0; d < dimension(shape); ++d) slope[d] += v.dN[dimension(shape) * a + d];
     }
     EXPECT_NEAR(sum, 1, 1e-15) << name(shape);
-    EXPECT_NEAR(slope[0], 0, 1e-14) << name(shape);
-    EXPECT_NEAR(slope[1], 0, 1e-14) << name(shape);
+    for (const double s : slope) EXPECT_NEAR(s, 0, 1e-14) << name(shape);
   }
 }
 
 TEST(Shapes, GradientsEqualDifferences) {
   const double h = 1e-5;
   for (CellShape shape : all) {
-    const Values v = evaluate(shape, 0.31, 0.17);
-    const Values right = evaluate(shape, 0.31 + h, 0.17), left = evaluate(shape, 0.31 - h, 0.17);
-    const Values above = evaluate(shape, 0.31, 0.17 + h), below = evaluate(shape, 0.31, 0.17 - h);
-    for (int a = 0; a < num_nodes(shape); ++a) {
-      EXPECT_NEAR(v.dN[2 * a], (right.N[a] - left.N[a]) / (2 * h), 1e-9) << name(shape) << " node " << a;
-      EXPECT_NEAR(v.dN[2 * a + 1], (above.N[a] - below.N[a]) / (2 * h), 1e-9) << name(shape) << " node " << a;
+    const Place at{0.31, 0.17, 0.23};
+    const Values v = evaluate(shape, at);
+    for (int d = 0; d < dimension(shape); ++d) {
+      Place above = at, below = at;
+      above[d] += h;
+      below[d] -= h;
+      const Values high = evaluate(shape, above), low = evaluate(shape, below);
+      for (int a = 0; a < num_nodes(shape); ++a)
+        EXPECT_NEAR(v.dN[dimension(shape) * a + d], (high.N[a] - low.N[a]) / (2 * h), 1e-9)
+            << name(shape) << " node " << a;
     }
   }
 }
 
-TEST(Shapes, LineSideIsTheTraceOfTheCell) {
-  for (CellShape shape : all)
+/// The point xi of a side, in the reference coordinates of the cell.
+Place on_side(CellShape shape, const std::vector<int>& nodes, const Place& xi) {
+  const CellShape flat = linear_partner(side_shape(shape));
+  const Values v = evaluate(flat, xi);
+  Place at{};
+  for (int c = 0; c < num_nodes(flat); ++c)
+    for (int i = 0; i < 3; ++i) at[i] += v.N[c] * reference_node(shape, nodes[c])[i];
+  return at;
+}
+
+TEST(Shapes, OfASideAreTheTraceOfTheCell) {
+  for (const auto& cells : {plane, space})
+    for (CellShape shape : cells)
+      for (int side = 0; side < num_sides(shape); ++side) {
+        const auto nodes = side_nodes(shape, side);
+        const CellShape flat = side_shape(shape);
+        ASSERT_EQ(nodes.size(), num_nodes(flat));
+        const Place xi{0.37, dimension(flat) == 2 ? 0.21 : 0.0, 0};
+        const Values trace = evaluate(flat, xi), v = evaluate(shape, on_side(shape, nodes, xi));
+        for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(v.N[nodes[i]], trace.N[i], 1e-15) << name(shape);
+      }
+}
+
+TEST(Shapes, SidesLookOutward) {
+  for (CellShape shape : {CellShape::tet4, CellShape::hex8})
     for (int side = 0; side < num_sides(shape); ++side) {
       const auto nodes = side_nodes(shape, side);
-      const auto a = node_places(shape)[nodes[0]], b = node_places(shape)[nodes[1]];
-      const double xi = 0.37;
-      double N[3], dN[3];
-      evaluate_line(static_cast<int>(nodes.size()), xi, N, dN);
-      const Values v =
-          evaluate(shape, 0.5 * ((1 - xi) * a[0] + (1 + xi) * b[0]), 0.5 * ((1 - xi) * a[1] + (1 + xi) * b[1]));
-      for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(v.N[nodes[i]], N[i], 1e-15) << name(shape);
+      const Place a = reference_node(shape, nodes[0]), b = reference_node(shape, nodes[1]),
+                  c = reference_node(shape, nodes.back());
+      double outward = 0;  // normal times the way from the cell's middle
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double middle = is_simplex(shape) ? 0.25 : 0;
+        outward += ((b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j])) * (a[i] - middle);
+      }
+      EXPECT_GT(outward, 0) << name(shape) << " side " << side;
     }
 }
 
@@ -108,6 +145,27 @@ TEST(Quadrature, TriangleIsExactToItsDegree) {
   }
 }
 
+TEST(Quadrature, TetrahedronIsExactToItsDegree) {
+  for (int degree = 1; degree <= 6; ++degree) {
+    const QuadratureRule rule = cell_quadrature(CellShape::tet10, degree);
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const auto& x = rule.points[q];
+      EXPECT_GT(rule.weights[q], 0);
+      EXPECT_GT(std::min({x[0], x[1], x[2], 1 - x[0] - x[1] - x[2]}), 0);
+    }
+    for (int i = 0; i <= degree; ++i)
+      for (int j = 0; i + j <= degree; ++j)
+        for (int k = 0; i + j + k <= degree; ++k) {
+          double sum = 0;
+          for (std::size_t q = 0; q < rule.points.size(); ++q)
+            sum += rule.weights[q] * std::pow(rule.points[q][0], i) * std::pow(rule.points[q][1], j) *
+                   std::pow(rule.points[q][2], k);
+          const double exact = factorial(i) * factorial(j) * factorial(k) / factorial(i + j + k + 3);
+          EXPECT_NEAR(sum, exact, 1e-16) << degree << " " << i << " " << j << " " << k;
+        }
+  }
+}
+
 double moment(int power) { return power % 2 == 1 ? 0.0 : 2.0 / (power + 1); }
 
 TEST(Quadrature, SquareAndLineAreExactToTheirDegree) {
@@ -128,9 +186,23 @@ TEST(Quadrature, SquareAndLineAreExactToTheirDegree) {
   }
 }
 
+TEST(Quadrature, CubeIsExactToItsDegree) {
+  const QuadratureRule rule = cell_quadrature(CellShape::hex27, 5);
+  EXPECT_EQ(rule.points.size(), 27);
+  for (int i = 0; i <= 5; ++i)
+    for (int j = 0; j <= 5; ++j) {
+      double sum = 0;
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+        sum += rule.weights[q] * std::pow(rule.points[q][0], i) * std::pow(rule.points[q][1], j) *
+               std::pow(rule.points[q][2], 4);
+      EXPECT_NEAR(sum, moment(i) * moment(j) * moment(4), 4e-15) << i << " " << j;
+    }
+}
+
 TEST(Quadrature, DegreesBeyondTheTablesAreRefused) {
   EXPECT_THROW(cell_quadrature(CellShape::tri3, 9), std::invalid_argument);
   EXPECT_THROW(cell_quadrature(CellShape::tri3, 0), std::invalid_argument);
+  EXPECT_THROW(cell_quadrature(CellShape::tet4, 7), std::invalid_argument);
   EXPECT_THROW(line_quadrature(12), std::invalid_argument);
 }
 
@@ -143,7 +215,7 @@ TEST(ShapeTable, HoldsTheShapesAtTheRulesPoints) {
   const auto dN = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), table.dN);
   const auto weights = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), table.weights);
   for (int q = 0; q < 6; ++q) {
-    const Values v = evaluate(CellShape::tri6, rule.points[q][0], rule.points[q][1]);
+    const Values v = evaluate(CellShape::tri6, rule.points[q]);
     EXPECT_EQ(weights(q), rule.weights[q]);
     for (int a = 0; a < 6; ++a) {
       EXPECT_EQ(N(q, a), v.N[a]);

@@ -60,12 +60,14 @@ void SideLoad::bind(const ConditionContext& context, const Section& section) {
   const Mesh& mesh = space_->mesh();
   require_boundary(mesh, section, "set", set_);
   std::vector<std::vector<int>> nodes;
+  CellShape shape = CellShape::line2;  // of a rank without sides, whatever it is
   for (const Side& side : mesh.side_sets().at(set_)) {
     const ElementBlock& block = mesh.blocks()[side.block];
+    shape = side_shape(block.shape);
     nodes.emplace_back();
     for (int local : side_nodes(block.shape, side.side)) nodes.back().push_back(block.nodes(side.element, local));
   }
-  block_ = SideBlock(*space_, field, nodes, 5);
+  block_ = SideBlock(*space_, field, shape, nodes, 5);
   load_ = PointView("load", block_.sides * block_.points, columns());
 }
 
