@@ -31,16 +31,16 @@ struct Loaded {
 /// The nearest node of a probe far away would tell nothing of where the author looks. A point of a body may come into
 /// the soil later.
 void check_probes(const Loaded& loaded) {
-  const auto box = loaded.model->mesh().bounds();
-  const double slack = 1e-6 * std::max(box[1] - box[0], box[3] - box[2]);
+  const Bounds& box = loaded.model->mesh().bounds();
+  const double slack = 1e-6 * box.extent();
   for (const ProbeSettings& probe : loaded.output.probes) {
     const auto& at = probe.point;
     for (int i = 0; probe.moves_with.empty() && i < 2; ++i)
-      if (at[i] < box[2 * i] - slack || at[i] > box[2 * i + 1] + slack)
+      if (at[i] < box.low[i] - slack || at[i] > box.high[i] + slack)
         loaded.root->section("output").section("probes").fail(
             std::string(i == 0 ? "x" : "y") + " = " + number_text(at[i]) +
-                " lies outside the mesh, which reaches from " + number_text(box[2 * i]) + " to " +
-                number_text(box[2 * i + 1]),
+                " lies outside the mesh, which reaches from " + number_text(box.low[i]) + " to " +
+                number_text(box.high[i]),
             probe.name);
   }
 }

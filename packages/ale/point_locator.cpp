@@ -58,7 +58,7 @@ class BoundarySide {
 
 bool PointLocator::invert(int e, const std::array<double, 2>& point, double xi[2]) const {
   const auto& element = mesh_.elements()[e];
-  return ElementMap(element.shape, [&](int a) { return x_[element.nodes[a]].data(); }).invert(point, xi);
+  return ElementMap(element.shape, [&](int a) { return x_[element.nodes[a]].data(); }).invert(point.data(), xi);
 }
 
 MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) const {
@@ -130,7 +130,7 @@ MeshPlace PointLocator::nearest_on_boundary(const std::array<double, 2>& point) 
       least = near;
       best.element = e;
       const auto place = on_side(element.shape, s, nearest);
-      std::copy(place.begin(), place.end(), best.xi);
+      std::copy_n(place.begin(), 2, best.xi);
     }
   }
   return best;

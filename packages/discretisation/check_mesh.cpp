@@ -15,13 +15,11 @@ namespace mudline {
 namespace {
 
 std::string centre(const GlobalMesh& mesh, const long long* nodes, CellShape shape) {
-  double x = 0, y = 0;
+  Place middle{};
   const int n = num_corners(shape);
-  for (int c = 0; c < n; ++c) {
-    x += mesh.coordinates[nodes[c]][0] / n;
-    y += mesh.coordinates[nodes[c]][1] / n;
-  }
-  return place_text({x, y});
+  for (int c = 0; c < n; ++c)
+    for (int i = 0; i < 3; ++i) middle[i] += mesh.coordinates[nodes[c]][i] / n;
+  return place_text(middle, dimension(shape));
 }
 
 /// Calls f(block, nodes of the element).
@@ -30,6 +28,16 @@ void for_each_element(const GlobalMesh& mesh, F&& f) {
   for (const auto& block : mesh.blocks)
     for (std::size_t first = 0; first < block.nodes.size(); first += num_nodes(block.shape))
       f(block, block.nodes.data() + first);
+}
+
+void check_dimension(const GlobalMesh& mesh, Geometry geometry) {
+  const int expected = dimension(geometry);
+  for (const auto& block : mesh.blocks) {
+    if (dimension(block.shape) == expected) continue;
+    throw InputError("region '" + block.region + "' has " + name(block.shape) + " cells, which are " +
+                     (expected == 2 ? "of space; they need the geometry 'three-dimensional'"
+                                    : "of the plane; the geometry 'three-dimensional' needs tetrahedra or hexahedra"));
+  }
 }
 
 void check_blocks(const GlobalMesh& mesh) {
@@ -56,33 +64,69 @@ void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
   if (orphans > 0) {
     const auto first = std::find(used.begin(), used.end(), 0) - used.begin();
     throw InputError(std::to_string(orphans) + " nodes of the mesh belong to no element; the first is at " +
-                     place_text(mesh.coordinates[first]));
+                     place_text(mesh.coordinates[first], mesh.dimension()));
   }
-  if (geometry == Geometry::plane_strain) return;
+  if (geometry != Geometry::axisymmetric) return;
   double largest = 0;
   for (const auto& point : mesh.coordinates) largest = std::max(largest, std::abs(point[0]));
   for (const auto& point : mesh.coordinates)
     if (point[0] < -1e-12 * largest)
-      throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + place_text(point));
+      throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + place_text(point, 2));
 }
 
-/// Neighbours run along their common side in opposite directions and share its middle node; a direction met twice
-/// means that elements lie on one another.
-void check_fit(const GlobalMesh& mesh) {
-  const auto count = static_cast<unsigned long long>(mesh.coordinates.size());
-  std::unordered_map<unsigned long long, long long> middles;  // directed side -> middle node, or -1
+/// Neighbours see their common side the opposite way round; a way round met twice means that elements lie on one
+/// another.
+void check_sides(const GlobalMesh& mesh) {
+  struct Seen {
+    SideKey way;
+    bool both = false;  // from both elements
+  };
+  std::unordered_map<SideKey, Seen, SideKeyHash> sides;
+  for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
+    const GlobalMesh::Block& block = mesh.blocks[place.block];
+    const int corners = num_corners(side_shape(block.shape));
+    const SideKey way = directed_key(nodes.data(), corners);
+    const auto [found, added] = sides.emplace(sorted_key(nodes.data(), corners), Seen{way});
+    if (added) return;
+    Seen& seen = found->second;
+    const auto where = [&] {
+      return " in region '" + block.region + "' centred at " +
+             centre(mesh, block.nodes.data() + place.element * num_nodes(block.shape), block.shape);
+    };
+    if (seen.both || seen.way == way)
+      throw InputError("elements overlap: two of them have the same side, one is" + where());
+    if (seen.way != reversed_key(way))
+      throw InputError("neighbours do not fit: the corners of their common side go round in different orders, one is" +
+                       where());
+    seen.both = true;
+  });
+}
+
+/// Cells share the middle nodes of common edges (in the plane these are their sides).
+void check_edges(const GlobalMesh& mesh) {
+  std::unordered_map<SideKey, long long, SideKeyHash> middles;
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
-    for (int side = 0; side < num_sides(block.shape); ++side) {
-      const std::vector<int> ends = side_nodes(block.shape, side);
-      const long long a = nodes[ends[0]], b = nodes[ends[1]], middle = ends.size() > 2 ? nodes[ends[2]] : -1;
-      if (!middles.emplace(a * count + b, middle).second)
-        throw InputError("elements overlap: two of them have the same side, one is in region '" + block.region +
-                         "' centred at " + centre(mesh, nodes, block.shape));
-      const auto other = middles.find(b * count + a);
-      if (other != middles.end() && other->second != middle)
-        throw InputError("neighbours do not share the middle node of their common side from " +
-                         place_text(mesh.coordinates[a]) + " to " + place_text(mesh.coordinates[b]));
+    if (order(block.shape) == 1) return;
+    for (int edge = 0; edge < num_edges(block.shape); ++edge) {
+      const std::array<int, 2> ends = edge_corners(block.shape, edge);
+      const long long corners[2] = {nodes[ends[0]], nodes[ends[1]]}, middle = nodes[num_corners(block.shape) + edge];
+      if (middles.emplace(sorted_key(corners, 2), middle).first->second == middle) continue;
+      throw InputError("neighbours do not share the middle node of their common " +
+                       std::string(mesh.dimension() == 2 ? "side" : "edge") + " from " +
+                       place_text(mesh.coordinates[corners[0]], mesh.dimension()) + " to " +
+                       place_text(mesh.coordinates[corners[1]], mesh.dimension()));
     }
+  });
+}
+
+/// Hexahedra share the nodes in the middle of their faces.
+void check_face_nodes(const GlobalMesh& mesh) {
+  std::unordered_map<SideKey, long long, SideKeyHash> middles;
+  for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
+    if (side_shape(mesh.blocks[place.block].shape) != CellShape::quad9) return;
+    if (middles.emplace(sorted_key(nodes.data(), 4), nodes[8]).first->second == nodes[8]) return;
+    throw InputError("neighbours do not share the middle node of their common face at " +
+                     place_text(mesh.coordinates[nodes[8]], 3));
   });
 }
 
@@ -100,7 +144,7 @@ void check_jacobians(const GlobalMesh& mesh) {
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
     if (&block != current) points = jacobian_points(block.shape);
     current = &block;
-    double lowest = std::numeric_limits<double>::max(), size = 0;
+    double lowest = std::numeric_limits<double>::max(), size = 0, round_off = 1e-10;
     const ElementMap map(block.shape, [&](int a) { return mesh.coordinates[nodes[a]]; });
     for (const auto& point : points) {
       const double value = map.determinant(point.data());
@@ -108,9 +152,9 @@ void check_jacobians(const GlobalMesh& mesh) {
       lowest = std::min(lowest, value);
     }
     for (int c = 0; c < num_corners(block.shape); ++c)
-      for (int d = 0; d < 2; ++d)
+      for (int d = 0; d < dimension(block.shape); ++d)
         size = std::max(size, std::abs(mesh.coordinates[nodes[c]][d] - mesh.coordinates[nodes[0]][d]));
-    const double round_off = 1e-10 * size * size;  // a sliver that cannot be told from a flat element is refused too
+    for (int d = 0; d < dimension(block.shape); ++d) round_off *= size;  // a sliver like a flat element is refused too
     if (lowest > round_off) return;
     throw InputError("element with " + std::string(lowest < -round_off ? "negative" : "zero") +
                      " Jacobian in region '" + block.region + "' centred at " + centre(mesh, nodes, block.shape) +
@@ -136,9 +180,12 @@ void check_sets(const GlobalMesh& mesh) {
 
 void check_mesh(const GlobalMesh& mesh, Geometry geometry) {
   check_blocks(mesh);
+  check_dimension(mesh, geometry);
   check_nodes(mesh, geometry);
   check_jacobians(mesh);
-  check_fit(mesh);
+  check_sides(mesh);
+  check_edges(mesh);
+  check_face_nodes(mesh);
   check_sets(mesh);
 }
 

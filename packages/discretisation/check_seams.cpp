@@ -1,176 +1,93 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <unordered_map>
 
 #include "core/errors.hpp"
-#include "core/pi.hpp"
-#include "discretisation/mesh_topology.hpp"
+#include "discretisation/box_grid.hpp"
+#include "discretisation/seam_sides.hpp"
 
 namespace mudline {
 
 namespace {
 
-using Place = std::array<double, 2>;
+double distance(const Place& a, const Place& b) {
+  return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
+}
 
-/// Sides that lie nearer to each other than this share of the smaller of their elements (the side, or the depth behind
-/// it) form a seam; what lies over another element by more than this share of its own depth overlaps it.
-constexpr double closeness = 0.02;
-
-double distance(const Place& a, const Place& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
-
-struct Box {
-  double low[2] = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  double high[2] = {-std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
-  void add(const double* x) {
-    for (int i = 0; i < 2; ++i) {
-      low[i] = std::min(low[i], x[i]);
-      high[i] = std::max(high[i], x[i]);
-    }
-  }
-  void widen(double by) {
-    for (int i = 0; i < 2; ++i) {
-      low[i] -= by;
-      high[i] += by;
-    }
-  }
-  bool meets(const Box& other) const {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1];
-  }
-};
-
-/// Boxes in a grid of about as many cells as there are boxes, to find those near another box.
-class BoxGrid {
- public:
-  explicit BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
-    Box all;
-    for (const Box& box : boxes_) {
-      all.add(box.low);
-      all.add(box.high);
-    }
-    cells_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(boxes_.size()))));
-    for (int i = 0; i < 2; ++i) {
-      low_[i] = all.low[i];
-      size_[i] = std::max((all.high[i] - all.low[i]) / cells_, std::numeric_limits<double>::min());
-    }
-    lists_.resize(static_cast<std::size_t>(cells_) * cells_);
-    for (std::size_t b = 0; b < boxes_.size(); ++b)
-      for_each_cell(boxes_[b], [&](std::vector<int>& list) { list.push_back(static_cast<int>(b)); });
-  }
-  /// Calls f(number) for the boxes that meet one, sometimes more than once.
-  template <class F>
-  void near(const Box& box, F&& f) {
-    for_each_cell(box, [&](const std::vector<int>& list) {
-      for (int b : list)
-        if (boxes_[b].meets(box)) f(b);
-    });
-  }
-
- private:
-  template <class F>
-  void for_each_cell(const Box& box, F&& f) {
-    const auto cell = [&](double x, int i) {
-      return static_cast<int>(std::min(std::max((x - low_[i]) / size_[i], 0.0), cells_ - 1.0));
-    };
-    for (int i = cell(box.low[0], 0); i <= cell(box.high[0], 0); ++i)
-      for (int j = cell(box.low[1], 1); j <= cell(box.high[1], 1); ++j)
-        f(lists_[static_cast<std::size_t>(i) * cells_ + j]);
-  }
-
-  std::vector<Box> boxes_;
-  int cells_;
-  double low_[2], size_[2];
-  std::vector<std::vector<int>> lists_;
-};
-
-/// The boundary of a whole mesh, with the sets of its sides.
+/// How the boundary of a whole mesh lies on itself.
 class Seams {
  public:
   explicit Seams(const GlobalMesh& mesh);
   /// What lies beside each other; `cracks` are let pass.
   void check_joints(const std::vector<std::string>& cracks);
   void check_overlap();
-  void check_holes() const;
+  void check_voids() const { check_holes(mesh_, sides_); }
 
  private:
-  struct Side {
-    ElementSide at;
-    std::vector<Place> curve;  // points along it, evenly in the parameter
-    std::set<std::string> sets;
-    double length;  // of its chord [m]
-    double size;    // that, or the depth of its element behind it where it is less [m]
-  };
-  const Place& start(const Side& s) const { return mesh_.coordinates[s.at.nodes[0]]; }
-  const Place& end(const Side& s) const { return mesh_.coordinates[s.at.nodes[1]]; }
-  Box box(const Side& side) const;
-  bool lies_along(const Side& shorter, const Side& longer) const;
+  const Place& corner(const SeamSide& s, int c) const { return mesh_.coordinates[s.at.nodes[c]]; }
+  Bounds box(const SeamSide& side) const;
+  /// The corners of one side that are nodes of another.
+  std::vector<int> common(const SeamSide& a, const SeamSide& b) const;
+  bool lies_along(const SeamSide& smaller, const SeamSide& larger) const;
+  bool twins(const SeamSide& a, const SeamSide& b) const;
   bool may_touch(const std::set<std::string>& a, const std::set<std::string>& b) const;
-  bool meant(const Side& a, const Side& b, const std::vector<std::string>& cracks);
-  [[noreturn]] void refuse(const Side& shorter, const Side& longer) const;
-  std::size_t next_of(std::size_t side) const;
+  bool meant(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks);
+  [[noreturn]] void refuse(const SeamSide& smaller, const SeamSide& larger) const;
+  void look_into(const SeamSide& side, const Place& x, int e);
+  std::string text(const Place& x) const { return place_text(x, mesh_.dimension()); }
+  /// "side from (0, 0) to (1, 0)", in space "face at (0, 0, 0)".
+  std::string name_of(const SeamSide& side) const;
 
   const GlobalMesh& mesh_;
-  std::vector<Side> sides_;
+  std::vector<SeamSide> sides_;
+  std::vector<std::pair<int, long long>> elements_;
   std::map<std::pair<int, long long>, std::set<std::string>> element_sets_;  // of an element's boundary sides
-  std::unordered_map<long long, std::vector<std::size_t>> from_;             // sides by their first node
   std::set<std::string> cracked_;                                            // sets in which a crack was found
 };
 
-Seams::Seams(const GlobalMesh& mesh) : mesh_(mesh) {
-  std::map<std::array<long long, 3>, std::set<std::string>> sets;
-  for (const auto& [name, sides] : mesh.side_sets)
-    for (const auto& side : sides) sets[{side.block, side.element, side.side}].insert(name);
-  for (ElementSide& at : boundary_sides(mesh)) {
-    Side side{std::move(at), {}, {}, 0, 0};
-    const GlobalMesh::Side& place = side.at.place;
-    const ElementMap map = element_map(mesh, place.block, place.element);
-    const int pieces = side.at.nodes.size() > 2 ? 8 : 1;
-    for (int k = 0; k <= pieces; ++k)
-      side.curve.push_back(map.at(on_side(map.shape(), place.side, -1 + 2.0 * k / pieces).data()));
-    side.length = distance(start(side), end(side));
-    const bool triangle = num_corners(map.shape()) == 3;
-    const double middle[2] = {triangle ? 1.0 / 3 : 0.0, triangle ? 1.0 / 3 : 0.0};
-    const double depth = map.determinant(middle) * (triangle ? 1.0 : 4.0) / side.length;
-    side.size = std::min(side.length, depth);
-    const auto found = sets.find({place.block, place.element, place.side});
-    if (found != sets.end()) {
-      side.sets = found->second;
-      element_sets_[{place.block, place.element}].insert(side.sets.begin(), side.sets.end());
-    }
-    from_[side.at.nodes[0]].push_back(sides_.size());
-    sides_.push_back(std::move(side));
-  }
+Seams::Seams(const GlobalMesh& mesh) : mesh_(mesh), sides_(seam_sides(mesh)) {
+  for (const SeamSide& side : sides_)
+    if (!side.sets.empty())
+      element_sets_[{side.at.place.block, side.at.place.element}].insert(side.sets.begin(), side.sets.end());
 }
 
-Box Seams::box(const Side& side) const {
-  Box result;
-  for (const Place& x : side.curve) result.add(x.data());
-  result.widen(closeness * side.size);
+Bounds Seams::box(const SeamSide& side) const {
+  Bounds result = Bounds::nothing();
+  for (const Place& x : side.points) result.enclose(x);
+  for (int i = 0; i < 3; ++i) {
+    result.low[i] -= seam_closeness * side.size;
+    result.high[i] += seam_closeness * side.size;
+  }
   return result;
 }
 
-double distance_to_piece(const Place& x, const Place& a, const Place& b) {
-  const double d[2] = {b[0] - a[0], b[1] - a[1]}, square = d[0] * d[0] + d[1] * d[1];
-  double t = square > 0 ? ((x[0] - a[0]) * d[0] + (x[1] - a[1]) * d[1]) / square : 0.0;
-  t = std::min(std::max(t, 0.0), 1.0);
-  return distance(x, {a[0] + t * d[0], a[1] + t * d[1]});
+std::vector<int> Seams::common(const SeamSide& a, const SeamSide& b) const {
+  std::vector<int> result;
+  const auto &first = b.at.nodes.begin(), last = b.at.nodes.begin() + b.corners;
+  for (int c = 0; c < a.corners; ++c)
+    if (std::find(first, last, a.at.nodes[c]) != last) result.push_back(c);
+  return result;
 }
 
-/// Neighbours on a seam run in opposite directions, side by side on some length and not only where their ends meet.
-bool Seams::lies_along(const Side& shorter, const Side& longer) const {
+/// Neighbours on a seam look in opposite directions, side by side on some length or area and not only where their ends
+/// or edges meet.
+bool Seams::lies_along(const SeamSide& smaller, const SeamSide& larger) const {
   double along = 0;
-  for (int i = 0; i < 2; ++i) along += (end(shorter)[i] - start(shorter)[i]) * (end(longer)[i] - start(longer)[i]);
-  if (along > -0.9 * shorter.length * longer.length) return false;
-  const GlobalMesh::Side& place = shorter.at.place;
+  for (int i = 0; i < 3; ++i) along += smaller.normal[i] * larger.normal[i];
+  if (along > -0.9 * smaller.measure * larger.measure) return false;
+  const GlobalMesh::Side& place = smaller.at.place;
   const ElementMap map = element_map(mesh_, place.block, place.element);
+  const double size = std::min(smaller.size, larger.size);
+  const std::vector<int> joined = smaller.corners > 2 ? common(smaller, larger) : std::vector<int>{};
   int close = 0;
-  for (double t : {-0.8, -0.4, 0.0, 0.4, 0.8}) {
-    const Place x = map.at(on_side(map.shape(), place.side, t).data());
-    double nearest = std::numeric_limits<double>::max();
-    for (std::size_t k = 0; k + 1 < longer.curve.size(); ++k)
-      nearest = std::min(nearest, distance_to_piece(x, longer.curve[k], longer.curve[k + 1]));
-    close += nearest < closeness * std::min(shorter.size, longer.size);
+  for (const auto& sample : side_samples(side_shape(map.shape()), false)) {
+    const Place x = map.at(on_side(map.shape(), place.side, sample).data());
+    // beside a common edge of two faces that open like a book nothing can be told
+    if (joined.size() == 2 &&
+        distance_to_piece(x, corner(smaller, joined[0]), corner(smaller, joined[1])) < 0.2 * smaller.size)
+      continue;
+    close += distance_to(larger, x) < seam_closeness * size;
   }
   return close >= 2;
 }
@@ -184,51 +101,72 @@ bool Seams::may_touch(const std::set<std::string>& a, const std::set<std::string
   });
 }
 
+/// Whether two sides end at the same places.
+bool Seams::twins(const SeamSide& a, const SeamSide& b) const {
+  const double near = seam_closeness * std::min(a.size, b.size);
+  for (int c = 0; c < a.corners; ++c) {
+    double nearest = std::numeric_limits<double>::max();
+    for (int d = 0; d < b.corners; ++d) nearest = std::min(nearest, distance(corner(a, c), corner(b, d)));
+    if (nearest >= near) return false;
+  }
+  return a.corners == b.corners;
+}
+
 /// Whether the deck names what two sides beside each other are: surfaces in contact, or the faces of a crack, which end
 /// at the same places.
-bool Seams::meant(const Side& a, const Side& b, const std::vector<std::string>& cracks) {
+bool Seams::meant(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks) {
   if (may_touch(a.sets, b.sets)) return true;
-  const double near = closeness * std::min(a.size, b.size);
-  const bool twins = distance(start(a), end(b)) < near && distance(end(a), start(b)) < near;
-  const bool apart = a.at.nodes[0] != b.at.nodes[1] && a.at.nodes[1] != b.at.nodes[0];
+  const bool allowed = twins(a, b) || common(a, b).empty();
   bool named = false;
   for (const std::string& crack : cracks) {
-    if (!(a.sets.count(crack) || b.sets.count(crack)) || !(twins || apart)) continue;
+    if (!(a.sets.count(crack) || b.sets.count(crack)) || !allowed) continue;
     cracked_.insert(crack);
     named = true;
   }
   return named;
 }
 
-void Seams::refuse(const Side& shorter, const Side& longer) const {
-  const double near = closeness * std::min(shorter.size, longer.size);
+std::string Seams::name_of(const SeamSide& side) const {
+  if (side.corners > 2) return "face at " + text(middle_of(mesh_, side.at));
+  return "side from " + text(corner(side, 0)) + " to " + text(corner(side, 1));
+}
+
+void Seams::refuse(const SeamSide& smaller, const SeamSide& larger) const {
   const std::string ways =
       "; join them (in Gmsh by Coherence), or name both surfaces in a contact's 'slave' and 'master', or their side "
       "set "
       "in 'cracks' when they are to part";
-  if (distance(start(shorter), end(longer)) < near && distance(end(shorter), start(longer)) < near)
-    throw InputError("the mesh has a crack of twin nodes: two elements have a side from " + place_text(start(longer)) +
-                     " to " + place_text(end(longer)) + " each" + ways);
-  if (shorter.at.nodes[0] == longer.at.nodes[1] || shorter.at.nodes[1] == longer.at.nodes[0]) {
-    const bool first = shorter.at.nodes[0] == longer.at.nodes[1];
-    throw InputError("the mesh has a hanging node at " + place_text(first ? end(shorter) : start(shorter)) +
-                     ": it lies on the side from " + place_text(start(longer)) + " to " + place_text(end(longer)) +
-                     " of an element that does not have it");
+  const std::vector<int> joined = common(smaller, larger);
+  if (static_cast<int>(joined.size()) == smaller.corners)
+    throw InputError("elements do not fit: the " + name_of(smaller) + " of one has all its corners on the " +
+                     name_of(larger) + " of another, but not the same shape or middle nodes");
+  if (twins(smaller, larger))
+    throw InputError("the mesh has a crack of twin nodes: two elements have a " + name_of(larger) + " each" + ways);
+  if (joined.empty())
+    throw InputError("two parts of the mesh lie beside each other at " + text(middle_of(mesh_, smaller.at)) +
+                     " without common nodes" + ways);
+  int hanging = -1;  // of those that are not common, the one nearest to the larger side
+  double nearest = std::numeric_limits<double>::max();
+  for (int c = 0; c < smaller.corners; ++c) {
+    const double here = distance_to(larger, corner(smaller, c));
+    if (std::find(joined.begin(), joined.end(), c) != joined.end() || here >= nearest) continue;
+    nearest = here;
+    hanging = c;
   }
-  throw InputError("two parts of the mesh lie beside each other at " + place_text(middle_of(mesh_, shorter.at)) +
-                   " without common nodes" + ways);
+  throw InputError("the mesh has a hanging node at " + text(corner(smaller, hanging)) + ": it lies on the " +
+                   name_of(larger) + " of an element that does not have it");
 }
 
 void Seams::check_joints(const std::vector<std::string>& cracks) {
-  std::vector<Box> boxes;
-  for (const Side& side : sides_) boxes.push_back(box(side));
+  std::vector<Bounds> boxes;
+  for (const SeamSide& side : sides_) boxes.push_back(box(side));
   BoxGrid grid(boxes);
   for (std::size_t a = 0; a < sides_.size(); ++a)
     grid.near(boxes[a], [&](int b) {
       if (static_cast<std::size_t>(b) <= a) return;
-      const bool first = sides_[a].length <= sides_[b].length;
-      const Side &shorter = sides_[first ? a : b], &longer = sides_[first ? b : a];
-      if (lies_along(shorter, longer) && !meant(shorter, longer, cracks)) refuse(shorter, longer);
+      const bool first = sides_[a].measure <= sides_[b].measure;
+      const SeamSide &smaller = sides_[first ? a : b], &larger = sides_[first ? b : a];
+      if (lies_along(smaller, larger) && !meant(smaller, larger, cracks)) refuse(smaller, larger);
     });
   for (const std::string& crack : cracks) {
     if (mesh_.side_sets.count(crack) == 0) throw InputError("'cracks' names '" + crack + "', which is no side set");
@@ -241,86 +179,45 @@ void Seams::check_joints(const std::vector<std::string>& cracks) {
 /// Two sheets of elements over one another end at a boundary: there, just inside of a side, a point lies in two
 /// elements.
 void Seams::check_overlap() {
-  std::vector<Box> boxes;
-  std::vector<std::pair<int, long long>> elements;
+  std::vector<Bounds> boxes;
   for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
     const auto& block = mesh_.blocks[b];
     const std::size_t n = num_nodes(block.shape);
     for (std::size_t first = 0; first < block.nodes.size(); first += n) {
-      Box box;
-      for (std::size_t a = 0; a < n; ++a) box.add(mesh_.coordinates[block.nodes[first + a]].data());
+      Bounds box = Bounds::nothing();
+      for (std::size_t a = 0; a < n; ++a) box.enclose(mesh_.coordinates[block.nodes[first + a]]);
       boxes.push_back(box);
-      elements.emplace_back(static_cast<int>(b), static_cast<long long>(first / n));
+      elements_.emplace_back(static_cast<int>(b), static_cast<long long>(first / n));
     }
   }
   BoxGrid grid(std::move(boxes));
-  for (const Side& side : sides_) {
-    const std::pair<int, long long> own{side.at.place.block, side.at.place.element};
-    const ElementMap map = element_map(mesh_, own.first, own.second);
-    const double middle = num_corners(map.shape()) == 3 ? 1.0 / 3 : 0.0;
-    for (double t : {-0.8, 0.0, 0.8}) {
-      Place xi = on_side(map.shape(), side.at.place.side, t);
-      for (double& c : xi) c += closeness * (middle - c) * (num_corners(map.shape()) == 3 ? 3 : 2);
+  for (const SeamSide& side : sides_) {
+    const ElementMap map = element_map(mesh_, side.at.place.block, side.at.place.element);
+    const CellShape shape = map.shape();
+    const std::array<double, 3> middle = cell_centre(shape);
+    for (const auto& sample : side_samples(side_shape(shape), true)) {
+      std::array<double, 3> xi = on_side(shape, side.at.place.side, sample);
+      for (int i = 0; i < dimension(shape); ++i)
+        xi[i] += seam_closeness * (middle[i] - xi[i]) * (is_simplex(shape) ? num_corners(shape) : 2);
       const Place x = map.at(xi.data());
-      Box point;
-      point.add(x.data());
-      grid.near(point, [&](int e) {
-        if (elements[e] == own) return;
-        double there[2];
-        const ElementMap other = element_map(mesh_, elements[e].first, elements[e].second);
-        if (!other.invert(x, there) || outside_cell(other.shape(), there) > -1e-3) return;
-        if (distance(other.at(there), x) > 1e-9 * side.length) return;  // the search did not end
-        const auto sets = element_sets_.find(elements[e]);
-        if (sets != element_sets_.end() && may_touch(side.sets, sets->second)) return;
-        throw InputError("the mesh lies over itself at " + place_text(x) + ": the point is in an element of region '" +
-                         mesh_.blocks[own.first].region + "' and in another one of region '" +
-                         mesh_.blocks[elements[e].first].region + "'");
-      });
+      grid.near({x, x}, [&](int e) { look_into(side, x, e); });
     }
   }
 }
 
-/// The side with which the boundary goes on around the same void: at a node where several voids meet, the first one met
-/// on the way through the void.
-std::size_t Seams::next_of(std::size_t s) const {
-  const std::vector<std::size_t>& ways = from_.at(sides_[s].at.nodes[1]);
-  if (ways.size() == 1) return ways[0];
-  const auto angle = [&](const Place& from, const Place& to) { return std::atan2(to[1] - from[1], to[0] - from[0]); };
-  const std::vector<Place>& here = sides_[s].curve;
-  const double back = angle(here.back(), here[here.size() - 2]);
-  std::size_t best = ways[0];
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t way : ways) {
-    double turn = std::fmod(angle(sides_[way].curve[0], sides_[way].curve[1]) - back + 4 * pi, 2 * pi);
-    if (turn < 1e-9) turn = 2 * pi;
-    if (turn >= least) continue;
-    least = turn;
-    best = way;
-  }
-  return best;
-}
-
-void Seams::check_holes() const {
-  std::vector<char> seen(sides_.size(), 0);
-  for (std::size_t first = 0; first < sides_.size(); ++first) {
-    double area = 0;
-    bool named = false;
-    Box all;
-    for (std::size_t s = first; !seen[s]; s = next_of(s)) {
-      seen[s] = 1;
-      named = named || !sides_[s].sets.empty();
-      const std::vector<Place>& x = sides_[s].curve;
-      for (std::size_t k = 0; k + 1 < x.size(); ++k) {
-        area += 0.5 * (x[k][0] * x[k + 1][1] - x[k + 1][0] * x[k][1]);
-        all.add(x[k].data());
-      }
-    }
-    const double extent = std::max(all.high[0] - all.low[0], all.high[1] - all.low[1]);
-    if (named || area > -1e-9 * extent * extent) continue;
-    throw InputError("the mesh has a hole around " +
-                     place_text({0.5 * (all.low[0] + all.high[0]), 0.5 * (all.low[1] + all.high[1])}) +
-                     " whose edge is in no side set: elements are missing, or name the edge of a hole that is meant");
-  }
+/// Refuses a point just inside of a side that lies in element number e, too.
+void Seams::look_into(const SeamSide& side, const Place& x, int e) {
+  const std::pair<int, long long> own{side.at.place.block, side.at.place.element};
+  if (elements_[e] == own) return;
+  double there[3];
+  const ElementMap other = element_map(mesh_, elements_[e].first, elements_[e].second);
+  if (!other.invert(x.data(), there) || outside_cell(other.shape(), there) > -1e-3) return;
+  if (distance(other.at(there), x) > 1e-9 * side.edge) return;  // the search did not end
+  const auto sets = element_sets_.find(elements_[e]);
+  if (sets != element_sets_.end() && may_touch(side.sets, sets->second)) return;
+  throw InputError("the mesh lies over itself at " + text(x) + ": the point is in an element of region '" +
+                   mesh_.blocks[own.first].region + "' and in another one of region '" +
+                   mesh_.blocks[elements_[e].first].region + "'");
 }
 
 }  // namespace
@@ -329,7 +226,7 @@ void check_seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks)
   Seams seams(mesh);
   seams.check_joints(cracks);
   seams.check_overlap();
-  seams.check_holes();
+  seams.check_voids();
 }
 
 }  // namespace mudline

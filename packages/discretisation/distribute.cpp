@@ -34,7 +34,8 @@ std::vector<int> metis_partition(const GlobalMesh& mesh, int ranks, long long el
     }
   }
   idx_t num_elements = static_cast<idx_t>(elements), num_nodes = static_cast<idx_t>(mesh.coordinates.size());
-  idx_t common = 2, parts = ranks, cut = 0;  // elements are neighbours across a side: two common corners
+  idx_t common = 4, parts = ranks, cut = 0;  // elements are neighbours across a side: so many common corners
+  for (const auto& block : mesh.blocks) common = std::min<idx_t>(common, num_corners(side_shape(block.shape)));
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;
@@ -68,16 +69,6 @@ std::vector<int> node_owners(const std::vector<std::vector<long long>>& nodes_of
   }
   return owners;
 }
-
-using Bounds = std::array<double, 4>;
-
-void enclose(Bounds& bounds, const std::array<double, 2>& point) {
-  bounds = {std::min(bounds[0], point[0]), std::max(bounds[1], point[0]), std::min(bounds[2], point[1]),
-            std::max(bounds[3], point[1])};
-}
-
-constexpr double huge = std::numeric_limits<double>::max();
-constexpr Bounds nothing{huge, -huge, huge, -huge};
 
 /// Cuts the mesh; lives on rank 0.
 class Cutter {
@@ -164,12 +155,12 @@ void Cutter::add_partners() {
 void Cutter::describe_whole() {
   whole_.num_global_nodes = static_cast<long long>(mesh_.coordinates.size());
   whole_.num_global_elements = offsets_.back();
-  whole_.bounds = nothing;
-  for (const auto& point : mesh_.coordinates) enclose(whole_.bounds, point);
+  whole_.bounds = Bounds::nothing();
+  for (const Place& point : mesh_.coordinates) whole_.bounds.enclose(point);
   for (const auto& block : mesh_.blocks) {
-    const auto [region, added] = whole_.region_bounds.emplace(block.region, nothing);
+    const auto [region, added] = whole_.region_bounds.emplace(block.region, Bounds::nothing());
     if (added) whole_.regions.push_back(block.region);
-    for (long long node : block.nodes) enclose(region->second, mesh_.coordinates[node]);
+    for (long long node : block.nodes) region->second.enclose(mesh_.coordinates[node]);
   }
 }
 
@@ -187,8 +178,8 @@ void Cutter::number_nodes(int rank, MeshPart& part) {
                                             [&](long long node) { return owners_[node] == rank; });
   part.num_owned_nodes = static_cast<int>(ghosts - part.node_ids.begin());
   for (std::size_t i = 0; i < part.node_ids.size(); ++i) {
-    const auto& point = mesh_.coordinates[part.node_ids[i]];
-    part.coordinates.insert(part.coordinates.end(), point.begin(), point.end());
+    const Place& point = mesh_.coordinates[part.node_ids[i]];
+    part.coordinates.insert(part.coordinates.end(), point.begin(), point.begin() + mesh_.dimension());
     part.is_vertex.push_back(is_vertex_[part.node_ids[i]]);
     local_[part.node_ids[i]] = static_cast<int>(i);
   }

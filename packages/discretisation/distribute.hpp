@@ -22,12 +22,12 @@ struct MeshPart {
 
   long long num_global_nodes = 0, num_global_elements = 0;
   std::vector<std::string> regions;
-  std::array<double, 4> bounds{};
-  std::map<std::string, std::array<double, 4>> region_bounds;
+  Bounds bounds;
+  std::map<std::string, Bounds> region_bounds;
 
   int num_owned_nodes = 0;
   std::vector<long long> node_ids;  // owned ascending, then ghosts ascending
-  std::vector<double> coordinates;  // (node, 2)
+  std::vector<double> coordinates;  // (node, dimension)
   std::vector<char> is_vertex;      // (node)
   std::vector<Block> blocks;
   std::map<std::string, std::vector<Side>> side_sets;
@@ -47,8 +47,9 @@ std::vector<int> partition_elements(const GlobalMesh& mesh, int ranks);
 /// Cuts rank 0's mesh into parts and hands each rank its own, one after the other. Collective.
 MeshPart distribute(const Teuchos::Comm<int>& comm, const GlobalMesh& mesh);
 
-/// Throws InputError when the mesh cannot be computed on: no elements, mixed orders, orphan nodes, overlapping or
-/// not matching elements, a Jacobian that is not positive, a negative radius, an empty set, sets of the same name.
+/// Throws InputError when the mesh cannot be computed on: no elements, mixed orders or dimensions, cells that are
+/// not of the geometry's dimension, orphan nodes, overlapping or not matching elements, a Jacobian that is not
+/// positive, a negative radius, an empty set, sets of the same name.
 void check_mesh(const GlobalMesh& mesh, Geometry geometry);
 
 }  // namespace mudline

@@ -3,100 +3,187 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace mudline {
 
-double beyond_side(CellShape shape, int side, const double xi[2]) {
-  if (num_corners(shape) == 3) return side == 0 ? -xi[1] : (side == 1 ? xi[0] + xi[1] - 1 : -xi[0]);
-  switch (side) {
-    case 0:
-      return -1 - xi[1];
-    case 1:
-      return xi[0] - 1;
-    case 2:
-      return xi[1] - 1;
-    default:
-      return -1 - xi[0];
+namespace {
+
+constexpr int shapes = static_cast<int>(CellShape::hex27) + 1;
+
+/// What of a reference cell is asked for in inner loops.
+struct Reference {
+  struct Side {
+    int direction = -1;  // in which the side is flat; -1: the slanted side of a triangle or tetrahedron
+    double at = 0;       // its coordinate there
+    std::array<double, 3> corner{}, along[2]{};
+  };
+  std::vector<Side> sides;
+  std::vector<std::array<int, 3>> edges;     // (corner): those that span it
+  std::vector<std::array<double, 3>> nodes;  // places of corners, of a quadratic cell of all nodes, and the centre
+
+  explicit Reference(CellShape shape);
+  static const Reference& of(CellShape shape);
+};
+
+Reference::Reference(CellShape shape) {
+  const int dim = dimension(shape);
+  for (int s = 0; s < num_sides(shape); ++s) {
+    const std::vector<int> on = side_nodes(linear_partner(shape), s);
+    Side side;
+    side.corner = reference_node(shape, on[0]);
+    for (int d = 0; d < dim; ++d) {
+      const bool flat =
+          std::all_of(on.begin(), on.end(), [&](int c) { return reference_node(shape, c)[d] == side.corner[d]; });
+      if (!flat) continue;
+      side.direction = d;
+      side.at = side.corner[d];
+    }
+    const int ends[2] = {on[1], on.back()};
+    for (int k = 0; k < 2; ++k)
+      for (int d = 0; d < dim; ++d) side.along[k][d] = reference_node(shape, ends[k])[d] - side.corner[d];
+    sides.push_back(side);
   }
+  for (int c = 0; c < num_corners(shape); ++c) {
+    std::array<int, 3> here{};
+    int found = 0;
+    for (int e = 0; e < num_edges(shape); ++e)
+      if (edge_corners(shape, e)[0] == c || edge_corners(shape, e)[1] == c) here[found++] = e;
+    edges.push_back(here);
+  }
+  for (int a = 0; a < num_nodes(shape); ++a) nodes.push_back(reference_node(shape, a));
+  if (order(shape) == 2 && is_simplex(shape)) nodes.push_back(cell_centre(shape));
 }
 
-double outside_cell(CellShape shape, const double xi[2]) {
+const Reference& Reference::of(CellShape shape) {
+  static const std::vector<Reference> all = [] {
+    std::vector<Reference> list;
+    for (int s = 0; s < shapes; ++s) list.emplace_back(static_cast<CellShape>(s));
+    return list;
+  }();
+  return all[static_cast<int>(shape)];
+}
+
+double beyond(CellShape shape, const Reference::Side& side, const double* xi) {
+  if (side.direction >= 0) return side.at > 0 ? xi[side.direction] - side.at : side.at - xi[side.direction];
+  double sum = xi[0];
+  for (int d = 1; d < dimension(shape); ++d) sum += xi[d];
+  return sum - 1;
+}
+
+/// Length [m], of a vector in the plane or in space.
+double length_of(int dimension, const double* v) {
+  return dimension == 2 ? std::hypot(v[0], v[1]) : std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/// What the reference determinant is multiplied by to be 1 where the edges of length 1 stand as they should.
+double ideal(CellShape shape) {
+  if (dimension(shape) == 2) return is_simplex(shape) ? 2 / std::sqrt(3.0) : 4.0;  // sin 60 deg; side 2 of the square
+  return is_simplex(shape) ? std::sqrt(2.0) : 8.0;  // six times the volume of the regular tetrahedron; the cube
+}
+
+}  // namespace
+
+double beyond_side(CellShape shape, int side, const double* xi) {
+  return beyond(shape, Reference::of(shape).sides[side], xi);
+}
+
+double outside_cell(CellShape shape, const double* xi) {
   double worst = -1e300;
-  for (int s = 0; s < num_sides(shape); ++s) worst = std::max(worst, beyond_side(shape, s, xi));
+  for (const Reference::Side& side : Reference::of(shape).sides) worst = std::max(worst, beyond(shape, side, xi));
   return worst;
 }
 
-std::array<double, 2> on_side(CellShape shape, int side, double t) {
-  static constexpr double triangle[4][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}},
-                          square[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
-  const auto& from = num_corners(shape) == 3 ? triangle[side] : square[side];
-  const auto& to = num_corners(shape) == 3 ? triangle[side + 1] : square[side + 1];
-  return {from[0] + 0.5 * (1 + t) * (to[0] - from[0]), from[1] + 0.5 * (1 + t) * (to[1] - from[1])};
+std::array<double, 3> cell_centre(CellShape shape) {
+  std::array<double, 3> centre{};
+  if (!is_simplex(shape)) return centre;
+  for (int d = 0; d < dimension(shape); ++d) centre[d] = 1.0 / num_corners(shape);
+  return centre;
 }
 
-CellMap<2> ElementMap::map(const double xi[2], std::array<double, 2>& x) const {
-  double N[9], dN[18], slope[2][2] = {};
+std::array<double, 3> on_side(CellShape shape, int side, const std::array<double, 2>& place) {
+  const Reference::Side& s = Reference::of(shape).sides[side];
+  std::array<double, 3> result = s.corner;
+  const CellShape own = side_shape(shape);
+  for (int k = 0; k < dimension(own); ++k)
+    for (int d = 0; d < 3; ++d) result[d] += (is_simplex(own) ? place[k] : 0.5 * (1 + place[k])) * s.along[k][d];
+  return result;
+}
+
+template <int Dim>
+CellMap<Dim> ElementMap::map(const double* xi, std::array<double, 3>& x) const {
+  double N[27], dN[27 * Dim], slope[Dim][Dim] = {};
   evaluate_shape(shape_, xi, N, dN);
   x = {};
   for (int a = 0; a < nodes_; ++a)
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < Dim; ++i) {
       x[i] += N[a] * x_[a][i];
-      for (int k = 0; k < 2; ++k) slope[i][k] += x_[a][i] * dN[2 * a + k];
+      for (int k = 0; k < Dim; ++k) slope[i][k] += x_[a][i] * dN[Dim * a + k];
     }
-  CellMap<2> result;
+  CellMap<Dim> result;
   result.compute(slope);
   return result;
 }
 
-std::array<double, 2> ElementMap::at(const double xi[2]) const {
-  std::array<double, 2> x;
-  map(xi, x);
+std::array<double, 3> ElementMap::at(const double* xi) const {
+  std::array<double, 3> x;
+  dimension_ == 2 ? void(map<2>(xi, x)) : void(map<3>(xi, x));
   return x;
 }
 
-double ElementMap::determinant(const double xi[2]) const {
-  std::array<double, 2> x;
-  return map(xi, x).det;
+double ElementMap::determinant(const double* xi) const {
+  std::array<double, 3> x;
+  return dimension_ == 2 ? map<2>(xi, x).det : map<3>(xi, x).det;
 }
 
-bool ElementMap::invert(const std::array<double, 2>& point, double xi[2]) const {
-  const double middle = num_corners(shape_) == 3 ? 1.0 / 3 : 0.0;
-  xi[0] = xi[1] = middle;
+bool ElementMap::invert(const double* point, double* xi) const {
+  return dimension_ == 2 ? invert_in<2>(point, xi) : invert_in<3>(point, xi);
+}
+
+template <int Dim>
+bool ElementMap::invert_in(const double* point, double* xi) const {
+  const std::array<double, 3> middle = cell_centre(shape_);
+  std::copy(middle.begin(), middle.begin() + Dim, xi);
   for (int iteration = 0; iteration < 30; ++iteration) {
-    std::array<double, 2> x;
-    const CellMap<2> here = map(xi, x);
+    std::array<double, 3> x;
+    const CellMap<Dim> here = map<Dim>(xi, x);
     if (!(std::abs(here.det) > 0)) return false;
-    const double r[2] = {point[0] - x[0], point[1] - x[1]};
-    double step[2];
-    for (int k = 0; k < 2; ++k) step[k] = here.inverse[k][0] * r[0] + here.inverse[k][1] * r[1];
-    const double size = std::hypot(step[0], step[1]);
+    double r[Dim], step[Dim];
+    for (int i = 0; i < Dim; ++i) r[i] = point[i] - x[i];
+    for (int k = 0; k < Dim; ++k) {
+      step[k] = here.inverse[k][0] * r[0];
+      for (int i = 1; i < Dim; ++i) step[k] += here.inverse[k][i] * r[i];
+    }
+    const double size = length_of(Dim, step);
     if (!(size < 1e6)) return false;
     const double factor = size > 1 ? 1 / size : 1.0;  // far from the solution the quadratic map misleads
-    xi[0] += factor * step[0];
-    xi[1] += factor * step[1];
+    for (int k = 0; k < Dim; ++k) xi[k] += factor * step[k];
     if (size < 1e-13) return true;
   }
   return outside_cell(shape_, xi) < 0.5;
 }
 
 double ElementMap::scaled_jacobian() const {
-  static constexpr double triangle[7][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}, {1. / 3, 1. / 3}};
-  static constexpr double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
+  const Reference& reference = Reference::of(shape_);
   const int corners = num_corners(shape_);
-  double length[4];
-  for (int s = 0; s < corners; ++s) {
-    const double *a = x_[s], *b = x_[(s + 1) % corners];
-    length[s] = std::hypot(b[0] - a[0], b[1] - a[1]);
+  double length[12], product[8];
+  for (int e = 0; e < num_edges(shape_); ++e) {
+    const auto [from, to] = edge_corners(shape_, e);
+    double way[3] = {};
+    for (int i = 0; i < dimension_; ++i) way[i] = x_[to][i] - x_[from][i];
+    length[e] = length_of(dimension_, way);
   }
-  const double ideal =
-      corners == 3 ? 2 / std::sqrt(3.0) : 4.0;  // per reference determinant: sin 60 deg; side 2 of the square
-  const int places = order(shape_) == 1 ? corners : (corners == 3 ? 7 : 9);
-  double widest = 0;  // product of two neighbouring edges, for the middle of the element
-  for (int s = 0; s < corners; ++s) widest = std::max(widest, length[s] * length[(s + corners - 1) % corners]);
+  double widest = 0;  // product of the edges of a corner, for the middle of the element
+  for (int c = 0; c < corners; ++c) {
+    product[c] = length[reference.edges[c][0]];
+    for (int i = 1; i < dimension_; ++i) product[c] *= length[reference.edges[c][i]];
+    widest = std::max(widest, product[c]);
+  }
+  const double factor = ideal(shape_);
   double lowest = 1e300;
-  for (int i = 0; i < places; ++i) {
-    const double product = i < corners ? length[i] * length[(i + corners - 1) % corners] : widest;
-    const double here = ideal * determinant(corners == 3 ? triangle[i] : square[i]) / product;
+  for (std::size_t place = 0; place < reference.nodes.size(); ++place) {
+    const double divisor = static_cast<int>(place) < corners ? product[place] : widest;
+    const double here = factor * determinant(reference.nodes[place].data()) / divisor;
     if (std::isnan(here)) return -std::numeric_limits<double>::infinity();
     lowest = std::min(lowest, here);
   }

@@ -27,7 +27,7 @@ struct Delivery {
 
 void GmshMesh::parameters(Parameters& p) {
   position_.remember(p);
-  declare_geometry(p);
+  dimension_ = dimension(declare_geometry(p));
   file_.parameters(p, "Mesh (.msh of any version) or geometry (.geo, meshed at the start)");
   p.add("order", order_, "-", closed(1, 2), "Order of the elements; a .msh file must have it");
 }
@@ -42,7 +42,7 @@ GlobalMesh GmshMesh::generate() const {
   Delivery delivery = with_gmsh<Delivery>(file_, position_, [&] {
     open_in_gmsh(file_, position_);
     if (is_gmsh_geometry(file_.name)) {
-      gmsh::model::mesh::generate(2);
+      gmsh::model::mesh::generate(dimension_);
       if (gmsh_error().empty()) gmsh::model::mesh::setOrder(order_);
       const std::string error = gmsh_error();
       if (!error.empty()) position_.fail("Gmsh, reading '" + short_name(file_.name) + "': " + error, "file");
@@ -54,7 +54,7 @@ GlobalMesh GmshMesh::generate() const {
 
 GlobalMesh GmshMesh::read_model() const {
   try {
-    return read_gmsh_model(order_);
+    return read_gmsh_model(order_, dimension_);
   } catch (const InputError& error) {
     position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
   }

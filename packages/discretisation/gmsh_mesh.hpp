@@ -7,9 +7,10 @@
 
 namespace mudline {
 
-/// A mesh file or geometry of Gmsh, in the x-y plane. Physical groups become regions (surfaces), side sets (curves) and
-/// node sets (points); a group without a name is called by its number. A curve between two elements stands for the
-/// side of the element on its left.
+/// A mesh file or geometry of Gmsh, in the x-y plane or in space. Physical groups become regions (surfaces; in space
+/// volumes), side sets (curves; in space surfaces) and node sets (points; in space curves too); a group without a name
+/// is called by its number. A curve between two elements stands for the side of the element on its left, a surface for
+/// that of the element from which its normal points away.
 class GmshMesh : public MeshSource {
  public:
   void parameters(Parameters& p);
@@ -20,7 +21,7 @@ class GmshMesh : public MeshSource {
   GlobalMesh read_model() const;
 
   GmshFile file_;
-  int order_ = 2;
+  int order_ = 2, dimension_ = 2;
   SourcePosition position_;
 };
 

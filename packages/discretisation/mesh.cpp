@@ -1,5 +1,7 @@
 #include "discretisation/mesh.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "core/errors.hpp"
@@ -37,6 +39,22 @@ std::vector<std::string> names_of(const std::map<std::string, std::vector<Side>>
 
 }  // namespace
 
+int dimension(Geometry geometry) { return geometry == Geometry::space ? 3 : 2; }
+
+Bounds Bounds::nothing() {
+  constexpr double huge = std::numeric_limits<double>::max();
+  return {{huge, huge, huge}, {-huge, -huge, -huge}};
+}
+
+void Bounds::enclose(const Place& place) {
+  for (int i = 0; i < 3; ++i) {
+    low[i] = std::min(low[i], place[i]);
+    high[i] = std::max(high[i], place[i]);
+  }
+}
+
+double Bounds::extent() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
+
 Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, GlobalMesh global)
     : comm_(std::move(comm)), geometry_(geometry) {
   agree(*comm_, [&] {
@@ -49,7 +67,7 @@ Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, Globa
   num_global_nodes_ = part.num_global_nodes;
   num_global_elements_ = part.num_global_elements;
   node_ids_ = std::move(part.node_ids);
-  coordinates_ = filled("coordinates", part.coordinates, 2);
+  coordinates_ = filled("coordinates", part.coordinates, dimension());
   is_vertex_ = std::move(part.is_vertex);
   for (MeshPart::Block& block : part.blocks) {
     const int n = mudline::num_nodes(block.shape), elements = static_cast<int>(block.ids.size());
@@ -103,8 +121,13 @@ struct Entries {
 };
 
 void Entries::parameters(Parameters& p) {
-  p.choice("geometry", geometry, {{"plane strain", Geometry::plane_strain}, {"axisymmetric", Geometry::axisymmetric}},
-           "What the x-y plane is: a cross-section of unit thickness, or a half-plane turned about x = 0");
+  p.choice(
+      "geometry", geometry,
+      {{"plane strain", Geometry::plane_strain},
+       {"axisymmetric", Geometry::axisymmetric},
+       {"three-dimensional", Geometry::space}},
+      "What the mesh is: a cross-section of unit thickness in the x-y plane, a half-plane there turned about x = 0, "
+      "or a body in space with z up");
   p.add("cracks", cracks,
         "Side sets along cracks that are meant: sides that lie beside others without common nodes, and part from them");
 }

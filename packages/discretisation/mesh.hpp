@@ -15,7 +15,23 @@
 
 namespace mudline {
 
-enum class Geometry { plane_strain, axisymmetric };
+/// What the coordinates of a mesh mean. The vertical is y in the plane and z in space.
+enum class Geometry { plane_strain, axisymmetric, space };
+/// Of the mesh: 2 or 3.
+int dimension(Geometry geometry);
+
+/// A place [m]; in the plane the third number is 0.
+using Place = std::array<double, 3>;
+
+/// Lowest and highest coordinates [m]; in the plane the third ones are 0.
+struct Bounds {
+  Place low{}, high{};
+  /// Of no place at all, to be widened by places.
+  static Bounds nothing();
+  void enclose(const Place& place);
+  /// The largest of its lengths [m].
+  double extent() const;
+};
 
 /// Pairs of side sets that act on each other (contact): a rank with sides of the first has all nodes of the second.
 using SetPairs = std::vector<std::pair<std::string, std::string>>;
@@ -32,11 +48,13 @@ struct GlobalMesh {
     long long element;  // in its block
     int side;
   };
-  std::vector<std::array<double, 2>> coordinates;  // [m]
+  std::vector<Place> coordinates;
   std::vector<Block> blocks;
   std::map<std::string, std::vector<Side>> side_sets;
   std::map<std::string, std::vector<long long>> node_sets;  // nodes of zero-dimensional groups
   SetPairs pairs;
+  /// Of its cells (those of the first block; check_mesh() sees to it that all have the same): 2 or 3.
+  int dimension() const { return blocks.empty() ? 2 : mudline::dimension(blocks.front().shape); }
 };
 
 /// Makes a mesh on rank 0. Throws InputError; the caller makes the other ranks throw alike. Every source declares the
@@ -72,6 +90,7 @@ class Mesh {
 
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
   Geometry geometry() const { return geometry_; }
+  int dimension() const { return mudline::dimension(geometry_); }
 
   int num_nodes() const { return static_cast<int>(node_ids_.size()); }
   int num_owned_nodes() const { return num_owned_nodes_; }
@@ -79,7 +98,7 @@ class Mesh {
   long long num_global_elements() const { return num_global_elements_; }
   /// Global ids 0..N-1 in the source's numbering, owned nodes first.
   const std::vector<long long>& node_ids() const { return node_ids_; }
-  /// (node, 2) [m]
+  /// (node, dimension) [m]
   const Kokkos::View<double**, Kokkos::LayoutRight>& coordinates() const { return coordinates_; }
   /// True for corner nodes, which carry the linear fields. By local node.
   const std::vector<char>& is_vertex() const { return is_vertex_; }
@@ -100,9 +119,9 @@ class Mesh {
   std::vector<std::string> set_names() const;
   std::vector<std::string> side_set_names() const;
 
-  /// Lowest and highest coordinates of the whole mesh [m], and of one region.
-  std::array<double, 4> bounds() const { return bounds_; }  // xmin, xmax, ymin, ymax
-  const std::map<std::string, std::array<double, 4>>& region_bounds() const { return region_bounds_; }
+  /// Of the whole mesh, and of each region.
+  const Bounds& bounds() const { return bounds_; }
+  const std::map<std::string, Bounds>& region_bounds() const { return region_bounds_; }
 
  private:
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
@@ -116,11 +135,12 @@ class Mesh {
   std::map<std::string, std::vector<Side>> side_sets_;
   std::map<std::string, std::vector<int>> node_sets_, set_nodes_;
   std::vector<std::string> regions_;
-  std::array<double, 4> bounds_{};
-  std::map<std::string, std::array<double, 4>> region_bounds_;
+  Bounds bounds_;
+  std::map<std::string, Bounds> region_bounds_;
 };
 
-/// The entry "geometry" ("plane strain" or "axisymmetric"), which make_mesh reads and every source lets pass.
+/// The entries that make_mesh reads and every source lets pass: "geometry" ("plane strain", "axisymmetric" or
+/// "three-dimensional"), which is returned, and "cracks".
 Geometry declare_geometry(Parameters& p);
 
 /// Fail with "unknown side set 'tpo' (did you mean 'top'?)" at `entry` of `section` unless the mesh has it.
@@ -129,7 +149,7 @@ void require_side_set(const Mesh& mesh, const Section& section, const std::strin
 void require_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
 void require_region(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
 
-/// "box" and, when built with Gmsh, "gmsh"; a plain list.
+/// "box", "extruded", "revolved" and, when built with Gmsh, "gmsh"; a plain list.
 void register_mesh_sources(Registry<MeshSource>& registry);
 
 /// Reads the deck's "mesh" section: geometry and source; returns the distributed mesh. `pairs` of unknown sets count

@@ -21,7 +21,7 @@ MeshQuality mesh_quality(const Mesh& mesh, const Kokkos::View<const double**, Ko
       result.place = {};
       const int corners = num_corners(block.shape);
       for (int c = 0; c < corners; ++c)
-        for (int i = 0; i < 2; ++i) result.place[i] += map.node(c)[i] / corners;
+        for (int i = 0; i < mesh.dimension(); ++i) result.place[i] += map.node(c)[i] / corners;
     }
   const auto& comm = *mesh.comm();
   const double own = result.lowest;
@@ -29,7 +29,7 @@ MeshQuality mesh_quality(const Mesh& mesh, const Kokkos::View<const double**, Ko
   const int candidate = own == result.lowest ? comm.getRank() : comm.getSize() - 1;
   int worst = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &candidate, &worst);
-  Teuchos::broadcast(comm, worst, 2, result.place.data());
+  Teuchos::broadcast(comm, worst, 3, result.place.data());
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, local, total);
   result.poor = total[0];
   result.folded = total[1];

@@ -11,37 +11,23 @@ namespace mudline {
 
 namespace {
 
-/// Calls f(place, nodes) for every side of every element.
-template <class F>
-void for_each_side(const GlobalMesh& mesh, F&& f) {
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const auto& block = mesh.blocks[b];
-    const std::size_t n = num_nodes(block.shape);
-    for (int s = 0; s < num_sides(block.shape); ++s) {
-      const std::vector<int> local = side_nodes(block.shape, s);
-      std::vector<long long> nodes(local.size());
-      for (std::size_t e = 0; e < block.nodes.size() / n; ++e) {
-        for (std::size_t a = 0; a < local.size(); ++a) nodes[a] = block.nodes[e * n + local[a]];
-        f(GlobalMesh::Side{static_cast<int>(b), static_cast<long long>(e), s}, nodes);
-      }
-    }
-  }
-}
-
-using Key = unsigned long long;
-
-/// How many elements have a side between two nodes, whatever its direction.
+/// How many elements have a side, whatever way round they see it.
 class SideCount {
  public:
-  explicit SideCount(const GlobalMesh& mesh) : nodes_(mesh.coordinates.size()) {
-    for_each_side(mesh, [&](const GlobalMesh::Side&, const std::vector<long long>& n) { ++count_[key(n)]; });
+  explicit SideCount(const GlobalMesh& mesh) {
+    for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& n) {
+      ++count_[sorted_key(n.data(), corners(mesh, place))];
+    });
   }
-  int operator()(const std::vector<long long>& nodes) const { return count_.at(key(nodes)); }
+  static int corners(const GlobalMesh& mesh, const GlobalMesh::Side& place) {
+    return num_corners(side_shape(mesh.blocks[place.block].shape));
+  }
+  int operator()(const GlobalMesh& mesh, const GlobalMesh::Side& place, const std::vector<long long>& nodes) const {
+    return count_.at(sorted_key(nodes.data(), corners(mesh, place)));
+  }
 
  private:
-  Key key(const std::vector<long long>& n) const { return std::min(n[0], n[1]) * nodes_ + std::max(n[0], n[1]); }
-  Key nodes_;
-  std::unordered_map<Key, int> count_;
+  std::unordered_map<SideKey, int, SideKeyHash> count_;
 };
 
 template <class T>
@@ -79,9 +65,16 @@ std::vector<int> leaders(const Mesh& mesh) {
 
 /// The sides of a set on all ranks, in a common order.
 struct SetSides {
-  std::vector<long long> ends;  // (side, 2) nodes of the whole mesh
-  std::vector<double> middles;  // (side, 2) [m]
+  std::vector<long long> keys;  // (side, 4) sorted corners, nodes of the whole mesh, and -1
+  std::vector<double> middles;  // (side, 3) [m]
 };
+
+SideKey key_of(const Mesh& mesh, const ElementBlock& block, int element, const std::vector<int>& local) {
+  long long corners[4];
+  const int count = num_corners(side_shape(block.shape));
+  for (int c = 0; c < count; ++c) corners[c] = mesh.node_ids()[block.nodes(element, local[c])];
+  return sorted_key(corners, count);
+}
 
 SetSides all_sides(const Mesh& mesh, const std::string& set) {
   const std::vector<Side>& own = mesh.side_sets().at(set);
@@ -90,27 +83,71 @@ SetSides all_sides(const Mesh& mesh, const std::string& set) {
   counts = reduced(mesh, Teuchos::REDUCE_SUM, counts);
   const int all = std::accumulate(counts.begin(), counts.end(), 0);
   int row = std::accumulate(counts.begin(), counts.begin() + mesh.comm()->getRank(), 0);
-  SetSides result{std::vector<long long>(2 * all, 0), std::vector<double>(2 * all, 0.0)};
+  SetSides result{std::vector<long long>(4 * all, 0), std::vector<double>(3 * all, 0.0)};
   for (const Side& side : own) {
     const ElementBlock& block = mesh.blocks()[side.block];
     const std::vector<int> local = side_nodes(block.shape, side.side);
-    for (int i = 0; i < 2; ++i) {
-      result.ends[2 * row + i] = mesh.node_ids()[block.nodes(side.element, local[i])];
-      for (int end = 0; end < 2; ++end)
-        result.middles[2 * row + i] += 0.5 * mesh.coordinates()(block.nodes(side.element, local[end]), i);
-    }
+    const SideKey key = key_of(mesh, block, side.element, local);
+    std::copy(key.begin(), key.end(), result.keys.begin() + 4 * row);
+    const int corners = num_corners(side_shape(block.shape));
+    for (int c = 0; c < corners; ++c)
+      for (int i = 0; i < mesh.dimension(); ++i)
+        result.middles[3 * row + i] += mesh.coordinates()(block.nodes(side.element, local[c]), i) / corners;
     ++row;
   }
-  return {reduced(mesh, Teuchos::REDUCE_SUM, result.ends), reduced(mesh, Teuchos::REDUCE_SUM, result.middles)};
+  return {reduced(mesh, Teuchos::REDUCE_SUM, result.keys), reduced(mesh, Teuchos::REDUCE_SUM, result.middles)};
 }
 
 }  // namespace
+
+SideKey sorted_key(const long long* corners, int count) {
+  SideKey key{-1, -1, -1, -1};
+  std::copy(corners, corners + count, key.begin());
+  std::sort(key.begin(), key.begin() + count);
+  return key;
+}
+
+SideKey directed_key(const long long* corners, int count) {
+  SideKey key{-1, -1, -1, -1};
+  std::copy(corners, corners + count, key.begin());
+  if (count > 2) std::rotate(key.begin(), std::min_element(key.begin(), key.begin() + count), key.begin() + count);
+  return key;
+}
+
+SideKey reversed_key(const SideKey& directed) {
+  SideKey key = directed;
+  const auto end = std::find(key.begin(), key.end(), -1);
+  std::reverse(end - key.begin() > 2 ? key.begin() + 1 : key.begin(), end);
+  return key;
+}
+
+std::size_t SideKeyHash::operator()(const SideKey& key) const {
+  std::size_t hash = 0;
+  for (const long long node : key) hash = (hash ^ static_cast<std::size_t>(node)) * 0x9e3779b97f4a7c15u;
+  return hash ^ (hash >> 29);
+}
+
+void for_each_side(const GlobalMesh& mesh,
+                   const std::function<void(const GlobalMesh::Side&, const std::vector<long long>&)>& f) {
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const auto& block = mesh.blocks[b];
+    const std::size_t n = num_nodes(block.shape);
+    for (int s = 0; s < num_sides(block.shape); ++s) {
+      const std::vector<int> local = side_nodes(block.shape, s);
+      std::vector<long long> nodes(local.size());
+      for (std::size_t e = 0; e < block.nodes.size() / n; ++e) {
+        for (std::size_t a = 0; a < local.size(); ++a) nodes[a] = block.nodes[e * n + local[a]];
+        f(GlobalMesh::Side{static_cast<int>(b), static_cast<long long>(e), s}, nodes);
+      }
+    }
+  }
+}
 
 std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh) {
   const SideCount count(mesh);
   std::vector<ElementSide> result;
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
-    if (count(nodes) == 1) result.push_back({place, nodes});
+    if (count(mesh, place, nodes) == 1) result.push_back({place, nodes});
   });
   return result;
 }
@@ -131,14 +168,14 @@ MeshParts mesh_parts(const Mesh& mesh) {
       number[node] = static_cast<int>(result.places.size());
       result.places.emplace_back();
     }
-  places.assign(2 * result.places.size(), 0.0);
+  places.assign(3 * result.places.size(), 0.0);
   for (int node = 0; node < mesh.num_owned_nodes(); ++node) {
     const int part = number[mesh.node_ids()[node]];
-    for (int i = 0; part >= 0 && i < 2; ++i) places[2 * part + i] = mesh.coordinates()(node, i);
+    for (int i = 0; part >= 0 && i < mesh.dimension(); ++i) places[3 * part + i] = mesh.coordinates()(node, i);
   }
   places = reduced(mesh, Teuchos::REDUCE_SUM, places);
   for (std::size_t part = 0; part < result.places.size(); ++part)
-    result.places[part] = {places[2 * part], places[2 * part + 1]};
+    std::copy_n(places.begin() + 3 * part, 3, result.places[part].begin());
   for (const std::string& name : mesh.set_names()) {
     std::vector<int> touched(result.places.size(), 0);
     for (int node : mesh.nodes_of_set(name)) touched[number[leader[mesh.node_ids()[node]]]] = 1;
@@ -153,38 +190,48 @@ MeshParts mesh_parts(const Mesh& mesh) {
 void require_boundary(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
   require_side_set(mesh, section, entry, name);
   const SetSides sides = all_sides(mesh, name);
-  std::map<std::pair<long long, long long>, int> row;
-  const auto key = [](long long a, long long b) { return std::pair{std::min(a, b), std::max(a, b)}; };
-  for (std::size_t k = 0; k < sides.ends.size() / 2; ++k)
-    row[key(sides.ends[2 * k], sides.ends[2 * k + 1])] = static_cast<int>(k);
-  std::vector<int> elements(sides.ends.size() / 2, 0);
+  const auto count = sides.keys.size() / 4;
+  std::unordered_map<SideKey, int, SideKeyHash> row;
+  for (std::size_t k = 0; k < count; ++k) {
+    SideKey key;
+    std::copy_n(sides.keys.begin() + 4 * k, 4, key.begin());
+    row[key] = static_cast<int>(k);
+  }
+  std::vector<int> elements(count, 0);
   for (const ElementBlock& block : mesh.blocks())
     for (int s = 0; s < num_sides(block.shape); ++s) {
       const std::vector<int> local = side_nodes(block.shape, s);
       for (int e = 0; e < block.num_elements; ++e) {
-        const auto found =
-            row.find(key(mesh.node_ids()[block.nodes(e, local[0])], mesh.node_ids()[block.nodes(e, local[1])]));
+        const auto found = row.find(key_of(mesh, block, e, local));
         if (found != row.end()) ++elements[found->second];
       }
     }
   elements = reduced(mesh, Teuchos::REDUCE_SUM, elements);
-  for (std::size_t k = 0; k < elements.size(); ++k)
+  for (std::size_t k = 0; k < count; ++k)
     if (elements[k] > 1)
-      section.fail("side set '" + name + "' has a side between two elements, at " +
-                       place_text({sides.middles[2 * k], sides.middles[2 * k + 1]}) +
-                       "; all its sides must be on the boundary of the mesh",
-                   entry);
+      section.fail(
+          "side set '" + name + "' has a side between two elements, at " +
+              place_text({sides.middles[3 * k], sides.middles[3 * k + 1], sides.middles[3 * k + 2]}, mesh.dimension()) +
+              "; all its sides must be on the boundary of the mesh",
+          entry);
 }
 
-std::array<double, 2> middle_of(const GlobalMesh& mesh, const ElementSide& side) {
-  if (side.nodes.size() > 2) return mesh.coordinates[side.nodes[2]];
-  const auto &a = mesh.coordinates[side.nodes[0]], &b = mesh.coordinates[side.nodes[1]];
-  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+Place middle_of(const GlobalMesh& mesh, const ElementSide& side) {
+  const CellShape shape = side_shape(mesh.blocks[side.place.block].shape);
+  double N[9], dN[18];
+  evaluate_shape(shape, cell_centre(shape).data(), N, dN);
+  Place middle{};
+  for (std::size_t a = 0; a < side.nodes.size(); ++a)
+    for (int i = 0; i < 3; ++i) middle[i] += N[a] * mesh.coordinates[side.nodes[a]][i];
+  return middle;
 }
 
-std::string place_text(const std::array<double, 2>& point) {
-  char text[80];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g)", point[0], point[1]);
+std::string place_text(const Place& point, int dimension) {
+  char text[120];
+  if (dimension == 2)
+    std::snprintf(text, sizeof text, "(%.6g, %.6g)", point[0], point[1]);
+  else
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", point[0], point[1], point[2]);
   return text;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,28 +12,49 @@
 
 namespace mudline {
 
-/// A side of one element of a whole mesh, from corner to corner with the element on its left.
+/// The corners of a side in a form that two sides can be compared by; -1 where there are fewer than four.
+using SideKey = std::array<long long, 4>;
+/// By number: the same for the two elements at a side, and for whatever way round it is given.
+SideKey sorted_key(const long long* corners, int count);
+/// As they go round, the lowest first (in the plane as they are): the same for one way round only.
+SideKey directed_key(const long long* corners, int count);
+/// The directed key of the same side seen from the other element.
+SideKey reversed_key(const SideKey& directed);
+struct SideKeyHash {
+  std::size_t operator()(const SideKey& key) const;
+};
+
+/// A side of one element of a whole mesh. In the plane it runs from corner to corner with the element on its left; in
+/// space its corners go round counter-clockwise as seen from outside of the element.
 struct ElementSide {
   GlobalMesh::Side place;
-  std::vector<long long> nodes;  // two corners, then the middle of a quadratic side
+  std::vector<long long> nodes;  // in the order of the side's own shape
 };
+
+/// Calls f(place, nodes) for every side of every element; nodes: in the order of the side's own shape.
+void for_each_side(const GlobalMesh& mesh,
+                   const std::function<void(const GlobalMesh::Side&, const std::vector<long long>&)>& f);
 
 /// Sides that no second element shares: the boundary, outer and inner.
 std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh);
 
 ElementMap element_map(const GlobalMesh& mesh, int block, long long element);
-std::array<double, 2> middle_of(const GlobalMesh& mesh, const ElementSide& side);
-/// "(0.1, -2)".
-std::string place_text(const std::array<double, 2>& point);
+Place middle_of(const GlobalMesh& mesh, const ElementSide& side);
+/// "(0.1, -2)", in space with three numbers.
+std::string place_text(const Place& point, int dimension);
 
 /// Throws InputError where elements of a whole mesh lie on each other or beside each other without being joined:
 /// hanging nodes, twin nodes, meshes that do not match or lie over one another, holes that no set names. Surfaces that
 /// may touch (mesh.pairs) are let pass, and the side sets `cracks` along cracks that are meant, which must be there.
+/// Sides are looked at in some points, nearer than a fiftieth of their elements' size. In space this does not find
+/// elements that have a face beside a part of another one that is smaller than about a tenth of it, overlaps thinner
+/// than that fiftieth, and a hole whose faces meet those of another void along an edge in such a way that its own do
+/// not close around it.
 void check_seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks);
 
 /// The parts of a distributed mesh, each of which hangs together by common nodes.
 struct MeshParts {
-  std::vector<std::array<double, 2>> places;       // a node of each [m]
+  std::vector<Place> places;                       // a node of each
   std::map<std::string, std::vector<int>> of_set;  // the parts that have a node in a set
 };
 /// Collective.

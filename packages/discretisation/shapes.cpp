@@ -95,9 +95,9 @@ std::vector<int> side_nodes(CellShape shape, int side) {
   return nodes;
 }
 
-std::array<double, 3> reference_node(CellShape shape, int node) {
+std::vector<int> corners_around(CellShape shape, int node) {
   const Frame& f = frame(shape);
-  std::vector<int> around;  // corners in whose middle the node is
+  std::vector<int> around;
   const int middles = f.corners + f.edges, faces = f.dimension == 3 ? middles + f.sides : middles;
   if (node < f.corners)
     around = {node};
@@ -107,6 +107,12 @@ std::array<double, 3> reference_node(CellShape shape, int node) {
     around.assign(f.side[node - middles], f.side[node - middles] + f.side_corners);
   else
     for (int c = 0; c < f.corners; ++c) around.push_back(c);
+  return around;
+}
+
+std::array<double, 3> reference_node(CellShape shape, int node) {
+  const Frame& f = frame(shape);
+  const std::vector<int> around = corners_around(shape, node);
   std::array<double, 3> place{};
   for (const int c : around)
     for (int i = 0; i < 3; ++i) place[i] += f.corner[c][i] / static_cast<double>(around.size());

@@ -32,6 +32,8 @@ std::vector<int> side_nodes(CellShape shape, int side);
 /// The two corners of an edge; edges in the order of their middles.
 std::array<int, 2> edge_corners(CellShape shape, int edge);
 int num_edges(CellShape shape);
+/// The corners in whose middle a node is: itself, the ends of an edge, the corners of a face or of the whole cell.
+std::vector<int> corners_around(CellShape shape, int node);
 /// Reference coordinates of a node; those that the cell has not are 0.
 std::array<double, 3> reference_node(CellShape shape, int node);
 

@@ -15,6 +15,7 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
                                  const Section& section)
     : gravity_(gravity), water_level_(water_level) {
   const Mesh& mesh = soil.space->mesh();
+  const int vertical = mesh.dimension() - 1;
   for (const auto& [region, box] : mesh.region_bounds()) {
     const SoilMaterial* material = nullptr;
     double uplift = 0;
@@ -24,10 +25,10 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
       uplift = soil.uplift(*material);
     }
     const double fluid = material->porous() && !soil.excess ? material->fluid->density() : 0.0;
-    layers_.push_back({box[2], box[3], uplift, fluid, material});
+    layers_.push_back({box.low[vertical], box.high[vertical], uplift, fluid, material});
   }
   std::sort(layers_.begin(), layers_.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
-  const double tolerance = 1e-6 * (mesh.bounds()[3] - mesh.bounds()[2]);
+  const double tolerance = 1e-6 * (mesh.bounds().high[vertical] - mesh.bounds().low[vertical]);
   for (std::size_t i = 1; i < layers_.size(); ++i) {
     const Layer &above = layers_[i - 1], &here = layers_[i];
     if (here.top <= above.bottom + tolerance || here.material == above.material) continue;

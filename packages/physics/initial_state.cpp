@@ -92,12 +92,14 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const So
 }
 
 GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& section) const {
-  const auto bounds = soil.space->mesh().bounds();
+  const Bounds& bounds = soil.space->mesh().bounds();
+  const int vertical = soil.space->mesh().dimension() - 1;
   GeostaticColumn column(soil, g, has_water_ ? std::optional<double>(water_level_) : std::nullopt, section);
   // The density where the law decides, in the middle of the mesh's width: layers have one weight at one depth.
   const auto density = [&](const SoilMaterial& material, double y, double total) {
     InitialPoint point{};
-    point.position = {0.5 * (bounds[0] + bounds[1]), y, 0};
+    for (int i = 0; i < vertical; ++i) point.position[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
+    point.position[vertical] = y;
     point.overconsolidation_ratio = ocr_(0, point.position);
     std::string problem = at_rest(point, total - material.biot_coefficient * column.pore_pressure(y), material);
     if (problem.empty()) problem = material.find_void_ratio(point);

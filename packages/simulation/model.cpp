@@ -403,7 +403,7 @@ void Model::check_parts(const Section& deck) const {
     if (!held[part])
       deck.section("mesh").fail("the mesh is in " + std::to_string(parts.places.size()) +
                                 " parts that have no common nodes, and nothing could hold the one at " +
-                                place_text(parts.places[part]) +
+                                place_text(parts.places[part], mesh_->dimension()) +
                                 ": no displacement is prescribed on it and no contact has a surface of it");
 }
 

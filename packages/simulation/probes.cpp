@@ -79,8 +79,7 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
                           const Positions& x, std::vector<HistoryValue>& row) const {
   const std::array<double, 2> at = place(probe, state);
   const PointLocator locator(*mesh_, x);
-  const auto bounds = model_.mesh().bounds();
-  const double rounding = 1e-9 * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  const double rounding = 1e-9 * model_.mesh().bounds().extent();
   MeshPlace best;
   double least = 1e300, N[9], dN[18];
   for (std::size_t block = 0; block < model_.mesh().blocks().size(); ++block) {

@@ -19,8 +19,7 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
   fields_.set_metadata("deck file", origin.deck_file);
   fields_.set_metadata("program", origin.program);
   fields_.set_metadata("geometry", model.mesh().geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain");
-  const auto box = model.mesh().bounds();
-  const double size = std::max(box[1] - box[0], box[3] - box[2]);
+  const double size = model.mesh().bounds().extent();
   for (const auto& [name, body] : model.bodies()) {
     std::vector<std::array<double, 2>> contour = body->contour().sample(1e-4 * size);
     // a half contour is closed along its axis, so that pictures fill the body

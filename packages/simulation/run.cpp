@@ -36,7 +36,8 @@ std::string format(const char* pattern, double value) {
 std::string describe(const MeshQuality& quality, const Mesh& mesh) {
   return std::to_string(quality.poor) + " of " + std::to_string(mesh.num_global_elements()) +
          " elements have a scaled Jacobian below " + format("%.3g", MeshQuality::doubtful) + ", the smallest is " +
-         format("%.3g", quality.lowest) + format(" at (%.4g, ", quality.place[0]) + format("%.4g)", quality.place[1]);
+         format("%.3g", quality.lowest) + format(" at (%.4g, ", quality.place[0]) + format("%.4g", quality.place[1]) +
+         (mesh.dimension() == 3 ? format(", %.4g)", quality.place[2]) : ")");
 }
 
 }  // namespace

@@ -26,7 +26,9 @@ TEST(BoxMesh, CountsAndAreas) {
     EXPECT_EQ(std::count(mesh->is_vertex().begin(), mesh->is_vertex().end(), 1), c.vertices) << c.cell;
     EXPECT_NEAR(area(*mesh), 2.0, 1e-14) << c.cell;
     EXPECT_EQ(mesh->regions(), std::vector<std::string>{"soil"});
-    EXPECT_EQ(mesh->bounds(), (std::array<double, 4>{0, 2, 0, 1}));
+    EXPECT_EQ(mesh->dimension(), 2);
+    EXPECT_EQ(mesh->bounds().low, (Place{0, 0, 0}));
+    EXPECT_EQ(mesh->bounds().high, (Place{2, 1, 0}));
   }
 }
 
@@ -103,7 +105,8 @@ TEST(BoxMesh, LayersAreRegions) {
   EXPECT_EQ(mesh->regions(), (std::vector<std::string>{"sand", "clay"}));
   EXPECT_NEAR(area(*mesh, "sand"), 1.0, 1e-14);
   EXPECT_NEAR(area(*mesh, "clay"), 1.0, 1e-14);
-  EXPECT_EQ(mesh->region_bounds().at("clay"), (std::array<double, 4>{0, 2, 0.25, 0.75}));
+  EXPECT_EQ(mesh->region_bounds().at("clay").low, (Place{0, 0.25, 0}));
+  EXPECT_EQ(mesh->region_bounds().at("clay").high, (Place{2, 0.75, 0}));
   EXPECT_NEAR(side_integral(*mesh, "left")[0], 1.0, 1e-14);
   EXPECT_EQ(mesh->blocks()[1].global_ids.front(), mesh->blocks()[0].num_elements);
 }
@@ -116,7 +119,10 @@ TEST(BoxMesh, ElementsAndNodesKeepTheSourcesOrderOnOneRank) {
 
 TEST(BoxMesh, Errors) {
   const auto message = [](const std::string& entries) { return input_error([&] { make(entries); }); };
-  EXPECT_CONTAINS(message(box("hex8", 2, 2)), "'hex8' is not a choice");
+  EXPECT_CONTAINS(
+      message(box("hex8", 2, 2)),
+      "mesh/cell: 'hex8' is a cell of space, and the geometry is one of the plane; allowed: quad9, tri6, quad4, tri3");
+  EXPECT_CONTAINS(message(box("hex9", 2, 2)), "'hex9' is not a choice");
   EXPECT_CONTAINS(message(parameter("type", "string", "bix")), "did you mean 'box'?");
   EXPECT_CONTAINS(message(parameter("type", "string", "box")), "required parameter 'cells' is missing");
   EXPECT_CONTAINS(message(box("quad9", 2, 2, parameter("geometry", "string", "axisymetric"))),

@@ -125,7 +125,7 @@ TEST(CheckMesh, TwinNodesAreACrack) {
   EXPECT_EQ(seams(mesh, {"left face"}), "");
   const MeshParts parts = mesh_parts(Mesh(world(), Geometry::plane_strain, mesh));
   EXPECT_EQ(parts.places.size(), 2u);
-  EXPECT_EQ(parts.places[1], (std::array<double, 2>{1, 0}));
+  EXPECT_EQ(parts.places[1], (Place{1, 0, 0}));
   EXPECT_EQ(parts.of_set.at("left face"), std::vector<int>{0});
   EXPECT_EQ(parts.of_set.at("right face"), std::vector<int>{1});
 }

@@ -123,9 +123,10 @@ TEST_P(Distribution, SetsAreConsistent) {
 TEST_P(Distribution, FactsOfTheWholeAreKnownEverywhere) {
   EXPECT_EQ(mesh_->regions(), (std::vector<std::string>{"sand", "clay"}));
   ASSERT_EQ(mesh_->blocks().size(), 2u);
-  EXPECT_EQ(mesh_->bounds(), (std::array<double, 4>{0, 2, 0, 1}));
-  EXPECT_EQ(mesh_->region_bounds().at("sand")[0], 0);
-  EXPECT_EQ(mesh_->region_bounds().at("clay")[3], 1);
+  EXPECT_EQ(mesh_->bounds().low, (Place{0, 0, 0}));
+  EXPECT_EQ(mesh_->bounds().high, (Place{2, 1, 0}));
+  EXPECT_EQ(mesh_->region_bounds().at("sand").low[0], 0);
+  EXPECT_EQ(mesh_->region_bounds().at("clay").high[1], 1);
   EXPECT_NEAR(sum(area(*mesh_)), 2.0, 1e-13);
 }
 

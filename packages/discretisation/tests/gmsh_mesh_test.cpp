@@ -39,7 +39,7 @@ void expect_cone(const Mesh& mesh, double radius, double tolerance) {
   ASSERT_EQ(mesh.nodes_of_set("tip").size(), 1u);
   EXPECT_NEAR(mesh.coordinates()(mesh.nodes_of_set("tip")[0], 1), 2 - radius, 1e-12);
   EXPECT_EQ(mesh.node_sets().at("tip"), mesh.nodes_of_set("tip"));
-  EXPECT_EQ(mesh.bounds()[1], 3) << "the point that no line uses is no node";
+  EXPECT_EQ(mesh.bounds().high[0], 3) << "the point that no line uses is no node";
 }
 
 TEST(GmshMesh, GeometryIsMeshed) {

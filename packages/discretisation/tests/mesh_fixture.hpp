@@ -3,6 +3,8 @@
 // What the mesh tests share: a mesh from the text of a deck, and sums over its elements and sides.
 #include <Teuchos_DefaultMpiComm.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -10,7 +12,9 @@
 
 #include "core/deck.hpp"
 #include "core/tests/input_error.hpp"
+#include "discretisation/element_map.hpp"
 #include "discretisation/mesh.hpp"
+#include "discretisation/side_map.hpp"
 
 namespace mudline::mesh_test {
 
@@ -49,42 +53,106 @@ inline std::string gmsh(const std::string& file, const std::string& more = "") {
   return parameter("type", "string", "gmsh") + parameter("file", "string", file) + more;
 }
 
-/// Area of this rank's elements; of one region when named.
+/// The same in space: 2 x 1 x 1.5.
+inline std::string box3(const std::string& cell, int nx, int ny, int nz, const std::string& more = "") {
+  return parameter("type", "string", "box") + parameter("geometry", "string", "three-dimensional") +
+         parameter("cell", "string", cell) +
+         parameter("cells", "Array(int)",
+                   "{" + std::to_string(nx) + ", " + std::to_string(ny) + ", " + std::to_string(nz) + "}") +
+         parameter("upper", "Array(double)", "{2.0, 1.0, 1.5}") + more;
+}
+
+inline std::string gmsh3(const std::string& file, const std::string& more = "") {
+  return gmsh(file, parameter("geometry", "string", "three-dimensional") + more);
+}
+
+inline ElementMap map_of(const Mesh& mesh, const ElementBlock& block, int element) {
+  return {block.shape, [&](int a) { return &mesh.coordinates()(block.nodes(element, a), 0); }};
+}
+
+/// Area or volume of this rank's elements; of one region when named.
 inline double area(const Mesh& mesh, const std::string& region = "") {
   double sum = 0;
   for (const ElementBlock& block : mesh.blocks()) {
     if (!region.empty() && block.region != region) continue;
-    const ShapeTable table = tabulate(block.shape, cell_quadrature(block.shape, 5));
-    for (int e = 0; e < block.num_elements; ++e)
-      for (int q = 0; q < table.points; ++q) {
-        double j[2][2] = {};
-        for (int a = 0; a < table.nodes; ++a)
-          for (int i = 0; i < 2; ++i)
-            for (int d = 0; d < 2; ++d) j[i][d] += mesh.coordinates()(block.nodes(e, a), i) * table.dN(q, a, d);
-        sum += table.weights(q) * (j[0][0] * j[1][1] - j[0][1] * j[1][0]);
-      }
+    const QuadratureRule rule = cell_quadrature(block.shape, 5);
+    for (int e = 0; e < block.num_elements; ++e) {
+      const ElementMap map = map_of(mesh, block, e);
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+        sum += rule.weights[q] * map.determinant(rule.points[q].data());
+    }
   }
   return sum;
 }
 
-/// Integral over this rank's sides of a set: length, and the outward normal (x, y).
-inline std::array<double, 3> side_integral(const Mesh& mesh, const std::string& set) {
-  std::array<double, 3> sum{};
-  const QuadratureRule rule = line_quadrature(9);
-  for (const Side& side : mesh.side_sets().at(set)) {
-    const ElementBlock& block = mesh.blocks()[side.block];
-    const auto nodes = side_nodes(block.shape, side.side);
-    for (std::size_t q = 0; q < rule.points.size(); ++q) {
-      double N[3], dN[3], t[2] = {0, 0};
-      evaluate_line(static_cast<int>(nodes.size()), rule.points[q][0], N, dN);
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        for (int d = 0; d < 2; ++d) t[d] += dN[a] * mesh.coordinates()(block.nodes(side.element, nodes[a]), d);
-      sum[0] += rule.weights[q] * std::hypot(t[0], t[1]);
-      sum[1] += rule.weights[q] * t[1];
-      sum[2] -= rule.weights[q] * t[0];
+template <int Dim>
+void add_side(const Mesh& mesh, const Side& side, std::array<double, 4>& sum) {
+  const ElementBlock& block = mesh.blocks()[side.block];
+  const std::vector<int> nodes = side_nodes(block.shape, side.side);
+  const CellShape own = side_shape(block.shape);
+  const QuadratureRule rule = cell_quadrature(own, own == CellShape::line2 || own == CellShape::line3 ? 9 : 6);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    double N[9], dN[18];
+    evaluate_shape(own, rule.points[q].data(), N, dN);
+    SideMap<Dim> map;
+    map.compute(static_cast<int>(nodes.size()), N, dN,
+                [&](int a, int i) { return mesh.coordinates()(block.nodes(side.element, nodes[a]), i); });
+    sum[0] += rule.weights[q] * map.stretch;
+    for (int i = 0; i < Dim; ++i) sum[1 + i] += rule.weights[q] * map.normal[i];
+  }
+}
+
+/// Integral over this rank's sides of a set: length or area, and the outward normal.
+inline std::array<double, 4> side_integral(const Mesh& mesh, const std::string& set) {
+  std::array<double, 4> sum{};
+  for (const Side& side : mesh.side_sets().at(set))
+    mesh.dimension() == 2 ? add_side<2>(mesh, side, sum) : add_side<3>(mesh, side, sum);
+  return sum;
+}
+
+template <int Dim, int N>
+double gradient_error_of(const Mesh& mesh, const ElementBlock& block) {
+  const double slope[3] = {0.7, -0.3, 0.4};
+  const ShapeTable table = tabulate(block.shape, cell_quadrature(block.shape, 4));
+  double worst = 0;
+  for (int e = 0; e < block.num_elements; ++e) {
+    double x[N][Dim], u[N] = {}, g[N][Dim];
+    for (int a = 0; a < N; ++a)
+      for (int i = 0; i < Dim; ++i) {
+        x[a][i] = mesh.coordinates()(block.nodes(e, a), i);
+        u[a] += slope[i] * x[a][i];
+      }
+    for (int q = 0; q < table.points; ++q) {
+      CellMap<Dim> map;
+      map.compute(x, &table.dN(q, 0, 0));
+      map.gradients(&table.dN(q, 0, 0), g);
+      for (int i = 0; i < Dim; ++i) {
+        double sum = 0;
+        for (int a = 0; a < N; ++a) sum += g[a][i] * u[a];
+        worst = std::max(worst, std::abs(sum - slope[i]));
+      }
     }
   }
-  return sum;
+  return worst;
+}
+
+/// The largest error of the gradient of a linear field that is interpolated on a mesh in space.
+inline double gradient_error(const Mesh& mesh) {
+  double worst = 0;
+  for (const ElementBlock& block : mesh.blocks()) switch (block.shape) {
+      case CellShape::tet4:
+        worst = std::max(worst, gradient_error_of<3, 4>(mesh, block));
+        break;
+      case CellShape::tet10:
+        worst = std::max(worst, gradient_error_of<3, 10>(mesh, block));
+        break;
+      case CellShape::hex8:
+        worst = std::max(worst, gradient_error_of<3, 8>(mesh, block));
+        break;
+      default:
+        worst = std::max(worst, gradient_error_of<3, 27>(mesh, block));
+    }
+  return worst;
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -1,0 +1,144 @@
+#include "discretisation/seam_sides.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace mudline {
+
+namespace {
+
+Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Place cross(const Place& a, const Place& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Pieces per edge of a side, so many that its curve is followed.
+int divisions(CellShape side) {
+  if (dimension(side) == 1) return order(side) == 1 ? 1 : 8;
+  if (order(side) == 2) return 4;
+  return is_simplex(side) ? 1 : 2;
+}
+
+/// Points and pieces of a side.
+void divide(const ElementMap& map, SeamSide& side) {
+  const int face = side.at.place.side, n = divisions(side_shape(map.shape()));
+  const auto add = [&](double s, double t) {
+    side.points.push_back(map.at(on_side(map.shape(), face, std::array<double, 2>{s, t}).data()));
+  };
+  if (side.corners == 2) {
+    for (int k = 0; k <= n; ++k) add(-1 + 2.0 * k / n, 0);
+    for (int k = 0; k < n; ++k) side.pieces.push_back({k, k + 1, -1});
+    return;
+  }
+  const bool triangle = side.corners == 3;
+  std::vector<std::vector<int>> number(n + 1);
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= (triangle ? n - j : n); ++i) {
+      number[j].push_back(static_cast<int>(side.points.size()));
+      if (triangle)
+        add(double(i) / n, double(j) / n);
+      else
+        add(-1 + 2.0 * i / n, -1 + 2.0 * j / n);
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < (triangle ? n - j : n); ++i) {
+      side.pieces.push_back({number[j][i], number[j][i + 1], number[j + 1][i]});
+      if (!triangle || i + j + 1 < n) side.pieces.push_back({number[j][i + 1], number[j + 1][i + 1], number[j + 1][i]});
+    }
+}
+
+void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
+  const auto corner = [&](int c) { return mesh.coordinates[side.at.nodes[c % side.corners]]; };
+  side.edge = std::numeric_limits<double>::max();
+  for (int c = 0; c < (side.corners == 2 ? 1 : side.corners); ++c) {
+    const Place way = difference(corner(c + 1), corner(c));
+    side.edge = std::min(side.edge, std::sqrt(dot(way, way)));
+  }
+  if (side.corners == 2) {
+    const Place way = difference(corner(1), corner(0));
+    side.normal = {way[1], -way[0], 0};
+  } else {
+    const int last = side.corners == 3 ? 0 : 1;  // of a quadrilateral: half the product of its diagonals
+    side.normal = cross(difference(corner(side.corners == 3 ? 1 : 2), corner(0)),
+                        difference(corner(side.corners - 1), corner(last)));
+    for (double& n : side.normal) n *= 0.5;
+  }
+  side.measure = std::sqrt(dot(side.normal, side.normal));
+  // the determinant is the size of the cell over that of the reference cell; a pyramid is a third of its prism
+  const bool simplex = is_simplex(map.shape());
+  const double share = side.corners == 2 ? (simplex ? 1.0 : 4.0) : (simplex ? 0.5 : 8.0);
+  const double depth = map.determinant(cell_centre(map.shape()).data()) * share / side.measure;
+  side.size = std::min(side.edge, depth);
+}
+
+/// Distance of a point from a triangle (Ericson 2005, 5.1.5).
+double distance_to_triangle(const Place& p, const Place& a, const Place& b, const Place& c) {
+  const Place ab = difference(b, a), ac = difference(c, a), n = cross(ab, ac), ap = difference(p, a);
+  const double square = dot(n, n);
+  if (square > 0) {
+    const double v = dot(cross(ap, ac), n) / square, w = dot(cross(ab, ap), n) / square;
+    if (v >= 0 && w >= 0 && v + w <= 1) return std::abs(dot(ap, n)) / std::sqrt(square);
+  }
+  return std::min({distance_to_piece(p, a, b), distance_to_piece(p, b, c), distance_to_piece(p, c, a)});
+}
+
+}  // namespace
+
+std::vector<SeamSide> seam_sides(const GlobalMesh& mesh) {
+  std::map<std::array<long long, 3>, std::set<std::string>> sets;
+  for (const auto& [name, sides] : mesh.side_sets)
+    for (const auto& side : sides) sets[{side.block, side.element, side.side}].insert(name);
+  std::vector<SeamSide> result;
+  for (ElementSide& at : boundary_sides(mesh)) {
+    SeamSide side;
+    side.at = std::move(at);
+    const GlobalMesh::Side& place = side.at.place;
+    const ElementMap map = element_map(mesh, place.block, place.element);
+    side.corners = num_corners(side_shape(map.shape()));
+    divide(map, side);
+    measure(mesh, map, side);
+    const auto found = sets.find({place.block, place.element, place.side});
+    if (found != sets.end()) side.sets = found->second;
+    result.push_back(std::move(side));
+  }
+  return result;
+}
+
+std::vector<std::array<double, 2>> side_samples(CellShape side, bool few) {
+  std::vector<std::array<double, 2>> samples;
+  if (dimension(side) == 1) {
+    for (double t : {-0.8, -0.4, 0.0, 0.4, 0.8})
+      if (!few || std::abs(t) != 0.4) samples.push_back({t, 0});
+    return samples;
+  }
+  if (!is_simplex(side)) {
+    for (double s : {-0.8, 0.0, 0.8})
+      for (double t : {-0.8, 0.0, 0.8})
+        if (!few || (s == 0) == (t == 0)) samples.push_back({s, t});
+    return samples;
+  }
+  samples = {{1.0 / 3, 1.0 / 3}, {0.1, 0.1}, {0.8, 0.1}, {0.1, 0.8}};
+  if (!few) samples.insert(samples.end(), {{0.45, 0.1}, {0.45, 0.45}, {0.1, 0.45}});
+  return samples;
+}
+
+double distance_to_piece(const Place& point, const Place& a, const Place& b) {
+  const Place way = difference(b, a), off = difference(point, a);
+  const double square = dot(way, way);
+  const double t = square > 0 ? std::min(std::max(dot(off, way) / square, 0.0), 1.0) : 0.0;
+  const Place rest{off[0] - t * way[0], off[1] - t * way[1], off[2] - t * way[2]};
+  return std::sqrt(dot(rest, rest));
+}
+
+double distance_to(const SeamSide& side, const Place& point) {
+  double nearest = std::numeric_limits<double>::max();
+  for (const auto& [a, b, c] : side.pieces)
+    nearest = std::min(nearest, c < 0 ? distance_to_piece(point, side.points[a], side.points[b])
+                                      : distance_to_triangle(point, side.points[a], side.points[b], side.points[c]));
+  return nearest;
+}
+
+}  // namespace mudline
