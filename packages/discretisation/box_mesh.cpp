@@ -11,6 +11,8 @@ namespace mudline {
 
 namespace {
 
+constexpr const char* axes[] = {"x", "y", "z"};
+
 /// A number in [0, 1) that depends on `key` only (splitmix64), the same everywhere.
 double scatter(std::uint64_t key) {
   key += 0x9e3779b97f4a7c15u;
@@ -19,45 +21,88 @@ double scatter(std::uint64_t key) {
   return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-53;
 }
 
+const std::vector<std::pair<std::string, CellShape>>& cell_words() {
+  static const std::vector<std::pair<std::string, CellShape>> words{
+      {"quad9", CellShape::quad9}, {"tri6", CellShape::tri6},   {"quad4", CellShape::quad4}, {"tri3", CellShape::tri3},
+      {"hex27", CellShape::hex27}, {"tet10", CellShape::tet10}, {"hex8", CellShape::hex8},   {"tet4", CellShape::tet4}};
+  return words;
+}
+
 }  // namespace
 
 void BoxMesh::parameters(Parameters& p) {
   position_.remember(p);
-  declare_geometry(p);
-  p.choice(
-      "cell", cell_,
-      {{"quad9", CellShape::quad9}, {"tri6", CellShape::tri6}, {"quad4", CellShape::quad4}, {"tri3", CellShape::tri3}},
-      "Element shape; quad9 and tri6 are quadratic");
-  p.required("cells", cells_, "-", closed(1, 1e6), "Number of cells along x and y; triangles halve each cell");
-  p.add("lower", lower_, "m", "Lower left corner");
-  p.required("upper", upper_, "m", "Upper right corner");
-  p.add("grading", grading_, "-", "Size of the last cell over that of the first, along x and y");
+  dimension_ = mudline::dimension(declare_geometry(p));
+  p.choice("cell", cell_, cell_words(),
+           "Element shape: in the plane quad9 (default), tri6, quad4 or tri3, in space hex27 (default), tet10, hex8 or "
+           "tet4; quad9, tri6, hex27 and tet10 are quadratic");
+  cell_given_ = p.given("cell");
+  p.required("cells", cells_, "-", closed(1, 1e6),
+             "Number of cells along x and y, in space and z; triangles halve each cell, tetrahedra cut it into six");
+  p.add("lower", lower_, "m", any(), "Lower left corner, in space lower left front corner; the origin by default");
+  p.required("upper", upper_, "m", any(), "The opposite corner");
+  p.add("grading", grading_, "-", any(), "Size of the last cell over that of the first, along each direction");
   p.add("distortion", distortion_, "-", closed(0, 0.3),
         "Scatter of the interior vertices as a fraction of the cell size, the same in every run; for patch tests");
   p.add("region", region_, "Name of the material region");
   p.add("layer tops", layer_tops_, "m", any(),
         "Tops of the layers from the bottom up, without the highest; on cell lines");
   p.add("layer regions", layer_regions_, "Regions of the layers from the bottom up, in place of 'region'");
+  if (dimension_ == 2 || p.documenting()) return;
+  if (!p.given("lower")) lower_ = {0, 0, 0};
+  if (!p.given("grading")) grading_ = {1, 1, 1};
+  if (!cell_given_) cell_ = CellShape::hex27;
+}
+
+std::string BoxMesh::text(const std::vector<double>& numbers) const {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(number_text(number));
+  return "(" + join(words) + ")";
 }
 
 void BoxMesh::check(const Section& section) {
-  if (cells_.size() != 2) section.fail("expected 2 numbers, given " + std::to_string(cells_.size()), "cells");
-  for (int d = 0; d < 2; ++d) {
+  if (mudline::dimension(cell_) != dimension_) {
+    std::vector<std::string> allowed;
+    for (const auto& [word, shape] : cell_words())
+      if (mudline::dimension(shape) == dimension_) allowed.push_back(word);
+    section.fail("'" + std::string(name(cell_)) + "' is a cell of " + (dimension_ == 2 ? "space" : "the plane") +
+                     ", and the geometry is " + (dimension_ == 2 ? "one of the plane" : "'three-dimensional'") +
+                     "; allowed: " + join(allowed),
+                 "cell");
+  }
+  check_numbers(section);
+  step_ = order(cell_);
+  around_.clear();
+  for (int a = 0; a < num_nodes(cell_); ++a) around_.push_back(corners_around(cell_, a));
+  check_layers(section);
+}
+
+void BoxMesh::check_numbers(const Section& section) {
+  const auto expect = [&](const std::vector<double>& numbers, const char* entry) {
+    if (static_cast<int>(numbers.size()) != dimension_)
+      section.fail("expected " + std::to_string(dimension_) + " numbers, given " + std::to_string(numbers.size()),
+                   entry);
+  };
+  expect(cells_, "cells");
+  expect(lower_, "lower");
+  expect(upper_, "upper");
+  expect(grading_, "grading");
+  double all = 1;
+  for (int d = 0; d < dimension_; ++d) {
     if (cells_[d] != std::floor(cells_[d]))
       section.fail("expected whole numbers, given " + number_text(cells_[d]), "cells");
     count_[d] = static_cast<int>(cells_[d]);
+    all *= cells_[d];
     if (!(upper_[d] > lower_[d]))
-      section.fail("must lie above and right of 'lower' (" + number_text(lower_[0]) + ", " + number_text(lower_[1]) +
-                       "), given (" + number_text(upper_[0]) + ", " + number_text(upper_[1]) + ")",
-                   "upper");
+      section.fail("must lie above and right of 'lower' " + text(lower_) + ", given " + text(upper_), "upper");
     if (!(grading_[d] > 0)) section.fail("must be positive, given " + number_text(grading_[d]), "grading");
   }
-  constexpr double most_cells = 2e7;  // some 4 GB on the first rank
-  if (cells_[0] * cells_[1] > most_cells)
-    section.fail(
-        "expected at most " + number_text(most_cells) + " cells in all, given " + number_text(cells_[0] * cells_[1]),
-        "cells");
-  step_ = order(cell_);
+  const double most_cells = dimension_ == 2 ? 2e7 : 5e6;  // some 4 GB on the first rank
+  if (all > most_cells)
+    section.fail("expected at most " + number_text(most_cells) + " cells in all, given " + number_text(all), "cells");
+}
+
+void BoxMesh::check_layers(const Section& section) const {
   if (layer_regions_.empty() && !layer_tops_.empty())
     section.fail("'layer tops' needs 'layer regions', one more name than tops", "layer tops");
   if (layer_regions_.empty()) return;
@@ -70,17 +115,21 @@ void BoxMesh::check(const Section& section) {
 
 GlobalMesh BoxMesh::generate() const {
   GlobalMesh mesh;
-  const std::vector<double> x = lines(0), y = lines(1);
-  const std::vector<int> block_of_row = blocks_of_rows(y, mesh);
-  place_nodes(x, y, mesh);
-  move_vertices(x, y, mesh);
-  for (int j = 0; j < count_[1]; ++j)
-    for (int i = 0; i < count_[0]; ++i) add_cell(i, j, block_of_row[j], mesh);
+  const std::array<std::vector<double>, 3> x{lines(0), lines(1), lines(2)};
+  const int vertical = dimension_ - 1;
+  const std::vector<int> block_of_row = blocks_of_rows(x[vertical], mesh);
+  place_nodes(x, mesh);
+  move_vertices(x, mesh);
+  Index cell{};
+  for (cell[2] = 0; cell[2] < std::max(count_[2], 1); ++cell[2])
+    for (cell[1] = 0; cell[1] < count_[1]; ++cell[1])
+      for (cell[0] = 0; cell[0] < count_[0]; ++cell[0]) add_cell(cell, block_of_row[cell[vertical]], mesh);
   place_middles(mesh);
   return mesh;
 }
 
 std::vector<double> BoxMesh::lines(int direction) const {
+  if (direction >= dimension_) return {0.0};
   const int n = count_[direction];
   const double ratio = n > 1 ? std::pow(grading_[direction], 1.0 / (n - 1)) : 1.0;
   std::vector<double> sums{0};
@@ -92,61 +141,76 @@ std::vector<double> BoxMesh::lines(int direction) const {
   return sums;
 }
 
-void BoxMesh::place_nodes(const std::vector<double>& x, const std::vector<double>& y, GlobalMesh& mesh) const {
+void BoxMesh::place_nodes(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const {
   const auto at = [this](const std::vector<double>& vertices, int a) {
     const int i = a / step_;
     return a % step_ == 0 ? vertices[i] : 0.5 * (vertices[i] + vertices[i + 1]);
   };
-  for (int b = 0; b <= step_ * count_[1]; ++b)
-    for (int a = 0; a <= step_ * count_[0]; ++a) mesh.coordinates.push_back({at(x, a), at(y, b)});
+  for (int c = 0; c <= step_ * count_[2]; ++c)
+    for (int b = 0; b <= step_ * count_[1]; ++b)
+      for (int a = 0; a <= step_ * count_[0]; ++a) mesh.coordinates.push_back({at(x[0], a), at(x[1], b), at(x[2], c)});
 }
 
-void BoxMesh::move_vertices(const std::vector<double>& x, const std::vector<double>& y, GlobalMesh& mesh) const {
+void BoxMesh::move_vertices(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const {
   if (distortion_ == 0) return;
-  for (int j = 1; j < count_[1]; ++j)
-    for (int i = 1; i < count_[0]; ++i) {
-      const double size = std::min({x[i] - x[i - 1], x[i + 1] - x[i], y[j] - y[j - 1], y[j + 1] - y[j]});
-      // Within a disc: vertices that move by less than 0.35 of the cell size turn no cell over.
-      const auto key = 2 * static_cast<std::uint64_t>(node(step_ * i, step_ * j));
-      const double length = distortion_ * size * std::sqrt(scatter(key));
-      const double angle = 2 * pi * scatter(key + 1);
-      auto& point = mesh.coordinates[node(step_ * i, step_ * j)];
-      point[0] += length * std::cos(angle);
-      point[1] += length * std::sin(angle);
-    }
+  Index at{};
+  const bool plane = dimension_ == 2;
+  for (at[2] = plane ? 0 : 1; at[2] < (plane ? 1 : count_[2]); ++at[2])
+    for (at[1] = 1; at[1] < count_[1]; ++at[1])
+      for (at[0] = 1; at[0] < count_[0]; ++at[0]) {
+        double size = x[0].back() - x[0].front();
+        Index place{};
+        for (int d = 0; d < dimension_; ++d) {
+          size = std::min({size, x[d][at[d]] - x[d][at[d] - 1], x[d][at[d] + 1] - x[d][at[d]]});
+          place[d] = step_ * at[d];
+        }
+        // Within a disc or a ball: vertices that move by less than 0.35 of the cell size turn no triangle,
+        // quadrilateral or tetrahedron over; a hexahedron in the worst case only, which check_mesh() would refuse.
+        auto& point = mesh.coordinates[node(place)];
+        const auto key = static_cast<std::uint64_t>(node(place)) * dimension_;
+        const double angle = 2 * pi * scatter(key + 1), cosine = plane ? 0 : 2 * scatter(key + 2) - 1;
+        const double length = distortion_ * size * (plane ? std::sqrt(scatter(key)) : std::cbrt(scatter(key)));
+        const double across = plane ? length : length * std::sqrt(1 - cosine * cosine);
+        point[0] += across * std::cos(angle);
+        point[1] += across * std::sin(angle);
+        if (!plane) point[2] += length * cosine;
+      }
 }
 
 void BoxMesh::place_middles(GlobalMesh& mesh) const {
   if (step_ == 1 || distortion_ == 0) return;
-  const int n = num_nodes(cell_), corners = num_corners(cell_);
+  const int n = num_nodes(cell_);
   for (const auto& block : mesh.blocks)
     for (std::size_t first = 0; first < block.nodes.size(); first += n) {
       const long long* nodes = block.nodes.data() + first;
-      std::array<double, 2> sum{0, 0};
-      for (int c = 0; c < corners; ++c) {
-        const auto &start = mesh.coordinates[nodes[c]], &end = mesh.coordinates[nodes[(c + 1) % corners]];
-        mesh.coordinates[nodes[corners + c]] = {0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])};
-        for (int d = 0; d < 2; ++d) sum[d] += start[d];
+      for (int a = num_corners(cell_); a < n; ++a) {
+        Place sum{};
+        for (const int c : around_[a])
+          for (int d = 0; d < dimension_; ++d) sum[d] += mesh.coordinates[nodes[c]][d];
+        for (double& value : sum) value /= static_cast<double>(around_[a].size());
+        mesh.coordinates[nodes[a]] = sum;
       }
-      if (cell_ == CellShape::quad9) mesh.coordinates[nodes[8]] = {0.25 * sum[0], 0.25 * sum[1]};
     }
 }
 
-std::vector<int> BoxMesh::blocks_of_rows(const std::vector<double>& y, GlobalMesh& mesh) const {
+std::vector<int> BoxMesh::blocks_of_rows(const std::vector<double>& heights, GlobalMesh& mesh) const {
   const std::vector<std::string> regions = layer_regions_.empty() ? std::vector<std::string>{region_} : layer_regions_;
+  const int vertical = dimension_ - 1;
+  const std::string axis = axes[vertical];
   std::vector<int> first_row{0};
   for (double top : layer_tops_) {
-    const auto nearest =
-        std::min_element(y.begin(), y.end(), [&](double a, double b) { return std::abs(a - top) < std::abs(b - top); });
-    if (std::abs(*nearest - top) > 1e-6 * (upper_[1] - lower_[1]))
-      position_.fail(
-          "the layer top y = " + number_text(top) + " is on no cell line; the nearest is y = " + number_text(*nearest),
-          "layer tops");
-    first_row.push_back(static_cast<int>(nearest - y.begin()));
-    if (first_row.back() <= first_row[first_row.size() - 2] || first_row.back() >= count_[1])
-      position_.fail("tops must ascend and lie inside the box; y = " + number_text(top) + " does not", "layer tops");
+    const auto nearest = std::min_element(heights.begin(), heights.end(),
+                                          [&](double a, double b) { return std::abs(a - top) < std::abs(b - top); });
+    if (std::abs(*nearest - top) > 1e-6 * (upper_[vertical] - lower_[vertical]))
+      position_.fail("the layer top " + axis + " = " + number_text(top) + " is on no cell line; the nearest is " +
+                         axis + " = " + number_text(*nearest),
+                     "layer tops");
+    first_row.push_back(static_cast<int>(nearest - heights.begin()));
+    if (first_row.back() <= first_row[first_row.size() - 2] || first_row.back() >= count_[vertical])
+      position_.fail("tops must ascend and lie inside the box; " + axis + " = " + number_text(top) + " does not",
+                     "layer tops");
   }
-  std::vector<int> result(count_[1]);
+  std::vector<int> result(count_[vertical]);
   for (std::size_t layer = 0; layer < regions.size(); ++layer) {
     const auto same = std::find_if(mesh.blocks.begin(), mesh.blocks.end(),
                                    [&](const auto& block) { return block.region == regions[layer]; });
@@ -157,40 +221,79 @@ std::vector<int> BoxMesh::blocks_of_rows(const std::vector<double>& y, GlobalMes
   return result;
 }
 
-bool BoxMesh::rising_diagonal(int i, int j) const {
+std::vector<std::vector<BoxMesh::Index>> BoxMesh::triangles(const Index& cell) const {
+  const auto [i, j, k] = cell;
   const bool corner = (i == 0 || i == count_[0] - 1) && (j == 0 || j == count_[1] - 1);
-  if (corner) return (i == 0) == (j == 0);
-  return (i + j) % 2 == 0;
+  const bool rising = corner ? (i == 0) == (j == 0) : (i + j) % 2 == 0;
+  const Index a{i, j, 0}, b{i + 1, j, 0}, c{i + 1, j + 1, 0}, d{i, j + 1, 0};
+  if (rising) return {{a, b, c}, {a, c, d}};
+  return {{a, b, d}, {b, c, d}};
 }
 
-void BoxMesh::add_cell(int i, int j, int block, GlobalMesh& mesh) const {
-  using Place = std::array<int, 2>;  // in the grid of nodes
-  const int a = step_ * i, b = step_ * j, a1 = a + step_, b1 = b + step_;
-  const Place corner[4] = {{a, b}, {a1, b}, {a1, b1}, {a, b1}};
-  std::vector<std::vector<Place>> elements;
-  if (num_corners(cell_) == 4) {
-    elements = {{corner[0], corner[1], corner[2], corner[3]}};
-  } else if (rising_diagonal(i, j)) {
-    elements = {{corner[0], corner[1], corner[2]}, {corner[0], corner[2], corner[3]}};
-  } else {
-    elements = {{corner[0], corner[1], corner[3]}, {corner[1], corner[2], corner[3]}};
+/// Six tetrahedra around a diagonal of the cell (Kuhn): on each the coordinates grow one after the other. Whether a
+/// direction is mirrored depends on the cell's number in that direction only, so that neighbours fit, alternates, and
+/// is such that the diagonals start at the corners of the box.
+std::vector<std::vector<BoxMesh::Index>> BoxMesh::tetrahedra(const Index& cell) const {
+  static constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  bool mirrored[3], turned = false;
+  for (int d = 0; d < 3; ++d) {
+    mirrored[d] = cell[d] > 0 && (cell[d] % 2 == 1 || cell[d] == count_[d] - 1);
+    turned = turned != mirrored[d];
   }
-  GlobalMesh::Block& target = mesh.blocks[block];
-  for (const auto& corners : elements) {
-    const long long element = static_cast<long long>(target.nodes.size()) / num_nodes(cell_);
-    for (const Place& p : corners) target.nodes.push_back(node(p[0], p[1]));
-    const int n = static_cast<int>(corners.size());
-    for (int side = 0; side < n; ++side) {
-      const Place &p = corners[side], &q = corners[(side + 1) % n];
-      if (step_ == 2) target.nodes.push_back(node((p[0] + q[0]) / 2, (p[1] + q[1]) / 2));
-      const auto on = [&](int direction, int place) { return p[direction] == place && q[direction] == place; };
-      const GlobalMesh::Side here{block, element, side};
-      if (on(0, 0)) mesh.side_sets["left"].push_back(here);
-      if (on(0, step_ * count_[0])) mesh.side_sets["right"].push_back(here);
-      if (on(1, 0)) mesh.side_sets["bottom"].push_back(here);
-      if (on(1, step_ * count_[1])) mesh.side_sets["top"].push_back(here);
+  std::vector<std::vector<Index>> result;
+  for (int t = 0; t < 6; ++t) {
+    Index at = cell;
+    for (int d = 0; d < 3; ++d) at[d] += mirrored[d];
+    std::vector<Index> corners{at};
+    for (const int d : ways[t]) {
+      at[d] += mirrored[d] ? -1 : 1;
+      corners.push_back(at);
     }
-    if (cell_ == CellShape::quad9) target.nodes.push_back(node(a + 1, b + 1));
+    if (turned != (t >= 3)) std::swap(corners[2], corners[3]);  // the last three ways are odd
+    result.push_back(std::move(corners));
+  }
+  return result;
+}
+
+std::vector<std::vector<BoxMesh::Index>> BoxMesh::elements(const Index& cell) const {
+  if (is_simplex(cell_)) return dimension_ == 2 ? triangles(cell) : tetrahedra(cell);
+  std::vector<Index> corners;
+  for (int c = 0; c < num_corners(cell_); ++c) {
+    const std::array<double, 3> place = reference_node(cell_, c);
+    Index at = cell;
+    for (int d = 0; d < dimension_; ++d) at[d] += place[d] > 0;
+    corners.push_back(at);
+  }
+  return {corners};
+}
+
+void BoxMesh::add_cell(const Index& cell, int block, GlobalMesh& mesh) const {
+  GlobalMesh::Block& target = mesh.blocks[block];
+  for (const std::vector<Index>& corners : elements(cell)) {
+    const long long element = static_cast<long long>(target.nodes.size()) / num_nodes(cell_);
+    for (int a = 0; a < num_nodes(cell_); ++a) {
+      const std::vector<int>& around = around_[a];
+      Index at{};
+      for (int d = 0; d < 3; ++d) {
+        for (const int c : around) at[d] += step_ * corners[c][d];
+        at[d] /= static_cast<int>(around.size());
+      }
+      target.nodes.push_back(node(at));
+    }
+    add_sides(corners, {block, element, 0}, mesh);
+  }
+}
+
+void BoxMesh::add_sides(const std::vector<Index>& corners, const GlobalMesh::Side& element, GlobalMesh& mesh) const {
+  static constexpr const char* names[2][3][2] = {{{"left", "right"}, {"bottom", "top"}, {}},
+                                                 {{"left", "right"}, {"front", "back"}, {"bottom", "top"}}};
+  const CellShape straight = linear_partner(cell_);
+  for (int side = 0; side < num_sides(cell_); ++side) {
+    const std::vector<int> local = side_nodes(straight, side);
+    for (int d = 0; d < dimension_; ++d)
+      for (int end = 0; end < 2; ++end)
+        if (std::all_of(local.begin(), local.end(), [&](int c) { return corners[c][d] == end * count_[d]; }))
+          mesh.side_sets[names[dimension_ - 2][d][end]].push_back({element.block, element.element, side});
   }
 }
 

@@ -9,9 +9,11 @@
 
 namespace mudline {
 
-/// A rectangle of columns and rows of cells. Sides: left, right, bottom, top. Horizontal layers may be named regions.
-/// Nodes are numbered row by row; triangles cut each cell along diagonals of alternating direction that pass through
-/// the corners of the box, so that no element has all its nodes on two fixed sides.
+/// A rectangle or a box of cells. Sides: left, right (x), in space front, back (y), and bottom, top (the vertical).
+/// Horizontal layers may be named regions. Nodes are numbered along x, then y, then z. Triangles cut each cell along
+/// diagonals of alternating direction that pass through the corners of the box; tetrahedra cut it into six along a
+/// diagonal of the cell, mirrored from cell to cell, that passes through the corners of the box: with two cells or more
+/// in each direction no tetrahedron has all its nodes on sides of the box.
 class BoxMesh : public MeshSource {
  public:
   void parameters(Parameters& p);
@@ -19,31 +21,46 @@ class BoxMesh : public MeshSource {
   GlobalMesh generate() const override;
 
  private:
+  using Index = std::array<int, 3>;  // of a cell, or of a node in the grid of corners and middles
+
+  void check_numbers(const Section& section);
+  void check_layers(const Section& section) const;
+  /// "(1, 2)": the numbers of one place.
+  std::string text(const std::vector<double>& numbers) const;
+
   /// Vertex positions along one direction.
   std::vector<double> lines(int direction) const;
-  void place_nodes(const std::vector<double>& x, const std::vector<double>& y, GlobalMesh& mesh) const;
-  void move_vertices(const std::vector<double>& x, const std::vector<double>& y, GlobalMesh& mesh) const;
+  void place_nodes(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
+  void move_vertices(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
   void place_middles(GlobalMesh& mesh) const;
-  /// The block of each row of cells; adds the blocks.
-  std::vector<int> blocks_of_rows(const std::vector<double>& y, GlobalMesh& mesh) const;
-  /// Adds cell (i, j) and its sides on the boundary.
-  void add_cell(int i, int j, int block, GlobalMesh& mesh) const;
+  /// The block of each layer of cells from the bottom up; adds the blocks.
+  std::vector<int> blocks_of_rows(const std::vector<double>& heights, GlobalMesh& mesh) const;
+  /// Adds a cell and its sides on the boundary.
+  void add_cell(const Index& cell, int block, GlobalMesh& mesh) const;
+  /// Corners of the elements that a cell is cut into.
+  std::vector<std::vector<Index>> elements(const Index& cell) const;
+  std::vector<std::vector<Index>> triangles(const Index& cell) const;
+  std::vector<std::vector<Index>> tetrahedra(const Index& cell) const;
+  void add_sides(const std::vector<Index>& corners, const GlobalMesh::Side& element, GlobalMesh& mesh) const;
 
   /// Node at a position of the grid of corners (and middles, when quadratic).
-  long long node(int a, int b) const { return static_cast<long long>(b) * (step_ * count_[0] + 1) + a; }
-  bool rising_diagonal(int i, int j) const;
+  long long node(const Index& at) const {
+    return (static_cast<long long>(at[2]) * (step_ * count_[1] + 1) + at[1]) * (step_ * count_[0] + 1) + at[0];
+  }
 
   CellShape cell_ = CellShape::quad9;
-  std::vector<double> cells_;
-  std::array<double, 2> lower_{0, 0}, upper_{0, 0}, grading_{1, 1};
+  std::vector<double> cells_, lower_{0, 0}, upper_, grading_{1, 1};
   double distortion_ = 0;
   std::string region_ = "soil";
   std::vector<double> layer_tops_;
   std::vector<std::string> layer_regions_;
   SourcePosition position_;
 
-  int count_[2] = {0, 0};
-  int step_ = 2;  // grid positions per cell: the order of the elements
+  int dimension_ = 2;
+  bool cell_given_ = false;
+  Index count_{0, 0, 0};                  // cells in each direction
+  int step_ = 2;                          // grid positions per cell: the order of the elements
+  std::vector<std::vector<int>> around_;  // (node) see corners_around()
 };
 
 }  // namespace mudline
