@@ -102,8 +102,11 @@ SetSides all_sides(const Mesh& mesh, const std::string& set) {
 
 SideKey sorted_key(const long long* corners, int count) {
   SideKey key{-1, -1, -1, -1};
-  std::copy(corners, corners + count, key.begin());
-  std::sort(key.begin(), key.begin() + count);
+  for (int i = 0; i < count; ++i) {
+    int at = i;
+    for (; at > 0 && key[at - 1] > corners[i]; --at) key[at] = key[at - 1];
+    key[at] = corners[i];
+  }
   return key;
 }
 

@@ -1,0 +1,24 @@
+// A quarter of a cylinder of radius 1 and height 2, the lower half of which is sand; its surfaces are groups.
+SetFactory("OpenCASCADE");
+DefineConstant[ size = {0.4, Name "size"} ];
+Cylinder(1) = {0, 0, 0, 0, 0, 1, 1, Pi / 2};
+Cylinder(2) = {0, 0, 1, 0, 0, 1, 1, Pi / 2};
+Coherence;
+MeshSize{:} = size;
+Physical Volume("sand") = {1};
+Physical Volume("clay") = {2};
+e = 1e-3;
+Physical Surface("bottom") = Surface In BoundingBox{-e, -e, -e, 1 + e, 1 + e, e};
+Physical Surface("middle") = Surface In BoundingBox{-e, -e, 1 - e, 1 + e, 1 + e, 1 + e};
+Physical Surface("top") = Surface In BoundingBox{-e, -e, 2 - e, 1 + e, 1 + e, 2 + e};
+Physical Surface("left") = Surface In BoundingBox{-e, -e, -e, e, 1 + e, 2 + e};
+Physical Surface("front") = Surface In BoundingBox{-e, -e, -e, 1 + e, e, 2 + e};
+all() = Surface In BoundingBox{-e, -e, -e, 1 + e, 1 + e, 2 + e};
+all() -= {Surface In BoundingBox{-e, -e, -e, 1 + e, 1 + e, e}};
+all() -= {Surface In BoundingBox{-e, -e, 1 - e, 1 + e, 1 + e, 1 + e}};
+all() -= {Surface In BoundingBox{-e, -e, 2 - e, 1 + e, 1 + e, 2 + e}};
+all() -= {Surface In BoundingBox{-e, -e, -e, e, 1 + e, 2 + e}};
+all() -= {Surface In BoundingBox{-e, -e, -e, 1 + e, e, 2 + e}};
+Physical Surface("wall") = all();
+Physical Point("tip") = Point In BoundingBox{-e, -e, 2 - e, e, e, 2 + e};
+Physical Curve("axis") = Curve In BoundingBox{-e, -e, -e, e, e, 2 + e};
