@@ -1,4 +1,6 @@
 #include "discretisation/box_mesh.hpp"
+#include "discretisation/extruded_mesh.hpp"
+#include "discretisation/revolved_mesh.hpp"
 #ifdef MUDLINE_HAVE_GMSH
 #include "discretisation/gmsh_mesh.hpp"
 #else
@@ -7,13 +9,22 @@
 
 namespace mudline {
 
-void register_mesh_sources(Registry<MeshSource>& registry) {
-  registry.add<BoxMesh>("box", "Rectangle of quadrilaterals or triangles, optionally graded and layered");
+void register_plane_sources(Registry<MeshSource>& registry) {
+  registry.add<BoxMesh>("box",
+                        "Rectangle of quadrilaterals or triangles, in space box of hexahedra or tetrahedra, optionally "
+                        "graded and layered");
 #ifdef MUDLINE_HAVE_GMSH
   registry.add<GmshMesh>("gmsh", "Mesh file (.msh) or geometry (.geo) of Gmsh; physical groups are regions and sets");
 #else
   registry.add<MeshWithoutGmsh>("gmsh", "Mesh file (.msh) or geometry (.geo) of Gmsh; not in this build");
 #endif
+}
+
+void register_mesh_sources(Registry<MeshSource>& registry) {
+  register_plane_sources(registry);
+  registry.add<ExtrudedMesh>("extruded", "Plane mesh drawn through space along z or y");
+  registry.add<RevolvedMesh>("revolved",
+                             "Plane mesh turned about its y axis, which becomes z: quarter, half, whole turn");
 }
 
 }  // namespace mudline
