@@ -62,6 +62,8 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
   deck.allow_parameters({});
   deck.allow_sections(deck_sections());
   mesh_ = make_mesh(comm, registries.mesh_sources, required_section(deck, "mesh"), contact_pairs(deck));
+  if (mesh_->dimension() == 3)
+    deck.section("mesh").fail("the physics of this deck is not available in three dimensions yet", "geometry");
   read_materials(deck, registries);
   read_bodies(deck, registries);
   read_physics(deck, registries);
