@@ -29,7 +29,7 @@ LeakySurface::LeakySurface(const Space& space, const ContactSurface& surface, do
     std::vector<std::vector<int>> nodes;
     for (const SurfaceSide& side : surface.sides())
       if (side.count == count) nodes.emplace_back(side.node, side.node + count);
-    const SideBlock block(space, field, nodes, 5);
+    const SideBlock block(space, field, count == 2 ? CellShape::line2 : CellShape::line3, nodes, 5);
     parts_[count - 2] = {block, PointView("outside", block.sides * block.points, 1),
                          Kokkos::View<char*>("open", block.sides)};
   }
