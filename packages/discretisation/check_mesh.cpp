@@ -74,6 +74,13 @@ void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
       throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + place_text(point, 2));
 }
 
+/// How many sides or edges a mesh has where so many elements share each.
+std::size_t expected(const GlobalMesh& mesh, int (*count)(CellShape), int shared) {
+  std::size_t sum = 0;
+  for (const auto& block : mesh.blocks) sum += block.nodes.size() / num_nodes(block.shape) * count(block.shape);
+  return sum / shared;
+}
+
 /// Neighbours see their common side the opposite way round; a way round met twice means that elements lie on one
 /// another.
 void check_sides(const GlobalMesh& mesh) {
@@ -82,6 +89,7 @@ void check_sides(const GlobalMesh& mesh) {
     bool both = false;  // from both elements
   };
   std::unordered_map<SideKey, Seen, SideKeyHash> sides;
+  sides.reserve(expected(mesh, num_sides, 2));
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
     const GlobalMesh::Block& block = mesh.blocks[place.block];
     const int corners = num_corners(side_shape(block.shape));
@@ -105,6 +113,7 @@ void check_sides(const GlobalMesh& mesh) {
 /// Cells share the middle nodes of common edges (in the plane these are their sides).
 void check_edges(const GlobalMesh& mesh) {
   std::unordered_map<SideKey, long long, SideKeyHash> middles;
+  middles.reserve(expected(mesh, num_edges, mesh.dimension() == 2 ? 2 : 4));
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
     if (order(block.shape) == 1) return;
     for (int edge = 0; edge < num_edges(block.shape); ++edge) {

@@ -15,6 +15,9 @@ namespace {
 class SideCount {
  public:
   explicit SideCount(const GlobalMesh& mesh) {
+    std::size_t sides = 0;
+    for (const auto& block : mesh.blocks) sides += block.nodes.size() / num_nodes(block.shape) * num_sides(block.shape);
+    count_.reserve(sides / 2);
     for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& n) {
       ++count_[sorted_key(n.data(), corners(mesh, place))];
     });
