@@ -38,7 +38,7 @@ void BoxMesh::parameters(Parameters& p) {
            "tet4; quad9, tri6, hex27 and tet10 are quadratic");
   cell_given_ = p.given("cell");
   p.required("cells", cells_, "-", closed(1, 1e6),
-             "Number of cells along x and y, in space and z; triangles halve each cell, tetrahedra cut it into six");
+             "Number of cells along x and y, in space also z; triangles halve each cell, tetrahedra cut it into six");
   p.add("lower", lower_, "m", any(), "Lower left corner, in space lower left front corner; the origin by default");
   p.required("upper", upper_, "m", any(), "The opposite corner");
   p.add("grading", grading_, "-", any(), "Size of the last cell over that of the first, along each direction");
