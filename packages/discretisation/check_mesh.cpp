@@ -3,12 +3,12 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
 #include "discretisation/distribute.hpp"
 #include "discretisation/mesh_topology.hpp"
+#include "discretisation/side_table.hpp"
 
 namespace mudline {
 
@@ -74,68 +74,61 @@ void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
       throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + place_text(point, 2));
 }
 
-/// How many sides or edges a mesh has where so many elements share each.
-std::size_t expected(const GlobalMesh& mesh, int (*count)(CellShape), int shared) {
-  std::size_t sum = 0;
-  for (const auto& block : mesh.blocks) sum += block.nodes.size() / num_nodes(block.shape) * count(block.shape);
-  return sum / shared;
-}
-
-/// Neighbours see their common side the opposite way round; a way round met twice means that elements lie on one
-/// another.
+/// Neighbours see their common side the opposite way round and share the node in its middle; a way round met twice
+/// means that elements lie on one another.
 void check_sides(const GlobalMesh& mesh) {
   struct Seen {
     SideKey way;
+    long long middle;
     bool both = false;  // from both elements
   };
-  std::unordered_map<SideKey, Seen, SideKeyHash> sides;
-  sides.reserve(expected(mesh, num_sides, 2));
+  std::vector<Seen> sides;  // by number
+  SideTable table(count_over_elements(mesh, num_sides) / 2 + 1);
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
     const GlobalMesh::Block& block = mesh.blocks[place.block];
     const int corners = num_corners(side_shape(block.shape));
     const SideKey way = directed_key(nodes.data(), corners);
-    const auto [found, added] = sides.emplace(sorted_key(nodes.data(), corners), Seen{way});
-    if (added) return;
-    Seen& seen = found->second;
+    const bool has_middle = nodes.size() == 9 || (nodes.size() == 3 && corners == 2);
+    const long long middle = has_middle ? nodes.back() : -1;
+    const std::size_t number = table.number(sorted_key(nodes.data(), corners));
+    if (number == sides.size()) return sides.push_back({way, middle});
+    Seen& seen = sides[number];
     const auto where = [&] {
       return " in region '" + block.region + "' centred at " +
              centre(mesh, block.nodes.data() + place.element * num_nodes(block.shape), block.shape);
     };
+    const auto corner = [&](long long node) { return place_text(mesh.coordinates[node], mesh.dimension()); };
     if (seen.both || seen.way == way)
       throw InputError("elements overlap: two of them have the same side, one is" + where());
     if (seen.way != reversed_key(way))
       throw InputError("neighbours do not fit: the corners of their common side go round in different orders, one is" +
                        where());
+    if (seen.middle != middle)
+      throw InputError("neighbours do not share the middle node of their common " +
+                       (corners == 2 ? "side from " + corner(std::min(nodes[0], nodes[1])) + " to " +
+                                           corner(std::max(nodes[0], nodes[1]))
+                                     : "face at " + place_text(mesh.coordinates[nodes.back()], 3)));
     seen.both = true;
   });
 }
 
-/// Cells share the middle nodes of common edges (in the plane these are their sides).
+/// Cells of space share the middle nodes of common edges. (In the plane the edges are the sides.)
 void check_edges(const GlobalMesh& mesh) {
-  std::unordered_map<SideKey, long long, SideKeyHash> middles;
-  middles.reserve(expected(mesh, num_edges, mesh.dimension() == 2 ? 2 : 4));
+  if (mesh.dimension() == 2) return;
+  std::vector<long long> middles;  // by number
+  SideTable table(count_over_elements(mesh, num_edges) / 4 + 1);
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
     if (order(block.shape) == 1) return;
     for (int edge = 0; edge < num_edges(block.shape); ++edge) {
       const std::array<int, 2> ends = edge_corners(block.shape, edge);
       const long long corners[2] = {nodes[ends[0]], nodes[ends[1]]}, middle = nodes[num_corners(block.shape) + edge];
-      if (middles.emplace(sorted_key(corners, 2), middle).first->second == middle) continue;
-      throw InputError("neighbours do not share the middle node of their common " +
-                       std::string(mesh.dimension() == 2 ? "side" : "edge") + " from " +
-                       place_text(mesh.coordinates[corners[0]], mesh.dimension()) + " to " +
-                       place_text(mesh.coordinates[corners[1]], mesh.dimension()));
+      const std::size_t number = table.number(sorted_key(corners, 2));
+      if (number == middles.size()) middles.push_back(middle);
+      if (middles[number] == middle) continue;
+      throw InputError("neighbours do not share the middle node of their common edge from " +
+                       place_text(mesh.coordinates[corners[0]], 3) + " to " +
+                       place_text(mesh.coordinates[corners[1]], 3));
     }
-  });
-}
-
-/// Hexahedra share the nodes in the middle of their faces.
-void check_face_nodes(const GlobalMesh& mesh) {
-  std::unordered_map<SideKey, long long, SideKeyHash> middles;
-  for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
-    if (side_shape(mesh.blocks[place.block].shape) != CellShape::quad9) return;
-    if (middles.emplace(sorted_key(nodes.data(), 4), nodes[8]).first->second == nodes[8]) return;
-    throw InputError("neighbours do not share the middle node of their common face at " +
-                     place_text(mesh.coordinates[nodes[8]], 3));
   });
 }
 
@@ -194,7 +187,6 @@ void check_mesh(const GlobalMesh& mesh, Geometry geometry) {
   check_jacobians(mesh);
   check_sides(mesh);
   check_edges(mesh);
-  check_face_nodes(mesh);
   check_sets(mesh);
 }
 

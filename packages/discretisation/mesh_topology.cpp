@@ -7,31 +7,11 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "discretisation/side_table.hpp"
+
 namespace mudline {
 
 namespace {
-
-/// How many elements have a side, whatever way round they see it.
-class SideCount {
- public:
-  explicit SideCount(const GlobalMesh& mesh) {
-    std::size_t sides = 0;
-    for (const auto& block : mesh.blocks) sides += block.nodes.size() / num_nodes(block.shape) * num_sides(block.shape);
-    count_.reserve(sides / 2);
-    for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& n) {
-      ++count_[sorted_key(n.data(), corners(mesh, place))];
-    });
-  }
-  static int corners(const GlobalMesh& mesh, const GlobalMesh::Side& place) {
-    return num_corners(side_shape(mesh.blocks[place.block].shape));
-  }
-  int operator()(const GlobalMesh& mesh, const GlobalMesh::Side& place, const std::vector<long long>& nodes) const {
-    return count_.at(sorted_key(nodes.data(), corners(mesh, place)));
-  }
-
- private:
-  std::unordered_map<SideKey, int, SideKeyHash> count_;
-};
 
 template <class T>
 std::vector<T> reduced(const Mesh& mesh, Teuchos::EReductionType how, const std::vector<T>& local) {
@@ -133,27 +113,27 @@ std::size_t SideKeyHash::operator()(const SideKey& key) const {
   return hash ^ (hash >> 29);
 }
 
-void for_each_side(const GlobalMesh& mesh,
-                   const std::function<void(const GlobalMesh::Side&, const std::vector<long long>&)>& f) {
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const auto& block = mesh.blocks[b];
-    const std::size_t n = num_nodes(block.shape);
-    for (int s = 0; s < num_sides(block.shape); ++s) {
-      const std::vector<int> local = side_nodes(block.shape, s);
-      std::vector<long long> nodes(local.size());
-      for (std::size_t e = 0; e < block.nodes.size() / n; ++e) {
-        for (std::size_t a = 0; a < local.size(); ++a) nodes[a] = block.nodes[e * n + local[a]];
-        f(GlobalMesh::Side{static_cast<int>(b), static_cast<long long>(e), s}, nodes);
-      }
-    }
-  }
+std::size_t count_over_elements(const GlobalMesh& mesh, int (*per_element)(CellShape)) {
+  std::size_t sum = 0;
+  for (const auto& block : mesh.blocks) sum += block.nodes.size() / num_nodes(block.shape) * per_element(block.shape);
+  return sum;
 }
 
 std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh) {
-  const SideCount count(mesh);
-  std::vector<ElementSide> result;
+  const std::size_t all = count_over_elements(mesh, num_sides);
+  SideTable table(all / 2 + 1);
+  std::vector<std::size_t> number;  // of each side in turn
+  std::vector<char> count;          // how many elements have it; by number
+  number.reserve(all);
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
-    if (count(mesh, place, nodes) == 1) result.push_back({place, nodes});
+    number.push_back(table.number(sorted_key(nodes.data(), num_corners(side_shape(mesh.blocks[place.block].shape)))));
+    count.resize(table.size(), 0);
+    count[number.back()] = count[number.back()] == 0 ? 1 : 2;
+  });
+  std::vector<ElementSide> result;
+  std::size_t turn = 0;
+  for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
+    if (count[number[turn++]] == 1) result.push_back({place, nodes});
   });
   return result;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,8 +31,23 @@ struct ElementSide {
 };
 
 /// Calls f(place, nodes) for every side of every element; nodes: in the order of the side's own shape.
-void for_each_side(const GlobalMesh& mesh,
-                   const std::function<void(const GlobalMesh::Side&, const std::vector<long long>&)>& f);
+template <class F>
+void for_each_side(const GlobalMesh& mesh, F&& f) {
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const auto& block = mesh.blocks[b];
+    const std::size_t n = num_nodes(block.shape);
+    for (int s = 0; s < num_sides(block.shape); ++s) {
+      const std::vector<int> local = side_nodes(block.shape, s);
+      std::vector<long long> nodes(local.size());
+      for (std::size_t e = 0; e < block.nodes.size() / n; ++e) {
+        for (std::size_t a = 0; a < local.size(); ++a) nodes[a] = block.nodes[e * n + local[a]];
+        f(GlobalMesh::Side{static_cast<int>(b), static_cast<long long>(e), s}, nodes);
+      }
+    }
+  }
+}
+/// How many sides (num_sides) or edges (num_edges) all elements have together.
+std::size_t count_over_elements(const GlobalMesh& mesh, int (*per_element)(CellShape));
 
 /// Sides that no second element shares: the boundary, outer and inner.
 std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh);

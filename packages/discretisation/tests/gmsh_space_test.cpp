@@ -64,6 +64,13 @@ TEST(GmshInSpace, HexahedraOfBothOrdersTurnedOver) {
   }
 }
 
+TEST(GmshInSpace, CadFileThatAGeometryMerges) {
+  const auto mesh = make(gmsh3("post.geo"));
+  EXPECT_NEAR(area(*mesh, "post"), 0.5 * pi, 1e-2);
+  EXPECT_NEAR(side_integral(*mesh, "skin")[0], 2.5 * pi, 1e-2);
+  EXPECT_NEAR(side_integral(*mesh, "skin")[3], 0, 1e-9) << "closed";
+}
+
 TEST(GmshInSpace, NeighboursAreCloseInMemory) {
   const auto mesh = make(gmsh3("cylinder.geo", order_of(1) + "<ParameterList name=\"parameters\">" +
                                                    parameter("size", "double", "0.15") + "</ParameterList>"));
