@@ -460,7 +460,19 @@ bool Stepper::extrapolate(Vector& x) {
       move_on(constraints_, old.rate, view_.dt, space_.dofs()->owned_begin(f), space_.dofs()->owned_end(f), guess);
   Vector change(guess, Teuchos::Copy), f(map());
   change.update(-1, x, 1);
-  if (change.norm2() == 0 || !residual(guess, f)) return false;
+  if (change.norm2() == 0) return false;
+  // What stops, or presses against something stiff, is further from the solution after a step at its old rate.
+  const bool here = residual(x, f);
+  const std::vector<double> norms = owned_field_norms(*space_.dofs(), f), reference = reference_;
+  if (!residual(guess, f)) return false;
+  const std::vector<double> moved_norms = owned_field_norms(*space_.dofs(), f);
+  double resting = 0, moving = 0;
+  for (int i = 0; i < space_.num_fields(); ++i) {
+    const double scale = std::max({reference[i], reference_[i], 1e-300});
+    resting = std::max(resting, norms[i] / scale);
+    moving = std::max(moving, moved_norms[i] / scale);
+  }
+  if (here && moving > resting) return false;
   Tpetra::deep_copy(x, guess);
   return true;
 }

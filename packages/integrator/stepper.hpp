@@ -117,8 +117,8 @@ class Stepper : public NonlinearProblem {
   /// that. False where it leaves x alone.
   bool predict(Vector& x);
   bool predict_linear(Vector& x, bool always);
-  /// Moves the guess on with the committed velocities; false, and x left alone, where nothing moves or where the terms
-  /// cannot be evaluated there.
+  /// Moves the guess on with the committed rates; false, and x left alone, where nothing moves, where the terms cannot
+  /// be evaluated there, or where it leaves more out of balance.
   bool extrapolate(Vector& x);
   /// Whether the forces of the committed state, evaluated without any motion (the last evaluation), are those it was
   /// left with. A soil whose strength depends on the strain rate relaxes at rest: its answer there says nothing of a
