@@ -15,9 +15,7 @@ SideBlock::SideBlock(const Space& space, int field_, const std::vector<std::vect
   Kokkos::View<int**, Kokkos::LayoutRight> table("side dofs", sides, carry * unknown.components);
   for (int s = 0; s < sides; ++s) {
     for (int a = 0; a < count; ++a) nodes(s, a) = of_sides[s][a];
-    for (int a = 0; a < carry; ++a)
-      for (int c = 0; c < unknown.components; ++c)
-        table(s, a * unknown.components + c) = space.node_dof(field)(of_sides[s][a]) + c;
+    space.write_dofs(field, of_sides[s].data(), carry, &table(s, 0));
   }
   dofs = table;
 }
