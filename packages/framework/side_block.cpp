@@ -20,4 +20,11 @@ SideBlock::SideBlock(const Space& space, int field_, const std::vector<std::vect
   dofs = table;
 }
 
+Point SideBlock::place(int s, int q, const ConstCoordinateView& x) const {
+  Point at{};
+  for (int a = 0; a < shape.nodes; ++a)
+    for (std::size_t i = 0; i < x.extent(1); ++i) at[i] += shape.N(q, a) * x(nodes(s, a), i);
+  return at;
+}
+
 }  // namespace mudline

@@ -61,13 +61,14 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   for (NodalView* v :
        {&value_, &rate_, &velocity_, &acceleration_, &ahead_old_, &ahead_end_, &reaction_, &total_, &acting_, &whole_})
     *v = NodalView("level", n);
-  for (CoordinateView* v : {&x_end_, &x_momentum_, &x_balance_}) *v = CoordinateView("coordinates", nodes, 2);
+  for (CoordinateView* v : {&x_end_, &x_momentum_, &x_balance_})
+    *v = CoordinateView("coordinates", nodes, space.mesh().dimension());
   constraints_ = Constraints(n);
   for (auto* sizes : {&reference_, &rounding_, &matrix_rounding_, &reference_floor_, &size_floor_})
     sizes->assign(space.num_fields(), 0);
   double squares = 0;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
+    for (int i = 0; i < space.mesh().dimension(); ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
   coordinate_norm_ = std::sqrt(sum_over_ranks(*space.dofs()->comm(), squares));
   view_.constrained = constraints_.mask;
   view_.sensitivity.resize(space.num_fields());
