@@ -103,13 +103,17 @@ struct Entries {
 };
 
 void Entries::parameters(Parameters& p) {
-  p.choice("geometry", geometry, {{"plane strain", Geometry::plane_strain}, {"axisymmetric", Geometry::axisymmetric}},
-           "What the x-y plane is: a cross-section of unit thickness, or a half-plane turned about x = 0");
+  p.choice(
+      "geometry", geometry,
+      {{name(Geometry::plane_strain), Geometry::plane_strain}, {name(Geometry::axisymmetric), Geometry::axisymmetric}},
+      "What the x-y plane is: a cross-section of unit thickness, or a half-plane turned about x = 0");
   p.add("cracks", cracks,
         "Side sets along cracks that are meant: sides that lie beside others without common nodes, and part from them");
 }
 
 }  // namespace
+
+const char* name(Geometry geometry) { return geometry == Geometry::axisymmetric ? "axisymmetric" : "plane strain"; }
 
 Geometry declare_geometry(Parameters& p) {
   Entries entries;

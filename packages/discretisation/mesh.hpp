@@ -16,6 +16,8 @@
 namespace mudline {
 
 enum class Geometry { plane_strain, axisymmetric };
+/// Its word in decks and in files of results.
+const char* name(Geometry geometry);
 
 /// Pairs of side sets that act on each other (contact): a rank with sides of the first has all nodes of the second.
 using SetPairs = std::vector<std::pair<std::string, std::string>>;
@@ -72,6 +74,8 @@ class Mesh {
 
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
   Geometry geometry() const { return geometry_; }
+  /// Coordinates of a node.
+  int dimension() const { return static_cast<int>(coordinates_.extent(1)); }
 
   int num_nodes() const { return static_cast<int>(node_ids_.size()); }
   int num_owned_nodes() const { return num_owned_nodes_; }
@@ -79,7 +83,7 @@ class Mesh {
   long long num_global_elements() const { return num_global_elements_; }
   /// Global ids 0..N-1 in the source's numbering, owned nodes first.
   const std::vector<long long>& node_ids() const { return node_ids_; }
-  /// (node, 2) [m]
+  /// (node, dimension) [m]
   const Kokkos::View<double**, Kokkos::LayoutRight>& coordinates() const { return coordinates_; }
   /// True for corner nodes, which carry the linear fields. By local node.
   const std::vector<char>& is_vertex() const { return is_vertex_; }

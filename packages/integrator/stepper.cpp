@@ -124,7 +124,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
     sizes->assign(space.num_fields(), 0);
   double squares = 0;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
+    for (int i = 0; i < space.mesh().dimension(); ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
   coordinate_norm_ = std::sqrt(sum_over_ranks(*space.dofs()->comm(), squares));
   view_.constrained = constraints_.mask;
   view_.sensitivity.resize(space.num_fields());
