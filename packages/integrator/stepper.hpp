@@ -168,6 +168,7 @@ class Stepper : public NonlinearProblem {
   std::vector<int> history_slot_;        // by term: index of its F_n, -1
   std::vector<History*> history_;        // by slot
   std::vector<Unilateral*> unilateral_;  // of the active terms, as the other faces
+  std::vector<Foresees*> foresees_;
   std::vector<Carried*> carried_;
   std::vector<Reports*> reports_;
   LinearSolver& solver_;
@@ -189,8 +190,8 @@ class Stepper : public NonlinearProblem {
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;
   ChordControl chord_;
-  Vector evaluated_;     // where the trial state stands,
-  bool stands_ = false;  // unless it has been moved since
+  Vector evaluated_, balance_;  // where the trial state stands, and the residual there,
+  bool stands_ = false;         // unless it has been moved since
 };
 
 }  // namespace mudline
