@@ -54,11 +54,11 @@ class ChordControl {
   }
   bool may_keep() const { return serves(expected_contraction(), last_); }
   /// Whether a new Jacobian is likely to be wanted at the iterate that is evaluated next: unless the residual, if it
-  /// goes on falling as it did, is then small enough for the end or for the Jacobian at hand.
-  bool expects_renewal() const {
+  /// goes on falling as it did, is then small enough for the end or for the Jacobian at hand, if that is `usable`.
+  bool expects_renewal(bool usable) const {
     const double c = expected_contraction();
-    if (count_ == 0) return !serves(c, 1);
-    return !(last_ * c <= 1) && !serves(c, last_ * c);
+    if (count_ == 0) return !(usable && serves(c, 1));
+    return !(last_ * c <= 1) && !(usable && serves(c, last_ * c));
   }
 
  private:

@@ -266,7 +266,7 @@ bool Stepper::residual(const Vector& x, Vector& f) {
   }
   stands_ = false;
   levels(x);
-  const bool renews = chord_.expects_renewal() || !solver_.exact();
+  const bool renews = chord_.expects_renewal(solver_.exact());
   for (Foresees* term : foresees_) term->foresee_jacobian(renews);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
   for (Foresees* term : foresees_) term->foresee_jacobian(false);

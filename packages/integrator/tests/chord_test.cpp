@@ -47,28 +47,29 @@ ChordControl after_step(double contraction) {
 }
 
 TEST(Chord, ExpectsANewJacobianAtTheFirstGuessUnlessTheOldOneServedWell) {
-  EXPECT_TRUE(ChordControl().expects_renewal()) << "there is none yet";
-  EXPECT_TRUE(after_step(0.5).expects_renewal());
-  EXPECT_FALSE(after_step(0.01).expects_renewal());
+  EXPECT_TRUE(ChordControl().expects_renewal(true)) << "there is none yet";
+  EXPECT_TRUE(after_step(0.5).expects_renewal(true));
+  EXPECT_FALSE(after_step(0.01).expects_renewal(true));
+  EXPECT_TRUE(after_step(0.01).expects_renewal(false)) << "its factors are not at hand";
   ChordControl forgotten = after_step(0.01);
   forgotten.forget();
-  EXPECT_TRUE(forgotten.expects_renewal());
+  EXPECT_TRUE(forgotten.expects_renewal(true));
 }
 
 TEST(Chord, ExpectsNoNewJacobianNearTheEnd) {
   for (const double contraction : {0.5, 0.2}) {  // too slow for another iteration with the same matrix
     ChordControl chord = after_step(contraction);
     chord.observe(1e4, 0);
-    EXPECT_TRUE(chord.expects_renewal()) << contraction;
+    EXPECT_TRUE(chord.expects_renewal(true)) << contraction;
     chord.observe(1e4 * contraction, 1e4);
-    EXPECT_TRUE(chord.expects_renewal()) << contraction;
+    EXPECT_TRUE(chord.expects_renewal(true)) << contraction;
     chord.observe(1, 1 / contraction);
-    EXPECT_FALSE(chord.expects_renewal()) << contraction;
+    for (const bool usable : {false, true}) EXPECT_FALSE(chord.expects_renewal(usable)) << contraction;
   }
   ChordControl chord = after_step(0.5);
   chord.observe(1e8, 0);
   chord.observe(1e6, 1e8);
-  EXPECT_FALSE(chord.expects_renewal()) << "1e4 is left, for which the matrix serves";
+  EXPECT_FALSE(chord.expects_renewal(true)) << "1e4 is left, for which the matrix serves";
   EXPECT_FALSE(chord.may_keep()) << "but not for 1e6";
 }
 
