@@ -100,11 +100,11 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
     const auto& n = element.nodes;
     for (int s = 0; s < corners; ++s) {
       const int middle = n[corners + s];
-      for (int d = 0; d < 2; ++d)
+      for (int d = 0; d < place_size; ++d)
         x[middle][d] = on_path_[middle] ? boundary[middle][d] : 0.5 * (x[n[s]][d] + x[n[(s + 1) % corners]][d]);
     }
     if (corners == 3) continue;
-    for (int d = 0; d < 2; ++d) {  // transfinite: exact for straight sides
+    for (int d = 0; d < place_size; ++d) {  // transfinite: exact for straight sides
       double sides = 0, ends = 0;
       for (int s = 0; s < 4; ++s) {
         sides += x[n[4 + s]][d];
@@ -127,7 +127,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
     const double share = done + part;
     for (int node = 0; node < mesh_.num_nodes(); ++node) {
       if (!on_path_[node]) continue;
-      for (int d = 0; share < 1 && d < 2; ++d)
+      for (int d = 0; share < 1 && d < place_size; ++d)
         curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
       next[node] = curve[node];
     }
@@ -171,7 +171,7 @@ void Ale::keep_volume(const Positions& x_old, const State& state, const Constrai
   if (!(free.area > 0)) return;
   for (int k = 0; k < 4 && matters(part); ++k, part = missing()) {
     for (const auto& mover : free.movers)
-      for (int d = 0; d < 2; ++d) {
+      for (int d = 0; d < place_size; ++d) {
         boundary[mover.node][d] += part / free.area * mover.normal[d];
         x[mover.node][d] = boundary[mover.node][d];
       }
@@ -220,7 +220,7 @@ double Ale::carry_points(StateStore& store, const Positions& x_old, const Positi
     const PointTransfer transfer{mesh_, b, patches_[k], x_old, x_new, variables, columns, old, now};
     remap_->transfer(transfer);
     if (deck_.conserve) {
-      const double share = restore_grains(transfer, soil_.axisymmetric(), dry);
+      const double share = restore_grains(transfer, soil_.geometry, dry);
       restored = std::abs(share) > std::abs(restored) ? share : restored;
     }
     const ElementBlock& elements = space_.mesh().blocks()[b.block];
@@ -294,7 +294,7 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   for (int part = 1; part <= parts; ++part) {
     const double share = static_cast<double>(part) / parts;
     for (std::size_t node = 0; node < to.size(); ++node)
-      for (int d = 0; d < 2; ++d)
+      for (int d = 0; d < place_size; ++d)
         to[node][d] = part == parts ? x_new[node][d] : x_old[node][d] + share * (x_new[node][d] - x_old[node][d]);
     receipt.restored_solid += carry_points(store, from, to, moved);
     carry_nodes(from, to, moved);

@@ -3,29 +3,43 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pi.hpp"
 #include "discretisation/cell_map.hpp"
+#include "framework/coordinates.hpp"
+#include "tensor/dual.hpp"
 
 namespace mudline {
 
 namespace {
 
+constexpr int dim = place_size;
+
 /// Map of one element at one quadrature point; factor det: volume.
-struct PointMap : CellMap<2> {
+struct PointMap : CellMap<dim> {
+  Dual<dim> around, place[dim];  // measure at the point, the point [m], with derivatives by the point
   double factor = 0;
 
-  PointMap(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x, bool axisymmetric) {
-    double r = 0, gradient[2][2] = {};
-    for (int a = 0; a < block.u.nodes; ++a) {
-      const auto& place = x[element.nodes[a]];
-      r += block.u.N(q, a) * place[0];
-      for (int i = 0; i < 2; ++i)
-        for (int k = 0; k < 2; ++k) gradient[i][k] += place[i] * block.u.dN(q, a, k);
+  PointMap(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x, Geometry geometry) {
+    double gradient[dim][dim] = {};
+    for (int i = 0; i < dim; ++i) {
+      place[i] = Dual<dim>(0, i);
+      for (int a = 0; a < block.u.nodes; ++a) {
+        const double at = x[element.nodes[a]][i];
+        place[i] += block.u.N(q, a) * at;
+        for (int k = 0; k < dim; ++k) gradient[i][k] += at * block.u.dN(q, a, k);
+      }
     }
     compute(gradient);
-    factor = block.u.weights(q) * (axisymmetric ? 2 * pi * r : 1.0);
+    around = measure(geometry, place);
+    factor = block.u.weights(q) * around.v;
   }
   double volume() const { return factor * det; }
+  /// Adds the derivative of the volume by the place of node a.
+  void add_gradient(const SoilBlock& block, int q, int a, std::array<double, dim>& to) const {
+    double slope[1][dim];
+    gradients(&block.u.dN(q, a, 0), slope);
+    for (int i = 0; i < dim; ++i)
+      to[i] += volume() * slope[0][i] + around.d[i] * block.u.weights(q) * block.u.N(q, a) * det;
+  }
 };
 
 }  // namespace
@@ -34,14 +48,13 @@ double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x) 
   double sum = 0;
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block))
-      for (int q = 0; q < block.points; ++q)
-        sum += PointMap(mesh.elements()[e], block, q, x, soil.axisymmetric()).volume();
+      for (int q = 0; q < block.points; ++q) sum += PointMap(mesh.elements()[e], block, q, x, soil.geometry).volume();
   return sum;
 }
 
 FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                            const std::vector<double>& held, const Positions& x) {
-  std::vector<std::array<double, 2>> gradient(mesh.num_nodes(), {0, 0});  // of the volume
+  std::vector<std::array<double, dim>> gradient(mesh.num_nodes(), {0, 0});  // of the volume
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block)) {
       const auto& element = mesh.elements()[e];
@@ -49,14 +62,8 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
                        [&](int node) { return freedom[node] > 0; }))
         continue;
       for (int q = 0; q < block.points; ++q) {
-        const PointMap at(element, block, q, x, soil.axisymmetric());
-        for (int a = 0; a < block.u.nodes; ++a) {
-          const double d[2] = {block.u.dN(q, a, 0), block.u.dN(q, a, 1)};
-          auto& g = gradient[element.nodes[a]];
-          g[0] += at.factor * (d[0] * at.slope[1][1] - d[1] * at.slope[1][0]);
-          g[1] += at.factor * (at.slope[0][0] * d[1] - at.slope[0][1] * d[0]);
-          if (soil.axisymmetric()) g[0] += 2 * pi * block.u.weights(q) * block.u.N(q, a) * at.det;
-        }
+        const PointMap at(element, block, q, x, soil.geometry);
+        for (int a = 0; a < block.u.nodes; ++a) at.add_gradient(block, q, a, gradient[element.nodes[a]]);
       }
     }
   double largest = 0;
@@ -69,8 +76,8 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
     if (!(size > 1e-6 * largest)) continue;  // rounding would choose its direction
     Mover mover{node, {0, 0}};
     double share = 0;  // of the normal that is left
-    for (int i = 0; i < 2; ++i) {
-      if (held[2 * node + i] != 0) continue;
+    for (int i = 0; i < dim; ++i) {
+      if (held[dim * node + i] != 0) continue;
       mover.normal[i] = g[i] / size;
       share += mover.normal[i] * mover.normal[i];
     }
@@ -81,19 +88,18 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
   }
 }
 
-double restore_grains(const PointTransfer& t, bool axisymmetric, int column) {
+double restore_grains(const PointTransfer& t, Geometry geometry, int column) {
   double before = 0, after = 0, moved = 0;
   std::vector<double> weight(t.now.size() / t.columns, 0.0);
   for (int e : t.mesh.block_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     for (int q = 0; q < t.block.points; ++q) {
       const std::size_t row = t.mesh.first_row(e, t.block.points) + q;
-      const PointMap old(element, t.block, q, t.x_old, axisymmetric), now(element, t.block, q, t.x_new, axisymmetric);
+      const PointMap old(element, t.block, q, t.x_old, geometry), now(element, t.block, q, t.x_new, geometry);
       before += old.volume() / (1 + t.old[row * t.columns + column]);
       after += now.volume() / (1 + t.now[row * t.columns + column]);
-      const auto from = Recovery::position(element, t.block, q, t.x_old),
-                 to = Recovery::position(element, t.block, q, t.x_new);
-      weight[row] = std::min(1.0, std::hypot(to[0] - from[0], to[1] - from[1]) / std::sqrt(std::abs(old.det)));
+      const double way = std::hypot(now.place[0].v - old.place[0].v, now.place[1].v - old.place[1].v);
+      weight[row] = std::min(1.0, way / std::sqrt(std::abs(old.det)));
       moved += weight[row] * now.volume();
     }
   }

@@ -26,6 +26,6 @@ struct FreeBoundary {
 /// Makes up for the mass of grains that a transfer lost: the dry density 1/(1+e) of every point changes in proportion
 /// to how far the point moved, by one factor for the block. Points at rest keep theirs. Returns the share of the grains
 /// that was missing [-]; 0 where nothing moved. `column`: that of the void ratio.
-double restore_grains(const PointTransfer& transfer, bool axisymmetric, int column);
+double restore_grains(const PointTransfer& transfer, Geometry geometry, int column);
 
 }  // namespace mudline

@@ -40,7 +40,7 @@ CornerTriangles::CornerTriangles(const WholeMesh& mesh, const std::vector<MeshPa
 void CornerTriangles::add_tangents(const Positions& curve, Positions& x) const {
   x.resize(nodes_ + tangents_.size());
   for (std::size_t i = 0; i < tangents_.size(); ++i)
-    for (int d = 0; d < 2; ++d)  // derivative of the quadratic side at its end, over a reference length of 1
+    for (int d = 0; d < place_size; ++d)  // derivative of the quadratic side at its end, over a reference length of 1
       x[nodes_ + i][d] =
           4 * curve[tangents_[i].middle][d] - 2 * curve[tangents_[i].at][d] - curve[tangents_[i].other][d];
 }
@@ -73,7 +73,7 @@ void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
       std::array<double, 2> mean{};
       double size = 0;
       for (int other : neighbours[node])
-        for (int d = 0; d < 2; ++d) mean[d] += x[other][d] / neighbours[node].size();
+        for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
       for (int other : neighbours[node])
         size = std::max(size, std::hypot(x[other][0] - mean[0], x[other][1] - mean[1]));
       largest = std::max(largest, std::hypot(mean[0] - x[node][0], mean[1] - x[node][1]) / size);

@@ -16,7 +16,7 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
   const auto offset = [&](double xi, double(&r)[2], double(&t)[2]) {
     double N[3], dN[3];
     evaluate_line(count, xi, N, dN);
-    for (int d = 0; d < 2; ++d) {
+    for (int d = 0; d < place_size; ++d) {
       r[d] = x[d];
       t[d] = 0;
       for (int a = 0; a < count; ++a) {

@@ -19,7 +19,7 @@ class BoundarySide {
     const std::vector<int> nodes = side_nodes(element.shape, side);
     count_ = static_cast<int>(nodes.size());
     for (int a = 0; a < count_; ++a)
-      for (int i = 0; i < 2; ++i) off_[a][i] = x[element.nodes[nodes[a]]][i] - point[i];
+      for (int i = 0; i < place_size; ++i) off_[a][i] = x[element.nodes[nodes[a]]][i] - point[i];
   }
   double chord() const { return std::hypot(off_[1][0] - off_[0][0], off_[1][1] - off_[0][1]); }
   double distance(double t) const {
@@ -47,7 +47,7 @@ class BoundarySide {
     evaluate_line(count_, t, N, dN);
     std::array<double, 2> result{};
     for (int a = 0; a < count_; ++a)
-      for (int i = 0; i < 2; ++i) result[i] += (slope ? dN : N)[a] * off_[a][i];
+      for (int i = 0; i < place_size; ++i) result[i] += (slope ? dN : N)[a] * off_[a][i];
     return result;
   }
   double off_[3][2];

@@ -59,7 +59,7 @@ std::array<double, 2> Recovery::position(const WholeMesh::Element& element, cons
                                          const Positions& x) {
   std::array<double, 2> result{};
   for (int a = 0; a < block.u.nodes; ++a)
-    for (int d = 0; d < 2; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
+    for (int d = 0; d < place_size; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
   return result;
 }
 

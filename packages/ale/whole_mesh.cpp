@@ -94,18 +94,18 @@ WholeMesh::WholeMesh(const Mesh& mesh) : mesh_(mesh) {
 }
 
 Positions WholeMesh::gather(const ConstCoordinateView& x) const {
-  std::vector<double> table(2 * static_cast<std::size_t>(num_nodes()), 0.0);
+  std::vector<double> table(place_size * static_cast<std::size_t>(num_nodes()), 0.0);
   for (int i = 0; i < mesh_.num_owned_nodes(); ++i)
-    for (int d = 0; d < 2; ++d) table[2 * mesh_.node_ids()[i] + d] = x(i, d);
+    for (int d = 0; d < place_size; ++d) table[place_size * mesh_.node_ids()[i] + d] = x(i, d);
   table = merge(mesh_, table);
   Positions result(num_nodes());
-  for (int i = 0; i < num_nodes(); ++i) result[i] = {table[2 * i], table[2 * i + 1]};
+  for (int i = 0; i < num_nodes(); ++i) std::copy_n(&table[place_size * i], place_size, result[i].begin());
   return result;
 }
 
 void WholeMesh::scatter(const Positions& from, const CoordinateView& to) const {
   for (int i = 0; i < mesh_.num_nodes(); ++i)
-    for (int d = 0; d < 2; ++d) to(i, d) = from[mesh_.node_ids()[i]][d];
+    for (int d = 0; d < place_size; ++d) to(i, d) = from[mesh_.node_ids()[i]][d];
 }
 
 std::vector<double> WholeMesh::gather(const Space& space, int field, const ConstNodalView& values) const {

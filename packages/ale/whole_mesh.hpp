@@ -10,7 +10,8 @@
 
 namespace mudline {
 
-using Positions = std::vector<std::array<double, 2>>;  // [m] by global node
+constexpr int place_size = 2;                                   // coordinates of a node
+using Positions = std::vector<std::array<double, place_size>>;  // [m] by global node
 
 /// The whole mesh on every rank, by global numbers. Mesh motion and remap are worked out on it by every rank alike, so
 /// their results do not depend on the number of ranks; a plane mesh of 10^5 elements takes some 10 MB.

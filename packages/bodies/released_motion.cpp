@@ -56,9 +56,10 @@ BodyLoad ReleasedMotion::load(const BodyProperties& body, const BodyInstant& at)
 }
 
 void ReleasedMotion::check_body(const BodyProperties& body, const Section& section) const {
-  if (body.geometry == Geometry::axisymmetric && lateral())
-    section.fail("an axisymmetric body moves along its axis only: its freedom is y", "freedom");
   const char* const forces[body_directions] = {"force x", "force y", "moment"};
+  for (int i = 0; i < body_directions; ++i)
+    if (releases(i) && !may_move(body.geometry, i))
+      section.fail("an axisymmetric body moves along its axis only: its freedom is y", "freedom");
   for (int i = 0; i < body_directions; ++i)
     if (!releases(i) && !force_[i].is_zero())
       section.fail(

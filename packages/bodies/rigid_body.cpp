@@ -74,10 +74,17 @@ std::shared_ptr<const BodyMotion> RigidBody::read_motion(const Section& section,
   return motion;
 }
 
+int RigidBody::unknowns_per_body(Geometry geometry) {
+  int count = 0;
+  for (int direction = 0; direction < body_directions; ++direction) count += may_move(geometry, direction);
+  return count;
+}
+
 void RigidBody::bind(const Space& space, int field, int index) {
   unknowns_.field = field;
   unknowns_.count = space.field(field).components;
-  if (unknowns_.count == 1) unknowns_.direction[0] = 1;
+  for (int direction = 0, k = 0; direction < body_directions; ++direction)
+    if (may_move(properties_.geometry, direction)) unknowns_.direction[k++] = direction;
   if (properties_.mass > 0 && properties_.moment_of_inertia > 0)
     unknowns_.scale[2] = std::sqrt(properties_.mass / properties_.moment_of_inertia);
   for (int k = 0; k < unknowns_.count; ++k) unknowns_.dof[k] = space.point_dof(field, index) + k;

@@ -63,7 +63,7 @@ class RigidBody {
 
   /// Whether one of the motions read so far releases the body: it then needs unknowns.
   bool may_be_free() const { return may_be_free_; }
-  static int unknowns_per_body(Geometry geometry) { return geometry == Geometry::axisymmetric ? 1 : body_directions; }
+  static int unknowns_per_body(Geometry geometry);
   /// Gives the body point `index` of the field `field`.
   void bind(const Space& space, int field, int index);
   const BodyUnknowns& unknowns() const { return unknowns_; }

@@ -4,16 +4,33 @@
 
 namespace mudline {
 
+namespace {
+
+constexpr BoxSearch::Corners empty{PlanePoint{1e300, 1e300}, PlanePoint{-1e300, -1e300}};
+
+void enclose(const PlanePoint& x, BoxSearch::Corners& box) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    box[0][i] = std::min(box[0][i], x[i]);
+    box[1][i] = std::max(box[1][i], x[i]);
+  }
+}
+
+}  // namespace
+
+BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x) {
+  BoxSearch::Corners box = empty;
+  for (int a = 0; a < count; ++a) enclose({x(node[a], 0), x(node[a], 1)}, box);
+  return box;
+}
+
 void BoxSearch::sort(const std::vector<Corners>& boxes) {
   boxes_.clear();
-  PlanePoint low{1e300, 1e300}, high{-1e300, -1e300};
+  Corners whole = empty;
   for (std::size_t s = 0; s < boxes.size(); ++s) {
     boxes_.push_back({boxes[s][0], boxes[s][1], static_cast<int>(s)});
-    for (int i = 0; i < 2; ++i) {
-      low[i] = std::min(low[i], boxes[s][0][i]);
-      high[i] = std::max(high[i], boxes[s][1][i]);
-    }
+    for (const PlanePoint& corner : boxes[s]) enclose(corner, whole);
   }
+  const auto& [low, high] = whole;
   along_ = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
   std::sort(boxes_.begin(), boxes_.end(), [this](const Box& a, const Box& b) {
     return a.low[along_] != b.low[along_] ? a.low[along_] < b.low[along_] : a.number < b.number;
@@ -30,7 +47,8 @@ std::vector<int> BoxSearch::near(const Corners& around, double distance) const {
                               [this](const Box& b, double v) { return b.low[along_] < v; });
   for (; box != boxes_.end() && box->low[along_] <= to; ++box) {
     bool apart = false;
-    for (int i = 0; i < 2; ++i) apart = apart || box->low[i] > high[i] + distance || box->high[i] < low[i] - distance;
+    for (std::size_t i = 0; i < low.size(); ++i)
+      apart = apart || box->low[i] > high[i] + distance || box->high[i] < low[i] - distance;
     if (!apart) result.push_back(box->number);
   }
   std::sort(result.begin(), result.end());

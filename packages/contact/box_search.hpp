@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "framework/state.hpp"
 #include "geometry/contour_piece.hpp"
 
 namespace mudline {
@@ -24,5 +25,8 @@ class BoxSearch {
   int along_ = 0;
   double longest_ = 0;  // [m] extent of a box in that direction
 };
+
+/// The box around the nodes of a side.
+BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x);
 
 }  // namespace mudline

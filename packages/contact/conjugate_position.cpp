@@ -5,9 +5,10 @@ namespace mudline {
 ConstCoordinateView moved_ahead(const Space& space, const ConstCoordinateView& x, const ConstNodalView& ahead) {
   if (ahead.extent(0) == 0) return x;
   const auto& dof = space.node_dof(space.find("displacement"));
-  const CoordinateView moved("conjugate position", x.extent(0), 2);
+  const CoordinateView moved("conjugate position", x.extent(0), x.extent(1));
   for (std::size_t node = 0; node < x.extent(0); ++node)
-    for (int i = 0; i < 2; ++i) moved(node, i) = x(node, i) + (dof(node) >= 0 ? ahead(dof(node) + i) : 0.0);
+    for (std::size_t i = 0; i < x.extent(1); ++i)
+      moved(node, i) = x(node, i) + (dof(node) >= 0 ? ahead(dof(node) + i) : 0.0);
   return moved;
 }
 
@@ -21,7 +22,7 @@ BodyPlacement moved_ahead(const RigidBody& body, const State& state, const Const
   }
   if (unknowns.count > 0) return result;
   const auto velocity = body.velocity(state);
-  for (int i = 0; i < 2; ++i) result.centre[i] += lead * velocity[i];
+  for (std::size_t i = 0; i < velocity.size(); ++i) result.centre[i] += lead * velocity[i];
   return result;
 }
 

@@ -40,7 +40,7 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
     here.height = height_above(mesh_, block, here);
     sides_.push_back(here);
   }
-  const auto& first = space.node_dof(space.find("displacement"));
+  const int displacement = space.find("displacement");
   const int pressure = pressures ? space.find("pore pressure") : -1;
   for (int count = 2; count <= 3; ++count) {
     int more = 0;
@@ -48,10 +48,9 @@ ContactSurface::ContactSurface(const Space& space, const std::string& side_set, 
     Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", rows[count - 2], 2 * count + more + body.count);
     for (const SurfaceSide& side : sides_) {
       if (side.count != count) continue;
-      for (int a = 0; a < count; ++a)
-        for (int i = 0; i < 2; ++i) table(side.row, 2 * a + i) = first(side.node[a]) + i;
-      for (int a = 0; a < more; ++a) table(side.row, 2 * count + a) = space.node_dof(pressure)(side.node[a]);
-      for (int k = 0; k < body.count; ++k) table(side.row, 2 * count + more + k) = body.dof[k];
+      int* to = space.write_dofs(displacement, side.node, count, &table(side.row, 0));
+      to = space.write_dofs(pressure, side.node, more, to);
+      std::copy_n(body.dof, body.count, to);
     }
     dofs_[count - 2] = table;
   }

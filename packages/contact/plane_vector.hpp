@@ -9,13 +9,19 @@ namespace mudline {
 template <class T>
 struct PlaneVector {
   T x, y;
+  const T& operator[](int i) const { return i == 0 ? x : y; }
   PlaneVector operator+(const PlaneVector& b) const { return {x + b.x, y + b.y}; }
   PlaneVector operator-(const PlaneVector& b) const { return {x - b.x, y - b.y}; }
   template <class S>
   PlaneVector operator*(const S& b) const {
     return {x * b, y * b};
   }
+  PlaneVector operator/(const T& b) const { return {x / b, y / b}; }
 };
+template <class T>
+PlaneVector<T> vector(const T (&x)[2]) {
+  return {x[0], x[1]};
+}
 
 template <class T>
 T dot(const PlaneVector<T>& a, const PlaneVector<T>& b) {

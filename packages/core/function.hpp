@@ -8,7 +8,8 @@
 
 namespace mudline {
 
-using Point = std::array<double, 3>;  // [m]; plane strain: x, y, 0; axisymmetric: r, z, 0
+using Point = std::array<double, 3>;                        // [m]; plane strain: x, y, 0; axisymmetric: r, z, 0
+constexpr std::array<const char*, 2> axis_names{"x", "y"};  // in decks and histories
 
 /// A scalar function of time and position; immutable after construction.
 class FunctionBase {

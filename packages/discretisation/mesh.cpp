@@ -123,9 +123,9 @@ struct Entries {
 void Entries::parameters(Parameters& p) {
   p.choice(
       "geometry", geometry,
-      {{"plane strain", Geometry::plane_strain},
-       {"axisymmetric", Geometry::axisymmetric},
-       {"three-dimensional", Geometry::space}},
+      {{name(Geometry::plane_strain), Geometry::plane_strain},
+       {name(Geometry::axisymmetric), Geometry::axisymmetric},
+       {name(Geometry::space), Geometry::space}},
       "What the mesh is: a cross-section of unit thickness in the x-y plane, a half-plane there turned about x = 0, "
       "or a body in space with z up");
   p.add("cracks", cracks,
@@ -133,6 +133,18 @@ void Entries::parameters(Parameters& p) {
 }
 
 }  // namespace
+
+const char* name(Geometry geometry) {
+  switch (geometry) {
+    case Geometry::plane_strain:
+      return "plane strain";
+    case Geometry::axisymmetric:
+      return "axisymmetric";
+    case Geometry::space:
+      return "three-dimensional";
+  }
+  throw std::logic_error("unknown geometry");
+}
 
 Geometry declare_geometry(Parameters& p) {
   Entries entries;

@@ -17,6 +17,8 @@ namespace mudline {
 
 /// What the coordinates of a mesh mean. The vertical is y in the plane and z in space.
 enum class Geometry { plane_strain, axisymmetric, space };
+/// Its word in decks and in files of results.
+const char* name(Geometry geometry);
 /// Of the mesh: 2 or 3.
 int dimension(Geometry geometry);
 
@@ -90,6 +92,7 @@ class Mesh {
 
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
   Geometry geometry() const { return geometry_; }
+  /// Coordinates of a node: 2 or 3.
   int dimension() const { return mudline::dimension(geometry_); }
 
   int num_nodes() const { return static_cast<int>(node_ids_.size()); }

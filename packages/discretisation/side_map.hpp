@@ -13,9 +13,10 @@ struct SideMap {
   T normal[Dim];          // outward, as long as `stretch`
   T stretch;              // area per reference area [m^(Dim-1)]; 0 where the side has no extent
 
-  /// place(a, i): coordinate i of node a [m]; N: shapes (node); dN: their reference gradients (node, k), row-major.
-  template <class Place>
-  KOKKOS_INLINE_FUNCTION void compute(int nodes, const double* N, const double* dN, Place&& place) {
+  /// place(a, i): coordinate i of node a [m]; N: shapes (node); dN: their reference gradients (node, k), row-major;
+  /// numbers, or dual numbers where the point itself depends on something.
+  template <class S, class Place>
+  KOKKOS_INLINE_FUNCTION void compute(int nodes, const S* N, const S* dN, Place&& place) {
     for (int i = 0; i < Dim; ++i) {
       x[i] = T(0.0);
       for (int k = 0; k < Dim - 1; ++k) along[k][i] = T(0.0);

@@ -16,11 +16,16 @@ SideBlock::SideBlock(const Space& space, int field_, CellShape side, const std::
   Kokkos::View<int**, Kokkos::LayoutRight> table("side dofs", sides, carry * unknown.components);
   for (int s = 0; s < sides; ++s) {
     for (int a = 0; a < count; ++a) nodes(s, a) = of_sides[s][a];
-    for (int a = 0; a < carry; ++a)
-      for (int c = 0; c < unknown.components; ++c)
-        table(s, a * unknown.components + c) = space.node_dof(field)(of_sides[s][a]) + c;
+    space.write_dofs(field, of_sides[s].data(), carry, &table(s, 0));
   }
   dofs = table;
+}
+
+Point SideBlock::place(int s, int q, const ConstCoordinateView& x) const {
+  Point at{};
+  for (int a = 0; a < shape.nodes; ++a)
+    for (std::size_t i = 0; i < x.extent(1); ++i) at[i] += shape.N(q, a) * x(nodes(s, a), i);
+  return at;
 }
 
 }  // namespace mudline

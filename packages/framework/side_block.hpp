@@ -3,8 +3,9 @@
 #include <vector>
 
 #include "algebra/assembler.hpp"
+#include "core/function.hpp"
 #include "discretisation/shapes.hpp"
-#include "framework/space.hpp"
+#include "framework/state.hpp"
 
 namespace mudline {
 
@@ -21,6 +22,8 @@ struct SideBlock {
   SideBlock() = default;
   /// Sides of one shape; `of_sides`: the nodes of each, in the order of that shape. degree: of the quadrature.
   SideBlock(const Space& space, int field, CellShape side, const std::vector<std::vector<int>>& of_sides, int degree);
+  /// Where quadrature point q of side s lies on a configuration [m].
+  Point place(int s, int q, const ConstCoordinateView& x) const;
 };
 
 }  // namespace mudline

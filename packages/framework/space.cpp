@@ -55,19 +55,24 @@ CellShape Space::shape(int f, int block) const {
   return fields_[f].support == Support::all_nodes ? cell : linear_partner(cell);
 }
 
+int* Space::write_dofs(int f, const int* nodes, int count, int* to) const {
+  for (int a = 0; a < count; ++a) {
+    const int first = node_dof_[f](nodes[a]);
+    if (first < 0) throw std::logic_error("a node does not carry field " + fields_[f].name);
+    for (int c = 0; c < fields_[f].components; ++c) *to++ = first + c;
+  }
+  return to;
+}
+
 ElementDofs Space::element_dofs(int block, const std::vector<int>& fields) const {
   const ElementBlock& elements = mesh_.blocks()[block];
   int width = 0;
   for (int f : fields) width += num_nodes(shape(f, block)) * fields_[f].components;
   Kokkos::View<int**, Kokkos::LayoutRight> dofs("element dofs", elements.num_elements, width);
   for (int e = 0; e < elements.num_elements; ++e) {
-    int column = 0;
-    for (int f : fields)
-      for (int a = 0; a < num_nodes(shape(f, block)); ++a) {  // corners come first: the linear partner's nodes
-        const int first = node_dof_[f](elements.nodes(e, a));
-        if (first < 0) throw std::logic_error("a node of an element does not carry field " + fields_[f].name);
-        for (int c = 0; c < fields_[f].components; ++c) dofs(e, column++) = first + c;
-      }
+    int* to = &dofs(e, 0);
+    for (int f : fields)  // corners come first: the linear partner's nodes
+      to = write_dofs(f, &elements.nodes(e, 0), num_nodes(shape(f, block)), to);
   }
   return dofs;
 }

@@ -38,6 +38,8 @@ class Space {
 
   /// Local (overlap) dof of component 0 at a local node; -1 where the node does not carry the field. (node)
   const Kokkos::View<int*>& node_dof(int f) const { return node_dof_[f]; }
+  /// Writes the local dofs of a field at some nodes, node after node, component after component; returns the end.
+  int* write_dofs(int f, const int* nodes, int count, int* to) const;
   /// Local (overlap) dof of component 0 at a point of a field apart from the mesh.
   int point_dof(int f, int point) const { return dofs_->dof(f, point); }
   /// Names of the fields on the mesh, which conditions may prescribe.

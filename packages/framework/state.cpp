@@ -12,7 +12,7 @@ State make_state(const Space& space) {
   state.value = NodalView("value", n);
   state.rate = NodalView("rate", n);
   state.acceleration = NodalView("acceleration", n);
-  state.coordinates = CoordinateView("coordinates", space.mesh().num_nodes(), 2);
+  state.coordinates = CoordinateView("coordinates", space.mesh().num_nodes(), space.mesh().dimension());
   Kokkos::deep_copy(state.coordinates, space.mesh().coordinates());
   return state;
 }
@@ -36,7 +36,7 @@ State room_for(const State& like) {
   state.acceleration = NodalView("acceleration", like.acceleration.extent(0));
   for (const NodalView& force : like.history_forces)
     state.history_forces.emplace_back("history force", force.extent(0));
-  state.coordinates = CoordinateView("coordinates", like.coordinates.extent(0), 2);
+  state.coordinates = CoordinateView("coordinates", like.coordinates.extent(0), like.coordinates.extent(1));
   for (const PointView& array : like.arrays) state.arrays.emplace_back("kept", array.extent(0), array.extent(1));
   return state;
 }

@@ -12,7 +12,7 @@ namespace mudline {
 
 using NodalView = Kokkos::View<double*>;  // by overlap dof
 using ConstNodalView = Kokkos::View<const double*>;
-using CoordinateView = Kokkos::View<double**, Kokkos::LayoutRight>;  // (node, 2) [m]
+using CoordinateView = Kokkos::View<double**, Kokkos::LayoutRight>;  // (node, dimension) [m]
 using ConstCoordinateView = Kokkos::View<const double**, Kokkos::LayoutRight>;
 
 /// Everything that makes a restart exact. Two instances live in a StateStore: committed and trial.
@@ -20,7 +20,7 @@ struct State {
   double time = 0;
   NodalView value, rate, acceleration;    // by overlap dof; the acceleration of first-order fields is unused
   std::vector<NodalView> history_forces;  // F_n of each history term: this rank's contributions, by overlap dof
-  CoordinateView coordinates;             // (node, 2) [m] current
+  CoordinateView coordinates;             // (node, dimension) [m] current
   std::vector<PointView> arrays;          // declared by terms: point state, contact history
 };
 

@@ -19,7 +19,7 @@ struct Sensitivity {
 /// Instant and configuration at which a group of terms is evaluated.
 struct Level {
   double time;             // [s]
-  ConstCoordinateView x;   // (node, 2) [m]
+  ConstCoordinateView x;   // (node, dimension) [m]
   double geometry_weight;  // d x / d u_{n+1}
 };
 

@@ -21,6 +21,17 @@ class History {
   virtual bool may_relax() const { return false; }
 };
 
+/// A term whose matrix costs less where it is prepared for while the residual is evaluated: a soil law gives its
+/// tangent beside its stress.
+class Foresees {
+ public:
+  virtual ~Foresees() = default;
+  /// Whether what residual() does from now on should be kept for a jacobian() at the same state.
+  virtual void foresee_jacobian(bool likely) = 0;
+  /// The next jacobian() is at another state than the last residual().
+  virtual void forget_foreseen() = 0;
+};
+
 /// What a term wants once Newton's method has converged: nothing, another solve with what it holds changed
 /// (multipliers), or to refuse the step for the reason given.
 struct Augmentation {

@@ -52,14 +52,23 @@ class ChordControl {
     last_ = ratio;
     ++count_;
   }
-  bool may_keep() const {
-    // the first iteration of a step is judged by that of the step before: later ones always contract well
-    const double c = count_ <= 1 ? first_contraction_ : contraction_;
-    if (!enabled || !valid_ || !(c < 0.1)) return false;
-    return last_ <= 1 || std::log(last_) <= -2.5 * std::log(c);
+  bool may_keep() const { return serves(expected_contraction(), last_); }
+  /// Whether a new Jacobian is likely to be wanted at the iterate that is evaluated next: unless the residual, if it
+  /// goes on falling as it did, is then small enough for the end or for the Jacobian at hand, if that is `usable`.
+  bool expects_renewal(bool usable) const {
+    const double c = expected_contraction();
+    if (count_ == 0) return !(usable && serves(c, 1));
+    return !(last_ * c <= 1) && !(usable && serves(c, last_ * c));
   }
 
  private:
+  /// The first iteration of a step is judged by that of the step before: later ones always contract well.
+  double expected_contraction() const { return count_ <= 1 ? first_contraction_ : contraction_; }
+  bool serves(double contraction, double ratio) const {
+    if (!enabled || !valid_ || !(contraction < 0.1)) return false;
+    return ratio <= 1 || std::log(ratio) <= -2.5 * std::log(contraction);
+  }
+
   std::vector<double> key_;
   bool valid_ = false;
   int count_ = 0;

@@ -58,7 +58,7 @@ LevelOfDof::Order order_of(const Field& field, const TimeScheme& scheme) {
 }  // namespace
 
 Levels::Levels(const Space& space) : space_(space) {
-  const int nodes = space.mesh().num_nodes(), dimension = static_cast<int>(space.mesh().coordinates().extent(1));
+  const int nodes = space.mesh().num_nodes(), dimension = space.mesh().dimension();
   for (NodalView* v : {&value_, &rate_, &velocity_, &acceleration_, &ahead_old_, &ahead_end_})
     *v = NodalView("level", space.dofs()->num_overlap_dofs());
   for (CoordinateView* x : {&x_momentum_, &x_balance_}) *x = CoordinateView("coordinates", nodes, dimension);

@@ -107,7 +107,8 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
       block_data_(std::move(block_data)),
       assembler_(space.dofs()),
       levels_(space),
-      evaluated_(space.dofs()->owned()) {
+      evaluated_(space.dofs()->owned()),
+      balance_(space.dofs()->owned()) {
   int slots = 0;
   for (Term* term : terms_) {
     term->declare_state(store_);
@@ -124,7 +125,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
     sizes->assign(space.num_fields(), 0);
   double squares = 0;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
+    for (int i = 0; i < space.mesh().dimension(); ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
   coordinate_norm_ = std::sqrt(sum_over_ranks(*space.dofs()->comm(), squares));
   view_.constrained = constraints_.mask;
   view_.sensitivity.resize(space.num_fields());
@@ -134,6 +135,7 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
 void Stepper::activate(const std::vector<Term*>& active) {
   active_ = active;
   unilateral_ = faces<Unilateral>(active_);
+  foresees_ = faces<Foresees>(active_);
   carried_ = faces<Carried>(active_);
   reports_ = faces<Reports>(active_);
   force_.clear();
@@ -258,9 +260,16 @@ int Stepper::evaluate_terms() {
 
 bool Stepper::residual(const Vector& x, Vector& f) {
   const Stopwatch watch(times_.residual);
+  if (stands_at(x)) {  // the first guess was tried, and Newton's method starts there
+    Tpetra::deep_copy(f, balance_);
+    return true;
+  }
   stands_ = false;
   levels(x);
+  const bool renews = chord_.expects_renewal(solver_.exact());
+  for (Foresees* term : foresees_) term->foresee_jacobian(renews);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
+  for (Foresees* term : foresees_) term->foresee_jacobian(false);
   if (failures > 0) {
     failure_ = std::to_string(failures) + (failures == 1 ? " point" : " points") + " failed in " +
                of_first_rank(*space_.dofs()->comm(), failure_);
@@ -270,6 +279,7 @@ bool Stepper::residual(const Vector& x, Vector& f) {
   export_overlap(*space_.dofs(), total_, f);
   measure();
   Tpetra::deep_copy(evaluated_, x);
+  Tpetra::deep_copy(balance_, f);
   stands_ = true;
   return true;
 }
@@ -304,6 +314,8 @@ bool Stepper::jacobian(const Vector& x) {
   if (chord_.may_keep() && solver_.exact()) return true;
   {
     const Stopwatch watch(times_.jacobian);
+    if (!stands_at(x))
+      for (Foresees* term : foresees_) term->forget_foreseen();
     stands_ = false;
     levels(x);
     if (!add_matrices()) return false;
@@ -460,7 +472,19 @@ bool Stepper::extrapolate(Vector& x) {
       move_on(constraints_, old.rate, view_.dt, space_.dofs()->owned_begin(f), space_.dofs()->owned_end(f), guess);
   Vector change(guess, Teuchos::Copy), f(map());
   change.update(-1, x, 1);
-  if (change.norm2() == 0 || !residual(guess, f)) return false;
+  if (change.norm2() == 0) return false;
+  // What stops, or presses against something stiff, is further from the solution after a step at its old rate.
+  const bool here = residual(x, f);
+  const std::vector<double> norms = owned_field_norms(*space_.dofs(), f), reference = reference_;
+  if (!residual(guess, f)) return false;
+  const std::vector<double> moved_norms = owned_field_norms(*space_.dofs(), f);
+  double resting = 0, moving = 0;
+  for (int i = 0; i < space_.num_fields(); ++i) {
+    const double scale = std::max({reference[i], reference_[i], 1e-300});
+    resting = std::max(resting, norms[i] / scale);
+    moving = std::max(moving, moved_norms[i] / scale);
+  }
+  if (here && moving > resting) return false;
   Tpetra::deep_copy(x, guess);
   return true;
 }

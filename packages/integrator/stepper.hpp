@@ -117,8 +117,8 @@ class Stepper : public NonlinearProblem {
   /// that. False where it leaves x alone.
   bool predict(Vector& x);
   bool predict_linear(Vector& x, bool always);
-  /// Moves the guess on with the committed velocities; false, and x left alone, where nothing moves or where the terms
-  /// cannot be evaluated there.
+  /// Moves the guess on with the committed rates; false, and x left alone, where nothing moves, where the terms cannot
+  /// be evaluated there, or where it leaves more out of balance.
   bool extrapolate(Vector& x);
   /// Whether the forces of the committed state, evaluated without any motion (the last evaluation), are those it was
   /// left with. A soil whose strength depends on the strain rate relaxes at rest: its answer there says nothing of a
@@ -168,6 +168,7 @@ class Stepper : public NonlinearProblem {
   std::vector<int> history_slot_;        // by term: index of its F_n, -1
   std::vector<History*> history_;        // by slot
   std::vector<Unilateral*> unilateral_;  // of the active terms, as the other faces
+  std::vector<Foresees*> foresees_;
   std::vector<Carried*> carried_;
   std::vector<Reports*> reports_;
   LinearSolver& solver_;
@@ -189,8 +190,8 @@ class Stepper : public NonlinearProblem {
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;
   ChordControl chord_;
-  Vector evaluated_;     // where the trial state stands,
-  bool stands_ = false;  // unless it has been moved since
+  Vector evaluated_, balance_;  // where the trial state stands, and the residual there,
+  bool stands_ = false;         // unless it has been moved since
 };
 
 }  // namespace mudline

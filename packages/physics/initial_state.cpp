@@ -139,7 +139,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         InitialPoint point;
         point.position = {0, 0, 0};
         for (int a = 0; a < b.u.nodes; ++a)
-          for (int i = 0; i < 2; ++i) point.position[i] += b.u.N(q, a) * state.coordinates(b.nodes(e, a), i);
+          for (int i = 0; i < soil.space->mesh().dimension(); ++i)
+            point.position[i] += b.u.N(q, a) * state.coordinates(b.nodes(e, a), i);
         point.stress = {-stress_[0], -stress_[1], -stress_[2], 0, 0, -stress_[3]};
         point.overconsolidation_ratio = ocr_(0, point.position);
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};

@@ -6,11 +6,11 @@ namespace mudline {
 
 /// What the soil of the whole mesh holds in one state.
 struct Inventory {
-  double momentum[2] = {0, 0};  // [N s]
-  double kinetic = 0;           // [J]
-  double solid = 0;             // mass of the grains [kg]
-  double water = 0;             // volume of pore water, at zero pressure [m3]
-  double pore_volume = 0;       // [m3]
+  double momentum[axis_names.size()] = {};  // [N s]
+  double kinetic = 0;                       // [J]
+  double solid = 0;                         // mass of the grains [kg]
+  double water = 0;                         // volume of pore water, at zero pressure [m3]
+  double pore_volume = 0;                   // [m3]
   double compression = 0;  // [m3] water less pore volume, summed apart from them: it is smaller than their rounding
 };
 

@@ -72,7 +72,6 @@ struct Soil {
   /// in excess of water at rest.
   std::function<std::array<double, 2>(double time)> water_gravity = [](double) { return std::array<double, 2>{}; };
 
-  bool axisymmetric() const { return geometry == Geometry::axisymmetric; }
   /// Density of the water whose weight a soil does not feel, alpha rho_f [kg/m3]; zero where pore pressures are total.
   double uplift(const SoilMaterial& material) const;
   void declare_state(StateStore& store);

@@ -51,7 +51,7 @@ Inventory Balances::inventory(const State& state) const {
     }
   }
   bodies = sum_over_ranks(*model_.space().dofs()->comm(), bodies);
-  for (int i = 0; i < 2; ++i) result.momentum[i] += bodies[i];
+  for (std::size_t i = 0; i < axis_names.size(); ++i) result.momentum[i] += bodies[i];
   result.kinetic += bodies[2];
   return result;
 }
@@ -74,7 +74,7 @@ void Balances::jump(const std::function<void()>& change) {
   change();
   const Inventory after = inventory(model_.store().committed());
   const PointView rows = model_.store().committed().arrays[handle_];
-  for (int i = 0; i < 2; ++i) rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
+  for (std::size_t i = 0; i < axis_names.size(); ++i) rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
   rows(kinetic_start, 0) += after.kinetic - before.kinetic;
 }
 
@@ -107,7 +107,7 @@ void Balances::add_step() {
   };
   if (u >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
-      for (int i = begin; i < end; ++i) add_mechanics(i, (i - begin) % 2);
+      for (int i = begin; i < end; ++i) add_mechanics(i, (i - begin) % space.field(u).components);
   for (const auto& [name, body] : model_.bodies())
     for (int k = 0; k < body->unknowns().count; ++k)
       add_mechanics(body->unknowns().dof[k], body->unknowns().direction[k]);
@@ -181,7 +181,7 @@ void Balances::add_remap(const MeshReceipt& receipt) {
   rows(remap_water, 0) += after.water - before.water;
   rows(remap_drift, 0) = receipt.yield_drift;
   rows(remap_kinetic, 0) += after.kinetic - before.kinetic;
-  for (int i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
     rows(remap_momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
     rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
   }
@@ -228,11 +228,10 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
   result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic + rows(excess_work, 0)});
   result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
   result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});
-  const char* names[2] = {"x", "y"};
-  for (int i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
     const double change = now.momentum[i] - rows(momentum_x + i, 0);
-    result.push_back({std::string("balance/momentum/change ") + names[i], "N s", change});
-    result.push_back({std::string("balance/momentum/impulse ") + names[i], "N s", rows(impulse_x + i, 0)});
+    result.push_back({std::string("balance/momentum/change ") + axis_names[i], "N s", change});
+    result.push_back({std::string("balance/momentum/impulse ") + axis_names[i], "N s", rows(impulse_x + i, 0)});
   }
   if (model_.soil()->pressure >= 0) {
     const double change = now.water - rows(water_start, 0);
@@ -244,9 +243,9 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
     result.push_back({"mesh motion/change of solid", "-", rows(remap_solid, 0) / std::max(now.solid, 1e-300)});
     if (model_.soil()->pressure >= 0)
       result.push_back({"mesh motion/change of water", "-", rows(remap_water, 0) / std::max(now.pore_volume, 1e-300)});
-    for (int i = 0; i < 2; ++i)
+    for (std::size_t i = 0; i < axis_names.size(); ++i)
       result.push_back(
-          {std::string("mesh motion/change of momentum ") + names[i], "N s", rows(remap_momentum_x + i, 0)});
+          {std::string("mesh motion/change of momentum ") + axis_names[i], "N s", rows(remap_momentum_x + i, 0)});
     result.push_back({"mesh motion/change of kinetic energy", "J", rows(remap_kinetic, 0)});
     result.push_back({"mesh motion/yield drift", "-", rows(remap_drift, 0)});
   }

@@ -18,7 +18,7 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
   fields_.set_metadata("deck", origin.deck);
   fields_.set_metadata("deck file", origin.deck_file);
   fields_.set_metadata("program", origin.program);
-  fields_.set_metadata("geometry", model.mesh().geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain");
+  fields_.set_metadata("geometry", mudline::name(model.mesh().geometry()));
   const double size = model.mesh().bounds().extent();
   for (const auto& [name, body] : model.bodies()) {
     std::vector<std::array<double, 2>> contour = body->contour().sample(1e-4 * size);
@@ -187,7 +187,7 @@ void Results::write_fields(int step, const std::string& stage) {
   const State& state = model_.store().committed();
   std::vector<double> coordinates;
   for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) coordinates.push_back(state.coordinates(node, i));
+    for (int i = 0; i < model_.mesh().dimension(); ++i) coordinates.push_back(state.coordinates(node, i));
   std::map<std::string, BodyPose> bodies;
   for (const auto& [name, body] : model_.bodies()) {
     const BodyPlacement now = body->placement(state), start = body->initial_placement();
@@ -200,13 +200,16 @@ void Results::write_history(const Balances& balances, const Report& terms, doubl
   const State& state = model_.store().committed();
   const Space& space = model_.space();
   std::vector<HistoryValue> row{{"step/dt", "s", dt}, {"step/newton iterations", "-", static_cast<double>(iterations)}};
-  const char* axes[2] = {"x", "y"};
   for (const auto& [name, body] : model_.bodies()) {
     const auto u = body->displacement(state), v = body->velocity(state);
     const auto x = body->position(state);
-    for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/position " + axes[i], "m", x[i]});
-    for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/displacement " + axes[i], "m", u[i]});
-    for (int i = 0; i < 2; ++i) row.push_back({"body/" + name + "/velocity " + axes[i], "m/s", v[i]});
+    const auto add = [&](const char* what, const char* unit, const std::array<double, 2>& components) {
+      for (std::size_t i = 0; i < components.size(); ++i)
+        row.push_back({"body/" + name + what + axis_names[i], unit, components[i]});
+    };
+    add("/position ", "m", x);
+    add("/displacement ", "m", u);
+    add("/velocity ", "m/s", v);
   }
   for (const auto& [name, quantity] : terms) row.push_back({name, quantity.unit, quantity.value});
   const auto excess = [&] { return excess_pressure(space.find("pore pressure")); };

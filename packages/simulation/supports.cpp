@@ -112,13 +112,12 @@ std::vector<Supports::Mover> Supports::movers(const Stage& stage) const {
 }
 
 std::vector<Supports::Motion> Supports::motions(const Stage& stage, const std::vector<Mover>& movers) const {
-  const bool axisymmetric = model_.mesh().geometry() == Geometry::axisymmetric;
   std::vector<Motion> all;
   for (std::size_t m = 0; m < movers.size(); ++m) {
     const RigidBody* body = movers[m].body;
     for (Direction direction : {x, y, rotation})
       if (body ? model_.motion_in(stage, body->name())->released()->releases(direction)
-               : direction == y || !axisymmetric)
+               : may_move(model_.mesh().geometry(), direction))
         all.push_back({static_cast<int>(m), direction});
   }
   return all;

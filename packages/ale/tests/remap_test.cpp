@@ -142,7 +142,8 @@ TEST(ConvectionRemap, IsOfSecondOrderForSmoothFields) {
 }
 
 TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
-  for (bool axisymmetric : {false, true}) {
+  for (Geometry geometry : {Geometry::plane_strain, Geometry::axisymmetric}) {
+    const bool axisymmetric = geometry == Geometry::axisymmetric;
     const auto mesh = box(CellShape::tri6, 6);
     Points points(*mesh);
     Positions to = points.start;
@@ -171,7 +172,7 @@ TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
     };
     const double mass = grains(old, points.start);
     const double share = restore_grains(
-        {points.whole, points.block, points.patches, points.start, to, points.variables, 1, old, now}, axisymmetric, 0);
+        {points.whole, points.block, points.patches, points.start, to, points.variables, 1, old, now}, geometry, 0);
     EXPECT_GT(std::abs(share), 1e-7);  // the transfer alone does not conserve
     EXPECT_NEAR(grains(transported, to) / mass, 1 - share, 1e-13);
     EXPECT_NEAR(grains(now, to) / mass, 1, 1e-14);

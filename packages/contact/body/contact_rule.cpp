@@ -42,11 +42,4 @@ PlanePoint ContactRule::place(int c, const SideCoordinates& x) const {
   return at;
 }
 
-bool contact_areas(const ContactRule& rule, const SideCoordinates& x, bool axisymmetric,
-                   double (&area)[max_contact_points]) {
-  PlaneVector<double> at[max_side_nodes];
-  for (int a = 0; a < rule.nodes; ++a) at[a] = {x[a][0], x[a][1]};
-  return contact_areas(rule, at, axisymmetric, area);
-}
-
 }  // namespace mudline

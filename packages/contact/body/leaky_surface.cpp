@@ -52,12 +52,8 @@ void LeakySurface::for_each_part(const StepView& view, F&& f) const {
   for (const Part& part : parts_) {
     const SideBlock& b = part.block;
     for (int s = 0; s < b.sides; ++s)
-      for (int q = 0; q < b.points; ++q) {
-        Point at{};
-        for (int a = 0; a < b.shape.nodes; ++a)
-          for (int i = 0; i < 2; ++i) at[i] += b.shape.N(q, a) * view.x_old(b.nodes(s, a), i);
-        part.outside(s * b.points + q, 0) = outside_(view.balance.time, at);
-      }
+      for (int q = 0; q < b.points; ++q)
+        part.outside(s * b.points + q, 0) = outside_(view.balance.time, b.place(s, q, view.x_old));
     f(b, side_level(view, b, view.x_old), Leak{{}, b.points, conductance_, part.outside, part.open});
   }
 }

@@ -48,7 +48,7 @@ Misfit PenaltyContact::misfit(const State& state) const {
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const ContactRule& r = rule(sides[s]);
     double here[max_contact_points];  // lengths, without the circumference: nodes on the axis have weight too
-    if (!contact_areas(r, coordinates(sides[s], state.coordinates), false, here)) continue;
+    if (!contact_areas(r, side_coordinates(sides[s], state.coordinates), Geometry::plane_strain, here)) continue;
     const double stiffness = state.arrays[penalties_](s, 0);
     for (int c = 0; c < r.points; ++c) {
       const int row = first_row_[s] + c;
@@ -73,7 +73,7 @@ void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement&
   for (std::size_t s = 0; s < candidate_.size(); ++s) {
     if (!candidate_[s]) continue;
     const SurfaceSide& side = surface_->sides()[s];
-    const SideCoordinates x = coordinates(side, view.x_end);
+    const SideCoordinates x = side_coordinates(side, view.x_end);
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
       presses[row] = before(row, column::active) > 0 ||
                      body_->closest(placement, rule(side).place(row - first_row_[s], x)).gap <= 1e-3 * gap_tolerance_;
@@ -110,7 +110,7 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
     for (std::size_t s = 0; s < sides.size(); ++s) {
       const ContactRule& r = rule(sides[s]);
       double here[max_contact_points];
-      if (!contact_areas(r, coordinates(sides[s], trial.coordinates), false, here)) continue;
+      if (!contact_areas(r, side_coordinates(sides[s], trial.coordinates), Geometry::plane_strain, here)) continue;
       for (int c = 0; c < r.points; ++c) {
         double value = 0;
         for (int a = 0; a < r.nodes; ++a) value += r.shape[c][a] * values[sides[s].node[a]];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/box_search.hpp"
 #include "contact/conjugate_position.hpp"
 #include "contact/convection.hpp"
 
@@ -39,12 +40,6 @@ void PenaltyContact::sparsity(Assembler& assembler) {
   if (leak_) leak_->sparsity(assembler);
 }
 
-SideCoordinates PenaltyContact::coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const {
-  SideCoordinates result{};
-  for (int a = 0; a < side.count; ++a) result[a] = {x(side.node[a], 0), x(side.node[a], 1)};
-  return result;
-}
-
 void PenaltyContact::begin(const StepView& view) {
   deck_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
   start_multipliers(view);
@@ -61,13 +56,7 @@ void PenaltyContact::begin(const StepView& view) {
 double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now,
                                  const BodyPlacement& placement) const {
   const SurfaceSide& at = surface_->sides()[side];
-  const SideCoordinates x = coordinates(at, coordinates_now);
-  PlanePoint low = x[0], high = x[0];
-  for (int a = 1; a < at.count; ++a)
-    for (int i = 0; i < 2; ++i) {
-      low[i] = std::min(low[i], x[a][i]);
-      high[i] = std::max(high[i], x[a][i]);
-    }
+  const auto [low, high] = side_box(at.node, at.count, coordinates_now);
   const PlanePoint centre{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
   return body_->closest(placement, centre).gap - 0.5 * std::hypot(high[0] - low[0], high[1] - low[1]);
 }
@@ -146,9 +135,9 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
                       *body_,
                       positions.body_old,
                       positions.body_end,
-                      coordinates(at, positions.x_old),
-                      coordinates(at, positions.x_end),
-                      axisymmetric_,
+                      side_coordinates(at, positions.x_old),
+                      side_coordinates(at, positions.x_end),
+                      context_.space.mesh().geometry(),
                       law(view, side)};
   contact.reach = touch_;
   // how far away the touch is in terms of forces is not known: every guess moves the body ten times as far
@@ -239,7 +228,7 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     double pressing = 0;  // [m2]
     for (const ContactPoint& point : points) pressing += point.active ? point.area : 0;
     const double cancelled =
-        view.trial->arrays[penalties_](s, 0) * pressing * farthest(coordinates(sides[s], at.x_end));
+        view.trial->arrays[penalties_](s, 0) * pressing * farthest(side_coordinates(sides[s], at.x_end));
     for (int a = 0; a < all; ++a) {
       if (a >= soil && a < all - body_->unknowns().count) continue;  // the fluxes are none of contact's
       f.add(dofs(sides[s].row, a), -side_force.f[a]);
@@ -293,7 +282,7 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
 bool PenaltyContact::covered(std::size_t side, const State& committed, const BodyPlacement& placement) const {
   // By distance: pressure alone would not do, since along a stretched side single points come off by micrometres, and a
   // vertex that is drained for a step loses its pore pressure.
-  const SideCoordinates x = coordinates(surface_->sides()[side], committed.coordinates);
+  const SideCoordinates x = side_coordinates(surface_->sides()[side], committed.coordinates);
   const double near = deck_.sealing_gap * std::hypot(x[1][0] - x[0][0], x[1][1] - x[0][1]);
   if (least_gap(side, committed.coordinates, placement) >= near) return false;
   const ContactRule& points = rule(surface_->sides()[side]);
@@ -426,7 +415,8 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
   const auto& sides = surface_->sides();
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const int points = first_row_[s + 1] - first_row_[s];
-    const SideCoordinates before = coordinates(sides[s], x_old), after = coordinates(sides[s], committed.coordinates);
+    const SideCoordinates before = side_coordinates(sides[s], x_old),
+                          after = side_coordinates(sides[s], committed.coordinates);
     std::vector<PlanePoint> from, to;
     for (int c = 0; c < points; ++c) {
       from.push_back(rule(sides[s]).place(c, before));

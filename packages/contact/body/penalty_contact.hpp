@@ -124,7 +124,6 @@ class PenaltyContact : public Contact, public ClosesSides {
   /// Lower bound of the gap of a side's points [m].
   double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
-  SideCoordinates coordinates(const SurfaceSide& side, const ConstCoordinateView& x) const;
   void check_drainage(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
@@ -149,7 +148,6 @@ class PenaltyContact : public Contact, public ClosesSides {
   double gap_tolerance_ = 0;                        // [m]
   double touch_ = 0;                                // see SideContact::reach
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
-  bool axisymmetric_ = false;
   bool predicting_ = false;
   int pressure_ = -1, temperature_ = -1;
   int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1, multipliers_ = -1;  // state handles

@@ -83,7 +83,6 @@ void PenaltyContact::check(const Section& section) {
     leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * surface_->shortest(mesh.coordinates());
-  axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
   rules_.clear();
   for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(deck_.method, nodes, deck_.quadrature_degree);
   first_row_.assign(1, 0);

@@ -141,7 +141,7 @@ template <class T>
 bool evaluate_side(const SideContact& side, SideForce& out, std::vector<ContactPoint>& points) {
   SideNumbers<T> x(side);
   SideForces<T> forces(side);
-  if (!contact_areas(side.rule, x.node, side.axisymmetric, x.area)) return false;
+  if (!contact_areas(side.rule, x.node, side.geometry, x.area)) return false;
   for (int c = 0; c < side.rule.points; ++c) points[c] = evaluate_point(side, c, x, forces);
   forces.write(T(1.0), 1 / (1 - side.law.start_weight), out.f, out.correction, out.k);
   return true;

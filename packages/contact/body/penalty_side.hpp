@@ -50,7 +50,7 @@ struct SideContact {
   const RigidBody& body;
   BodyPlacement placement_old, placement;
   SideCoordinates x_old, x;  // [m]
-  bool axisymmetric;
+  Geometry geometry;
   ContactPointLaw law;
   /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
   /// touches nothing yet would have no stiffness at all.

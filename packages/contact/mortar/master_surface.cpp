@@ -50,16 +50,6 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
   }
 }
 
-BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x) {
-  BoxSearch::Corners box{PlanePoint{x(node[0], 0), x(node[0], 1)}, PlanePoint{x(node[0], 0), x(node[0], 1)}};
-  for (int a = 1; a < count; ++a)
-    for (int i = 0; i < 2; ++i) {
-      box[0][i] = std::min(box[0][i], x(node[a], i));
-      box[1][i] = std::max(box[1][i], x(node[a], i));
-    }
-  return box;
-}
-
 void MasterSurface::sort(const ConstCoordinateView& x) {
   std::vector<BoxSearch::Corners> boxes;
   for (const MasterSide& side : sides_) boxes.push_back(side_box(side.node, side.count, x));

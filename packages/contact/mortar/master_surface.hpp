@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/body/contact_rule.hpp"
 #include "contact/box_search.hpp"
-#include "framework/state.hpp"
 
 namespace mudline {
 
@@ -34,8 +32,5 @@ class MasterSurface {
   long long num_global_sides_ = 0;
   BoxSearch boxes_;
 };
-
-/// The box around the nodes of a side: low, high.
-BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x);
 
 }  // namespace mudline

@@ -61,7 +61,6 @@ void PairContact::sparsity(Assembler& assembler) {
   // Every pair of sides within reach has its place from the start: the graph, and with it the order of all sums, never
   // changes.
   const auto& x = context_.space.mesh().coordinates();
-  const auto& first = context_.space.node_dof(displacement_);
   const auto& sides = slave_->sides();
   const double distance = deck_.reach > 0 ? deck_.reach : 1e300;
   master_->sort(x);
@@ -74,12 +73,10 @@ void PairContact::sparsity(Assembler& assembler) {
     }
   }
   Kokkos::View<int**, Kokkos::LayoutRight> table("pair dofs", places.size(), 4 * nodes_);
-  for (std::size_t row = 0; row < places.size(); ++row)
-    for (int a = 0; a < nodes_; ++a)
-      for (int i = 0; i < 2; ++i) {
-        table(row, 2 * a + i) = first(sides[places[row].first].node[a]) + i;
-        table(row, 2 * (nodes_ + a) + i) = first(master_->sides()[places[row].second].node[a]) + i;
-      }
+  for (std::size_t row = 0; row < places.size(); ++row) {
+    int* to = context_.space.write_dofs(displacement_, sides[places[row].first].node, nodes_, &table(row, 0));
+    context_.space.write_dofs(displacement_, master_->sides()[places[row].second].node, nodes_, to);
+  }
   dofs_ = table;
   group_ = assembler.add_group(dofs_);
 }
@@ -106,13 +103,7 @@ void PairContact::begin(const StepView& view) {
 }
 
 PairCoordinates PairContact::coordinates(const Pair& pair, const ConstCoordinateView& x) const {
-  PairCoordinates result;
-  for (int a = 0; a < nodes_; ++a)
-    for (int i = 0; i < 2; ++i) {
-      result.slave[a][i] = x(slave_->sides()[pair.slave].node[a], i);
-      result.master[a][i] = x(master_->sides()[pair.master].node[a], i);
-    }
-  return result;
+  return {side_coordinates(slave_->sides()[pair.slave], x), side_coordinates(master_->sides()[pair.master], x)};
 }
 
 PairLaw PairContact::law(const StepView& view, int slave) const {
@@ -122,7 +113,7 @@ PairLaw PairContact::law(const StepView& view, int slave) const {
   result.touch = touch_;
   result.first_guess = predicting_;
   result.nodes = nodes_;
-  result.axisymmetric = axisymmetric_;
+  result.geometry = context_.space.mesh().geometry();
   result.rule = rule_;
   result.capture = capture_;
   const PointView& multipliers = view.trial->arrays[multipliers_];
@@ -265,7 +256,6 @@ void PairContact::check(const Section& section) {
   slave_ = std::make_unique<ContactSurface>(space, deck_.slave, false, BodyUnknowns());
   master_ = std::make_unique<MasterSurface>(mesh, deck_.master);
   nodes_ = order(mesh.blocks().front().shape) + 1;
-  axisymmetric_ = mesh.geometry() == Geometry::axisymmetric;
   rule_ = line_quadrature(deck_.quadrature_degree);
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * slave_->shortest(mesh.coordinates());
   capture_ = slave_->longest(mesh.coordinates());
@@ -299,11 +289,11 @@ std::array<std::array<double, 2>, 2> PairContact::mass(int slave, const ConstCoo
   std::array<std::array<double, 2>, 2> result{};
   for (std::size_t q = 0; q < rule_.weights.size(); ++q) {
     const double xi = rule_.points[q][0], shape[2] = {0.5 * (1 - xi), 0.5 * (1 + xi)};
-    double N[max_side_nodes], dN[max_side_nodes], along[2] = {0, 0};
+    double N[max_side_nodes], dN[max_side_nodes];
     evaluate_line(nodes_, xi, N, dN);
-    for (int a = 0; a < nodes_; ++a)
-      for (int i = 0; i < 2; ++i) along[i] += dN[a] * x(side.node[a], i);
-    const double length = rule_.weights[q] * std::hypot(along[0], along[1]);
+    SideMap<2> map;
+    map.compute(nodes_, N, dN, [&](int a, int i) { return x(side.node[a], i); });
+    const double length = rule_.weights[q] * map.stretch;
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) result[a][b] += length * shape[a] * shape[b];
   }

@@ -93,7 +93,7 @@ class PairContact : public Contact {
   int group_ = -1, nodes_ = 3;                          // of a side
   double gap_tolerance_ = 0, capture_ = 0, touch_ = 0;  // [m]
   std::vector<std::pair<int, double>> correction_;      // (dof, damping) of the last residual call
-  bool axisymmetric_ = false, predicting_ = false, beyond_reach_ = false;
+  bool predicting_ = false, beyond_reach_ = false;
   int displacement_ = -1;
   int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles
 };

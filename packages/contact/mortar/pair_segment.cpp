@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contact/plane_vector.hpp"
-#include "core/pi.hpp"
 
 namespace mudline {
 
@@ -27,22 +26,21 @@ struct Curve {
       N[2] = 1.0 - xi * xi;
     }
   }
-  PlaneVector<T> point(const T& xi) const {
+  SideMap<2, T> map(const T& xi) const {
     T N[max_side_nodes];
+    const T dN[max_side_nodes] = {nodes == 2 ? T(-0.5) : xi - 0.5, nodes == 2 ? T(0.5) : xi + 0.5, -2.0 * xi};
     shapes(xi, N);
-    return combine(N);
+    SideMap<2, T> result;
+    result.compute(nodes, N, dN, [&](int a, int i) { return node[a][i]; });
+    return result;
   }
-  PlaneVector<T> slope(const T& xi) const {
-    if (nodes == 2) return {0.5 * (node[1].x - node[0].x), 0.5 * (node[1].y - node[0].y)};
-    const T N[max_side_nodes] = {xi - 0.5, xi + 0.5, -2.0 * xi};
-    return combine(N);
-  }
+  PlaneVector<T> point(const T& xi) const { return vector(map(xi).x); }
+  PlaneVector<T> slope(const T& xi) const { return vector(map(xi).along[0]); }
   PlaneVector<T> bend() const {
     if (nodes == 2) return {T(0.0), T(0.0)};
     const T N[max_side_nodes] = {T(1.0), T(1.0), T(-2.0)};
-    return combine(N);
+    return combine(nodes, N, node);
   }
-  PlaneVector<T> combine(const T (&N)[max_side_nodes]) const { return mudline::combine(nodes, N, node); }
 };
 
 /// With its coordinates as unknowns, numbered from `first`.
@@ -132,11 +130,10 @@ bool find_foot(const Curve<double>& master, const Curve<T>& master_t, const Plan
       },
       [&](const T& eta) { return dot(at - master_t.point(eta), master_t.slope(eta)); }, foot.eta);
   if (!found) return false;
-  const PlaneVector<T> along = master_t.slope(foot.eta);
-  const T length = square_root(dot(along, along));
-  foot.along = {along.x / length, along.y / length};
-  foot.normal = {foot.along.y, -1.0 * foot.along.x};
-  foot.gap = dot(at - master_t.point(foot.eta), foot.normal);
+  const SideMap<2, T> map = master_t.map(foot.eta);
+  foot.along = vector(map.along[0]) / map.stretch;
+  foot.normal = vector(map.normal) / map.stretch;
+  foot.gap = dot(at - vector(map.x), foot.normal);
   return true;
 }
 
@@ -163,7 +160,7 @@ struct Sides {
 /// One quadrature point.
 template <class T>
 struct SegmentPoint {
-  T xi, length, shape[side_multipliers];  // length: without the circumference [m]
+  T xi, length, area, shape[side_multipliers];  // length: without the circumference [m]
   PlaneVector<T> at;
   Foot<T> foot;
   T field(const double (&corners)[side_multipliers]) const { return shape[0] * corners[0] + shape[1] * corners[1]; }
@@ -186,7 +183,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   motion.soil = soil_between(law.soil, value(point.xi));
   motion.pore_pressure = T(motion.soil.pore_pressure);
   motion.slip_old = TouchingSoil::unknown;  // its points come and go
-  motion.area = law.axisymmetric ? point.length * (2 * pi * point.at.x) : point.length;
+  motion.area = point.area;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
   const PlaneVector<T> was = sides.slave_old.point(point.xi), foot_was = sides.master_old.point(point.foot.eta);
   motion.gap_old = dot(was - foot_was, point.foot.normal);
@@ -240,13 +237,15 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     SegmentPoint<T> point;
     const T half = 0.5 * (to - from);
     point.xi = from + half * (1.0 + law.rule.points[q][0]);
-    point.at = sides.slave.point(point.xi);
+    const SideMap<2, T> map = sides.slave.map(point.xi);
+    point.at = vector(map.x);
     if (!find_foot(sides.master_at, sides.master, point.at, point.foot)) return false;
     const double gap = value(point.foot.gap);
     if (std::abs(gap) > law.capture) continue;
     seen = true;
     sums.closest = std::min(sums.closest, gap);
-    point.length = law.rule.weights[q] * half * length(sides.slave.slope(point.xi));
+    point.length = law.rule.weights[q] * half * map.stretch;
+    point.area = point.length * measure(law.geometry, map.x);
     point.shape[0] = 0.5 * (1.0 - point.xi);
     point.shape[1] = 0.5 * (1.0 + point.xi);
     for (int a = 0; a < side_multipliers; ++a) {

@@ -18,7 +18,7 @@ struct PairCoordinates {
 /// What acts between the sides.
 struct PairLaw : ContactPointLaw {
   int nodes = 3;  // of either side
-  bool axisymmetric = false;
+  Geometry geometry = Geometry::plane_strain;
   QuadratureRule rule;  // on a segment
   double capture = 0;   // [m] points farther away than this, on either side, do not see each other
   double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners

@@ -23,8 +23,7 @@ NodePass::NodePass(const NodePassSettings& settings, const std::string& slave, c
       sides_(mesh_, master),
       surface_(sides_.sides(), settings.deck->drawing, settings.deck->corner_angle * pi / 180, settings.deck->overhang,
                mesh_.coordinates()),
-      displacement_(settings.context->space.find("displacement")),
-      axisymmetric_(mesh_.geometry() == Geometry::axisymmetric) {
+      displacement_(settings.context->space.find("displacement")) {
   for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(ContactPoints::nodes, nodes, quadrature_degree);
   for (std::size_t s = 0; s < slave_.sides().size(); ++s)
     for (int a = 0; a < slave_.sides()[s].count; ++a)
@@ -57,7 +56,7 @@ void NodePass::sparsity(Assembler& assembler) {
   // every node and piece within reach have their place from the start: the graph, and with it the order of all sums,
   // never changes
   const auto& x = mesh_.coordinates();
-  const auto& first = settings_.context->space.node_dof(displacement_);
+  const Space& space = settings_.context->space;
   const double distance = settings_.deck->reach > 0 ? settings_.deck->reach : 1e300;
   std::vector<std::pair<int, int>> places;
   for (std::size_t row = 0; row < rows_.size(); ++row)
@@ -66,12 +65,10 @@ void NodePass::sparsity(Assembler& assembler) {
       places.emplace_back(static_cast<int>(row), piece);
     }
   Kokkos::View<int**, Kokkos::LayoutRight> table("node to segment dofs", places.size(), node_dofs);
-  for (std::size_t p = 0; p < places.size(); ++p)
-    for (int i = 0; i < 2; ++i) {
-      table(p, i) = first(rows_[places[p].first].node) + i;
-      for (int j = 0; j < max_piece_nodes; ++j)
-        table(p, 2 + 2 * j + i) = first(surface_.pieces()[places[p].second].node[j]) + i;
-    }
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    int* to = space.write_dofs(displacement_, &rows_[places[p].first].node, 1, &table(p, 0));
+    space.write_dofs(displacement_, surface_.pieces()[places[p].second].node, max_piece_nodes, to);
+  }
   dofs_ = table;
   group_ = assembler.add_group(dofs_);
 }
@@ -80,17 +77,16 @@ void NodePass::measure(const ConstCoordinateView& x) {
   std::size_t row = 0;
   for (const SurfaceSide& side : slave_.sides()) {
     const ContactRule& rule = rules_[side.count - 2];
-    SideCoordinates at{};
-    for (int a = 0; a < side.count; ++a) at[a] = {x(side.node[a], 0), x(side.node[a], 1)};
+    const SideCoordinates at = side_coordinates(side, x);
     double areas[max_contact_points], lengths[max_contact_points];
-    contact_areas(rule, at, axisymmetric_, areas);
-    contact_areas(rule, at, false, lengths);
+    contact_areas(rule, at, mesh_.geometry(), areas);
+    contact_areas(rule, at, Geometry::plane_strain, lengths);
     for (int a = 0; a < side.count; ++a, ++row) {
       rows_[row].area = settings_.share * areas[a];
       rows_[row].length = lengths[a];
       rows_[row].facing = {at[1][0] - at[0][0], at[1][1] - at[0][1]};
       // a corner of a quadratic side on the axis has no area: nothing can press there
-      if (axisymmetric_ && areas[a] < 1e-9 * lengths[a] * lengths[a]) rows_[row].area = 0;
+      if (areas[a] < 1e-9 * lengths[a] * lengths[a]) rows_[row].area = 0;
     }
   }
 }
@@ -183,10 +179,10 @@ void NodePass::old_force(const State& committed, int row, const SurfacePiece& pi
   const PointView& old = committed.arrays[points_];
   double W[max_piece_nodes], dW[max_piece_nodes], ddW[max_piece_nodes];
   piece.weights(old(row, column::eta), W, dW, ddW);
-  for (int i = 0; i < 2; ++i) {
-    force[i] = old(row, column::force_x + i);
-    for (int j = 0; j < max_piece_nodes; ++j) force[2 + 2 * j + i] = -W[j] * force[i];
-  }
+  force[0] = old(row, column::force_x);
+  force[1] = old(row, column::force_y);
+  std::fill_n(force + 2, node_dofs - 2, 0.0);
+  spread(piece.count, W, PlaneVector<double>{-force[0], -force[1]}, force + 2);
 }
 
 int NodePass::residual(const StepView& view, const ResidualView& f) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/body/contact_rule.hpp"
 #include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/nodes/node_parameters.hpp"
@@ -110,7 +111,7 @@ class NodePass {
   int group_ = -1, displacement_ = -1;
   double capture_ = 0, touch_ = 0;                  // [m] of this step
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
-  bool axisymmetric_ = false, predicting_ = false;
+  bool predicting_ = false;
   int points_ = -1, multipliers_ = -1, penalties_ = -1, damping_ = -1;  // state handles
 };
 

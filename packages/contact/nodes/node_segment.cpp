@@ -20,7 +20,7 @@ struct Positions {
 
 /// The foot with its derivatives.
 template <class T>
-struct Geometry {
+struct FootPlace {
   T W[max_piece_nodes];
   T gap;
   PlaneVector<T> normal, along, foot;
@@ -28,20 +28,20 @@ struct Geometry {
 
 /// At a corner: along the way from it, or from the mean normal on the corner itself.
 template <class T>
-void look_from_corner(const SurfacePiece& piece, const NodeFoot& at, const Positions<T>& x, Geometry<T>& g) {
+void look_from_corner(const SurfacePiece& piece, const NodeFoot& at, const Positions<T>& x, FootPlace<T>& g) {
   const PlaneVector<T> way = x.slave - g.foot, chord = x.master[piece.count - 1] - x.master[0];
   g.normal = constant<T>(at.outward);
   g.gap = dot(way, g.normal);
   if (std::sqrt(value(dot(way, way))) > 1e-12 * std::sqrt(value(dot(chord, chord)))) {
     g.gap = value(g.gap) < 0 ? -1.0 * length(way) : length(way);
-    g.normal = {way.x / g.gap, way.y / g.gap};
+    g.normal = way / g.gap;
   }
   g.along = {-1.0 * g.normal.y, g.normal.x};
 }
 
 template <class T>
-Geometry<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Positions<T>& x) {
-  Geometry<T> g;
+FootPlace<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Positions<T>& x) {
+  FootPlace<T> g;
   T dW[max_piece_nodes], ddW[max_piece_nodes];
   piece.weights(T(at.eta), g.W, dW, ddW);
   g.foot = combine(piece.count, g.W, x.master);
@@ -58,15 +58,14 @@ Geometry<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Positi
   piece.weights(eta, g.W, dW, ddW);
   g.foot = combine(piece.count, g.W, x.master);
   const PlaneVector<T> direction = combine(piece.count, dW, x.master);
-  const T size = length(direction);
-  g.along = {direction.x / size, direction.y / size};
+  g.along = direction / length(direction);
   g.normal = {g.along.y, -1.0 * g.along.x};
   g.gap = dot(x.slave - g.foot, g.normal);
   return g;
 }
 
 template <class T>
-ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, const Geometry<T>& g,
+ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, const FootPlace<T>& g,
                                 const Positions<T>& x, const NodeCoordinates& old) {
   ContactMotion<T> motion;
   motion.gap = g.gap;
@@ -91,7 +90,7 @@ ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, c
 
 /// A force on the slave node, the opposite at its foot.
 template <class T>
-void act(const SurfacePiece& piece, const Geometry<T>& g, const PlaneVector<T>& force, T (&to)[node_dofs]) {
+void act(const SurfacePiece& piece, const FootPlace<T>& g, const PlaneVector<T>& force, T (&to)[node_dofs]) {
   to[0] = force.x;
   to[1] = force.y;
   spread(piece.count, g.W, force * -1.0, to + 2);
@@ -101,7 +100,7 @@ template <class T>
 void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
               const NodeCoordinates& at, NodeForce& out) {
   const Positions<T> x(at);
-  const Geometry<T> g = geometry(piece, foot, x);
+  const FootPlace<T> g = geometry(piece, foot, x);
   const ContactResponse<T> now = respond(law, motion_of_node(law, piece, g, x, old));
   StepForces<T, node_dofs> forces;
   if (law.viscous > 0) act(piece, g, g.normal * now.damping, forces.more);

@@ -20,10 +20,12 @@ double& entry(PairCoordinates& x, int nodes, int dof) {
   return dof < 2 * nodes ? x.slave[dof / 2][dof % 2] : x.master[dof / 2 - nodes][dof % 2];
 }
 
+constexpr Geometry flat = Geometry::plane_strain, round = Geometry::axisymmetric;
+
 struct Case {
   const char* name;
   int nodes;
-  bool axisymmetric;
+  Geometry geometry;
   double overlap, shift, friction, multiplier;
   double viscous = 0;
 };
@@ -33,7 +35,7 @@ class EverySegment : public testing::TestWithParam<Case> {
   EverySegment() : friction_(GetParam().friction) {
     const Case c = GetParam();
     law_.nodes = c.nodes;
-    law_.axisymmetric = c.axisymmetric;
+    law_.geometry = c.geometry;
     law_.rule = line_quadrature(5);
     law_.penalty = 1e6;
     law_.capture = 0.5;
@@ -57,13 +59,13 @@ class EverySegment : public testing::TestWithParam<Case> {
 
 INSTANTIATE_TEST_SUITE_P(
     Contact, EverySegment,
-    testing::Values(Case{"inner", 3, false, 0.05, -0.5, 0, 0}, Case{"end", 3, false, 0.05, 0, 0, 0},
-                    Case{"multipliers", 3, false, 0.01, -0.3, 0, 3e4}, Case{"straight", 2, false, 0.05, 0, 0, 0},
-                    Case{"axisymmetric", 3, true, 0.05, 0.1, 0, 0}, Case{"stick", 3, false, 0.05, 0, 5, 2e4},
-                    Case{"slip", 3, true, 0.05, -0.2, 0.01, 2e4}, Case{"straight slip", 2, false, 0.05, 0, 0.01, 0},
-                    Case{"damped", 3, false, 0.05, 0, 5, 2e4, 20},
-                    Case{"damped axisymmetric", 3, true, 0.05, 0.1, 0, 0, 20},
-                    Case{"damped straight", 2, false, 0.05, 0, 0.01, 0, 20}),
+    testing::Values(Case{"inner", 3, flat, 0.05, -0.5, 0, 0}, Case{"end", 3, flat, 0.05, 0, 0, 0},
+                    Case{"multipliers", 3, flat, 0.01, -0.3, 0, 3e4}, Case{"straight", 2, flat, 0.05, 0, 0, 0},
+                    Case{"axisymmetric", 3, round, 0.05, 0.1, 0, 0}, Case{"stick", 3, flat, 0.05, 0, 5, 2e4},
+                    Case{"slip", 3, round, 0.05, -0.2, 0.01, 2e4}, Case{"straight slip", 2, flat, 0.05, 0, 0.01, 0},
+                    Case{"damped", 3, flat, 0.05, 0, 5, 2e4, 20},
+                    Case{"damped axisymmetric", 3, round, 0.05, 0.1, 0, 0, 20},
+                    Case{"damped straight", 2, flat, 0.05, 0, 0.01, 0, 20}),
     [](const auto& info) {
       std::string name = info.param.name;
       for (char& c : name) c = c == ' ' ? '_' : c;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
+#include "bodies/contour_volume.hpp"
 #include "bodies/tests/rigid_body_deck.hpp"
 #include "core/tests/input_error.hpp"
-#include "geometry/contour_volume.hpp"
 #include "geometry/curve_piece.hpp"
 
 namespace mudline {

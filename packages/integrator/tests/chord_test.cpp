@@ -1,4 +1,4 @@
-// What the chord control keeps in a checkpoint.
+// What the chord control keeps in a checkpoint, and when it expects a new Jacobian.
 #include "integrator/chord.hpp"
 
 #include <gtest/gtest.h>
@@ -32,6 +32,45 @@ TEST(Chord, IncompleteMemoryIsRefused) {
     memory.back() = size;
     EXPECT_THROW(ChordControl().restore(memory), std::logic_error) << size;
   }
+}
+
+/// After a step whose first iteration left `contraction` of its residual.
+ChordControl after_step(double contraction) {
+  ChordControl chord;
+  chord.enabled = true;
+  chord.start_step({1});
+  chord.renewed();
+  chord.observe(1e6, 0);
+  chord.observe(1e6 * contraction, 1e6);
+  chord.start_step({1});
+  return chord;
+}
+
+TEST(Chord, ExpectsANewJacobianAtTheFirstGuessUnlessTheOldOneServedWell) {
+  EXPECT_TRUE(ChordControl().expects_renewal(true)) << "there is none yet";
+  EXPECT_TRUE(after_step(0.5).expects_renewal(true));
+  EXPECT_FALSE(after_step(0.01).expects_renewal(true));
+  EXPECT_TRUE(after_step(0.01).expects_renewal(false)) << "its factors are not at hand";
+  ChordControl forgotten = after_step(0.01);
+  forgotten.forget();
+  EXPECT_TRUE(forgotten.expects_renewal(true));
+}
+
+TEST(Chord, ExpectsNoNewJacobianNearTheEnd) {
+  for (const double contraction : {0.5, 0.2}) {  // too slow for another iteration with the same matrix
+    ChordControl chord = after_step(contraction);
+    chord.observe(1e4, 0);
+    EXPECT_TRUE(chord.expects_renewal(true)) << contraction;
+    chord.observe(1e4 * contraction, 1e4);
+    EXPECT_TRUE(chord.expects_renewal(true)) << contraction;
+    chord.observe(1, 1 / contraction);
+    for (const bool usable : {false, true}) EXPECT_FALSE(chord.expects_renewal(usable)) << contraction;
+  }
+  ChordControl chord = after_step(0.5);
+  chord.observe(1e8, 0);
+  chord.observe(1e6, 1e8);
+  EXPECT_FALSE(chord.expects_renewal(true)) << "1e4 is left, for which the matrix serves";
+  EXPECT_FALSE(chord.may_keep()) << "but not for 1e6";
 }
 
 }  // namespace

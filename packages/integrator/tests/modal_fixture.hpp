@@ -32,6 +32,7 @@ class Spring : public Term, public History {
   std::string name() const override { return "spring"; }
   void sparsity(Assembler& assembler) override { group_ = assembler.add_group(dofs_); }
   int residual(const StepView& view, const ResidualView& f) override {
+    ++evaluations;
     for (int i = 0; i < 3; ++i) {
       const int u = dofs_(0, i), p = dofs_(0, 3 * coupled_ + i);
       f.add(u, mode_.k * view.value_end(u), mode_.k * (view.value_end(u) - view.value_old(u)));
@@ -46,6 +47,7 @@ class Spring : public Term, public History {
       if (coupled_) to.add(0, i, 3 + i, -weight * mode_.l);
     }
   }
+  int evaluations = 0;
 
  private:
   Mode& mode_;
@@ -147,9 +149,10 @@ class ModalSystem {
   }
   StateStore& store() { return store_; }
   /// A step that need not take any iteration.
-  StepReport attempt(double dt, const TimeScheme& scheme) {
-    return stepper_->attempt(request(dt, scheme), StepTolerances(), newton());
+  StepReport attempt(double dt, const TimeScheme& scheme, const NewtonOptions& options = newton()) {
+    return stepper_->attempt(request(dt, scheme), StepTolerances(), options);
   }
+  int evaluations() const { return spring_.evaluations; }
   void run(double duration, int steps, const TimeScheme& scheme) {
     for (int i = 0; i < steps; ++i) step(duration / steps, scheme);
   }

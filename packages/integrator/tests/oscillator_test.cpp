@@ -127,5 +127,17 @@ TEST(Oscillator, StartsWithTheAccelerationOfItsForces) {
   EXPECT_NEAR(system.a(), 3 - mode.k * 0.5 + mode.c * 2, 1e-12);
 }
 
+TEST(Oscillator, TheCommittedStateAndTheFirstGuessAreEvaluatedOnceEach) {
+  Mode mode;
+  mode.k = 0;  // moves on at its speed, as guessed
+  ModalSystem system(false, mode);
+  system.start(0.5, -2);
+  const int before = system.evaluations();
+  const StepReport report = system.attempt(0.1, generalised_alpha(0.8), NewtonOptions());
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.newton_iterations, 0);
+  EXPECT_EQ(system.evaluations() - before, 2);
+}
+
 }  // namespace
 }  // namespace mudline

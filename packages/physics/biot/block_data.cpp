@@ -84,7 +84,7 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
   data.displacement = soil.displacement;
   data.pressure = soil.pressure;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) data.coordinates.push_back(view.x_end(node, i));
+    for (int i = 0; i < space.mesh().dimension(); ++i) data.coordinates.push_back(view.x_end(node, i));
   data.parents = node_parents(soil);
   RCP<CrsMatrix> mass, laplacian;
   if (soil.pressure >= 0) {

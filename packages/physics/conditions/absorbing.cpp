@@ -39,7 +39,7 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
   impedance_ = PointView("impedance", block_.sides, 2);
   const int owned = space_->dofs()->num_owned_dofs();
   for (int node : space_->mesh().nodes_of_set(set_))
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < dimension(); ++i) {
       const int dof = space_->node_dof(block_.field)(node) + i;
       if (dof < owned) held_dofs_.push_back(dof);
     }

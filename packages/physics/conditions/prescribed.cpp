@@ -35,9 +35,11 @@ void Prescribed::set_closed(const ClosedSides& closed) {
 
 void Prescribed::reactions(const NodalView& reaction, Report& shares) const {
   const Field& field = space_->field(field_);
-  const char* axes[2] = {" x", " y"};
+  const bool vector = field.components == space_->mesh().dimension();
   for (int c = 0; c < field.components; ++c) {
-    const std::string axis = field.components == 2 ? axes[c] : field.components > 1 ? " " + std::to_string(c) : "";
+    const std::string axis = vector                 ? std::string(" ") + axis_names[c]
+                             : field.components > 1 ? " " + std::to_string(c)
+                                                    : "";
     Quantity& share = shares["reaction/" + name + axis];
     share.unit = field.flux;
     for (int node : nodes_)
@@ -47,11 +49,10 @@ void Prescribed::reactions(const NodalView& reaction, Report& shares) const {
 
 void DisplacementCondition::parameters(Parameters& p) {
   declare_set(p);
-  const char* names[2] = {"x", "y"};
-  for (int i = 0; i < 2; ++i) {
-    p.add(names[i], component_[i], "m",
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    p.add(axis_names[i], component_[i], "m",
           "displacement since the last reset, a function of time and initial position; free when absent");
-    given_[i] = p.given(names[i]);
+    given_[i] = p.given(axis_names[i]);
   }
 }
 
@@ -61,17 +62,16 @@ void DisplacementCondition::check(const Section& section) {
 
 void DisplacementCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
   for_each_node([&](int dof, int, const Point& x) {
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < space_->mesh().dimension(); ++i)
       if (given_[i]) to.prescribe(dof + i, component_[i](t_end, x));
   });
 }
 
 void VelocityCondition::parameters(Parameters& p) {
   declare_set(p);
-  const char* names[2] = {"x", "y"};
-  for (int i = 0; i < 2; ++i) {
-    p.add(names[i], component_[i], "m/s", "velocity, a function of time and initial position; free when absent");
-    given_[i] = p.given(names[i]);
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    p.add(axis_names[i], component_[i], "m/s", "velocity, a function of time and initial position; free when absent");
+    given_[i] = p.given(axis_names[i]);
   }
   p.add("ramp time", ramp_time_, "s", non_negative(), "the velocity rises smoothly from zero over this time");
   p.add("start time", start_, "s", any(), "begin of the ramp");
@@ -93,7 +93,7 @@ void VelocityCondition::prescribe(double t_old, double t_end, const State& commi
   const double dt = t_end - t_old, node[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)},
                weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
   for_each_node([&](int dof, int, const Point& x) {
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < space_->mesh().dimension(); ++i) {
       if (!given_[i]) continue;
       double change = 0;
       for (int q = 0; q < 3; ++q) {

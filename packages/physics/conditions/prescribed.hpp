@@ -62,8 +62,8 @@ class DisplacementCondition : public Prescribed {
   std::string field_name() const override { return "displacement"; }
 
  private:
-  Function component_[2];
-  bool given_[2] = {false, false};
+  std::array<Function, axis_names.size()> component_;
+  std::array<bool, axis_names.size()> given_{};
 };
 
 /// Velocity, integrated over each step; optionally a smooth ramp from rest.
@@ -78,8 +78,8 @@ class VelocityCondition : public Prescribed {
 
  private:
   double ramp(double time) const;
-  Function component_[2];
-  bool given_[2] = {false, false};
+  std::array<Function, axis_names.size()> component_;
+  std::array<bool, axis_names.size()> given_{};
   double ramp_time_ = 0, start_ = 0;
 };
 

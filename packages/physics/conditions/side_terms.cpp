@@ -71,16 +71,10 @@ void SideLoad::bind(const ConditionContext& context, const Section& section) {
   load_ = PointView("load", block_.sides * block_.points, columns());
 }
 
-Point SideLoad::place(int s, int q, const ConstCoordinateView& x) const {
-  Point at{};
-  for (int a = 0; a < block_.shape.nodes; ++a)
-    for (int i = 0; i < 2; ++i) at[i] += block_.shape.N(q, a) * x(block_.nodes(s, a), i);
-  return at;
-}
-
 void SideLoad::tabulate(const Function& function, double time, const ConstCoordinateView& x, int column) const {
   for (int s = 0; s < block_.sides; ++s)
-    for (int q = 0; q < block_.points; ++q) load_(s * block_.points + q, column) = function(time, place(s, q, x));
+    for (int q = 0; q < block_.points; ++q)
+      load_(s * block_.points + q, column) = function(time, block_.place(s, q, x));
 }
 
 void Traction::parameters(Parameters& p) {
@@ -90,9 +84,9 @@ void Traction::parameters(Parameters& p) {
 }
 
 void Traction::tabulate_components(const StepView& view) const {
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < dimension(); ++i) {
     tabulate(component_[i], view.momentum.time, initial(), i);
-    tabulate(component_[i], view.time_old, initial(), 2 + i);
+    tabulate(component_[i], view.time_old, initial(), dimension() + i);
   }
 }
 
@@ -129,8 +123,8 @@ void SurfacePressure::tabulate_gradient(const StepView& view) const {
     const int first = block_.nodes(s, 0), second = block_.nodes(s, 1);
     const double h = 5e-7 * std::hypot(x(second, 0) - x(first, 0), x(second, 1) - x(first, 1));
     for (int q = 0; q < block_.points; ++q)
-      for (int i = 0; i < 2; ++i) {
-        Point low = place(s, q, x), high = low;
+      for (int i = 0; i < dimension(); ++i) {
+        Point low = block_.place(s, q, x), high = low;
         low[i] -= h;
         high[i] += h;
         load_(s * block_.points + q, 2 + i) =

@@ -20,12 +20,11 @@ class SideLoad : public Condition, public Term {
   virtual std::string kind() const = 0;
   virtual std::string field_name() const { return "displacement"; }
   void declare_set(Parameters& p);
-  /// Where quadrature point q of side s lies on a configuration [m].
-  Point place(int s, int q, const ConstCoordinateView& x) const;
   /// Fills column `column` of the table of the load at the points, row = side * points + q.
   void tabulate(const Function& function, double time, const ConstCoordinateView& x, int column) const;
   ConstCoordinateView initial() const { return space_->mesh().coordinates(); }
   Geometry geometry() const { return space_->mesh().geometry(); }
+  int dimension() const { return space_->mesh().dimension(); }
 
   std::string set_;
   const Space* space_ = nullptr;
@@ -48,9 +47,9 @@ class Traction : public SideLoad {
   std::string kind() const override { return "traction"; }
 
  private:
-  int columns() const override { return 4; }  // now x, y, before the step x, y [Pa]
+  int columns() const override { return 2 * dimension(); }  // components now, before the step [Pa]
   void tabulate_components(const StepView& view) const;
-  Function component_[2];
+  std::array<Function, axis_names.size()> component_;
 };
 
 /// Pressure that follows the current surface; positive pushes against the body. A function of the point's initial
@@ -68,7 +67,7 @@ class SurfacePressure : public SideLoad {
 
  private:
   enum class Position { initial, present };
-  int columns() const override { return 4; }  // now, before the step [Pa], gradient x, y [Pa/m]
+  int columns() const override { return 2 + dimension(); }  // now, before the step [Pa], gradient [Pa/m]
   void tabulate_values(const StepView& view) const;
   void tabulate_gradient(const StepView& view) const;
 

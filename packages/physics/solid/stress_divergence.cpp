@@ -163,10 +163,13 @@ struct Staging {
 /// Runs the law over batches of elements: strains from the motion, stress, state and void ratio into the trial state.
 class StressUpdate {
  public:
-  StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, bool want_tangent);
+  enum class Tangent { none, batch, all };
+  /// `tangent`: of which points to keep it; `all`: where.
+  StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, Tangent tangent,
+               const PointView& all = PointView());
   /// Elements [first, last); returns the number of failed points (law, or an inverted configuration).
   int run(int first, int last);
-  /// d stress / d strain of the last batch: (point of the batch, 36); empty unless wanted.
+  /// d stress / d strain of the last batch: (point of the batch, 36); empty unless that is wanted.
   const PointView& tangent() const { return tangent_; }
   const LoopLevel& level() const { return level_; }
   /// What failed first, material, place, stress and strain increment included; "" where nothing has.
@@ -182,7 +185,7 @@ class StressUpdate {
   const SoilBlock& block_;
   const StepView& view_;
   LoopLevel level_;
-  bool want_tangent_;
+  Tangent wanted_;
   LawInput input_;
   PointView tangent_;
   Kokkos::View<int*> failed_;
@@ -190,15 +193,16 @@ class StressUpdate {
   bool law_is_broken_ = false;
 };
 
-StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, bool want_tangent)
-    : soil_(soil), block_(block), view_(view), level_(end_level(view, block)), want_tangent_(want_tangent) {
+StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, Tangent tangent,
+                           const PointView& all)
+    : soil_(soil), block_(block), view_(view), level_(end_level(view, block)), wanted_(tangent) {
   const int rows = batch_size() * block.points;
   const int state_size = block.material->skeleton->state_size();
   input_.strain = PointView("strain", rows, 6);
   input_.stress_old = PointView("rotated stress", rows, 6);
   input_.void_ratio_old = PointView("void ratio", rows, 1);
   input_.state_old = PointView("rotated state", rows, state_size);
-  tangent_ = PointView("tangent", want_tangent ? rows : 0, 36);
+  tangent_ = wanted_ == Tangent::all ? all : PointView("tangent", wanted_ == Tangent::batch ? rows : 0, 36);
   failed_ = Kokkos::View<int*>("failed", rows);
   int column = 0;
   std::vector<int> tensors;
@@ -236,14 +240,14 @@ int StressUpdate::run(int first, int last) {
   w.points = count;
   w.time = view_.time_end;
   w.dt = view_.flow ? view_.dt : 0.0;
-  w.want_tangent = want_tangent_;
+  w.want_tangent = wanted_ != Tangent::none;
   w.stress_old = input_.stress_old;
   w.strain = input_.strain;
   w.void_ratio_old = input_.void_ratio_old;
   w.state_old = input_.state_old;
   w.stress = PointView(stress.data() + row * 6, count, 6);
   w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
-  w.tangent = tangent_;
+  w.tangent = wanted_ == Tangent::all ? PointView(tangent_.data() + row * 36, count, 36) : tangent_;
   w.failed = failed_;
   w.plane = true;  // in plane strain and in axial symmetry
   if (failures > 0 && failure_.empty())
@@ -283,23 +287,37 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
   const int batch = batch_size();
   int failures = 0;
   failure_.clear();
-  for (const SoilBlock& b : soil_->blocks) {
-    StressUpdate update(*soil_, b, view, false);
+  kept_ = false;
+  tangents_.resize(soil_->blocks.size());
+  for (std::size_t k = 0; k < soil_->blocks.size(); ++k) {
+    const SoilBlock& b = soil_->blocks[k];
+    PointView& all = tangents_[k];
+    const std::size_t points = static_cast<std::size_t>(b.elements) * b.points;
+    if (keeps_ && all.extent(0) != points) all = PointView("tangents", points, 36);
+    using Tangent = StressUpdate::Tangent;
+    StressUpdate update(*soil_, b, view, keeps_ ? Tangent::all : Tangent::none, all);
     for (int first = 0; first < b.elements; first += batch)
       failures += update.run(first, std::min(first + batch, b.elements));
     if (failure_.empty()) failure_ = update.failure();
     add_residual(soil_->geometry, b, update.level(), total_stress(b, view), f);
   }
+  kept_ = keeps_ && failures == 0;
   return failures;
 }
 
 void StressDivergence::jacobian(const StepView& view, Assembler& assembler, double weight) {
   const int batch = batch_size();
   std::string broken;
-  for (const SoilBlock& b : soil_->blocks) {
-    StressUpdate update(*soil_, b, view, true);
+  for (std::size_t k = 0; k < soil_->blocks.size(); ++k) {
+    const SoilBlock& b = soil_->blocks[k];
     TotalStress law = total_stress(b, view);
     const MatrixScatter to = assembler.scatter(b.group);
+    if (kept_) {
+      law.tangent = tangents_[k];
+      add_tangent(soil_->geometry, b, end_level(view, b), law, to, weight);
+      continue;
+    }
+    StressUpdate update(*soil_, b, view, StressUpdate::Tangent::batch);
     for (int first = 0; first < b.elements; first += batch) {
       const int last = std::min(first + batch, b.elements);
       update.run(first, last);
@@ -309,6 +327,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
       add_tangent(soil_->geometry, b, update.level(), law, to, weight, first, last);
     }
   }
+  kept_ = false;  // other matrices than the integrator's next one are evaluated anew
   if (!broken.empty()) throw std::runtime_error(broken);  // all element matrices are there: the ranks stay together
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "framework/term_faces.hpp"
 #include "physics/soil.hpp"
@@ -11,7 +13,7 @@ namespace mudline {
 /// update (Hughes-Winget rotation around the skeleton law) and writes effective stress, law state and void ratio of the
 /// trial state. Consistent tangent incl. geometric stiffness and the variation of the rotation (exact for isotropic
 /// laws).
-class StressDivergence : public Term, public History, public Carried, public Reports {
+class StressDivergence : public Term, public History, public Foresees, public Carried, public Reports {
  public:
   explicit StressDivergence(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
   std::string name() const override { return "stress divergence"; }
@@ -20,6 +22,8 @@ class StressDivergence : public Term, public History, public Carried, public Rep
   void sparsity(Assembler& assembler) override { soil_->sparsity(assembler); }
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  void foresee_jacobian(bool likely) override { keeps_ = likely; }
+  void forget_foreseen() override { kept_ = false; }
   void adopt(const State& evaluated, State& committed) override;
   /// The law's failure in the last evaluation.
   std::string hint(const StepView& view) const override;
@@ -27,6 +31,8 @@ class StressDivergence : public Term, public History, public Carried, public Rep
  private:
   std::shared_ptr<Soil> soil_;
   std::string failure_;  // of the last evaluation, on this rank
+  bool keeps_ = false, kept_ = false;
+  std::vector<PointView> tangents_;  // by block, of all points at the last evaluation, where they are kept
 };
 
 }  // namespace mudline

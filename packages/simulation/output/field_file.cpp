@@ -66,7 +66,7 @@ FieldFile::File::File(const Mesh& mesh, const std::string& path_stem)
       nodes(comm, field_layout::owned_ids(mesh), mesh.num_global_nodes()),
       elements(comm, field_layout::element_ids(mesh), mesh.num_global_elements()),
       index(path_stem, rank == 0) {
-  index.geometry = mesh.geometry() == Geometry::axisymmetric ? "axisymmetric" : "plane strain";
+  index.geometry = mudline::name(mesh.geometry());
   index.model.nodes = nodes.global_count();
   index.model.elements = elements.global_count();
 }

@@ -115,8 +115,8 @@ long long write_mesh(hid_t file, MPI_Comm comm, const Mesh& mesh, const IdOrder&
   std::vector<double> reference;
   const auto coordinates = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), mesh.coordinates());
   for (int n = 0; n < mesh.num_owned_nodes(); ++n)
-    for (int d = 0; d < 2; ++d) reference.push_back(coordinates(n, d));
-  write_rows(group, "coordinates", reference, 2, nodes);
+    for (int d = 0; d < mesh.dimension(); ++d) reference.push_back(coordinates(n, d));
+  write_rows(group, "coordinates", reference, mesh.dimension(), nodes);
   return total;
 }
 

@@ -1,9 +1,9 @@
-#include "geometry/contour_volume.hpp"
+#include "bodies/contour_volume.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/pi.hpp"
+#include "framework/coordinates.hpp"
 
 namespace mudline {
 
@@ -11,8 +11,7 @@ namespace {
 constexpr int runs_per_piece = 32;
 }  // namespace
 
-ContourVolume::ContourVolume(const Contour& contour, Geometry geometry)
-    : axisymmetric_(geometry == Geometry::axisymmetric) {
+ContourVolume::ContourVolume(const Contour& contour, Geometry geometry) : geometry_(geometry) {
   double left = 0, right = 0;
   for (const auto& piece : contour.pieces())
     for (int i = 0; i < runs_per_piece; ++i) {
@@ -23,7 +22,7 @@ ContourVolume::ContourVolume(const Contour& contour, Geometry geometry)
       right = std::max({right, first[0], last[0]});
     }
   const bool half = contour.extent() == ContourExtent::half;
-  frontal_area_ = axisymmetric_ ? pi * right * right : right - left;
+  frontal_area_ = flank(right) - flank(left);
   const PlanePoint first = contour.pieces().front()->point(0);
   const PlanePoint last = contour.pieces().back()->point(contour.pieces().back()->length());
   const double open = half ? std::abs(last[0]) : std::hypot(last[0] - first[0], last[1] - first[1]);
@@ -31,7 +30,10 @@ ContourVolume::ContourVolume(const Contour& contour, Geometry geometry)
   for (const Run& run : runs_) total_ += run.volume;
 }
 
-double ContourVolume::flank(double x) const { return axisymmetric_ ? pi * x * x : x; }
+double ContourVolume::flank(double x) const {
+  const double middle[2] = {0.5 * x, 0};  // the measure is linear
+  return x * measure(geometry_, middle);
+}
 
 double ContourVolume::integrate(const ContourPiece& piece, double from, double to) const {
   constexpr double at[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};

@@ -30,14 +30,14 @@ class ContourVolume {
     double from, to, low, high, volume;
     bool crosses(double h) const { return (low < h) != (high < h); }
   };
-  /// pi x^2 or x: the section's share of one flank.
+  /// pi x^2 or x, the measure summed from 0 to x: the section's share of one flank.
   double flank(double x) const;
   /// int flank dy between two arc lengths of a piece.
   double integrate(const ContourPiece& piece, double from, double to) const;
   /// Where a run crosses the height.
   static double crossing(const Run& run, double h);
   std::vector<Run> runs_;
-  bool axisymmetric_;
+  Geometry geometry_;
   double total_ = 0, frontal_area_ = 0;
 };
 
