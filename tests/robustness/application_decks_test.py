@@ -19,7 +19,7 @@ SHORT = {
     "free_fall_penetrometer/tresca": {"impact/duration": 8e-4},
     "pile/clay": {"push/duration": 0.01, "set-up/duration": 3.0, "load test/duration": 0.02, "pull-out/duration": 0.02},
     "pile/sand": {"push/duration": 0.004, "rest/duration": 0.004, "load test/duration": 0.02, "pull-out/duration": 0.02},
-    "t_bar/smooth": {"push/duration": 4.0},
+    "t_bar/smooth": {"push/duration": 8.0},
     "torpedo/clay": {"penetration/duration": 4e-3, "set-up/duration": 50.0, "pull-out/duration": 0.5},
     "torpedo/tresca": {"penetration/duration": 0.02},
 }

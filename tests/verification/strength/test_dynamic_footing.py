@@ -15,7 +15,7 @@ class PlasticFooting(StrengthCase):
         history = self.run_deck([self.deck("footing", "dynamic_footing_plastic"), newton], ("mesh/cells={20, 10}",))
         self.assertEqual(len(history.time), 100)
         self.assertLessEqual(history["step/newton iterations"].max(), 6)
-        self.assertGreater(history["step/newton iterations"].mean(), 2.5)  # it yields
+        self.assertGreater(history["step/newton iterations"].mean(), 2.2)  # it yields: 2 in elastic soil
         # more than the 23 mm of the elastic soil at the same load
         self.assert_between("settlement", -history["probe/centre/displacement y"][-1], 60e-3, 110e-3)
 
