@@ -258,7 +258,9 @@ int Stepper::evaluate_terms() {
   return failures;
 }
 
-bool Stepper::residual(const Vector& x, Vector& f) {
+bool Stepper::residual(const Vector& x, Vector& f) { return evaluate(x, chord_.expects_renewal(solver_.exact()), f); }
+
+bool Stepper::evaluate(const Vector& x, bool renews, Vector& f) {
   const Stopwatch watch(times_.residual);
   if (stands_at(x)) {  // the first guess was tried, and Newton's method starts there
     Tpetra::deep_copy(f, balance_);
@@ -266,7 +268,6 @@ bool Stepper::residual(const Vector& x, Vector& f) {
   }
   stands_ = false;
   levels(x);
-  const bool renews = chord_.expects_renewal(solver_.exact());
   for (Foresees* term : foresees_) term->foresee_jacobian(renews);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
   for (Foresees* term : foresees_) term->foresee_jacobian(false);
@@ -453,7 +454,7 @@ bool Stepper::predict_linear(Vector& x, bool always) {
   constexpr double fraction = 1e-3;
   Vector f(map()), shifted(map()), part(old, Teuchos::Copy), correction(map());
   part.update(fraction, moved, 1);
-  if (moves && !residual(part, shifted)) return false;
+  if (moves && !evaluate(part, false, shifted)) return false;
   if (!residual(old, f) || !rests()) return false;
   chord_.forget();  // its rate of convergence is not known here
   if (!jacobian(old)) return false;
@@ -474,7 +475,7 @@ bool Stepper::extrapolate(Vector& x) {
   change.update(-1, x, 1);
   if (change.norm2() == 0) return false;
   // What stops, or presses against something stiff, is further from the solution after a step at its old rate.
-  const bool here = residual(x, f);
+  const bool here = evaluate(x, false, f);
   const std::vector<double> norms = owned_field_norms(*space_.dofs(), f), reference = reference_;
   if (!residual(guess, f)) return false;
   const std::vector<double> moved_norms = owned_field_norms(*space_.dofs(), f);

@@ -143,6 +143,8 @@ class Stepper : public NonlinearProblem {
   void add_rate_matrices();
   /// Prescribes the fields whose rate matrix has a row of zeros: it cannot be solved for. Whether there are any.
   bool hold_fields_without_rates();
+  /// residual(); `renews`: whether a Jacobian at x is likely to be asked for next.
+  bool evaluate(const Vector& x, bool renews, Vector& f);
   int evaluate_terms();
   /// Term::residual into `force`, behind `to`; one that throws, or gives what is not finite, counts as failed.
   int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
