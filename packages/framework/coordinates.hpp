@@ -2,6 +2,8 @@
 
 #include <Kokkos_Core.hpp>
 
+#include <stdexcept>
+
 #include "core/pi.hpp"
 #include "discretisation/mesh.hpp"
 
@@ -38,9 +40,10 @@ struct Space3 {
   }
 };
 
-/// Calls f(coordinate system) of a mesh.
+/// Calls f(coordinate system) of a mesh of the plane; kernels are not compiled for space yet.
 template <class F>
 auto with_coordinates(Geometry geometry, F&& f) {
+  if (geometry == Geometry::space) throw std::logic_error("no kernel is compiled for three dimensions");
   return geometry == Geometry::axisymmetric ? f(Axisymmetric{}) : f(PlaneStrain{});
 }
 

@@ -7,6 +7,7 @@
 #include "discretisation/cell_map.hpp"
 #include "framework/element_shapes.hpp"
 #include "framework/point_fields.hpp"
+#include "framework/tangent_kernel.hpp"
 #include "framework/term.hpp"
 #include "tensor/dual.hpp"
 #include "tensor/midpoint_rule.hpp"
@@ -525,17 +526,6 @@ struct ElementResidual {
 };
 template <class Loop, class Law>
 ElementResidual(Loop, Law, ResidualView) -> ElementResidual<Loop, Law>;
-/// Adds its matrix.
-template <class Loop, class Law>
-struct ElementTangent {
-  Loop loop;
-  Law law;
-  MatrixScatter to;
-  double weight;
-  KOKKOS_INLINE_FUNCTION void operator()(int e) const { loop.tangent(e, law, to, weight); }
-};
-template <class Loop, class Law>
-ElementTangent(Loop, Law, MatrixScatter, double) -> ElementTangent<Loop, Law>;
 
 /// Calls f(loop) with the element loop that a law needs on a block.
 template <class Law, class F>
@@ -566,7 +556,7 @@ template <class Law>
 void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
                  const MatrixScatter& to, double weight, int first, int last) {
   with_loop<Law>(geometry, block, level, [&](const auto& loop) {
-    Kokkos::parallel_for("tangent", Kokkos::RangePolicy<>(first, last), ElementTangent{loop, law, to, weight});
+    Kokkos::parallel_for("tangent", Kokkos::RangePolicy<>(first, last), TangentKernel{loop, law, to, weight});
   });
 }
 template <class Law>

@@ -7,6 +7,7 @@
 #include "discretisation/side_map.hpp"
 #include "framework/coordinates.hpp"
 #include "framework/side_block.hpp"
+#include "framework/tangent_kernel.hpp"
 #include "framework/term.hpp"
 
 namespace mudline {
@@ -170,17 +171,6 @@ struct SideResidual {
 };
 template <class Loop, class Law>
 SideResidual(Loop, Law, ResidualView) -> SideResidual<Loop, Law>;
-/// Adds its matrix.
-template <class Loop, class Law>
-struct SideTangent {
-  Loop loop;
-  Law law;
-  MatrixScatter to;
-  double weight;
-  KOKKOS_INLINE_FUNCTION void operator()(int s) const { loop.tangent(s, law, to, weight); }
-};
-template <class Loop, class Law>
-SideTangent(Loop, Law, MatrixScatter, double) -> SideTangent<Loop, Law>;
 
 /// Calls f(loop) with the loop that fits a block's sides.
 template <class F>
@@ -210,7 +200,7 @@ template <class Law>
 void add_side_tangent(Geometry geometry, const SideBlock& block, const SideLevel& level, const Law& law,
                       const MatrixScatter& to, double weight) {
   with_side_loop(geometry, block, level, [&](const auto& loop) {
-    Kokkos::parallel_for("side tangent", Kokkos::RangePolicy<>(0, block.sides), SideTangent{loop, law, to, weight});
+    Kokkos::parallel_for("side tangent", Kokkos::RangePolicy<>(0, block.sides), TangentKernel{loop, law, to, weight});
   });
 }
 
