@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bodies/rigid_body.hpp"
-#include "contact/body/contact_rule.hpp"
+#include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
 
 namespace mudline {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/body/contact_rule.hpp"
+#include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
 
 namespace mudline {

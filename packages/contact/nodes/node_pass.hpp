@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "contact/body/contact_rule.hpp"
 #include "contact/contact_laws.hpp"
+#include "contact/contact_rule.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/nodes/node_parameters.hpp"
 #include "contact/nodes/smooth_surface.hpp"

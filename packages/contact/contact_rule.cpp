@@ -1,4 +1,4 @@
-#include "contact/body/contact_rule.hpp"
+#include "contact/contact_rule.hpp"
 
 #include <algorithm>
 #include <cmath>
