@@ -34,6 +34,12 @@ std::string number_text(double value) {
   return std::string(buffer, result.ptr);
 }
 
+std::string tuple_text(const double* numbers, std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "(" : ", ") + number_text(numbers[i]);
+  return text + ")";
+}
+
 std::optional<double> parse_number(const std::string& text) { return parse<double>(text); }
 
 std::optional<int> parse_integer(const std::string& text) { return parse<int>(text); }

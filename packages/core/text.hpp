@@ -11,6 +11,8 @@ std::string trim(const std::string& text);
 
 /// The shortest text that reads back as the same number: "0.1", "1e-06".
 std::string number_text(double value);
+/// "(0.1, -2)": so many numbers, each as number_text() has it.
+std::string tuple_text(const double* numbers, std::size_t count);
 
 /// The whole of `text` as a number; it may be inf or nan, so that the caller can say so. Independent of the locale.
 std::optional<double> parse_number(const std::string& text);

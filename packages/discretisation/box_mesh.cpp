@@ -11,8 +11,6 @@ namespace mudline {
 
 namespace {
 
-constexpr const char* axes[] = {"x", "y", "z"};
-
 /// A number in [0, 1) that depends on `key` only (splitmix64), the same everywhere.
 double scatter(std::uint64_t key) {
   key += 0x9e3779b97f4a7c15u;
@@ -54,12 +52,6 @@ void BoxMesh::parameters(Parameters& p) {
   if (!cell_given_) cell_ = CellShape::hex27;
 }
 
-std::string BoxMesh::text(const std::vector<double>& numbers) const {
-  std::vector<std::string> words;
-  for (const double number : numbers) words.push_back(number_text(number));
-  return "(" + join(words) + ")";
-}
-
 void BoxMesh::check(const Section& section) {
   if (mudline::dimension(cell_) != dimension_) {
     std::vector<std::string> allowed;
@@ -94,7 +86,9 @@ void BoxMesh::check_numbers(const Section& section) {
     count_[d] = static_cast<int>(cells_[d]);
     all *= cells_[d];
     if (!(upper_[d] > lower_[d]))
-      section.fail("must lie above and right of 'lower' " + text(lower_) + ", given " + text(upper_), "upper");
+      section.fail("must lie above and right of 'lower' " + tuple_text(lower_.data(), lower_.size()) + ", given " +
+                       tuple_text(upper_.data(), upper_.size()),
+                   "upper");
     if (!(grading_[d] > 0)) section.fail("must be positive, given " + number_text(grading_[d]), "grading");
   }
   const double most_cells = dimension_ == 2 ? 2e7 : 5e6;  // some 4 GB on the first rank
@@ -184,7 +178,7 @@ void BoxMesh::place_middles(GlobalMesh& mesh) const {
     for (std::size_t first = 0; first < block.nodes.size(); first += n) {
       const long long* nodes = block.nodes.data() + first;
       for (int a = num_corners(cell_); a < n; ++a) {
-        Place sum{};
+        Point sum{};
         for (const int c : around_[a])
           for (int d = 0; d < dimension_; ++d) sum[d] += mesh.coordinates[nodes[c]][d];
         for (double& value : sum) value /= static_cast<double>(around_[a].size());
@@ -196,7 +190,7 @@ void BoxMesh::place_middles(GlobalMesh& mesh) const {
 std::vector<int> BoxMesh::blocks_of_rows(const std::vector<double>& heights, GlobalMesh& mesh) const {
   const std::vector<std::string> regions = layer_regions_.empty() ? std::vector<std::string>{region_} : layer_regions_;
   const int vertical = dimension_ - 1;
-  const std::string axis = axes[vertical];
+  const std::string axis = dimension_ == 2 ? "y" : "z";
   std::vector<int> first_row{0};
   for (double top : layer_tops_) {
     const auto nearest = std::min_element(heights.begin(), heights.end(),

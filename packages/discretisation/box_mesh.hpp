@@ -25,8 +25,6 @@ class BoxMesh : public MeshSource {
 
   void check_numbers(const Section& section);
   void check_layers(const Section& section) const;
-  /// "(1, 2)": the numbers of one place.
-  std::string text(const std::vector<double>& numbers) const;
 
   /// Vertex positions along one direction.
   std::vector<double> lines(int direction) const;

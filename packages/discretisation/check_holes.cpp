@@ -1,10 +1,10 @@
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
 
 #include "core/errors.hpp"
 #include "core/pi.hpp"
+#include "discretisation/disjoint_sets.hpp"
 #include "discretisation/seam_sides.hpp"
 #include "tensor/small_matrix.hpp"
 
@@ -13,7 +13,7 @@ namespace mudline {
 namespace {
 
 void refuse(const Bounds& all, int dimension) {
-  Place middle;
+  Point middle;
   for (int i = 0; i < 3; ++i) middle[i] = 0.5 * (all.low[i] + all.high[i]);
   const std::string edge = dimension == 2 ? "edge is" : "faces are";
   throw InputError("the mesh has a hole around " + place_text(middle, dimension) + " whose " + edge +
@@ -40,8 +40,8 @@ class Loops {
 std::size_t Loops::next_of(std::size_t s) const {
   const std::vector<std::size_t>& ways = from_.at(sides_[s].at.nodes[1]);
   if (ways.size() == 1) return ways[0];
-  const auto angle = [&](const Place& from, const Place& to) { return std::atan2(to[1] - from[1], to[0] - from[0]); };
-  const std::vector<Place>& here = sides_[s].points;
+  const auto angle = [&](const Point& from, const Point& to) { return std::atan2(to[1] - from[1], to[0] - from[0]); };
+  const std::vector<Point>& here = sides_[s].points;
   const double back = angle(here.back(), here[here.size() - 2]);
   std::size_t best = ways[0];
   double least = std::numeric_limits<double>::max();
@@ -64,7 +64,7 @@ void Loops::check() const {
     for (std::size_t s = first; !seen[s]; s = next_of(s)) {
       seen[s] = 1;
       named = named || !sides_[s].sets.empty();
-      const std::vector<Place>& x = sides_[s].points;
+      const std::vector<Point>& x = sides_[s].points;
       for (std::size_t k = 0; k + 1 < x.size(); ++k) {
         area += 0.5 * (x[k][0] * x[k + 1][1] - x[k + 1][0] * x[k][1]);
         all.enclose(x[k]);
@@ -88,7 +88,6 @@ class Surfaces {
   };
   template <class F>
   void for_each_edge(F&& f) const;
-  int find(int face);
 
   const std::vector<SeamSide>& sides_;
   std::vector<int> leader_;
@@ -104,31 +103,23 @@ void Surfaces::for_each_edge(F&& f) const {
     }
 }
 
-int Surfaces::find(int face) {
-  while (leader_[face] != face) face = leader_[face] = leader_[leader_[face]];
-  return face;
-}
-
-Surfaces::Surfaces(const std::vector<SeamSide>& sides) : sides_(sides), leader_(sides.size()) {
-  std::iota(leader_.begin(), leader_.end(), 0);
+Surfaces::Surfaces(const std::vector<SeamSide>& sides) : sides_(sides) {
+  DisjointSets joined(sides.size());
   std::unordered_map<SideKey, std::vector<int>, SideKeyHash> faces;  // at an edge
   for_each_edge([&](int face, const long long* ends) { faces[sorted_key(ends, 2)].push_back(face); });
-  for (const auto& [edge, at] : faces) {
-    if (at.size() != 2) continue;
-    const int one = find(at[0]), other = find(at[1]);
-    leader_[std::max(one, other)] = std::min(one, other);
-  }
-  for (std::size_t s = 0; s < leader_.size(); ++s) leader_[s] = find(static_cast<int>(s));
+  for (const auto& [edge, at] : faces)
+    if (at.size() == 2) joined.join(at[0], at[1]);
+  leader_ = joined.leaders();
 }
 
 void Surfaces::check() const {
   std::map<int, Surface> surfaces;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
-    const std::vector<Place>& x = sides_[s].points;
+    const std::vector<Point>& x = sides_[s].points;
     Surface& surface = surfaces[leader_[s]];
-    const Place& origin = sides_[leader_[s]].points[0];
+    const Point& origin = sides_[leader_[s]].points[0];
     surface.named = surface.named || !sides_[s].sets.empty();
-    for (const Place& point : x) surface.all.enclose(point);
+    for (const Point& point : x) surface.all.enclose(point);
     for (const auto& piece : sides_[s].pieces) {
       double v[3][3];
       for (int k = 0; k < 3; ++k)

@@ -15,11 +15,8 @@ namespace mudline {
 namespace {
 
 std::string centre(const GlobalMesh& mesh, const long long* nodes, CellShape shape) {
-  Place middle{};
-  const int n = num_corners(shape);
-  for (int c = 0; c < n; ++c)
-    for (int i = 0; i < 3; ++i) middle[i] += mesh.coordinates[nodes[c]][i] / n;
-  return place_text(middle, dimension(shape));
+  const ElementMap map(linear_partner(shape), [&](int c) { return mesh.coordinates[nodes[c]]; });
+  return place_text(map.mean_of_corners(), dimension(shape));
 }
 
 /// Calls f(block, nodes of the element).

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-double distance(const Place& a, const Place& b) {
+double distance(const Point& a, const Point& b) {
   return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
 }
 
@@ -25,7 +25,7 @@ class Seams {
   void check_voids() const { check_holes(mesh_, sides_); }
 
  private:
-  const Place& corner(const SeamSide& s, int c) const { return mesh_.coordinates[s.at.nodes[c]]; }
+  const Point& corner(const SeamSide& s, int c) const { return mesh_.coordinates[s.at.nodes[c]]; }
   Bounds box(const SeamSide& side) const;
   /// The corners of one side that are nodes of another.
   std::vector<int> common(const SeamSide& a, const SeamSide& b) const;
@@ -34,8 +34,8 @@ class Seams {
   bool may_touch(const std::set<std::string>& a, const std::set<std::string>& b) const;
   bool meant(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks);
   [[noreturn]] void refuse(const SeamSide& smaller, const SeamSide& larger) const;
-  void look_into(const SeamSide& side, const Place& x, int e);
-  std::string text(const Place& x) const { return place_text(x, mesh_.dimension()); }
+  void look_into(const SeamSide& side, const Point& x, int e);
+  std::string text(const Point& x) const { return place_text(x, mesh_.dimension()); }
   /// "side from (0, 0) to (1, 0)", in space "face at (0, 0, 0)".
   std::string name_of(const SeamSide& side) const;
 
@@ -54,7 +54,7 @@ Seams::Seams(const GlobalMesh& mesh) : mesh_(mesh), sides_(seam_sides(mesh)) {
 
 Bounds Seams::box(const SeamSide& side) const {
   Bounds result = Bounds::nothing();
-  for (const Place& x : side.points) result.enclose(x);
+  for (const Point& x : side.points) result.enclose(x);
   for (int i = 0; i < 3; ++i) {
     result.low[i] -= seam_closeness * side.size;
     result.high[i] += seam_closeness * side.size;
@@ -82,7 +82,7 @@ bool Seams::lies_along(const SeamSide& smaller, const SeamSide& larger) const {
   const std::vector<int> joined = smaller.corners > 2 ? common(smaller, larger) : std::vector<int>{};
   int close = 0;
   for (const auto& sample : side_samples(side_shape(map.shape()), false)) {
-    const Place x = map.at(on_side(map.shape(), place.side, sample).data());
+    const Point x = map.at(on_side(map.shape(), place.side, sample).data());
     // beside a common edge of two faces that open like a book nothing can be told
     if (joined.size() == 2 &&
         distance_to_piece(x, corner(smaller, joined[0]), corner(smaller, joined[1])) < 0.2 * smaller.size)
@@ -199,14 +199,14 @@ void Seams::check_overlap() {
       std::array<double, 3> xi = on_side(shape, side.at.place.side, sample);
       for (int i = 0; i < dimension(shape); ++i)
         xi[i] += seam_closeness * (middle[i] - xi[i]) * (is_simplex(shape) ? num_corners(shape) : 2);
-      const Place x = map.at(xi.data());
+      const Point x = map.at(xi.data());
       grid.near({x, x}, [&](int e) { look_into(side, x, e); });
     }
   }
 }
 
 /// Refuses a point just inside of a side that lies in element number e, too.
-void Seams::look_into(const SeamSide& side, const Place& x, int e) {
+void Seams::look_into(const SeamSide& side, const Point& x, int e) {
   const std::pair<int, long long> own{side.at.place.block, side.at.place.element};
   if (elements_[e] == own) return;
   double there[3];

@@ -156,7 +156,7 @@ void Cutter::describe_whole() {
   whole_.num_global_nodes = static_cast<long long>(mesh_.coordinates.size());
   whole_.num_global_elements = offsets_.back();
   whole_.bounds = Bounds::nothing();
-  for (const Place& point : mesh_.coordinates) whole_.bounds.enclose(point);
+  for (const Point& point : mesh_.coordinates) whole_.bounds.enclose(point);
   for (const auto& block : mesh_.blocks) {
     const auto [region, added] = whole_.region_bounds.emplace(block.region, Bounds::nothing());
     if (added) whole_.regions.push_back(block.region);
@@ -178,7 +178,7 @@ void Cutter::number_nodes(int rank, MeshPart& part) {
                                             [&](long long node) { return owners_[node] == rank; });
   part.num_owned_nodes = static_cast<int>(ghosts - part.node_ids.begin());
   for (std::size_t i = 0; i < part.node_ids.size(); ++i) {
-    const Place& point = mesh_.coordinates[part.node_ids[i]];
+    const Point& point = mesh_.coordinates[part.node_ids[i]];
     part.coordinates.insert(part.coordinates.end(), point.begin(), point.begin() + mesh_.dimension());
     part.is_vertex.push_back(is_vertex_[part.node_ids[i]]);
     local_[part.node_ids[i]] = static_cast<int>(i);

@@ -125,6 +125,14 @@ CellMap<Dim> ElementMap::map(const double* xi, std::array<double, 3>& x) const {
   return result;
 }
 
+std::array<double, 3> ElementMap::mean_of_corners() const {
+  std::array<double, 3> mean{};
+  const int corners = num_corners(shape_);
+  for (int c = 0; c < corners; ++c)
+    for (int i = 0; i < dimension_; ++i) mean[i] += x_[c][i] / corners;
+  return mean;
+}
+
 std::array<double, 3> ElementMap::at(const double* xi) const {
   std::array<double, 3> x;
   dimension_ == 2 ? void(map<2>(xi, x)) : void(map<3>(xi, x));

@@ -20,6 +20,8 @@ class ElementMap {
   CellShape shape() const { return shape_; }
   /// (dimension) [m]
   const double* node(int a) const { return x_[a]; }
+  /// [m]; in the plane its third coordinate is 0.
+  std::array<double, 3> mean_of_corners() const;
   /// The place that reference coordinates stand for; in the plane its third coordinate is 0.
   std::array<double, 3> at(const double* xi) const;
   /// Determinant of the map's gradient [m^dimension].

@@ -35,8 +35,8 @@ GlobalMesh ExtrudedMesh::generate() const {
   sweep.layers = layers_;
   sweep.turned = along_ == Along::y;
   sweep.fixed.assign(plane.coordinates.size(), 0);
-  sweep.place = [&](const Place& x, double layers) {
-    return along_ == Along::z ? Place{x[0], x[1], distance(layers)} : Place{x[0], distance(layers), x[1]};
+  sweep.place = [&](const Point& x, double layers) {
+    return along_ == Along::z ? Point{x[0], x[1], distance(layers)} : Point{x[0], distance(layers), x[1]};
   };
   return plane_.at_section([&] { return swept(plane, sweep); });
 }

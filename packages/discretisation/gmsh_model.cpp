@@ -137,14 +137,13 @@ class Reader {
   void read_sides();
   void index_sides();
   void read_points(int dimension);
-  const Place& point(Tag tag) const { return points_.at(tag); }
-  Place centre(const TaggedBlock& block, std::size_t first) const;
+  const Point& point(Tag tag) const { return points_.at(tag); }
   GlobalMesh::Side side_of(const Tag* corners, int count, const std::string& set) const;
-  std::string text(const Place& place) const;
+  std::string text(const Point& place) const { return tuple_text(place.data(), dimension_); }
   bool plane() const { return dimension_ == 2; }
 
   int order_, dimension_;
-  std::unordered_map<Tag, Place> points_;
+  std::unordered_map<Tag, Point> points_;
   std::vector<TaggedBlock> blocks_;
   std::unordered_map<Tag, long long> numbers_;
   std::unordered_map<SideKey, GlobalMesh::Side, SideKeyHash> sides_;  // by directed keys
@@ -175,8 +174,7 @@ void Reader::read_nodes() {
     points_[tags[i]] = {x[0], x[1], plane() ? 0 : x[2]};
     const double size = std::max(std::abs(x[0]), std::abs(x[1]));
     if (plane() && std::abs(x[2]) > 1e-9 * size)
-      throw InputError("the mesh is not in the x-y plane: it has a node at (" + number_text(x[0]) + ", " +
-                       number_text(x[1]) + ", " + number_text(x[2]) + ")");
+      throw InputError("the mesh is not in the x-y plane: it has a node at " + tuple_text(&x[0], 3));
   }
 }
 
@@ -219,14 +217,6 @@ void Reader::read_entity(int entity, const std::string& region) {
   }
 }
 
-Place Reader::centre(const TaggedBlock& block, std::size_t first) const {
-  Place sum{};
-  const int n = num_corners(block.shape);
-  for (int c = 0; c < n; ++c)
-    for (int d = 0; d < dimension_; ++d) sum[d] += point(block.nodes[first + c])[d] / n;
-  return sum;
-}
-
 /// A surface of Gmsh may face down; its elements then run clockwise. Volumes swept backwards have negative elements.
 void Reader::turn_over(TaggedBlock& block) const {
   const int n = num_nodes(block.shape);
@@ -243,11 +233,12 @@ void Reader::turn_over(TaggedBlock& block) const {
 
 void Reader::sort_along_curve(TaggedBlock& block) const {
   const int n = num_nodes(block.shape);
+  const CellShape straight = linear_partner(block.shape);
   const std::size_t elements = block.nodes.size() / n;
   Bounds bounds = Bounds::nothing();
-  std::vector<Place> centres;
+  std::vector<Point> centres;
   for (std::size_t e = 0; e < elements; ++e) {
-    centres.push_back(centre(block, e * n));
+    centres.push_back(ElementMap(straight, [&](int c) { return point(block.nodes[e * n + c]); }).mean_of_corners());
     bounds.enclose(centres.back());
   }
   const double extent = std::max(bounds.extent(), std::numeric_limits<double>::min());
@@ -281,12 +272,6 @@ void Reader::index_sides() {
     const int corners = num_corners(side_shape(mesh_.blocks[place.block].shape));
     sides_.emplace(directed_key(nodes.data(), corners), place);
   });
-}
-
-std::string Reader::text(const Place& place) const {
-  std::vector<std::string> numbers;
-  for (int d = 0; d < dimension_; ++d) numbers.push_back(number_text(place[d]));
-  return "(" + join(numbers) + ")";
 }
 
 GlobalMesh::Side Reader::side_of(const Tag* corners, int count, const std::string& set) const {

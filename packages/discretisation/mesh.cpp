@@ -46,7 +46,7 @@ Bounds Bounds::nothing() {
   return {{huge, huge, huge}, {-huge, -huge, -huge}};
 }
 
-void Bounds::enclose(const Place& place) {
+void Bounds::enclose(const Point& place) {
   for (int i = 0; i < 3; ++i) {
     low[i] = std::min(low[i], place[i]);
     high[i] = std::max(high[i], place[i]);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/function.hpp"
 #include "core/registry.hpp"
 #include "discretisation/shapes.hpp"
 
@@ -22,15 +23,12 @@ const char* name(Geometry geometry);
 /// Of the mesh: 2 or 3.
 int dimension(Geometry geometry);
 
-/// A place [m]; in the plane the third number is 0.
-using Place = std::array<double, 3>;
-
 /// Lowest and highest coordinates [m]; in the plane the third ones are 0.
 struct Bounds {
-  Place low{}, high{};
+  Point low{}, high{};
   /// Of no place at all, to be widened by places.
   static Bounds nothing();
-  void enclose(const Place& place);
+  void enclose(const Point& place);
   /// The largest of its lengths [m].
   double extent() const;
 };
@@ -50,7 +48,7 @@ struct GlobalMesh {
     long long element;  // in its block
     int side;
   };
-  std::vector<Place> coordinates;
+  std::vector<Point> coordinates;
   std::vector<Block> blocks;
   std::map<std::string, std::vector<Side>> side_sets;
   std::map<std::string, std::vector<long long>> node_sets;  // nodes of zero-dimensional groups

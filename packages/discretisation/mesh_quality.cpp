@@ -18,10 +18,7 @@ MeshQuality mesh_quality(const Mesh& mesh, const Kokkos::View<const double**, Ko
       local[1] += quality <= 0;
       if (quality >= result.lowest) continue;
       result.lowest = quality;
-      result.place = {};
-      const int corners = num_corners(block.shape);
-      for (int c = 0; c < corners; ++c)
-        for (int i = 0; i < mesh.dimension(); ++i) result.place[i] += map.node(c)[i] / corners;
+      result.place = map.mean_of_corners();
     }
   const auto& comm = *mesh.comm();
   const double own = result.lowest;

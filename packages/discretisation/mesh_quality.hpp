@@ -11,7 +11,7 @@ namespace mudline {
 /// How well the elements of a mesh are shaped.
 struct MeshQuality {
   double lowest = 1;               // smallest scaled Jacobian, see ElementMap [-]
-  Place place{};                   // centre of the element that has it
+  Point place{};                   // centre of the element that has it
   long long poor = 0, folded = 0;  // elements below `doubtful`, and not above 0
   static constexpr double doubtful = 0.1;
 };

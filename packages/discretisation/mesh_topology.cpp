@@ -7,6 +7,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "discretisation/disjoint_sets.hpp"
 #include "discretisation/side_table.hpp"
 
 namespace mudline {
@@ -23,26 +24,17 @@ std::vector<T> reduced(const Mesh& mesh, Teuchos::EReductionType how, const std:
 
 /// The lowest node of the whole mesh that each node hangs together with.
 std::vector<int> leaders(const Mesh& mesh) {
-  std::vector<int> leader(mesh.num_global_nodes());
-  std::iota(leader.begin(), leader.end(), 0);
-  const auto find = [&](int node) {
-    while (leader[node] != node) node = leader[node] = leader[leader[node]];
-    return node;
-  };
-  const auto join = [&](long long a, long long b) {
-    const int one = find(static_cast<int>(a)), other = find(static_cast<int>(b));
-    leader[std::max(one, other)] = std::min(one, other);
-  };
+  DisjointSets sets(mesh.num_global_nodes());
   for (const ElementBlock& block : mesh.blocks())
     for (int e = 0; e < block.num_elements; ++e)
       for (int a = 1; a < num_nodes(block.shape); ++a)
-        join(mesh.node_ids()[block.nodes(e, 0)], mesh.node_ids()[block.nodes(e, a)]);
+        sets.join(static_cast<int>(mesh.node_ids()[block.nodes(e, 0)]),
+                  static_cast<int>(mesh.node_ids()[block.nodes(e, a)]));
   for (;;) {  // what one rank knows is told to the others until nothing changes
-    for (std::size_t node = 0; node < leader.size(); ++node) leader[node] = find(static_cast<int>(node));
-    const std::vector<int> own = leader, lowest = reduced(mesh, Teuchos::REDUCE_MIN, leader);
-    std::vector<int> changed{own != lowest};
-    for (std::size_t node = 0; node < own.size(); ++node) join(own[node], lowest[node]);
-    if (reduced(mesh, Teuchos::REDUCE_MAX, changed)[0] == 0) return leader;
+    const std::vector<int> own = sets.leaders(), lowest = reduced(mesh, Teuchos::REDUCE_MIN, own);
+    const std::vector<int> changed{own != lowest};
+    for (std::size_t node = 0; node < own.size(); ++node) sets.join(own[node], lowest[node]);
+    if (reduced(mesh, Teuchos::REDUCE_MAX, changed)[0] == 0) return own;
   }
 }
 
@@ -202,17 +194,17 @@ void require_boundary(const Mesh& mesh, const Section& section, const std::strin
           entry);
 }
 
-Place middle_of(const GlobalMesh& mesh, const ElementSide& side) {
+Point middle_of(const GlobalMesh& mesh, const ElementSide& side) {
   const CellShape shape = side_shape(mesh.blocks[side.place.block].shape);
   double N[9], dN[18];
   evaluate_shape(shape, cell_centre(shape).data(), N, dN);
-  Place middle{};
+  Point middle{};
   for (std::size_t a = 0; a < side.nodes.size(); ++a)
     for (int i = 0; i < 3; ++i) middle[i] += N[a] * mesh.coordinates[side.nodes[a]][i];
   return middle;
 }
 
-std::string place_text(const Place& point, int dimension) {
+std::string place_text(const Point& point, int dimension) {
   char text[120];
   if (dimension == 2)
     std::snprintf(text, sizeof text, "(%.6g, %.6g)", point[0], point[1]);

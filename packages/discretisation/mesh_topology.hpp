@@ -53,9 +53,9 @@ std::size_t count_over_elements(const GlobalMesh& mesh, int (*per_element)(CellS
 std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh);
 
 ElementMap element_map(const GlobalMesh& mesh, int block, long long element);
-Place middle_of(const GlobalMesh& mesh, const ElementSide& side);
+Point middle_of(const GlobalMesh& mesh, const ElementSide& side);
 /// "(0.1, -2)", in space with three numbers.
-std::string place_text(const Place& point, int dimension);
+std::string place_text(const Point& point, int dimension);
 
 /// Throws InputError where elements of a whole mesh lie on each other or beside each other without being joined:
 /// hanging nodes, twin nodes, meshes that do not match or lie over one another, holes that no set names. Surfaces that
@@ -68,7 +68,7 @@ void check_seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks)
 
 /// The parts of a distributed mesh, each of which hangs together by common nodes.
 struct MeshParts {
-  std::vector<Place> places;                       // a node of each
+  std::vector<Point> places;                       // a node of each
   std::map<std::string, std::vector<int>> of_set;  // the parts that have a node in a set
 };
 /// Collective.

@@ -28,19 +28,19 @@ void RevolvedMesh::check(const Section& section) {
 GlobalMesh RevolvedMesh::generate() const {
   GlobalMesh plane = plane_.generate(Geometry::axisymmetric);
   double largest = 0;
-  for (const Place& x : plane.coordinates) largest = std::max(largest, x[0]);
+  for (const Point& x : plane.coordinates) largest = std::max(largest, x[0]);
   Sweep sweep;
   sweep.layers = layers_;
   sweep.closed = angle_ == 360;
   sweep.turned = true;
-  for (Place& x : plane.coordinates) {
+  for (Point& x : plane.coordinates) {
     sweep.fixed.push_back(x[0] <= 1e-9 * largest);
     if (sweep.fixed.back()) x[0] = 0;
   }
   const double step = angle_ / 180 * pi / layers_;
-  sweep.place = [&](const Place& x, double layers) {
+  sweep.place = [&](const Point& x, double layers) {
     const double turn = layers * step;
-    return Place{x[0] * std::cos(turn), x[0] * std::sin(turn), x[1]};
+    return Point{x[0] * std::cos(turn), x[0] * std::sin(turn), x[1]};
   };
   return plane_.at_section([&] { return swept(plane, sweep); });
 }

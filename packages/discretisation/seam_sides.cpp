@@ -7,11 +7,11 @@ namespace mudline {
 
 namespace {
 
-Place difference(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Place cross(const Place& a, const Place& b) {
+Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -54,11 +54,11 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
   const auto corner = [&](int c) { return mesh.coordinates[side.at.nodes[c % side.corners]]; };
   side.edge = std::numeric_limits<double>::max();
   for (int c = 0; c < (side.corners == 2 ? 1 : side.corners); ++c) {
-    const Place way = difference(corner(c + 1), corner(c));
+    const Point way = difference(corner(c + 1), corner(c));
     side.edge = std::min(side.edge, std::sqrt(dot(way, way)));
   }
   if (side.corners == 2) {
-    const Place way = difference(corner(1), corner(0));
+    const Point way = difference(corner(1), corner(0));
     side.normal = {way[1], -way[0], 0};
   } else {
     const int last = side.corners == 3 ? 0 : 1;  // of a quadrilateral: half the product of its diagonals
@@ -75,8 +75,8 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
 }
 
 /// Distance of a point from a triangle (Ericson 2005, 5.1.5).
-double distance_to_triangle(const Place& p, const Place& a, const Place& b, const Place& c) {
-  const Place ab = difference(b, a), ac = difference(c, a), n = cross(ab, ac), ap = difference(p, a);
+double distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Point ab = difference(b, a), ac = difference(c, a), n = cross(ab, ac), ap = difference(p, a);
   const double square = dot(n, n);
   if (square > 0) {
     const double v = dot(cross(ap, ac), n) / square, w = dot(cross(ab, ap), n) / square;
@@ -125,15 +125,15 @@ std::vector<std::array<double, 2>> side_samples(CellShape side, bool few) {
   return samples;
 }
 
-double distance_to_piece(const Place& point, const Place& a, const Place& b) {
-  const Place way = difference(b, a), off = difference(point, a);
+double distance_to_piece(const Point& point, const Point& a, const Point& b) {
+  const Point way = difference(b, a), off = difference(point, a);
   const double square = dot(way, way);
   const double t = square > 0 ? std::min(std::max(dot(off, way) / square, 0.0), 1.0) : 0.0;
-  const Place rest{off[0] - t * way[0], off[1] - t * way[1], off[2] - t * way[2]};
+  const Point rest{off[0] - t * way[0], off[1] - t * way[1], off[2] - t * way[2]};
   return std::sqrt(dot(rest, rest));
 }
 
-double distance_to(const SeamSide& side, const Place& point) {
+double distance_to(const SeamSide& side, const Point& point) {
   double nearest = std::numeric_limits<double>::max();
   for (const auto& [a, b, c] : side.pieces)
     nearest = std::min(nearest, c < 0 ? distance_to_piece(point, side.points[a], side.points[b])

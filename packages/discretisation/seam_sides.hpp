@@ -16,10 +16,10 @@ constexpr double seam_closeness = 0.02;
 struct SeamSide {
   ElementSide at;
   int corners = 2;
-  std::vector<Place> points;               // in the plane along it, evenly in the parameter; in space a grid on it
+  std::vector<Point> points;               // in the plane along it, evenly in the parameter; in space a grid on it
   std::vector<std::array<int, 3>> pieces;  // straight pieces between two of the points, or flat ones between three
   std::set<std::string> sets;              // those that name it
-  Place normal{};                          // outward, as long as `measure`
+  Point normal{};                          // outward, as long as `measure`
   double measure = 0;                      // of it were it straight: its length [m] or area [m2]
   double edge = 0;                         // its shortest edge; in the plane its length [m]
   double size = 0;                         // that, or the depth of its element behind it where it is less [m]
@@ -32,9 +32,9 @@ std::vector<SeamSide> seam_sides(const GlobalMesh& mesh);
 std::vector<std::array<double, 2>> side_samples(CellShape side, bool few);
 
 /// Distance [m] of a point from a side's pieces.
-double distance_to(const SeamSide& side, const Place& point);
+double distance_to(const SeamSide& side, const Point& point);
 /// Distance [m] from a straight piece.
-double distance_to_piece(const Place& point, const Place& a, const Place& b);
+double distance_to_piece(const Point& point, const Point& a, const Point& b);
 
 /// Throws InputError for a void in the mesh whose boundary no side set names.
 void check_holes(const GlobalMesh& mesh, const std::vector<SeamSide>& sides);

@@ -15,7 +15,7 @@ struct Sweep {
   bool closed = false;  // the last layer ends where the first one starts
   bool turned = false;  // the plane's elements go round clockwise as seen from where they move to
   /// Where a place of the plane is after so many layers, or halves of one.
-  std::function<Place(const Place& plane, double layers)> place;
+  std::function<Point(const Point& plane, double layers)> place;
   std::vector<char> fixed;  // (node of the plane) it does not move
 };
 

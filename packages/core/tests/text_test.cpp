@@ -48,5 +48,11 @@ TEST(Text, JoinsPathsAndEscapes) {
   EXPECT_EQ(xml_escaped("a<\"b\">&"), "a&lt;&quot;b&quot;&gt;&amp;");
 }
 
+TEST(Text, TuplesHaveTheShortestNumbers) {
+  const double numbers[] = {0.1, -2, 1e-6};
+  EXPECT_EQ(tuple_text(numbers, 3), "(0.1, -2, 1e-06)");
+  EXPECT_EQ(tuple_text(numbers, 1), "(0.1)");
+}
+
 }  // namespace
 }  // namespace mudline

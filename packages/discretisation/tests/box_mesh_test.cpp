@@ -27,8 +27,8 @@ TEST(BoxMesh, CountsAndAreas) {
     EXPECT_NEAR(area(*mesh), 2.0, 1e-14) << c.cell;
     EXPECT_EQ(mesh->regions(), std::vector<std::string>{"soil"});
     EXPECT_EQ(mesh->dimension(), 2);
-    EXPECT_EQ(mesh->bounds().low, (Place{0, 0, 0}));
-    EXPECT_EQ(mesh->bounds().high, (Place{2, 1, 0}));
+    EXPECT_EQ(mesh->bounds().low, (Point{0, 0, 0}));
+    EXPECT_EQ(mesh->bounds().high, (Point{2, 1, 0}));
   }
 }
 
@@ -105,8 +105,8 @@ TEST(BoxMesh, LayersAreRegions) {
   EXPECT_EQ(mesh->regions(), (std::vector<std::string>{"sand", "clay"}));
   EXPECT_NEAR(area(*mesh, "sand"), 1.0, 1e-14);
   EXPECT_NEAR(area(*mesh, "clay"), 1.0, 1e-14);
-  EXPECT_EQ(mesh->region_bounds().at("clay").low, (Place{0, 0.25, 0}));
-  EXPECT_EQ(mesh->region_bounds().at("clay").high, (Place{2, 0.75, 0}));
+  EXPECT_EQ(mesh->region_bounds().at("clay").low, (Point{0, 0.25, 0}));
+  EXPECT_EQ(mesh->region_bounds().at("clay").high, (Point{2, 0.75, 0}));
   EXPECT_NEAR(side_integral(*mesh, "left")[0], 1.0, 1e-14);
   EXPECT_EQ(mesh->blocks()[1].global_ids.front(), mesh->blocks()[0].num_elements);
 }

@@ -30,8 +30,8 @@ TEST(BoxInSpace, CountsAndVolumes) {
     EXPECT_EQ(mesh->num_global_nodes(), c.nodes) << c.cell;
     EXPECT_EQ(std::count(mesh->is_vertex().begin(), mesh->is_vertex().end(), 1), c.vertices) << c.cell;
     EXPECT_NEAR(area(*mesh), 3.0, 1e-13) << c.cell;
-    EXPECT_EQ(mesh->bounds().low, (Place{0, 0, 0}));
-    EXPECT_EQ(mesh->bounds().high, (Place{2, 1, 1.5}));
+    EXPECT_EQ(mesh->bounds().low, (Point{0, 0, 0}));
+    EXPECT_EQ(mesh->bounds().high, (Point{2, 1, 1.5}));
     EXPECT_EQ(mesh->bounds().extent(), 2);
   }
 }
@@ -42,7 +42,7 @@ TEST(BoxInSpace, Hex27IsTheDefault) {
            parameter("cells", "Array(int)", "{1, 1, 1}") + parameter("lower", "Array(double)", "{1, 2, 3}") +
            parameter("upper", "Array(double)", "{2, 4, 6}"));
   EXPECT_EQ(mesh->blocks()[0].shape, CellShape::hex27);
-  EXPECT_EQ(mesh->bounds().low, (Place{1, 2, 3}));
+  EXPECT_EQ(mesh->bounds().low, (Point{1, 2, 3}));
   EXPECT_NEAR(area(*mesh), 6, 1e-13);
 }
 
@@ -86,7 +86,7 @@ TEST(BoxInSpace, DistortionKeepsMiddlesAndTheBoundary) {
     const ElementBlock& block = moved->blocks()[0];
     for (int e = 0; e < block.num_elements; ++e)
       for (int a = num_corners(block.shape); a < num_nodes(block.shape); ++a) {
-        Place mean{};
+        Point mean{};
         const auto around = corners_around(block.shape, a);
         for (int c : around)
           for (int i = 0; i < 3; ++i) mean[i] += moved->coordinates()(block.nodes(e, c), i) / around.size();
@@ -110,7 +110,7 @@ TEST(BoxInSpace, LayersAreByZ) {
                                     parameter("layer regions", "Array(string)", "{sand, clay}")));
     EXPECT_NEAR(area(*mesh, "sand"), 1.0, 1e-13);
     EXPECT_NEAR(area(*mesh, "clay"), 2.0, 1e-13);
-    EXPECT_EQ(mesh->region_bounds().at("clay").low, (Place{0, 0, 0.5}));
+    EXPECT_EQ(mesh->region_bounds().at("clay").low, (Point{0, 0, 0.5}));
   }
 }
 

@@ -86,16 +86,6 @@ TEST(CheckMesh, Sets) {
   EXPECT_EQ(message(mesh), "the name 'top' belongs to a set of sides and to a set of points");
 }
 
-/// What check_seams() says; "": nothing.
-std::string seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks = {}) {
-  try {
-    check_seams(mesh, cracks);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
 /// Unit squares of quad4, each with nodes of its own, lower left corners given.
 GlobalMesh apart(const std::vector<std::array<double, 2>>& corners, double size = 1) {
   GlobalMesh mesh;
@@ -125,7 +115,7 @@ TEST(CheckMesh, TwinNodesAreACrack) {
   EXPECT_EQ(seams(mesh, {"left face"}), "");
   const MeshParts parts = mesh_parts(Mesh(world(), Geometry::plane_strain, mesh));
   EXPECT_EQ(parts.places.size(), 2u);
-  EXPECT_EQ(parts.places[1], (Place{1, 0, 0}));
+  EXPECT_EQ(parts.places[1], (Point{1, 0, 0}));
   EXPECT_EQ(parts.of_set.at("left face"), std::vector<int>{0});
   EXPECT_EQ(parts.of_set.at("right face"), std::vector<int>{1});
 }

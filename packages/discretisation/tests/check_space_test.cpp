@@ -16,7 +16,7 @@ GlobalMesh boxes(const std::vector<Bounds>& list) {
     for (int c = 0; c < 8; ++c) {
       const auto xi = reference_node(CellShape::hex8, c);
       mesh.blocks[0].nodes.push_back(static_cast<long long>(mesh.coordinates.size()));
-      Place x;
+      Point x;
       for (int i = 0; i < 3; ++i) x[i] = xi[i] < 0 ? box.low[i] : box.high[i];
       mesh.coordinates.push_back(x);
     }
@@ -28,9 +28,9 @@ Bounds cube(double x, double y, double z, double size = 1) { return {{x, y, z}, 
 /// The same with one node at each place.
 GlobalMesh joined(const std::vector<Bounds>& list) {
   GlobalMesh mesh = boxes(list);
-  std::vector<Place> places;
+  std::vector<Point> places;
   for (long long& node : mesh.blocks[0].nodes) {
-    const Place x = mesh.coordinates[node];
+    const Point x = mesh.coordinates[node];
     const auto found = std::find(places.begin(), places.end(), x);
     node = found - places.begin();
     if (found == places.end()) places.push_back(x);
@@ -48,16 +48,6 @@ GlobalMesh whole(const std::string& cell, int x, int y, int z) {
 
 std::string message(const GlobalMesh& mesh, Geometry geometry = Geometry::space) {
   return input_error([&] { Mesh(world(), geometry, mesh); });
-}
-
-/// What check_seams() says; "": nothing.
-std::string seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks = {}) {
-  try {
-    check_seams(mesh, cracks);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
 }
 
 TEST(CheckSpace, DimensionsMustBeThoseOfTheGeometry) {
@@ -154,7 +144,7 @@ TEST(CheckSpace, TwinNodesAreACrack) {
   EXPECT_CONTAINS(seams(whole("hex8", 1, 1, 1), {"top"}), "no side of it lies beside another one");
   const MeshParts parts = mesh_parts(Mesh(world(), Geometry::space, mesh));
   ASSERT_EQ(parts.places.size(), 2u);
-  EXPECT_EQ(parts.places[1], (Place{1, 0, 0}));
+  EXPECT_EQ(parts.places[1], (Point{1, 0, 0}));
   EXPECT_EQ(parts.of_set.at("right face"), std::vector<int>{1});
 }
 

@@ -123,8 +123,8 @@ TEST_P(Distribution, SetsAreConsistent) {
 TEST_P(Distribution, FactsOfTheWholeAreKnownEverywhere) {
   EXPECT_EQ(mesh_->regions(), (std::vector<std::string>{"sand", "clay"}));
   ASSERT_EQ(mesh_->blocks().size(), 2u);
-  EXPECT_EQ(mesh_->bounds().low, (Place{0, 0, 0}));
-  EXPECT_EQ(mesh_->bounds().high, (Place{2, 1, 0}));
+  EXPECT_EQ(mesh_->bounds().low, (Point{0, 0, 0}));
+  EXPECT_EQ(mesh_->bounds().high, (Point{2, 1, 0}));
   EXPECT_EQ(mesh_->region_bounds().at("sand").low[0], 0);
   EXPECT_EQ(mesh_->region_bounds().at("clay").high[1], 1);
   EXPECT_NEAR(sum(area(*mesh_)), 2.0, 1e-13);

@@ -78,7 +78,7 @@ TEST(GmshInSpace, NeighboursAreCloseInMemory) {
   int count = 0;
   for (const ElementBlock& block : mesh->blocks())
     for (int e = 1; e < block.num_elements; ++e, ++count) {
-      const Place a = map_of(*mesh, block, e - 1).at(cell_centre(block.shape).data()),
+      const Point a = map_of(*mesh, block, e - 1).at(cell_centre(block.shape).data()),
                   b = map_of(*mesh, block, e).at(cell_centre(block.shape).data());
       jumps += std::sqrt(std::pow(a[0] - b[0], 2) + std::pow(a[1] - b[1], 2) + std::pow(a[2] - b[2], 2));
     }

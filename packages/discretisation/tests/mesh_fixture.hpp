@@ -14,6 +14,7 @@
 #include "core/tests/input_error.hpp"
 #include "discretisation/element_map.hpp"
 #include "discretisation/mesh.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "discretisation/side_map.hpp"
 
 namespace mudline::mesh_test {
@@ -156,6 +157,16 @@ inline double gradient_error(const Mesh& mesh) {
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// What check_seams() says; "": nothing.
+inline std::string seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks = {}) {
+  try {
+    check_seams(mesh, cracks);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
 
 }  // namespace mudline::mesh_test
 

@@ -42,7 +42,7 @@ TEST(MeshTopologyOnTwoRanks, PartsAndInnerSides) {
   const Mesh mesh(world(), Geometry::plane_strain, two_parts());
   const MeshParts parts = mesh_parts(mesh);
   ASSERT_EQ(parts.places.size(), 2u);
-  EXPECT_EQ(parts.places[1], (Place{10, 0, 0}));
+  EXPECT_EQ(parts.places[1], (Point{10, 0, 0}));
   EXPECT_EQ(parts.of_set.at("wall"), (std::vector<int>{0, 1}));
   EXPECT_EQ(parts.of_set.at("floor"), std::vector<int>{1});
   const Section section = mesh_section(parameter("side", "string", "wall"));

@@ -38,9 +38,9 @@ TEST_P(SpaceOnTwoRanks, PartsMakeTheWhole) {
   EXPECT_NEAR(sum(side_integral(*mesh_, "back")[2]), 3, 1e-13);
   EXPECT_LT(gradient_error(*mesh_), 1e-12);
   EXPECT_EQ(mesh_->coordinates().extent(1), 3u);
-  EXPECT_EQ(mesh_->bounds().high, (Place{2, 1, 1.5}));
-  EXPECT_EQ(mesh_->region_bounds().at("sand").low, (Place{0, 0, 0}));
-  EXPECT_EQ(mesh_->region_bounds().at("clay").high, (Place{2, 1, 1.5}));
+  EXPECT_EQ(mesh_->bounds().high, (Point{2, 1, 1.5}));
+  EXPECT_EQ(mesh_->region_bounds().at("sand").low, (Point{0, 0, 0}));
+  EXPECT_EQ(mesh_->region_bounds().at("clay").high, (Point{2, 1, 1.5}));
 }
 
 /// Ranks meet where one plane cuts the box: a partition across edges only would be ragged.

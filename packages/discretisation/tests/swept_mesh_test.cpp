@@ -77,8 +77,8 @@ TEST(ExtrudedMesh, SectionDrawnAcross) {
   for (const char* cell : cells) {
     const auto mesh =
         make(extruded(box(cell, 4, 3), parameter("along", "string", "y") + parameter("from", "double", "-1")));
-    EXPECT_EQ(mesh->bounds().low, (Place{0, -1, 0}));
-    EXPECT_EQ(mesh->bounds().high, (Place{2, 2, 1})) << "the plane's y is z";
+    EXPECT_EQ(mesh->bounds().low, (Point{0, -1, 0}));
+    EXPECT_EQ(mesh->bounds().high, (Point{2, 2, 1})) << "the plane's y is z";
     EXPECT_NEAR(area(*mesh), 6, 1e-12) << cell;
     expect_sides(*mesh,
                  {{"left", {3, -3, 0, 0}}, {"top", {6, 0, 0, 6}}, {"start", {2, 0, -2, 0}}, {"end", {2, 0, 2, 0}}},
@@ -206,7 +206,7 @@ TEST(SweptMesh, NamesOfTheEndsAreTaken) {
   mesh.node_sets["end"] = {1};
   Sweep sweep;
   sweep.fixed = {0, 0, 0};
-  sweep.place = [](const Place& x, double layers) { return Place{x[0], x[1], layers}; };
+  sweep.place = [](const Point& x, double layers) { return Point{x[0], x[1], layers}; };
   EXPECT_CONTAINS(input_error([&] { swept(mesh, sweep); }), "it has a set called 'end'");
   mesh.node_sets.clear();
   EXPECT_EQ(swept(mesh, sweep).blocks[0].nodes.size(), 12u);
