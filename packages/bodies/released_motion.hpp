@@ -11,7 +11,7 @@ namespace mudline {
 /// Directions of a body's freedom: x, y, rotation (counter-clockwise).
 constexpr int body_directions = 3;
 /// Whether a body may move so at all: a body of revolution only along its axis.
-inline bool may_move(Geometry geometry, int direction) { return geometry == Geometry::plane_strain || direction == 1; }
+inline bool may_move(Geometry geometry, int direction) { return geometry != Geometry::axisymmetric || direction == 1; }
 
 /// What the loads on a body depend on, besides its motion. Axisymmetric: of the whole body; plane strain: per metre of
 /// depth, and of the modelled half where the contour is a half one.

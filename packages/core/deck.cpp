@@ -141,7 +141,11 @@ Section Deck::root() {
   refuse_misspelt_settings(*list_, *sources_, "");
   Registry<FunctionDefinition> types("function");
   register_functions(types);
-  const Section bare(*list_, sources_, nullptr, folder_);
+  const Teuchos::ParameterEntry* geometry =
+      list_->isSublist("mesh") ? list_->sublist("mesh").getEntryPtr("geometry") : nullptr;
+  const bool space = geometry != nullptr && geometry->isType<std::string>() &&
+                     Teuchos::any_cast<std::string>(geometry->getAny(false)) == geometry_in_space;
+  const Section bare(*list_, sources_, std::make_shared<FunctionLibrary>(space ? 3 : 2), folder_);
   auto functions = std::make_shared<FunctionLibrary>(read_functions(bare.section("functions"), types));
   return Section(*list_, sources_, functions, folder_);
 }

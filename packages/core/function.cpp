@@ -19,11 +19,13 @@ namespace {
 
 class Expression : public FunctionBase {
  public:
-  explicit Expression(const std::string& text) {
+  Expression(const std::string& text, int dimension) : dimension_(dimension) {
     refuse_assignment(text);
     parser_.DefineVar("t", &time_);
-    for (const char* first : {"x", "r"}) parser_.DefineVar(first, &point_[0]);
-    for (const char* second : {"y", "z"}) parser_.DefineVar(second, &point_[1]);
+    parser_.DefineVar("x", &point_[0]);
+    parser_.DefineVar("y", &point_[1]);
+    parser_.DefineVar("z", &point_[dimension - 1]);
+    if (dimension == 2) parser_.DefineVar("r", &point_[0]);
     parser_.DefineConst("pi", pi);
     parser_.SetExpr(text);
     try {
@@ -67,8 +69,9 @@ class Expression : public FunctionBase {
     const std::string word = misspelt_word(error);
     if (word.empty()) return message;
     const std::string near = nearest(word, known_words());
-    return message +
-           (near.empty() ? "; variables: t, x, y (axisymmetric: t, r, z)" : " (did you mean '" + near + "'?)");
+    return message + (!near.empty()     ? " (did you mean '" + near + "'?)"
+                      : dimension_ == 3 ? "; variables: t, x, y, z"
+                                        : "; variables: t, x, y (axisymmetric: t, r, z)");
   }
 
   /// The token that muParser rejects may run on ("sinn(t)"): only its leading word can be a misspelt name.
@@ -85,6 +88,7 @@ class Expression : public FunctionBase {
     return words;
   }
 
+  int dimension_;
   mutable mu::Parser parser_;
   mutable std::mutex mutex_;
   mutable double time_ = 0.0;
@@ -151,7 +155,7 @@ Function FunctionLibrary::resolve(const std::string& text) const {
   const auto named = functions_.find(word);
   if (named != functions_.end()) return named->second;
   try {
-    return make_expression(word);
+    return make_expression(word, dimension_);
   } catch (const InputError& error) {
     if (functions_.empty()) throw;
     const std::string near = nearest(word, names());
@@ -160,11 +164,11 @@ Function FunctionLibrary::resolve(const std::string& text) const {
   }
 }
 
-Function make_expression(const std::string& text) {
+Function make_expression(const std::string& text, int dimension) {
   const std::string expression = trim(text);
   if (expression.empty()) throw InputError("the expression is empty");
   try {
-    const auto definition = std::make_shared<Expression>(expression);
+    const auto definition = std::make_shared<Expression>(expression, dimension);
     if (definition->has_variables()) return Function(definition, expression);
     const double constant = definition->value(0.0, {});
     if (!std::isfinite(constant)) throw InputError("its value is not finite");

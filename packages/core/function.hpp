@@ -8,8 +8,10 @@
 
 namespace mudline {
 
-using Point = std::array<double, 3>;                        // [m]; plane strain: x, y, 0; axisymmetric: r, z, 0
-constexpr std::array<const char*, 2> axis_names{"x", "y"};  // in decks and histories
+using Point = std::array<double, 3>;  // [m]; plane strain: x, y, 0; axisymmetric: r, z, 0; in space x, y, z
+constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};  // in decks and histories; in the plane the first two
+
+constexpr const char* geometry_in_space = "three-dimensional";  // word of the deck's "mesh/geometry"; others: plane
 
 /// A scalar function of time and position; immutable after construction.
 class FunctionBase {
@@ -47,6 +49,9 @@ class Function {
 /// The deck's named functions; resolves what a parameter of function kind may hold.
 class FunctionLibrary {
  public:
+  /// dimension: of the deck's mesh, 2 or 3; expressions have that many coordinates.
+  explicit FunctionLibrary(int dimension = 2) : dimension_(dimension) {}
+  int dimension() const { return dimension_; }
   void add(const std::string& name, Function function);
   std::vector<std::string> names() const;
   bool contains(const std::string& name) const { return functions_.count(name) != 0; }
@@ -57,13 +62,14 @@ class FunctionLibrary {
 
  private:
   std::map<std::string, Function> functions_;
+  int dimension_;
 };
 
 /// Expression in muParser's syntax: + - * / ^, comparisons, ?:, sin, exp, min, ... and the constant pi. Variables: t
-/// [s]; x and r, the first coordinate; y and z, the second one. Plane strain decks thus write (x, y), axisymmetric
-/// decks (r, z). An expression without variables becomes a constant. May be evaluated from several threads, one at a
-/// time. Throws InputError without position, naming the offending part.
-Function make_expression(const std::string& text);
+/// [s]; in the plane x and r, the first coordinate, y and z, the second one: plane strain decks thus write (x, y),
+/// axisymmetric decks (r, z); in space x, y and z. An expression without variables becomes a constant. May be evaluated
+/// from several threads, one at a time. Throws InputError without position, naming the offending part.
+Function make_expression(const std::string& text, int dimension = 2);
 
 enum class Interpolation { linear, smooth };
 

@@ -30,7 +30,9 @@ class TableDefinition : public FunctionDefinition {
 class ExpressionDefinition : public FunctionDefinition {
  public:
   void parameters(Parameters& p) {
-    p.required("value", text_, "Expression in t, x, y (axisymmetric: t, r, z) and pi, such as 10*sin(2*pi*t)");
+    dimension_ = p.dimension();
+    p.required("value", text_,
+               "Expression in t, x, y (axisymmetric: t, r, z; in space: t, x, y, z) and pi, such as 10*sin(2*pi*t)");
   }
   void check(const Section& section) const {
     try {
@@ -39,10 +41,11 @@ class ExpressionDefinition : public FunctionDefinition {
       section.fail(error.what(), "value");
     }
   }
-  Function make() const override { return make_expression(text_); }
+  Function make() const override { return make_expression(text_, dimension_); }
 
  private:
   std::string text_;
+  int dimension_ = 2;
 };
 
 class ConstantDefinition : public FunctionDefinition {
@@ -74,7 +77,7 @@ void register_functions(Registry<FunctionDefinition>& functions) {
 
 FunctionLibrary read_functions(const Section& functions, const Registry<FunctionDefinition>& types) {
   functions.allow_parameters({});
-  FunctionLibrary library;
+  FunctionLibrary library(functions.dimension());
   for (const std::string& name : functions.section_names()) {
     const Section section = functions.section(name);
     if (reserved(name)) section.fail("a function cannot be called '" + name + "', which is a number or an expression");

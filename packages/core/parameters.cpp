@@ -181,6 +181,22 @@ void Parameters::function(const std::string& name, Function& member, const std::
        [&](const Teuchos::ParameterEntry& entry) { member = read_function(entry, section_->functions()); });
 }
 
+void Parameters::point(const std::string& name, Point& member, const std::string& unit, const std::string& doc,
+                       bool required) {
+  const std::size_t size = dimension();
+  const std::vector<double> start(member.begin(), member.begin() + 2);
+  read({name, "array of doubles", unit, "2 numbers, in space 3", required ? "" : text_of(start), doc, required, {}},
+       [&](const Teuchos::ParameterEntry& entry) {
+         std::vector<double> values;
+         convert(entry, any(), values);
+         if (values.size() != size)
+           throw Fault("expected " + std::to_string(size) + " numbers, " +
+                       (size == 2 ? "as the mesh's 'geometry' is not '" : "as the mesh's 'geometry' is '") +
+                       geometry_in_space + "'; given " + std::to_string(values.size()));
+         std::copy(values.begin(), values.end(), member.begin());
+       });
+}
+
 void Parameters::path(const std::string& name, std::string& member, const std::string& doc, bool required) {
   read({name, "file", "", "", required ? "" : member, doc, required, {}}, [&](const Teuchos::ParameterEntry& entry) {
     std::string given;
@@ -231,6 +247,9 @@ void Parameters::add(const std::string& name, std::array<double, 2>& member, con
                      const std::string& doc) {
   value(name, member, unit, any(), "2 numbers", doc, false);
 }
+void Parameters::add(const std::string& name, Point& member, const std::string& unit, const std::string& doc) {
+  point(name, member, unit, doc, false);
+}
 void Parameters::add(const std::string& name, Function& member, const std::string& unit, const std::string& doc) {
   function(name, member, unit, doc, false);
 }
@@ -256,6 +275,9 @@ void Parameters::required(const std::string& name, std::vector<std::string>& mem
 void Parameters::required(const std::string& name, std::array<double, 2>& member, const std::string& unit,
                           const std::string& doc) {
   value(name, member, unit, any(), "2 numbers", doc, true);
+}
+void Parameters::required(const std::string& name, Point& member, const std::string& unit, const std::string& doc) {
+  point(name, member, unit, doc, true);
 }
 void Parameters::required(const std::string& name, Function& member, const std::string& unit, const std::string& doc) {
   function(name, member, unit, doc, true);

@@ -59,6 +59,8 @@ class Parameters {
            const std::string& doc);
   void add(const std::string& name, std::vector<std::string>& member, const std::string& doc);
   void add(const std::string& name, std::array<double, 2>& member, const std::string& unit, const std::string& doc);
+  /// A place or a vector: as many numbers as the mesh has dimensions; in the plane the third stays 0.
+  void add(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void add(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, double& member, const std::string& unit, Range range, const std::string& doc);
   void required(const std::string& name, int& member, const std::string& unit, Range range, const std::string& doc);
@@ -68,6 +70,7 @@ class Parameters {
   void required(const std::string& name, std::vector<std::string>& member, const std::string& doc);
   void required(const std::string& name, std::array<double, 2>& member, const std::string& unit,
                 const std::string& doc);
+  void required(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
 
   /// One of a fixed set of words.
@@ -90,6 +93,8 @@ class Parameters {
   /// True when the deck gives this parameter (always false when documenting).
   bool given(const std::string& name) const;
   bool documenting() const { return section_ == nullptr; }
+  /// Of the deck's mesh, 2 or 3; 3 when documenting.
+  int dimension() const { return documenting() ? 3 : section_->dimension(); }
   const Section& deck() const { return *section_; }
 
   /// Throws for entries of the section that nobody declared, with a did-you-mean. Call after all declarations.
@@ -116,6 +121,7 @@ class Parameters {
   /// what it throws.
   template <class Read>
   void read(const ParameterDoc& doc, Read convert_entry);
+  void point(const std::string& name, Point& member, const std::string& unit, const std::string& doc, bool required);
   template <class T>
   void value(const std::string& name, T& member, const std::string& unit, const Range& range,
              const std::string& range_text, const std::string& doc, bool required);

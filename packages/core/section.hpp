@@ -30,6 +30,8 @@ class Section {
   /// The deck's folder; relative files in the deck are relative to it.
   const std::string& folder() const { return folder_; }
   const FunctionLibrary& functions() const { return *functions_; }
+  /// Of the deck's mesh, 2 or 3: how many numbers a point has.
+  int dimension() const { return functions_->dimension(); }
   Teuchos::ParameterList& list() const { return *list_; }
 
   bool has_section(const std::string& name) const;

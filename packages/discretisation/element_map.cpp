@@ -125,6 +125,44 @@ CellMap<Dim> ElementMap::map(const double* xi, std::array<double, 3>& x) const {
   return result;
 }
 
+ElementSize ElementMap::size() const {
+  const auto difference = [&](int a, int b) {
+    std::array<double, 3> d{};
+    for (int i = 0; i < dimension_; ++i) d[i] = x_[b][i] - x_[a][i];
+    return d;
+  };
+  const auto length = [](const std::array<double, 3>& d) { return std::hypot(d[0], d[1], d[2]); };
+  ElementSize result{1e300, 0, 0};
+  for (int edge = 0; edge < num_edges(shape_); ++edge) {
+    const std::array<int, 2> ends = edge_corners(shape_, edge);
+    const double l = length(difference(ends[0], ends[1]));
+    result.shortest_edge = std::min(result.shortest_edge, l);
+    result.longest_edge = std::max(result.longest_edge, l);
+  }
+  // the divergence theorem: a side adds its outward area times the distance of its middle from a corner of the cell
+  double content = 0, largest = 0;
+  for (int s = 0; s < num_sides(shape_); ++s) {
+    const std::vector<int> nodes = side_nodes(shape_, s);
+    const int corners = num_corners(side_shape(shape_));
+    std::array<double, 3> area, middle{};
+    for (int c = 0; c < corners; ++c) {
+      const std::array<double, 3> from_first = difference(0, nodes[c]);
+      for (int i = 0; i < 3; ++i) middle[i] += from_first[i] / corners;
+    }
+    if (dimension_ == 2) {
+      const auto along = difference(nodes[0], nodes[1]);
+      area = {along[1], -along[0], 0};
+    } else {  // half the product of the diagonals; a triangle is a quadrangle whose last corner is the first
+      const auto a = difference(nodes[0], nodes[2]), b = difference(nodes[1], nodes[corners == 3 ? 0 : 3]);
+      area = {0.5 * (a[1] * b[2] - a[2] * b[1]), 0.5 * (a[2] * b[0] - a[0] * b[2]), 0.5 * (a[0] * b[1] - a[1] * b[0])};
+    }
+    for (int i = 0; i < 3; ++i) content += area[i] * middle[i] / dimension_;
+    largest = std::max(largest, length(area));
+  }
+  result.height = content / largest;
+  return result;
+}
+
 std::array<double, 3> ElementMap::mean_of_corners() const {
   std::array<double, 3> mean{};
   const int corners = num_corners(shape_);

@@ -7,6 +7,12 @@
 
 namespace mudline {
 
+/// Of the cell with straight edges through the corners [m].
+struct ElementSize {
+  double shortest_edge, longest_edge;
+  double height;  // area over the longest edge; in space volume over the largest face
+};
+
 /// The isoparametric map of one cell of the plane or of space: its shape and the places of its nodes.
 class ElementMap {
  public:
@@ -22,6 +28,7 @@ class ElementMap {
   const double* node(int a) const { return x_[a]; }
   /// [m]; in the plane its third coordinate is 0.
   std::array<double, 3> mean_of_corners() const;
+  ElementSize size() const;
   /// The place that reference coordinates stand for; in the plane its third coordinate is 0.
   std::array<double, 3> at(const double* xi) const;
   /// Determinant of the map's gradient [m^dimension].

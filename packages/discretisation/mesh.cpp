@@ -81,6 +81,12 @@ Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, Globa
   region_bounds_ = std::move(part.region_bounds);
 }
 
+Point Mesh::place(int node) const {
+  Point x{};
+  for (int i = 0; i < dimension(); ++i) x[i] = coordinates_(node, i);
+  return x;
+}
+
 const std::vector<int>& Mesh::nodes_of_set(const std::string& name) const {
   const auto found = set_nodes_.find(name);
   if (found == set_nodes_.end()) throw std::logic_error("the mesh has no set '" + name + "'");
@@ -141,7 +147,7 @@ const char* name(Geometry geometry) {
     case Geometry::axisymmetric:
       return "axisymmetric";
     case Geometry::space:
-      return "three-dimensional";
+      return geometry_in_space;
   }
   throw std::logic_error("unknown geometry");
 }

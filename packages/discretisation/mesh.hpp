@@ -101,6 +101,8 @@ class Mesh {
   const std::vector<long long>& node_ids() const { return node_ids_; }
   /// (node, dimension) [m]
   const Kokkos::View<double**, Kokkos::LayoutRight>& coordinates() const { return coordinates_; }
+  /// The same of one node.
+  Point place(int node) const;
   /// True for corner nodes, which carry the linear fields. By local node.
   const std::vector<char>& is_vertex() const { return is_vertex_; }
 

@@ -154,9 +154,10 @@ MeshParts mesh_parts(const Mesh& mesh) {
   places = reduced(mesh, Teuchos::REDUCE_SUM, places);
   for (std::size_t part = 0; part < result.places.size(); ++part)
     std::copy_n(places.begin() + 3 * part, 3, result.places[part].begin());
+  for (long long id : mesh.node_ids()) result.of_node.push_back(number[leader[id]]);
   for (const std::string& name : mesh.set_names()) {
     std::vector<int> touched(result.places.size(), 0);
-    for (int node : mesh.nodes_of_set(name)) touched[number[leader[mesh.node_ids()[node]]]] = 1;
+    for (int node : mesh.nodes_of_set(name)) touched[result.of_node[node]] = 1;
     touched = reduced(mesh, Teuchos::REDUCE_MAX, touched);
     auto& parts = result.of_set[name];
     for (std::size_t part = 0; part < touched.size(); ++part)

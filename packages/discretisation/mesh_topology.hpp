@@ -69,6 +69,7 @@ void check_seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks)
 /// The parts of a distributed mesh, each of which hangs together by common nodes.
 struct MeshParts {
   std::vector<Point> places;                       // a node of each
+  std::vector<int> of_node;                        // of this rank, by local node
   std::map<std::string, std::vector<int>> of_set;  // the parts that have a node in a set
 };
 /// Collective.

@@ -40,11 +40,18 @@ struct Space3 {
   }
 };
 
-/// Calls f(coordinate system) of a mesh of the plane; kernels are not compiled for space yet.
+/// Calls f(coordinate system) of a mesh.
 template <class F>
 auto with_coordinates(Geometry geometry, F&& f) {
-  if (geometry == Geometry::space) throw std::logic_error("no kernel is compiled for three dimensions");
-  return geometry == Geometry::axisymmetric ? f(Axisymmetric{}) : f(PlaneStrain{});
+  switch (geometry) {
+    case Geometry::plane_strain:
+      return f(PlaneStrain{});
+    case Geometry::axisymmetric:
+      return f(Axisymmetric{});
+    case Geometry::space:
+      return f(Space3{});
+  }
+  throw std::logic_error("unknown geometry");
 }
 
 /// The same length where the coordinate system is known at run time only.

@@ -39,17 +39,34 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
     return f(coordinates, ElementShapes<N, 0, 0>{});
   };
   return with_coordinates(geometry, [&](auto coordinates) -> Result {
-    switch (block.shape) {
-      case CellShape::tri6:
-        return of_cell(coordinates, std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{});
-      case CellShape::quad9:
-        return of_cell(coordinates, std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
-      case CellShape::tri3:
-        return of_cell(coordinates, std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{});
-      case CellShape::quad4:
-        return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
+    if constexpr (decltype(coordinates)::dim == 3) {
+      switch (block.shape) {
+        case CellShape::tet4:
+          return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
+        case CellShape::tet10:
+          return of_cell(coordinates, std::integral_constant<int, 10>{}, std::integral_constant<int, 4>{});
+        case CellShape::hex8:
+          return of_cell(coordinates, std::integral_constant<int, 8>{}, std::integral_constant<int, 8>{});
+        case CellShape::hex27:
+          return of_cell(coordinates, std::integral_constant<int, 27>{}, std::integral_constant<int, 8>{});
+        default:
+          break;
+      }
+    } else {
+      switch (block.shape) {
+        case CellShape::tri6:
+          return of_cell(coordinates, std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{});
+        case CellShape::quad9:
+          return of_cell(coordinates, std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
+        case CellShape::tri3:
+          return of_cell(coordinates, std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{});
+        case CellShape::quad4:
+          return of_cell(coordinates, std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{});
+        default:
+          break;
+      }
     }
-    throw std::logic_error("unknown cell");
+    throw std::logic_error("no kernel is compiled for the cell");
   });
 }
 

@@ -14,9 +14,6 @@ FieldBlock::FieldBlock(const Space& space, int block, int displacement_field, co
   shape = cells.shape;
   elements = cells.num_elements;
   nodes = cells.nodes;
-  const QuadratureRule rule = cell_quadrature(shape, degree);
-  u = tabulate(shape, rule);
-  points = u.points;
   std::vector<int> fields;
   if (moves()) fields.push_back(displacement);
   for (int field : scalar_fields) {
@@ -24,8 +21,25 @@ FieldBlock::FieldBlock(const Space& space, int block, int displacement_field, co
     if (space.shape(field, block) != space.shape(scalar_fields[0], block))
       throw std::logic_error("scalar fields of one block have different nodes");
   }
-  if (scalars > 0) p = tabulate(space.shape(scalar_fields[0], block), rule);
+  scalar_shape = scalars > 0 ? space.shape(scalar_fields[0], block) : shape;
   dofs = space.element_dofs(block, fields);
+  *this = with_quadrature(degree);
+}
+
+FieldBlock FieldBlock::with_quadrature(int degree) const {
+  FieldBlock other = *this;
+  const QuadratureRule rule = cell_quadrature(shape, degree);
+  other.u = tabulate(shape, rule);
+  if (scalars > 0) other.p = tabulate(scalar_shape, rule);
+  other.points = other.u.points;
+  return other;
+}
+
+Point FieldBlock::place(int e, int q, const ConstCoordinateView& x) const {
+  Point at{};
+  for (int a = 0; a < u.nodes; ++a)
+    for (std::size_t i = 0; i < x.extent(1); ++i) at[i] += u.N(q, a) * x(nodes(e, a), i);
+  return at;
 }
 
 }  // namespace mudline

@@ -2,7 +2,7 @@
 
 #include "algebra/assembler.hpp"
 #include "discretisation/shapes.hpp"
-#include "framework/space.hpp"
+#include "framework/state.hpp"
 
 namespace mudline {
 
@@ -11,7 +11,7 @@ constexpr int max_scalars = 2;  // in one block; element loops are compiled for 
 /// The elements of one mesh block with the tables that their fields need. Columns of `dofs`: displacement node by node,
 /// then the scalar fields one after the other, each at all nodes or at the cell's corners.
 struct FieldBlock {
-  CellShape shape;
+  CellShape shape, scalar_shape;
   int elements = 0, points = 0;
   int displacement = -1;  // its field; -1: not among them
   int scalars = 0;        // number of scalar fields
@@ -22,6 +22,10 @@ struct FieldBlock {
   int group = -1;  // of the assembler
 
   bool moves() const { return displacement >= 0; }
+  /// The same elements with tables for a quadrature of another degree.
+  FieldBlock with_quadrature(int degree) const;
+  /// Where quadrature point q of element e lies on a configuration [m].
+  Point place(int e, int q, const ConstCoordinateView& x) const;
 
   FieldBlock() = default;
   /// displacement: its field, or -1; scalar_fields: all with the same nodes. degree: of the quadrature.

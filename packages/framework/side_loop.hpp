@@ -177,12 +177,26 @@ template <class F>
 void with_side_loop(Geometry geometry, const SideBlock& b, const SideLevel& level, F&& f) {
   with_coordinates(geometry, [&](auto coordinates) {
     using C = decltype(coordinates);
-    if (b.shape.nodes == 2)
-      f(SideLoop<C, 2, 2>{b, level});
-    else if (b.partner.nodes == 2)
-      f(SideLoop<C, 3, 2>{b, level});
+    // a side with all of the cell's nodes, and the corners of it that may alone carry a field
+    const auto of_side = [&](auto all, auto corners) {
+      constexpr int N = decltype(all)::value, P = decltype(corners)::value;
+      if (b.shape.nodes != N) return false;
+      if (b.partner.nodes == N)
+        f(SideLoop<C, N, N>{b, level});
+      else
+        f(SideLoop<C, N, P>{b, level});
+      return true;
+    };
+    bool found;
+    if constexpr (C::dim == 3)
+      found = of_side(std::integral_constant<int, 3>{}, std::integral_constant<int, 3>{}) ||
+              of_side(std::integral_constant<int, 6>{}, std::integral_constant<int, 3>{}) ||
+              of_side(std::integral_constant<int, 4>{}, std::integral_constant<int, 4>{}) ||
+              of_side(std::integral_constant<int, 9>{}, std::integral_constant<int, 4>{});
     else
-      f(SideLoop<C, 3, 3>{b, level});
+      found = of_side(std::integral_constant<int, 2>{}, std::integral_constant<int, 2>{}) ||
+              of_side(std::integral_constant<int, 3>{}, std::integral_constant<int, 2>{});
+    if (!found && b.sides > 0) throw std::logic_error("no kernel is compiled for the side");
   });
 }
 

@@ -27,10 +27,18 @@ std::vector<FieldLayout> layouts(const Mesh& mesh, const std::vector<Field>& fie
   return result;
 }
 
+std::vector<Field> with_components(const Mesh& mesh, std::vector<Field> fields) {
+  for (Field& field : fields)
+    if (field.components == vector_components) field.components = mesh.dimension();
+  return fields;
+}
+
 }  // namespace
 
 Space::Space(const Mesh& mesh, std::vector<Field> fields)
-    : mesh_(mesh), fields_(std::move(fields)), dofs_(rcp(new DofMap(mesh.comm(), layouts(mesh, fields_)))) {
+    : mesh_(mesh),
+      fields_(with_components(mesh, std::move(fields))),
+      dofs_(rcp(new DofMap(mesh.comm(), layouts(mesh, fields_)))) {
   for (int f = 0; f < num_fields(); ++f) {
     Kokkos::View<int*> table("node dof", mesh.num_nodes());
     int carrying = 0;

@@ -13,12 +13,15 @@ namespace mudline {
 /// mesh: `apart`, a few points of their own (rigid bodies), known to every rank and owned by the first.
 enum class Support { all_nodes, vertices, apart };
 
+/// Number of components of a vector in the mesh's space, 2 or 3: a Space puts in which.
+constexpr int vector_components = 0;
+
 /// One unknown field as a physics asks for it.
 struct Field {
   std::string name;  // "displacement", "pore pressure", "temperature"
   std::string unit;  // of the value
   std::string flux;  // unit of the conjugate residual: "N", "m3/s", "W"
-  int components;
+  int components;    // or vector_components
   Support support;
   int time_order;  // 2: value, rate, second rate (inertia); 1: value and rate
   int count = 0;   // of points, of a field apart from the mesh

@@ -1,7 +1,11 @@
 #include "physics/geostatic_column.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace mudline {
 
@@ -9,14 +13,33 @@ namespace {
 
 constexpr int parts = 400;  // of a layer whose density depends on the stress
 
+/// Lowest and highest node of every region, by name. Collective.
+std::map<std::string, std::array<double, 2>> heights(const Soil& soil) {
+  const Mesh& mesh = soil.space->mesh();
+  const std::vector<std::string>& regions = mesh.regions();
+  std::vector<double> here(2 * regions.size(), -1e300), everywhere(here);  // minus the lowest, the highest
+  for (const ElementBlock& block : mesh.blocks()) {
+    const std::size_t k = std::find(regions.begin(), regions.end(), block.region) - regions.begin();
+    for (int e = 0; e < block.num_elements; ++e)
+      for (int a = 0; a < num_nodes(block.shape); ++a) {
+        const double height = soil.height(mesh.place(block.nodes(e, a)));
+        here[2 * k] = std::max(here[2 * k], -height);
+        here[2 * k + 1] = std::max(here[2 * k + 1], height);
+      }
+  }
+  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, static_cast<int>(here.size()), here.data(), everywhere.data());
+  std::map<std::string, std::array<double, 2>> result;
+  for (std::size_t k = 0; k < regions.size(); ++k) result[regions[k]] = {-everywhere[2 * k], everywhere[2 * k + 1]};
+  return result;
+}
+
 }  // namespace
 
 GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional<double> water_level,
                                  const Section& section)
     : gravity_(gravity), water_level_(water_level) {
   const Mesh& mesh = soil.space->mesh();
-  const int vertical = mesh.dimension() - 1;
-  for (const auto& [region, box] : mesh.region_bounds()) {
+  for (const auto& [region, range] : heights(soil)) {
     const SoilMaterial* material = nullptr;
     double uplift = 0;
     for (const SoilBlock& b : soil.blocks) {  // every rank has every block
@@ -25,10 +48,12 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
       uplift = soil.uplift(*material);
     }
     const double fluid = material->porous() && !soil.excess ? material->fluid->density() : 0.0;
-    layers_.push_back({box.low[vertical], box.high[vertical], uplift, fluid, material});
+    layers_.push_back({range[0], range[1], uplift, fluid, material});
   }
   std::sort(layers_.begin(), layers_.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
-  const double tolerance = 1e-6 * (mesh.bounds().high[vertical] - mesh.bounds().low[vertical]);
+  double bottom = layers_.front().bottom;
+  for (const Layer& layer : layers_) bottom = std::min(bottom, layer.bottom);
+  const double tolerance = 1e-6 * (layers_.front().top - bottom);
   for (std::size_t i = 1; i < layers_.size(); ++i) {
     const Layer &above = layers_[i - 1], &here = layers_[i];
     if (here.top <= above.bottom + tolerance || here.material == above.material) continue;

@@ -8,13 +8,13 @@
 namespace mudline {
 
 /// Total vertical stress and pressure of the water at rest (stress in excess of it where the pore pressures are) under
-/// horizontal layers by mesh region, each with its pore fluid; compression positive. Where the void ratio of a layer
-/// comes from its law, density and stress depend on each other: d sigma_v/d depth = rho(sigma_v) g is integrated
-/// downwards.
+/// horizontal layers by mesh region; the vertical is where gravity points. Heights are Soil::height; each with its pore
+/// fluid; compression positive. Where the void ratio of a layer comes from its law, density and stress depend on each
+/// other: d sigma_v/d depth = rho(sigma_v) g is integrated downwards.
 class GeostaticColumn {
  public:
   /// Finds the layers. `gravity` [m/s2] downwards; without a water level [m] the soil is dry. InputError where regions
-  /// of different density, of soil or pore fluid, stand side by side.
+  /// of different density, of soil or pore fluid, stand side by side. Collective.
   GeostaticColumn(const Soil& soil, double gravity, std::optional<double> water_level, const Section& section);
   /// [kg/m3] of a material at a height under a total vertical stress [Pa]
   using Density = std::function<double(const SoilMaterial& material, double y, double total)>;

@@ -7,8 +7,10 @@
 
 #include "core/pi.hpp"
 #include "discretisation/agree.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "materials/earth_pressure.hpp"
 #include "materials/guarded_law.hpp"
+#include "tensor/midpoint_rule.hpp"
 
 namespace mudline {
 
@@ -16,12 +18,16 @@ void InitialState::parameters(Parameters& p) {
   p.choice("type", kind_,
            {{"stress free", Kind::stress_free}, {"uniform", Kind::uniform}, {"geostatic", Kind::geostatic}},
            "how the soil starts");
-  const char* names[4] = {"effective stress xx", "effective stress yy", "effective stress zz", "shear stress xy"};
-  for (int i = 0; i < 4; ++i) p.add(names[i], stress_[i], "Pa", any(), "uniform start, compression positive");
+  const char* names[6] = {"effective stress xx", "effective stress yy", "effective stress zz",
+                          "shear stress yz",     "shear stress xz",     "shear stress xy"};
+  for (int i = 0; i < 6; ++i)
+    if (p.dimension() == 3 || i < 3 || i == 5)
+      p.add(names[i], stress_[i], "Pa", any(),
+            std::string("uniform start, compression positive") + (i == 3 || i == 4 ? "; in space" : ""));
   p.add("pore pressure", pressure_, "Pa", any(), "uniform start, compression positive");
   p.add("surcharge", surcharge_, "Pa", non_negative(), "geostatic: effective vertical stress at the surface");
   p.add("water level", water_level_, "m", any(),
-        "geostatic: height y of the water surface; without it the soil is dry or single-phase");
+        "geostatic: height of the water surface, counted against gravity; without it the soil is dry or single-phase");
   has_water_ = p.given("water level");
   p.add("K0", k0_, "-",
         "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");
@@ -67,7 +73,8 @@ std::string beyond_strength(const SoilMaterial& material, double k0, double vert
 
 }  // namespace
 
-std::string InitialState::at_rest(InitialPoint& point, double vertical, const SoilMaterial& material) const {
+std::string InitialState::at_rest(InitialPoint& point, double vertical, const Point& up,
+                                  const SoilMaterial& material) const {
   if (has_preoverburden_) {
     const double pop = preoverburden_(0, point.position);
     if (pop < 0) return "the preoverburden pressure is negative";
@@ -87,21 +94,23 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const So
     if (!problem.empty()) return problem;
     if (k0 < 0) return "the skeleton law has no K0 of its own; give 'K0'";
   }
-  point.stress = {-k0 * vertical, -vertical, -k0 * vertical, 0, 0, 0};
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) point.stress[six(i, j)] = -vertical * ((i == j ? k0 : 0.0) + (1 - k0) * up[i] * up[j]);
   return beyond_strength(material, k0, vertical, point.position);
 }
 
 GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& section) const {
   const Bounds& bounds = soil.space->mesh().bounds();
-  const int vertical = soil.space->mesh().dimension() - 1;
   GeostaticColumn column(soil, g, has_water_ ? std::optional<double>(water_level_) : std::nullopt, section);
   // The density where the law decides, in the middle of the mesh's width: layers have one weight at one depth.
   const auto density = [&](const SoilMaterial& material, double y, double total) {
     InitialPoint point{};
-    for (int i = 0; i < vertical; ++i) point.position[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
-    point.position[vertical] = y;
+    for (int i = 0; i < 3; ++i) point.position[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
+    const double rise = y - soil.height(point.position);
+    for (int i = 0; i < 3; ++i) point.position[i] += rise * soil.up[i];
     point.overconsolidation_ratio = ocr_(0, point.position);
-    std::string problem = at_rest(point, total - material.biot_coefficient * column.pore_pressure(y), material);
+    std::string problem =
+        at_rest(point, total - material.biot_coefficient * column.pore_pressure(y), soil.up, material);
     if (problem.empty()) problem = material.find_void_ratio(point);
     if (!problem.empty())
       section.fail("material '" + material.name + "' cannot start at the height " + std::to_string(y) + ": " + problem);
@@ -116,16 +125,16 @@ void InitialState::set_pressure(const Soil& soil, StateStore& store, const std::
   State& state = store.committed();
   const auto& dof = soil.space->node_dof(soil.pressure);
   for (int node = 0; node < soil.space->mesh().num_nodes(); ++node)
-    if (dof(node) >= 0) state.value(dof(node)) = at(state.coordinates(node, 1));
+    if (dof(node) >= 0) state.value(dof(node)) = at(soil.height(soil.space->mesh().place(node)));
 }
 
 void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gravity, const Section& section) const {
   check(section);
   if (soil.excess && has_water_)
     section.fail("pore pressures are in excess of water at rest: its level has no effect", "water level");
-  const double g = -gravity.vector[1];
-  if (kind_ == Kind::geostatic && g <= 0)
-    section.fail("a geostatic start needs gravity pointing down: give the physics a 'gravity'", "type");
+  const double g = std::hypot(gravity.vector[0], gravity.vector[1], gravity.vector[2]);
+  if (kind_ == Kind::geostatic && g == 0)
+    section.fail("a geostatic start needs gravity: give the physics a 'gravity'", "type");
   State& state = store.committed();
   std::optional<GeostaticColumn> ground;
   if (kind_ == Kind::geostatic) ground = column(soil, g, section);
@@ -137,18 +146,15 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
     for (int e = 0; e < b.elements; ++e)
       for (int q = 0; q < b.points; ++q) {
         InitialPoint point;
-        point.position = {0, 0, 0};
-        for (int a = 0; a < b.u.nodes; ++a)
-          for (int i = 0; i < soil.space->mesh().dimension(); ++i)
-            point.position[i] += b.u.N(q, a) * state.coordinates(b.nodes(e, a), i);
-        point.stress = {-stress_[0], -stress_[1], -stress_[2], 0, 0, -stress_[3]};
+        point.position = b.place(e, q, state.coordinates);
+        for (int c = 0; c < 6; ++c) point.stress[c] = -stress_[c];
         point.overconsolidation_ratio = ocr_(0, point.position);
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
         std::string rest;
         if (kind_ == Kind::geostatic) {
-          const double y = point.position[1];
+          const double y = soil.height(point.position);
           rest = at_rest(point, ground->total_stress(y) - b.material->biot_coefficient * ground->pore_pressure(y),
-                         *b.material);
+                         soil.up, *b.material);
         }
         if (rest.empty()) rest = b.material->find_void_ratio(point);
         const int row = e * b.points + q;
@@ -159,8 +165,8 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
                 ? start_guarded(skeleton, point, state.arrays[b.law].data() + row * state.arrays[b.law].extent(1))
                 : rest;
         if (!reason.empty() && problem.empty())
-          problem = "material '" + b.material->name + "' cannot start at (" + std::to_string(point.position[0]) + ", " +
-                    std::to_string(point.position[1]) + "): " + reason;
+          problem = "material '" + b.material->name + "' cannot start at " +
+                    place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
       }
   }
   // any rank may see the problem

@@ -21,13 +21,13 @@ class InitialState {
   enum class Kind { stress_free, uniform, geostatic };
   void check(const Section& section) const;
   /// Overconsolidation ratio and stress of a geostatic point under this vertical effective stress; "" or the problem.
-  std::string at_rest(InitialPoint& point, double vertical, const SoilMaterial& material) const;
+  std::string at_rest(InitialPoint& point, double vertical, const Point& up, const SoilMaterial& material) const;
   GeostaticColumn column(const Soil& soil, double g, const Section& section) const;
   /// Pore pressures of the start, by height.
-  void set_pressure(const Soil& soil, StateStore& store, const std::function<double(double)>& at) const;
+  void set_pressure(const Soil& soil, StateStore& store, const std::function<double(double height)>& at) const;
 
   Kind kind_ = Kind::stress_free;
-  double stress_[4] = {0, 0, 0, 0};  // xx yy zz xy, compression positive
+  double stress_[6] = {};  // xx yy zz yz xz xy, compression positive
   double pressure_ = 0;
   double surcharge_ = 0, water_level_ = 0;
   bool has_water_ = false, has_k0_ = false, has_k0_angle_ = false, has_ocr_ = false, has_preoverburden_ = false;

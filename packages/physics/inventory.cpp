@@ -10,7 +10,8 @@
 namespace mudline {
 
 Inventory take_inventory(const Soil& soil, const State& state) {
-  double local[7] = {0, 0, 0, 0, 0, 0, 0}, total[7];
+  constexpr int count = 8;  // momentum (3), then the others of an Inventory in their order
+  double local[count] = {}, total[count];
   LoopLevel level;
   level.x = state.coordinates;
   level.value = level.value_old = level.value_end = state.value;
@@ -29,23 +30,23 @@ Inventory take_inventory(const Soil& soil, const State& state) {
               const double mass = mixture.density(n, at) * s.dv;
               for (int i = 0; i < Loop::D; ++i) {
                 local[i] += mass * at.velocity[i];
-                local[2] += 0.5 * mass * at.velocity[i] * at.velocity[i];
+                local[3] += 0.5 * mass * at.velocity[i] * at.velocity[i];
               }
               const double warmth = Loop::S > 1 ? at.value[Loop::SQ - 1] : mixture.reference;
-              local[3] += (1 - n) * mixture.grain_density_at(warmth) * s.dv;
+              local[4] += (1 - n) * mixture.grain_density_at(warmth) * s.dv;
               if constexpr (Loop::S > 0) {
                 const double squeezed = Loop::S > 1 ? std::expm1(at.value[0] * mixture.fluid_compliance -
                                                                  mixture.fluid_expansion * (warmth - mixture.reference))
                                                     : at.value[0] * mixture.fluid_compliance;
-                local[4] += n * (1 + squeezed) * s.dv;
-                local[5] += n * s.dv;
-                local[6] += n * squeezed * s.dv;
+                local[5] += n * (1 + squeezed) * s.dv;
+                local[6] += n * s.dv;
+                local[7] += n * squeezed * s.dv;
               }
             });
     });
   }
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, 7, local, total);
-  return {{total[0], total[1]}, total[2], total[3], total[4], total[5], total[6]};
+  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, count, local, total);
+  return {{total[0], total[1], total[2]}, total[3], total[4], total[5], total[6], total[7]};
 }
 
 }  // namespace mudline

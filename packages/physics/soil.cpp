@@ -158,10 +158,10 @@ void Soil::declare_state(StateStore& store) {
 }
 
 void Soil::sparsity(Assembler& assembler) {
-  for (SoilBlock& b : blocks) b.group = assembler.add_group(b.dofs);
+  for (SoilBlock& b : blocks) b.group = b.mass.group = assembler.add_group(b.dofs);
 }
 
-Field displacement_field() { return {"displacement", "m", "N", 2, Support::all_nodes, 2}; }
+Field displacement_field() { return {"displacement", "m", "N", vector_components, Support::all_nodes, 2}; }
 Field pore_pressure_field() { return {"pore pressure", "Pa", "m3/s", 1, Support::vertices, 1}; }
 
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
@@ -192,7 +192,10 @@ std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, 
                      "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
                      "'permeability', or use physics 'biot'",
                  b.material->name);
-    static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, degree);
+    // Four points carry all strains of a tet10, as C3D10 has them in other programs.
+    const int own = degree > 0 ? degree : elements.shape == CellShape::tet10 ? 2 : 4;
+    static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, own);
+    b.mass = own < 4 ? b.with_quadrature(4) : b;
     soil->blocks.push_back(b);
   }
   return soil;

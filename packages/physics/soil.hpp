@@ -58,6 +58,7 @@ struct SoilBlock : FieldBlock {
   double grain_expansion = 0;                  // [1/K] volumetric, of grains and drained skeleton
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
   bool porous() const { return scalars > 0; }
+  FieldBlock mass;  // the same elements, with points enough for a mass matrix that no motion escapes
 };
 
 /// All soil of a model.
@@ -68,9 +69,12 @@ struct Soil {
   std::vector<SoilBlock> blocks;
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
   bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water
+  /// Unit vector against gravity, along which heights are counted; without gravity the mesh's last direction.
+  Point up{};
+  double height(const Point& x) const { return x[0] * up[0] + x[1] * up[1] + x[2] * up[2]; }
   /// Gravity [m/s2] at a time, as far as pore pressures hold the water up; zero without pore fluid and where they are
   /// in excess of water at rest.
-  std::function<std::array<double, 2>(double time)> water_gravity = [](double) { return std::array<double, 2>{}; };
+  std::function<Point(double time)> water_gravity = [](double) { return Point{}; };
 
   /// Density of the water whose weight a soil does not feel, alpha rho_f [kg/m3]; zero where pore pressures are total.
   double uplift(const SoilMaterial& material) const;
@@ -81,7 +85,7 @@ struct Soil {
 /// Pairs every element block with the one material that names its region. `scalars`: the fields beside the
 /// displacement: none, the pore pressure, or pore pressure and temperature. InputError when no material or several name
 /// a region, or when the material does not fit (with pore pressure: fluid and permeability required; otherwise
-/// refused).
+/// refused). quadrature_degree: 0: by the cell, 4 or, of a tet10, 2.
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
                                 int quadrature_degree, const Section& where);
 

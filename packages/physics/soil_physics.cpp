@@ -14,6 +14,7 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   soil_ = make_soil(context.space, context.materials, scalar_fields(), quadrature_, context.materials_section);
   context.shared.offer(soil_);
   soil_->excess = excess_;
+  soil_->up = gravity_.up(context.space.mesh().dimension());
   if (porous() && excess_) require_one_fluid_density(context.materials_section, "with 'pore pressure' = 'excess'");
   if (porous() && !excess_) soil_->water_gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   context.terms.push_back(std::make_unique<StressDivergence>(soil_));
@@ -34,7 +35,9 @@ void SoilPhysics::common_parameters(Parameters& p) {
   p.add("gravity", gravity_.vector, "m/s2", "gravitational acceleration as a vector");
   p.add("gravity factor", gravity_.factor, "-", "function of time that scales gravity");
   p.add("quadrature degree", quadrature_, "-", closed(1, 8),
-        "polynomial degree that the element quadrature integrates exactly");
+        "polynomial degree that the element quadrature integrates exactly; by default 4, of ten-node tetrahedra 2. "
+        "Inertia takes 4 at least");
+  if (!p.given("quadrature degree")) quadrature_ = cell_default;
   p.add("mass damping", mass_damping_, "1/s", non_negative(), "Rayleigh damping: factor of the mass matrix");
   p.add("stiffness damping", stiffness_damping_, "s", non_negative(),
         "Rayleigh damping: factor of the elastic stiffness matrix");

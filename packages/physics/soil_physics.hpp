@@ -35,6 +35,7 @@ class SoilPhysics : public Physics {
   void warn_of_locking(const State& state) const;
 
   InitialState initial_;
+  static constexpr int cell_default = 0;
   int quadrature_ = 4;
   double mass_damping_ = 0, stiffness_damping_ = 0;
 };

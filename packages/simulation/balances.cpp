@@ -41,18 +41,18 @@ int Balances::row_of(const Term* term) const {
 Inventory Balances::inventory(const State& state) const {
   if (!model_.soil()) return {};
   Inventory result = take_inventory(*model_.soil(), state);
-  std::vector<double> bodies(3, 0.0);  // momentum, kinetic energy: this rank's
+  std::vector<double> bodies(axis_names.size() + 1, 0.0);  // momentum, kinetic energy: this rank's
   for (const auto& [name, body] : model_.bodies()) {
     const BodyUnknowns& unknowns = body->unknowns();
     for (int k = 0; unknowns.owned && k < unknowns.count; ++k) {
       const double v = state.rate(unknowns.dof[k]);
-      if (unknowns.direction[k] < 2) bodies[unknowns.direction[k]] += moving_mass(*body) * v;
-      bodies[2] += 0.5 * moving_mass(*body) * v * v;
+      if (unknowns.direction[k] < dimension()) bodies[unknowns.direction[k]] += moving_mass(*body) * v;
+      bodies.back() += 0.5 * moving_mass(*body) * v * v;
     }
   }
   bodies = sum_over_ranks(*model_.space().dofs()->comm(), bodies);
   for (std::size_t i = 0; i < axis_names.size(); ++i) result.momentum[i] += bodies[i];
-  result.kinetic += bodies[2];
+  result.kinetic += bodies.back();
   return result;
 }
 
@@ -61,8 +61,7 @@ void Balances::start() {
   const Inventory now = inventory(state);
   const PointView rows = state.arrays[handle_];
   Kokkos::deep_copy(rows, 0.0);
-  rows(momentum_x, 0) = now.momentum[0];
-  rows(momentum_y, 0) = now.momentum[1];
+  for (std::size_t i = 0; i < axis_names.size(); ++i) rows(momentum + i, 0) = now.momentum[i];
   rows(water_start, 0) = now.water;
   rows(kinetic_start, 0) = now.kinetic;
   for (std::size_t c = 0; c < model_.conserved().size(); ++c)
@@ -74,7 +73,7 @@ void Balances::jump(const std::function<void()>& change) {
   change();
   const Inventory after = inventory(model_.store().committed());
   const PointView rows = model_.store().committed().arrays[handle_];
-  for (std::size_t i = 0; i < axis_names.size(); ++i) rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
+  for (std::size_t i = 0; i < axis_names.size(); ++i) rows(momentum + i, 0) += after.momentum[i] - before.momentum[i];
   rows(kinetic_start, 0) += after.kinetic - before.kinetic;
 }
 
@@ -84,8 +83,9 @@ void Balances::add_step() {
   const Space& space = model_.space();
   const int u = space.find("displacement"), p = space.find("pore pressure");
   const int terms = static_cast<int>(stepper.active().size());
-  // this rank's shares: work by term, reaction work, outflow, force without inertia (2), excess work
-  std::vector<double> local(terms + 5, 0.0);
+  // this rank's shares: work by term, reaction work, outflow, excess work, force without inertia by direction
+  const int by_reaction = terms, flown = terms + 1, excess = terms + 2, pushed = terms + 3;
+  std::vector<double> local(pushed + axis_names.size(), 0.0);
   // Internal forces are interpolated for the step; above the trapezium their work is the integrator's dissipation.
   std::vector<std::pair<NodalView, NodalView>> ends(terms);
   for (int k = 0; k < terms; ++k) {
@@ -95,15 +95,15 @@ void Balances::add_step() {
   }
   const auto add_mechanics = [&](int i, int direction) {
     const double du = view.value_end(i) - view.value_old(i);
-    const bool pushes = direction < 2;  // a moment adds no linear momentum
+    const bool pushes = direction < dimension();  // a moment adds no linear momentum
     for (int k = 0; k < terms; ++k) {
       const double force = stepper.term_force(k)(i);
       local[k] += force * du;
-      if (ends[k].first.extent(0) > 0) local[terms + 4] += (force - 0.5 * (ends[k].first(i) + ends[k].second(i))) * du;
-      if (pushes && stepper.active()[k]->role() != Role::inertia) local[terms + 2 + direction] -= force;
+      if (ends[k].first.extent(0) > 0) local[excess] += (force - 0.5 * (ends[k].first(i) + ends[k].second(i))) * du;
+      if (pushes && stepper.active()[k]->role() != Role::inertia) local[pushed + direction] -= force;
     }
-    local[terms] += stepper.reaction()(i) * du;
-    if (pushes) local[terms + 2 + direction] += stepper.reaction()(i);
+    local[by_reaction] += stepper.reaction()(i) * du;
+    if (pushes) local[pushed + direction] += stepper.reaction()(i);
   };
   if (u >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), u))
@@ -113,15 +113,15 @@ void Balances::add_step() {
       add_mechanics(body->unknowns().dof[k], body->unknowns().direction[k]);
   if (p >= 0)
     for (const auto& [begin, end] : overlap_ranges(*space.dofs(), p))
-      for (int i = begin; i < end; ++i) local[terms + 1] += outflow_at(i);
+      for (int i = begin; i < end; ++i) local[flown] += outflow_at(i);
   const std::vector<double> total = sum_over_ranks(*space.dofs()->comm(), local);
   const PointView rows = model_.store().trial().arrays[handle_];
   for (int k = 0; k < terms; ++k) rows(row_of(stepper.active()[k]), 0) += total[k];
-  rows(reaction_work, 0) += total[terms];
-  rows(excess_work, 0) += view.inertia ? total[terms + 4] : 0.0;
-  rows(outflow, 0) += view.flow ? total[terms + 1] * view.dt : 0.0;
-  rows(impulse_x, 0) += view.inertia ? total[terms + 2] * view.dt : 0.0;
-  rows(impulse_y, 0) += view.inertia ? total[terms + 3] * view.dt : 0.0;
+  rows(reaction_work, 0) += total[by_reaction];
+  rows(excess_work, 0) += view.inertia ? total[excess] : 0.0;
+  rows(outflow, 0) += view.flow ? total[flown] * view.dt : 0.0;
+  for (std::size_t i = 0; i < axis_names.size(); ++i)
+    rows(impulse + i, 0) += view.inertia ? total[pushed + i] * view.dt : 0.0;
   if (view.flow) add_conserved(rows);
 }
 
@@ -182,8 +182,8 @@ void Balances::add_remap(const MeshReceipt& receipt) {
   rows(remap_drift, 0) = receipt.yield_drift;
   rows(remap_kinetic, 0) += after.kinetic - before.kinetic;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    rows(remap_momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
-    rows(momentum_x + i, 0) += after.momentum[i] - before.momentum[i];
+    rows(remap_momentum + i, 0) += after.momentum[i] - before.momentum[i];
+    rows(momentum + i, 0) += after.momentum[i] - before.momentum[i];
   }
   // the steps' own balances go on from here
   rows(water_start, 0) += after.water - before.water;
@@ -228,10 +228,10 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
   result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic + rows(excess_work, 0)});
   result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
   result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    const double change = now.momentum[i] - rows(momentum_x + i, 0);
+  for (int i = 0; i < dimension(); ++i) {
+    const double change = now.momentum[i] - rows(momentum + i, 0);
     result.push_back({std::string("balance/momentum/change ") + axis_names[i], "N s", change});
-    result.push_back({std::string("balance/momentum/impulse ") + axis_names[i], "N s", rows(impulse_x + i, 0)});
+    result.push_back({std::string("balance/momentum/impulse ") + axis_names[i], "N s", rows(impulse + i, 0)});
   }
   if (model_.soil()->pressure >= 0) {
     const double change = now.water - rows(water_start, 0);
@@ -243,9 +243,9 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
     result.push_back({"mesh motion/change of solid", "-", rows(remap_solid, 0) / std::max(now.solid, 1e-300)});
     if (model_.soil()->pressure >= 0)
       result.push_back({"mesh motion/change of water", "-", rows(remap_water, 0) / std::max(now.pore_volume, 1e-300)});
-    for (std::size_t i = 0; i < axis_names.size(); ++i)
+    for (int i = 0; i < dimension(); ++i)
       result.push_back(
-          {std::string("mesh motion/change of momentum ") + axis_names[i], "N s", rows(remap_momentum_x + i, 0)});
+          {std::string("mesh motion/change of momentum ") + axis_names[i], "N s", rows(remap_momentum + i, 0)});
     result.push_back({"mesh motion/change of kinetic energy", "J", rows(remap_kinetic, 0)});
     result.push_back({"mesh motion/yield drift", "-", rows(remap_drift, 0)});
   }

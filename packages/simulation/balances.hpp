@@ -37,21 +37,20 @@ class Balances {
     reaction_work,
     excess_work,
     outflow,
-    impulse_x,
-    impulse_y,
-    momentum_x,
-    momentum_y,
+    impulse,  // and the next ones, by direction; the same of those below
+    momentum = impulse + static_cast<int>(axis_names.size()),
+    momentum_end = momentum + static_cast<int>(axis_names.size()) - 1,
     water_start,
     kinetic_start,
     remap_solid,
     remap_water,
-    remap_momentum_x,
-    remap_momentum_y,
-    remap_kinetic,
+    remap_momentum,
+    remap_kinetic = remap_momentum + static_cast<int>(axis_names.size()),
     remap_drift,
     first_term
   };
   Inventory inventory(const State& state) const;
+  int dimension() const { return model_.mesh().dimension(); }
   int row_of(const Term* term) const;
   /// Rows: content at the start, outflow, its sum over absolute values, change by mesh motion.
   int row_of_conserved(std::size_t c) const { return first_conserved_ + 4 * static_cast<int>(c); }

@@ -26,7 +26,7 @@ void OutputSettings::parameters(Parameters& p) {
   p.add("checkpoint steps", checkpoint_steps, "-", closed(0, 1e9),
         "a checkpoint every so many steps; 0: at the end of stages only");
   p.passes_on("probes",
-              "named points: Array(double) of two coordinates for the nearest node that carries a field (pore "
+              "named points: Array(double) of its coordinates for the nearest node that carries a field (pore "
               "pressure: the nearest cell corner), wherever it goes, with the soil or with the mesh; or a section with "
               "a point and what it moves with");
 }
@@ -41,7 +41,7 @@ OutputSettings OutputSettings::read(const Section& section, const std::string& d
   const Section probes = section.section("probes");
   Parameters reader(probes);
   for (const std::string& name : probes.parameter_names()) {
-    std::array<double, 2> point{};
+    Point point{};
     reader.required(name, point, "m", "position of the probe");
     settings.probes.push_back({name, point, true, ""});
   }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/log.hpp"
+#include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -101,8 +102,8 @@ std::string UsualRanges::doubt(Quantity quantity, double value) const {
 struct Plausibility::Element {
   const SoilBlock& block;
   int number;
-  double shortest, longest;  // [m] sides
-  double height;             // [m] area over the longest side
+  double shortest, longest;  // [m] edges
+  double height;             // [m] area over the longest side; in space volume over the largest face
   double shear, modulus;     // [Pa] G, drained constrained modulus
   double wave;               // [m/s] fastest
   double consolidation;      // [m2/s] c_v; 0 without pore fluid
@@ -113,18 +114,8 @@ void Plausibility::for_each_element(F&& f) const {
   const State& state = model_.store().committed();
   for (const SoilBlock& b : model_.soil()->blocks)
     for (int e = 0; e < b.elements; ++e) {
-      Element at{b, e, 1e300, 0, 0, 0, 0, 0, 0};
-      const int corners = num_corners(b.shape);
-      double area = 0;
-      for (int c = 0; c < corners; ++c) {
-        const auto& x = state.coordinates;
-        const int i = b.nodes(e, c), j = b.nodes(e, (c + 1) % corners);
-        const double side = std::hypot(x(j, 0) - x(i, 0), x(j, 1) - x(i, 1));
-        at.shortest = std::min(at.shortest, side);
-        at.longest = std::max(at.longest, side);
-        area += 0.5 * (x(i, 0) * x(j, 1) - x(j, 0) * x(i, 1));
-      }
-      at.height = area / at.longest;
+      const ElementSize size = ElementMap(b.shape, [&](int a) { return &state.coordinates(b.nodes(e, a), 0); }).size();
+      Element at{b, e, size.shortest_edge, size.longest_edge, size.height, 0, 0, 0, 0};
       const SoilMaterial& material = *b.material;
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
@@ -340,7 +331,7 @@ std::vector<Plausibility::Load> Plausibility::loads(const Section& deck, std::si
       const auto& before = model_.stages()[number - 1]->conditions;
       load.anew = std::find(before.begin(), before.end(), name) == before.end();
     }
-    for (const char* component : {"x", "y", "value"}) {
+    for (const char* component : {"x", "y", "z", "value"}) {
       Function function;
       Parameters(entry).add(component, function, "", "");
       load.components.push_back(function);
@@ -357,14 +348,18 @@ double Plausibility::pressure_time(const Section& deck, std::size_t number) cons
   Constraints held(n);
   model_.prescribe(stage, 0, stage.duration, model_.store().committed(), held);
   std::set<std::pair<int, int>> beside;  // (block, element)
-  const auto& x = model_.mesh().coordinates();
   for (const Load& load : loads(deck, number))
     for (const Side& side : model_.mesh().side_sets().at(load.set)) {
       const ElementBlock& block = model_.mesh().blocks()[side.block];
       const std::vector<int> local = side_nodes(block.shape, side.side);
-      const int a = block.nodes(side.element, local[0]), b = block.nodes(side.element, local[1]);
-      const bool drained = held.mask(space.node_dof(p)(a)) && held.mask(space.node_dof(p)(b));
-      const Point middle{0.5 * (x(a, 0) + x(b, 0)), 0.5 * (x(a, 1) + x(b, 1)), 0};
+      const int corners = num_corners(side_shape(block.shape));
+      bool drained = true;
+      Point middle{};
+      for (int c = 0; c < corners; ++c) {
+        const int node = block.nodes(side.element, local[c]);
+        drained = drained && held.mask(space.node_dof(p)(node));
+        for (int i = 0; i < 3; ++i) middle[i] += model_.mesh().place(node)[i] / corners;
+      }
       if (drained && load.sudden(stage.control.initial, middle)) beside.insert({side.block, side.element});
     }
   double longest = 0;

@@ -24,8 +24,7 @@ void into_cell(CellShape shape, double (&xi)[2]) {
 }
 
 std::string column(const std::string& probe, const std::string& field, int components, int component) {
-  const char* axes[2] = {" x", " y"};
-  return "probe/" + probe + "/" + field + (components > 1 ? axes[component] : "");
+  return "probe/" + probe + "/" + field + (components > 1 ? std::string(" ") + axis_names[component] : "");
 }
 
 }  // namespace
@@ -49,8 +48,8 @@ Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
     int dof = -1;
     for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node) {
       if (space.node_dof(f)(node) < 0) continue;
-      const double distance = std::hypot(model_.mesh().coordinates()(node, 0) - settings.point[0],
-                                         model_.mesh().coordinates()(node, 1) - settings.point[1]);
+      const Point x = model_.mesh().place(node);
+      const double distance = std::hypot(x[0] - settings.point[0], x[1] - settings.point[1], x[2] - settings.point[2]);
       if (distance < best) {
         best = distance;
         dof = space.node_dof(f)(node);
@@ -66,18 +65,19 @@ Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
   return probe;
 }
 
-std::array<double, 2> Probes::place(const ProbeSettings& probe, const State& state) const {
+Point Probes::place(const ProbeSettings& probe, const State& state) const {
   if (probe.moves_with.empty()) return probe.point;
   const RigidBody& body = *model_.bodies().at(probe.moves_with);
   const BodyPlacement start = body.initial_placement(), now = body.placement(state);
   const double turn = now.angle - start.angle, c = std::cos(turn), s = std::sin(turn);
   const double arm[2] = {probe.point[0] - start.centre[0], probe.point[1] - start.centre[1]};
-  return {now.centre[0] + c * arm[0] - s * arm[1], now.centre[1] + s * arm[0] + c * arm[1]};
+  return {now.centre[0] + c * arm[0] - s * arm[1], now.centre[1] + s * arm[0] + c * arm[1], 0};
 }
 
 void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
                           const Positions& x, std::vector<HistoryValue>& row) const {
-  const std::array<double, 2> at = place(probe, state);
+  const Point there = place(probe, state);
+  const std::array<double, 2> at{there[0], there[1]};
   const PointLocator locator(*mesh_, x);
   const double rounding = 1e-9 * model_.mesh().bounds().extent();
   MeshPlace best;

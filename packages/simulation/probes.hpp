@@ -29,7 +29,7 @@ class Probes {
     std::vector<int> dof;  // by field: component 0 of the nearest node where this rank owns it, -1
   };
   NodeProbe nearest_node(const ProbeSettings& settings) const;
-  std::array<double, 2> place(const ProbeSettings& probe, const State& state) const;
+  Point place(const ProbeSettings& probe, const State& state) const;
   /// One field of the whole mesh, as the histories name it.
   struct Values {
     std::string name;

@@ -59,8 +59,9 @@ NodalView Results::excess_pressure(int field) const {
     const int dof = model_.space().node_dof(field)(node);
     if (dof < 0) continue;
     // a node that has moved, with the soil or with the mesh, is compared with the water at rest where it is now
-    const double deeper = gravity[0] * (state.coordinates(node, 0) - start(node, 0)) +
-                          gravity[1] * (state.coordinates(node, 1) - start(node, 1));
+    double deeper = 0;
+    for (int i = 0; i < model_.mesh().dimension(); ++i)
+      deeper += gravity[i] * (state.coordinates(node, i) - start(node, i));
     excess(dof) = state.value(dof) - initial_pressure_(dof) - fluid_density_(dof) * deeper;
   }
   return excess;
@@ -77,17 +78,15 @@ std::vector<double> Results::on_all_nodes(int field, const ConstNodalView& value
   if (model_.space().field(field).support == Support::all_nodes) return result;
   for (const ElementBlock& block : mesh.blocks()) {
     const int corners = num_corners(block.shape);
+    std::vector<std::vector<int>> around;
+    for (int a = 0; a < num_nodes(block.shape); ++a) around.push_back(corners_around(block.shape, a));
     for (int e = 0; e < block.num_elements; ++e)
       for (int a = corners; a < num_nodes(block.shape); ++a) {
         const int node = block.nodes(e, a);
         if (node >= mesh.num_owned_nodes()) continue;
         for (int c = 0; c < components; ++c) {
           double mean = 0;
-          if (a < 2 * corners)
-            mean = 0.5 * (values(table(block.nodes(e, a - corners)) + c) +
-                          values(table(block.nodes(e, (a - corners + 1) % corners)) + c));
-          else
-            for (int k = 0; k < corners; ++k) mean += values(table(block.nodes(e, k)) + c) / corners;
+          for (int k : around[a]) mean += values(table(block.nodes(e, k)) + c) / around[a].size();
           result[node * components + c] = mean;
         }
       }

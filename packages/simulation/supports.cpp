@@ -1,30 +1,42 @@
 #include "simulation/supports.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "core/text.hpp"
+#include "integrator/overlap.hpp"
 
 namespace mudline {
 
 namespace {
 
-using Vec = std::array<double, 2>;
-
-std::vector<int> nodes_of(const WholeMesh& mesh, const WholeMesh::ElementSide& at) {
-  const WholeMesh::Element& element = mesh.elements()[at.element];
-  std::vector<int> nodes;
-  for (int k : side_nodes(element.shape, at.side)) nodes.push_back(element.nodes[k]);
-  return nodes;
+Point axis(int direction) {
+  Point along{};
+  along[direction] = 1;
+  return along;
 }
 
-/// The representative of a node in a forest of parents, whose paths get shorter on the way.
-int root(std::vector<int>& parent, int node) {
-  while (parent[node] != node) node = parent[node] = parent[parent[node]];
-  return node;
+double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Unit normal of the plane through the first corners of a side.
+Point side_normal(const Mesh& mesh, const std::vector<int>& nodes) {
+  const Point a = mesh.place(nodes[0]), b = mesh.place(nodes[1]);
+  const Point along{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  Point across = axis(2);
+  if (mesh.dimension() == 3) {
+    const Point c = mesh.place(nodes[2]);
+    across = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  }
+  Point normal = cross(along, across);
+  const double size = distance(normal, {});
+  for (double& n : normal) n /= size;
+  return normal;
 }
 
 }  // namespace
@@ -37,6 +49,8 @@ class Supports::Gram {
     for (int i = 0; i < size_; ++i)
       for (int j = 0; row[i] != 0 && j < size_; ++j) entries_[i * size_ + j] += row[i] * row[j];
   }
+  /// Adds up what the ranks have.
+  void sum(const Comm& comm) { entries_ = sum_over_ranks(comm, entries_); }
   /// A free motion in the chosen amplitudes only: the largest of its amplitudes is that of the returned index; -1:
   /// none.
   int free(const std::vector<int>& chosen) const;
@@ -67,35 +81,27 @@ int Supports::Gram::free(const std::vector<int>& chosen) const {
   return chosen[largest];
 }
 
-Supports::Supports(Model& model)
-    : model_(model), mesh_(model.mesh()), positions_(mesh_.gather(model.mesh().coordinates())) {
-  find_parts();
-}
+Supports::Supports(Model& model) : model_(model), mesh_parts_(mesh_parts(model.mesh())) { find_parts(); }
 
 void Supports::find_parts() {
-  std::vector<int> parent(mesh_.num_nodes());
-  for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = static_cast<int>(i);
-  for (const WholeMesh::Element& element : mesh_.elements())
-    for (int a = 1; a < num_nodes(element.shape); ++a)
-      parent[root(parent, element.nodes[a])] = root(parent, element.nodes[0]);
-  std::map<int, std::array<double, 4>> boxes;
-  std::map<int, int> index;
-  part_of_.resize(parent.size());
-  for (std::size_t i = 0; i < parent.size(); ++i) {
-    const auto [at, anew] = index.emplace(root(parent, static_cast<int>(i)), static_cast<int>(index.size()));
-    part_of_[i] = at->second;
-    const Vec& p = positions_[i];
-    auto& box = boxes[at->second];
-    if (anew) box = {p[0], p[0], p[1], p[1]};
-    box = {std::min(box[0], p[0]), std::max(box[1], p[0]), std::min(box[2], p[1]), std::max(box[3], p[1])};
+  const Mesh& mesh = model_.mesh();
+  const std::size_t count = mesh_parts_.places.size();
+  std::vector<double> here(6 * count, -1e300), box(here);  // of each: minus the lowest, the highest coordinates
+  for (int node = 0; node < mesh.num_nodes(); ++node) {
+    const Point x = mesh.place(node);
+    double* mine = &here[6 * mesh_parts_.of_node[node]];
+    for (int i = 0; i < 3; ++i) {
+      mine[i] = std::max(mine[i], -x[i]);
+      mine[3 + i] = std::max(mine[3 + i], x[i]);
+    }
   }
-  for (const auto& [part, box] : boxes) {
+  Teuchos::reduceAll(*mesh.comm(), Teuchos::REDUCE_MAX, static_cast<int>(here.size()), here.data(), box.data());
+  for (std::size_t part = 0; part < count; ++part) {
+    const double* range = &box[6 * part];
     Mover mover;
-    mover.centre = {0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])};
-    mover.size = 0.5 * std::hypot(box[1] - box[0], box[3] - box[2]);
-    mover.name = boxes.size() == 1 ? "the soil"
-                                   : "the part of the mesh around (" + number_text(mover.centre[0]) + ", " +
-                                         number_text(mover.centre[1]) + ")";
+    for (int i = 0; i < 3; ++i) mover.centre[i] = 0.5 * (range[3 + i] - range[i]);
+    mover.size = 0.5 * std::hypot(range[3] + range[0], range[4] + range[1], range[5] + range[2]);
+    mover.name = count == 1 ? "the soil" : "the part of the mesh around " + place_text(mover.centre, dimension());
     parts_.push_back(mover);
   }
 }
@@ -106,7 +112,7 @@ std::vector<Supports::Mover> Supports::movers(const Stage& stage) const {
     const auto motion = model_.motion_in(stage, name);
     if (!motion || !motion->released()) continue;
     const auto centre = body->initial_placement().centre;
-    all.push_back({"body '" + name + "'", body.get(), {centre[0], centre[1]}, 0.5 * body->contour().length()});
+    all.push_back({"body '" + name + "'", body.get(), {centre[0], centre[1], 0}, 0.5 * body->contour().length()});
   }
   return all;
 }
@@ -115,7 +121,7 @@ std::vector<Supports::Motion> Supports::motions(const Stage& stage, const std::v
   std::vector<Motion> all;
   for (std::size_t m = 0; m < movers.size(); ++m) {
     const RigidBody* body = movers[m].body;
-    for (Direction direction : {x, y, rotation})
+    for (int direction = 0; direction < directions(); ++direction)
       if (body ? model_.motion_in(stage, body->name())->released()->releases(direction)
                : may_move(model_.mesh().geometry(), direction))
         all.push_back({static_cast<int>(m), direction});
@@ -136,14 +142,14 @@ class Supports::Collector {
   void add_prescribed(double time);
   void add_contact(const ContactPartners& contact, bool pressed_in);
   void add_body_springs(double time);
-  /// What is free to move; "": nothing.
-  std::string free() const;
+  /// What is free to move; "": nothing. Collective.
+  std::string free();
 
  private:
   int mover_of(const RigidBody* body) const;
   /// Adds `factor` times the displacement of a mover's point along a direction; a mover of -1 does not move.
-  void displace(int mover, const Vec& at, const Vec& along, double factor, Row& row) const;
-  void resist(int first, int second, const Vec& at, const Vec& along);
+  void displace(int mover, const Point& at, const Point& along, double factor, Row& row) const;
+  void resist(int first, int second, const Point& at, const Point& along);
 
   const Supports& supports_;
   const Stage& stage_;
@@ -158,17 +164,18 @@ int Supports::Collector::mover_of(const RigidBody* body) const {
   return -1;
 }
 
-void Supports::Collector::displace(int mover, const Vec& at, const Vec& along, double factor, Row& row) const {
+void Supports::Collector::displace(int mover, const Point& at, const Point& along, double factor, Row& row) const {
+  const int axes = supports_.dimension();
   for (std::size_t k = 0; k < motions_.size(); ++k) {
     if (motions_[k].mover != mover) continue;
     const Mover& m = movers_[mover];
-    const double arm = ((at[0] - m.centre[0]) * along[1] - (at[1] - m.centre[1]) * along[0]) / m.size;
-    const double by_direction[3] = {along[0], along[1], arm};
-    row[k] += factor * by_direction[motions_[k].direction];
+    const int direction = motions_[k].direction;
+    const Point moment = cross({at[0] - m.centre[0], at[1] - m.centre[1], at[2] - m.centre[2]}, along);
+    row[k] += factor * (direction < axes ? along[direction] : moment[axes == 2 ? 2 : direction - 3] / m.size);
   }
 }
 
-void Supports::Collector::resist(int first, int second, const Vec& at, const Vec& along) {
+void Supports::Collector::resist(int first, int second, const Point& at, const Point& along) {
   Row row(motions_.size(), 0.0);
   displace(first, at, along, 1, row);
   if (second != first) displace(second, at, along, -1, row);
@@ -177,37 +184,36 @@ void Supports::Collector::resist(int first, int second, const Vec& at, const Vec
 
 void Supports::Collector::add_prescribed(double time) {
   const Space& space = supports_.model_.space();
-  const int n = space.dofs()->num_overlap_dofs(), u = space.find("displacement");
-  Constraints held(n);
+  const Mesh& mesh = space.mesh();
+  Constraints held(space.dofs()->num_overlap_dofs());
   supports_.model_.prescribe(stage_, time, time + stage_.duration, supports_.model_.store().committed(), held);
-  NodalView mask("held", n);
-  for (int i = 0; i < n; ++i) mask(i) = held.mask(i);
-  const std::vector<double> table = supports_.mesh_.gather(space, u, mask);
-  for (int node = 0; node < supports_.mesh_.num_nodes(); ++node)
-    for (int i = 0; i < 2; ++i)
-      if (table[2 * node + i] != 0)
-        resist(supports_.part_of_[node], -1, supports_.positions_[node], {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0});
+  const auto& dof = space.node_dof(space.find("displacement"));
+  for (int node = 0; node < mesh.num_owned_nodes(); ++node)
+    for (int i = 0; i < supports_.dimension(); ++i)
+      if (held.mask(dof(node) + i)) resist(supports_.mesh_parts_.of_node[node], -1, mesh.place(node), axis(i));
 }
 
 void Supports::Collector::add_contact(const ContactPartners& contact, bool pressed_in) {
-  const WholeMesh& mesh = supports_.mesh_;
+  const Mesh& mesh = supports_.model_.mesh();
   const int body = mover_of(contact.body);
   const bool all_directions = contact.shear || pressed_in || body >= 0;
-  for (const auto& at : mesh.side_sets().at(contact.surface)) {
-    const std::vector<int> nodes = nodes_of(mesh, at);
-    const Vec &a = supports_.positions_[nodes[0]], &b = supports_.positions_[nodes[1]];
-    const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-    const Vec tangent{(b[0] - a[0]) / length, (b[1] - a[1]) / length}, normal{tangent[1], -tangent[0]};
+  for (const Side& side : mesh.side_sets().at(contact.surface)) {
+    const ElementBlock& block = mesh.blocks()[side.block];
+    std::vector<int> nodes;
+    for (int local : side_nodes(block.shape, side.side)) nodes.push_back(block.nodes(side.element, local));
+    const Point normal = side_normal(mesh, nodes);
     for (int node : nodes) {
-      const Vec& p = supports_.positions_[node];
+      const int part = supports_.mesh_parts_.of_node[node];
+      const Point p = mesh.place(node);
       const int other = contact.body ? body : supports_.nearest_part(contact.opposite, p);
-      resist(supports_.part_of_[node], other, p, normal);
-      if (all_directions) resist(supports_.part_of_[node], other, p, tangent);
+      if (!all_directions) resist(part, other, p, normal);
+      for (int i = 0; all_directions && i < supports_.dimension(); ++i) resist(part, other, p, axis(i));
     }
   }
 }
 
 void Supports::Collector::add_body_springs(double time) {
+  if (supports_.model_.mesh().comm()->getRank() != 0) return;  // every rank knows all bodies
   for (std::size_t k = 0; k < motions_.size(); ++k) {
     const RigidBody* body = movers_[motions_[k].mover].body;
     if (!body) continue;
@@ -220,28 +226,33 @@ void Supports::Collector::add_body_springs(double time) {
   }
 }
 
-std::string Supports::Collector::free() const {
-  const char* const ways[3] = {" is free to move in x", " is free to move in y", " is free to rotate"};
-  for (Direction direction : {x, y, rotation}) {
+std::string Supports::Collector::free() {
+  gram_.sum(*supports_.model_.mesh().comm());
+  const int axes = supports_.dimension();
+  for (int direction = 0; direction <= axes; ++direction) {
     std::vector<int> chosen;  // pure translations first, then anything
     for (std::size_t k = 0; k < motions_.size(); ++k)
-      if (direction == rotation || motions_[k].direction == direction) chosen.push_back(static_cast<int>(k));
+      if (direction == axes || motions_[k].direction == direction) chosen.push_back(static_cast<int>(k));
     const int found = gram_.free(chosen);
-    if (found >= 0) return movers_[motions_[found].mover].name + ways[direction];
+    if (found < 0) continue;
+    const Motion& motion = motions_[found];
+    const std::string way = motion.direction < axes ? std::string("move in ") + axis_names[motion.direction]
+                            : axes == 2             ? "rotate"
+                                                    : std::string("rotate about ") + axis_names[motion.direction - 3];
+    return movers_[motion.mover].name + " is free to " + way;
   }
   return "";
 }
 
-int Supports::nearest_part(const std::string& set, const Vec& at) const {
+int Supports::nearest_part(const std::string& set, const Point& at) const {
   int nearest = 0;
   double least = 1e300;
-  for (const auto& side : mesh_.side_sets().at(set))
-    for (int node : nodes_of(mesh_, side)) {
-      const double distance = std::hypot(positions_[node][0] - at[0], positions_[node][1] - at[1]);
-      if (distance >= least) continue;
-      least = distance;
-      nearest = part_of_[node];
-    }
+  for (int node : model_.mesh().nodes_of_set(set)) {
+    const double here = distance(model_.mesh().place(node), at);
+    if (here >= least) continue;
+    least = here;
+    nearest = mesh_parts_.of_node[node];
+  }
   return nearest;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "simulation/model.hpp"
 
 namespace mudline {
@@ -13,12 +13,12 @@ namespace mudline {
 /// prescribed displacement, no contact and no spring resists. In a stage without inertia they make the equations
 /// singular.
 ///
-/// A motion has one amplitude per part (or body) and direction: x, y, rotation in the plane; y in axisymmetry. Every
-/// support is a row, the displacement that it resists as a linear function of the amplitudes; what is free is the null
-/// space of all rows. A prescribed unknown gives one row. A contact resists the relative displacement along the normal
-/// of its surface, with friction also the one across. Where it may have been pressed in (a stage before this one took
-/// time), or where its body is released, it counts as holding both, so that nothing is called free that could be held.
-/// Absorbing boundaries hold nothing at rest.
+/// A motion has one amplitude per part (or body) and direction: along every axis, then about z in the plane and about
+/// x, y and z in space; y in axisymmetry. Every support is a row, the displacement that it resists as a linear function
+/// of the amplitudes; what is free is the null space of all rows. A prescribed unknown gives one row. A contact resists
+/// the relative displacement along the normal of its surface, with friction also the one across. Where it may have been
+/// pressed in (a stage before this one took time), or where its body is released, it counts as holding both, so that
+/// nothing is called free that could be held. Absorbing boundaries hold nothing at rest.
 class Supports {
  public:
   /// Collective.
@@ -28,18 +28,17 @@ class Supports {
   std::string missing(const Stage& stage, double time, bool pressed_in) const;
 
  private:
-  enum Direction { x, y, rotation };
   /// What moves as a whole, a connected part of the mesh or a released body. It turns about its centre; a rotation of 1
   /// moves a point at the distance `size` by 1.
   struct Mover {
     std::string name;
     const RigidBody* body = nullptr;
-    std::array<double, 2> centre{};
+    Point centre{};
     double size = 1;
   };
   struct Motion {
     int mover;
-    Direction direction;
+    int direction;  // translations first
   };
   using Row = std::vector<double>;  // by motion
   class Gram;                       // of the rows
@@ -48,13 +47,13 @@ class Supports {
   void find_parts();
   std::vector<Mover> movers(const Stage& stage) const;
   std::vector<Motion> motions(const Stage& stage, const std::vector<Mover>& movers) const;
-  /// The part of a side set's node that is nearest to a point.
-  int nearest_part(const std::string& set, const std::array<double, 2>& at) const;
+  /// The part of a side set's node that is nearest to a point; on a rank that has all nodes of the set.
+  int nearest_part(const std::string& set, const Point& at) const;
+  int dimension() const { return model_.mesh().dimension(); }
+  int directions() const { return dimension() == 3 ? 6 : 3; }
 
   Model& model_;
-  WholeMesh mesh_;
-  Positions positions_;
-  std::vector<int> part_of_;  // (node)
+  MeshParts mesh_parts_;
   std::vector<Mover> parts_;
 };
 

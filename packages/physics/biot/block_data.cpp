@@ -10,22 +10,20 @@ namespace mudline {
 
 namespace {
 
-/// Parents of the nodes that are no cell corners: the two ends of an edge, the four corners of a quad9's centre.
+/// Parents of the nodes that are no cell corners: the corners in whose middle they are.
 std::vector<std::vector<GlobalOrdinal>> node_parents(const Soil& soil) {
   const Mesh& mesh = soil.space->mesh();
   std::vector<std::vector<GlobalOrdinal>> parents(mesh.num_owned_nodes());
   for (const SoilBlock& b : soil.blocks) {
     if (order(b.shape) == 1) continue;
     const int corners = num_corners(b.shape);
+    std::vector<std::vector<int>> around;
+    for (int a = 0; a < b.u.nodes; ++a) around.push_back(corners_around(b.shape, a));
     for (int e = 0; e < b.elements; ++e)
       for (int a = corners; a < b.u.nodes; ++a) {
         const int node = b.nodes(e, a);
         if (node >= mesh.num_owned_nodes() || !parents[node].empty()) continue;
-        if (a < 2 * corners)
-          parents[node] = {mesh.node_ids()[b.nodes(e, a - corners)],
-                           mesh.node_ids()[b.nodes(e, (a - corners + 1) % corners)]};
-        else
-          for (int c = 0; c < corners; ++c) parents[node].push_back(mesh.node_ids()[b.nodes(e, c)]);
+        for (int c : around[a]) parents[node].push_back(mesh.node_ids()[b.nodes(e, c)]);
       }
   }
   return parents;

@@ -10,7 +10,7 @@ namespace mudline {
 struct Darcy {
   Mixture mixture;
   const Permeability* permeability;
-  double unit_weight, gravity[2];  // [N/m3], [m/s2]; of water whose weight the pressures hold
+  double unit_weight, gravity[3];  // [N/m3], [m/s2]; of water whose weight the pressures hold
   PointView void_ratio;            // (point; e and initial e) at the start of the step
 
   Darcy(const Soil& soil, const SoilBlock& block, const StepView& view)
@@ -19,7 +19,7 @@ struct Darcy {
         unit_weight(block.material->fluid->unit_weight()),
         void_ratio(view.committed->arrays[block.void_ratio]) {
     const auto g = soil.water_gravity(view.balance.time);
-    for (int i = 0; i < 2; ++i) gravity[i] = g[i];
+    for (int i = 0; i < 3; ++i) gravity[i] = g[i];
   }
   template <class C, int S, class T>
   T porosity(int row, const PointFields<C, S, T>& at) const {

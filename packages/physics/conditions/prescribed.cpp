@@ -3,7 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/soil.hpp"
+
 namespace mudline {
+
+namespace {
+
+void require_component(const Section& section, const std::array<bool, axis_names.size()>& given) {
+  if (std::none_of(given.begin(), given.end(), [](bool g) { return g; }))
+    section.fail(section.dimension() == 3 ? "at least one of 'x', 'y' and 'z' must be given"
+                                          : "at least one of 'x' and 'y' must be given");
+}
+
+}  // namespace
 
 void Prescribed::declare_set(Parameters& p) { p.required("set", set_, "mesh set (sides or nodes) on which it acts"); }
 
@@ -49,16 +61,14 @@ void Prescribed::reactions(const NodalView& reaction, Report& shares) const {
 
 void DisplacementCondition::parameters(Parameters& p) {
   declare_set(p);
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+  for (int i = 0; i < p.dimension(); ++i) {
     p.add(axis_names[i], component_[i], "m",
           "displacement since the last reset, a function of time and initial position; free when absent");
     given_[i] = p.given(axis_names[i]);
   }
 }
 
-void DisplacementCondition::check(const Section& section) {
-  if (!given_[0] && !given_[1]) section.fail("at least one of 'x' and 'y' must be given");
-}
+void DisplacementCondition::check(const Section& section) { require_component(section, given_); }
 
 void DisplacementCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
   for_each_node([&](int dof, int, const Point& x) {
@@ -69,7 +79,7 @@ void DisplacementCondition::prescribe(double, double t_end, const State&, Constr
 
 void VelocityCondition::parameters(Parameters& p) {
   declare_set(p);
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+  for (int i = 0; i < p.dimension(); ++i) {
     p.add(axis_names[i], component_[i], "m/s", "velocity, a function of time and initial position; free when absent");
     given_[i] = p.given(axis_names[i]);
   }
@@ -77,9 +87,7 @@ void VelocityCondition::parameters(Parameters& p) {
   p.add("start time", start_, "s", any(), "begin of the ramp");
 }
 
-void VelocityCondition::check(const Section& section) {
-  if (!given_[0] && !given_[1]) section.fail("at least one of 'x' and 'y' must be given");
-}
+void VelocityCondition::check(const Section& section) { require_component(section, given_); }
 
 double VelocityCondition::ramp(double time) const {
   if (time <= start_) return ramp_time_ > 0 ? 0.0 : 1.0;
@@ -107,14 +115,19 @@ void VelocityCondition::prescribe(double t_old, double t_end, const State& commi
 
 void FixedCondition::parameters(Parameters& p) {
   declare_set(p);
-  p.choice("components", components_, {{"x", Components::x}, {"y", Components::y}, {"x y", Components::both}},
-           "directions that are held");
+  std::vector<std::pair<std::string, Components>> words{
+      {"x", Components::x}, {"y", Components::y}, {"x y", Components::xy}};
+  if (p.dimension() == 3)
+    words.insert(words.end(),
+                 {{"z", Components::z}, {"x z", Components::xz}, {"y z", Components::yz}, {"x y z", Components::xyz}});
+  components_ = words.back().second;
+  p.choice("components", components_, words, "directions that are held; by default all");
 }
 
 void FixedCondition::prescribe(double, double, const State&, Constraints& to) const {
   for_each_node([&](int dof, int, const Point&) {
-    if (components_ != Components::y) to.prescribe(dof, 0);
-    if (components_ != Components::x) to.prescribe(dof + 1, 0);
+    for (int i = 0; i < space_->mesh().dimension(); ++i)
+      if (static_cast<int>(components_) & 1 << i) to.prescribe(dof + i, 0);
   });
 }
 
@@ -130,12 +143,23 @@ void PorePressureCondition::prescribe(double, double t_end, const State&, Constr
 void HydrostaticCondition::parameters(Parameters& p) {
   declare_set(p);
   p.add("unit weight", unit_weight_, "N/m3", positive(), "of the water");
-  p.required("water level", level_, "m", "height y of the free water surface, a function of time");
+  p.required("water level", level_, "m",
+             "height of the free water surface, counted against gravity, a function of time");
+}
+
+void HydrostaticCondition::bind(const ConditionContext& context, const Section& section) {
+  Prescribed::bind(context, section);
+  if (const auto soil = context.shared.find<Soil>())
+    up_ = soil->up;
+  else
+    up_[space_->mesh().dimension() - 1] = 1;
 }
 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
   for_each_open_node([&](int dof, int node, const Point& x) {
-    to.prescribe(dof, std::max(0.0, unit_weight_ * (level_(t_end, x) - committed.coordinates(node, 1))));
+    double height = 0;
+    for (int i = 0; i < space_->mesh().dimension(); ++i) height += up_[i] * committed.coordinates(node, i);
+    to.prescribe(dof, std::max(0.0, unit_weight_ * (level_(t_end, x) - height)));
   });
 }
 

@@ -29,8 +29,7 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
     for (int node : nodes_) {
       const int dof = space_->node_dof(field_)(node);
       if (dof < 0) continue;
-      const auto& x = space_->mesh().coordinates();
-      f(dof, node, Point{x(node, 0), x(node, 1), 0});
+      f(dof, node, space_->mesh().place(node));
     }
   }
   /// The same for a field that may be the pore pressure, without the nodes all of whose sides in the set are closed to
@@ -93,8 +92,9 @@ class FixedCondition : public Prescribed {
   std::string field_name() const override { return "displacement"; }
 
  private:
-  enum class Components { x, y, both };
-  Components components_ = Components::both;
+  /// Sums of 1 << direction.
+  enum class Components { x = 1, y = 2, xy = 3, z = 4, xz = 5, yz = 6, xyz = 7 };
+  Components components_ = Components::xyz;
 };
 
 class PorePressureCondition : public Prescribed {
@@ -109,10 +109,11 @@ class PorePressureCondition : public Prescribed {
   Function value_;
 };
 
-/// p = unit weight * (water level - y), zero above the level; y is the node's current height.
+/// p = unit weight * (water level - height), zero above the level; of the node's current height, against gravity.
 class HydrostaticCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
+  void bind(const ConditionContext& context, const Section& section) override;
   void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
 
  protected:
@@ -120,6 +121,7 @@ class HydrostaticCondition : public Prescribed {
 
  private:
   double unit_weight_ = 9810;
+  Point up_{};
   Function level_;
 };
 

@@ -79,8 +79,9 @@ void SideLoad::tabulate(const Function& function, double time, const ConstCoordi
 
 void Traction::parameters(Parameters& p) {
   declare_set(p);
-  p.add("x", component_[0], "Pa", "force per current area in direction x (r)");
-  p.add("y", component_[1], "Pa", "force per current area in direction y (z)");
+  const char* words[] = {"x (r)", "y (z)", "z, in space"};
+  for (int i = 0; i < p.dimension(); ++i)
+    p.add(axis_names[i], component_[i], "Pa", std::string("force per current area in direction ") + words[i]);
 }
 
 void Traction::tabulate_components(const StepView& view) const {
@@ -120,8 +121,9 @@ void SurfacePressure::tabulate_gradient(const StepView& view) const {
   if (position_ == Position::initial || value_.is_constant()) return;  // stays 0
   const ConstCoordinateView& x = view.momentum.x;
   for (int s = 0; s < block_.sides; ++s) {
-    const int first = block_.nodes(s, 0), second = block_.nodes(s, 1);
-    const double h = 5e-7 * std::hypot(x(second, 0) - x(first, 0), x(second, 1) - x(first, 1));
+    double square = 0;  // of the distance of two corners
+    for (int i = 0; i < dimension(); ++i) square += std::pow(x(block_.nodes(s, 1), i) - x(block_.nodes(s, 0), i), 2);
+    const double h = 5e-7 * std::sqrt(square);
     for (int q = 0; q < block_.points; ++q)
       for (int i = 0; i < dimension(); ++i) {
         Point low = block_.place(s, q, x), high = low;

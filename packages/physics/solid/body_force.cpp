@@ -1,5 +1,7 @@
 #include "physics/solid/body_force.hpp"
 
+#include <cmath>
+
 #include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
 
@@ -12,12 +14,14 @@ template <bool Inertia>
 struct Weight : PointLaw {
   static constexpr bool forces = true, inertia = Inertia, rates = Inertia;
   Mixture mixture;
-  double lift, gravity[2], gravity_old[2];
+  double lift;
+  double gravity[3], gravity_old[3];
   PointView void_ratio;
+  int points, soil_points;  // of an element here, and where its void ratio is known
 
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const T rho = mixture.density(mixture.porosity(void_ratio(row, 0), at), at) - lift;
+    const T rho = mixture.density(mixture.porosity(void_ratio_at(row), at), at) - lift;
     for (int i = 0; i < C::dim; ++i) {
       if constexpr (Inertia)
         out.force[i] = rho * at.acceleration[i];
@@ -26,9 +30,25 @@ struct Weight : PointLaw {
       out.standing_force[i] = Inertia ? 0.0 : -value(rho) * gravity_old[i];
     }
   }
+
+  /// That of the point, or, where the points are others than the soil's, the mean of the element.
+  KOKKOS_INLINE_FUNCTION double void_ratio_at(int row) const {
+    if (points == soil_points) return void_ratio(row, 0);
+    double sum = 0;
+    for (int q = 0; q < soil_points; ++q) sum += void_ratio(row / points * soil_points + q, 0);
+    return sum / soil_points;
+  }
 };
 
 }  // namespace
+
+Point Gravity::up(int dimension) const {
+  Point result{};
+  const double size = std::hypot(vector[0], vector[1], vector[2]);
+  if (size == 0) result[dimension - 1] = 1;
+  for (int i = 0; i < 3 && size > 0; ++i) result[i] = -vector[i] / size;
+  return result;
+}
 
 template <class F>
 void BodyForce::for_each_block(const StepView& view, F&& f) const {
@@ -36,12 +56,15 @@ void BodyForce::for_each_block(const StepView& view, F&& f) const {
   for (const SoilBlock& b : soil_->blocks) {
     const auto apply = [&](auto inertia) {
       constexpr bool accelerates = decltype(inertia)::value;
-      f(b, Weight<accelerates>{{},
-                               Mixture(*soil_, b),
-                               accelerates ? 0.0 : soil_->uplift(*b.material),
-                               {now[0], now[1]},
-                               {old[0], old[1]},
-                               view.committed->arrays[b.void_ratio]});
+      const FieldBlock& at = accelerates ? b.mass : b;
+      f(at, Weight<accelerates>{{},
+                                Mixture(*soil_, b),
+                                accelerates ? 0.0 : soil_->uplift(*b.material),
+                                {now[0], now[1], now[2]},
+                                {old[0], old[1], old[2]},
+                                view.committed->arrays[b.void_ratio],
+                                at.points,
+                                b.points});
     };
     if (kind_ == Kind::inertia)
       apply(std::true_type{});
@@ -53,13 +76,13 @@ void BodyForce::for_each_block(const StepView& view, F&& f) const {
 bool BodyForce::active(const StepView& view) const {
   if (kind_ == Kind::inertia) return view.inertia;
   const auto g = gravity_.at(view.momentum.time);
-  return g[0] != 0 || g[1] != 0;
+  return g != Point{};
 }
 
 int BodyForce::residual(const StepView& view, const ResidualView& f) {
   if (!active(view)) return 0;
   int failures = 0;
-  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
+  for_each_block(view, [&](const FieldBlock& b, const auto& law) {
     failures += add_residual(soil_->geometry, b, loop_level(view, view.momentum, b), law, f);
   });
   return failures;
@@ -67,7 +90,7 @@ int BodyForce::residual(const StepView& view, const ResidualView& f) {
 
 void BodyForce::jacobian(const StepView& view, Assembler& assembler, double weight) {
   if (!active(view)) return;
-  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
+  for_each_block(view, [&](const FieldBlock& b, const auto& law) {
     add_tangent(soil_->geometry, b, loop_level(view, view.momentum, b), law, assembler.scatter(b.group), weight);
   });
 }

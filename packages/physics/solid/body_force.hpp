@@ -9,11 +9,13 @@ namespace mudline {
 
 /// Gravity as a vector times a function of time (a factor to switch it on).
 struct Gravity {
-  std::array<double, 2> vector{0, 0};  // [m/s2]
-  Function factor{1.0};                // of time
-  std::array<double, 2> at(double time) const {
+  Point vector{};        // [m/s2]
+  Function factor{1.0};  // of time
+  /// Unit vector against it; where it is zero the last direction of the mesh.
+  Point up(int dimension) const;
+  Point at(double time) const {
     const double f = factor(time, {0, 0, 0});
-    return {f * vector[0], f * vector[1]};
+    return {f * vector[0], f * vector[1], f * vector[2]};
   }
 };
 

@@ -1,11 +1,11 @@
 #include "physics/solid/stress_divergence.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 #include <vector>
 
 #include "discretisation/agree.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "framework/element_loop.hpp"
 #include "materials/guarded_law.hpp"
 #include "physics/mixture.hpp"
@@ -105,7 +105,8 @@ struct TotalStress : PointLaw {
     if constexpr (S > 1) {
       const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
       for (double& t : turn) t = 0;
-      put(ElementLoop<C, ElementShapes<6, 3, S>>::template Directions<TotalStress>::value + 1, warmer, turn);
+      put(ElementLoop<C, ElementShapes<C::dim + 1, C::dim + 1, S>>::template Directions<TotalStress>::value + 1, warmer,
+          turn);
     }
   }
 };
@@ -249,7 +250,7 @@ int StressUpdate::run(int first, int last) {
   w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
   w.tangent = wanted_ == Tangent::all ? PointView(tangent_.data() + row * 36, count, 36) : tangent_;
   w.failed = failed_;
-  w.plane = true;  // in plane strain and in axial symmetry
+  w.plane = soil_.geometry != Geometry::space;
   if (failures > 0 && failure_.empty())
     failure_ = "material '" + block_.material->name + "': the motion turns elements inside out";
   LawFailure failure;
@@ -263,12 +264,8 @@ int StressUpdate::run(int first, int last) {
 
 std::string StressUpdate::describe(int first, const LawFailure& failure) const {
   const int e = first + failure.point / block_.points, q = failure.point % block_.points;
-  double at[2] = {0, 0};
-  for (int a = 0; a < block_.u.nodes; ++a)
-    for (int i = 0; i < 2; ++i) at[i] += block_.u.N(q, a) * view_.x_end(block_.nodes(e, a), i);
-  char place[80];
-  std::snprintf(place, sizeof place, "(%.4g, %.4g)", at[0], at[1]);
-  return "the law of material '" + block_.material->name + "' fails at " + place + ": " + failure.reason + " (" +
+  return "the law of material '" + block_.material->name + "' fails at " +
+         place_text(block_.place(e, q, view_.x_end), soil_.space->mesh().dimension()) + ": " + failure.reason + " (" +
          increment_text(&input_.stress_old(failure.point, 0), &input_.strain(failure.point, 0)) + ")";
 }
 

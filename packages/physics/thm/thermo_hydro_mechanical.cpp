@@ -71,7 +71,7 @@ struct Flows : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   WarmSoil soil;
-  double gravity[2], lift;  // [m/s2]; density that the pressures leave out [kg/m3]
+  double gravity[3], lift;  // [m/s2]; density that the pressures leave out [kg/m3]
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
@@ -162,7 +162,7 @@ class WaterAndHeat : public Term {
       const WarmSoil soil = warm_soil(b, *view.committed);
       f(b, end_level(view, b), Stored{{}, soil, view.dt, view.sensitivity[soil_->temperature].value});
       f(b, loop_level(view, view.balance, b),
-        Flows{{}, soil, {g[0], g[1]}, soil_->excess ? soil.mixture.fluid_density : 0.0});
+        Flows{{}, soil, {g[0], g[1], g[2]}, soil_->excess ? soil.mixture.fluid_density : 0.0});
     }
   }
 
@@ -218,11 +218,10 @@ void ThermoHydroMechanical::initialise(StateStore& store, const Section& section
   SoilPhysics::initialise(store, section);
   const Space& space = *soil_->space;
   const auto& dof = space.node_dof(soil_->temperature);
-  const auto& x = space.mesh().coordinates();
   for (int node = 0; node < space.mesh().num_nodes(); ++node)
     if (dof(node) >= 0)
       store.committed().value(dof(node)) =
-          initial_given_ ? initial_(store.committed().time, {x(node, 0), x(node, 1), 0}) : reference_;
+          initial_given_ ? initial_(store.committed().time, space.mesh().place(node)) : reference_;
 }
 
 }  // namespace mudline

@@ -149,8 +149,9 @@ MeshSignature signature_of(const Mesh& mesh) {
     }
   }
   for (int node = 0; node < mesh.num_owned_nodes(); ++node) {
-    const double at[2] = {mesh.coordinates()(node, 0), mesh.coordinates()(node, 1)};
-    here[1] += fingerprint(at, sizeof at, fingerprint(&mesh.node_ids()[node], sizeof(long long)));
+    const Point at = mesh.place(node);
+    here[1] += fingerprint(at.data(), mesh.dimension() * sizeof(double),
+                           fingerprint(&mesh.node_ids()[node], sizeof(long long)));
   }
   MPI_Allreduce(here, all, 2, MPI_UINT64_T, MPI_SUM, raw_communicator(*mesh.comm()));
   signature.numbering = static_cast<long long>(hash);

@@ -54,7 +54,7 @@ struct FieldFile::File {
 
   Teuchos::RCP<const Teuchos::Comm<int>> owner;  // keeps the communicator alive
   MPI_Comm comm;
-  int rank;
+  int rank, dimension;
   IdOrder nodes, elements;
   FieldIndex index;  // the same on every rank; rank 0 writes it
 };
@@ -63,6 +63,7 @@ FieldFile::File::File(const Mesh& mesh, const std::string& path_stem)
     : owner(mesh.comm()),
       comm(raw_communicator(*mesh.comm())),
       rank(mesh.comm()->getRank()),
+      dimension(mesh.dimension()),
       nodes(comm, field_layout::owned_ids(mesh), mesh.num_global_nodes()),
       elements(comm, field_layout::element_ids(mesh), mesh.num_global_elements()),
       index(path_stem, rank == 0) {
@@ -246,7 +247,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
                       const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
                       const std::map<std::string, BodyPose>& poses) {
   File& f = *file_;
-  const std::vector<OutputField> place{{"coordinates", "m", 2, coordinates}};
+  const std::vector<OutputField> place{{"coordinates", "m", f.dimension, coordinates}};
   std::string wrong = f.wrong_fields(place, f.nodes.local_count());
   if (wrong.empty()) wrong = f.wrong_fields(nodal, f.nodes.local_count());
   if (wrong.empty()) wrong = f.wrong_fields(cell, f.elements.local_count());
@@ -272,7 +273,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
     h5::set_attribute(file, "time", std::vector<double>{time});
     h5::set_attribute(file, "step", static_cast<long long>(step));
     h5::set_attribute(file, "stage", stage);
-    field_layout::write_rows(file, "coordinates", coordinates, 2, f.nodes);
+    field_layout::write_rows(file, "coordinates", coordinates, f.dimension, f.nodes);
     written.nodal = f.write_fields(file, "nodal", nodal, f.nodes);
     written.cell = f.write_fields(file, "cell", cell, f.elements);
     f.write_bodies(file, poses);

@@ -20,6 +20,17 @@ int xdmf_cell(CellShape shape) {
       return 36;
     case CellShape::quad9:
       return 35;
+    case CellShape::tet4:
+      return 6;
+    case CellShape::hex8:
+      return 9;
+    case CellShape::tet10:
+      return 38;
+    case CellShape::hex27:
+      return 50;
+    case CellShape::line2:
+    case CellShape::line3:
+      break;  // no cells
   }
   throw std::logic_error("a cell shape without an XDMF number");
 }
@@ -37,11 +48,15 @@ std::vector<double> stored_columns(const std::vector<double>& values, int compon
   return result;
 }
 
-// An element travels to its slab as one row: XDMF cell number, region, then its nodes, filled up with -1.
-constexpr int max_nodes = 9;
-constexpr int width = 2 + max_nodes;
+/// An element travels to its slab as one row: XDMF cell number, region, then its nodes, filled up with -1.
+int row_width(const Mesh& mesh) {
+  int nodes = 0;
+  for (const auto& block : mesh.blocks()) nodes = std::max(nodes, num_nodes(block.shape));
+  return 2 + nodes;
+}
 
 std::vector<long long> element_rows(const Mesh& mesh) {
+  const int max_nodes = row_width(mesh) - 2;
   std::vector<long long> rows;
   for (const auto& block : mesh.blocks()) {
     const int count = num_nodes(block.shape);
@@ -81,12 +96,13 @@ h5::Handle write_rows(hid_t parent, const std::string& name, const std::vector<d
 
 FileSize mesh_size(const Mesh& mesh) {
   FileSize size{3 * sizeof(double) * mesh.num_owned_nodes(), 6};
-  for (const auto& block : mesh.blocks()) size.bytes += (width + 2) * sizeof(long long) * block.num_elements;
+  for (const auto& block : mesh.blocks()) size.bytes += (row_width(mesh) + 2) * sizeof(long long) * block.num_elements;
   for (const std::string& region : mesh.regions()) size.bytes += region.size() + 1;
   return size;
 }
 
 long long write_mesh(hid_t file, MPI_Comm comm, const Mesh& mesh, const IdOrder& nodes, const IdOrder& elements) {
+  const int width = row_width(mesh);
   const std::vector<long long> rows = elements.gather(element_rows(mesh), width);
   std::vector<long long> topology, offsets;
   std::vector<int> region;
