@@ -1,0 +1,234 @@
+"""What the tests in space share: meshes written as Gmsh does, decks as dictionaries, fields with norms over tetrahedra and hexahedra."""
+import os
+
+import h5py
+import numpy as np
+
+from mudline_case import ROOT, History, MudlineCase, deck_text
+
+SIDES = ("left", "right", "front", "back", "bottom", "top")
+SHAPES = {6: "tet4", 38: "tet10", 9: "hex8", 50: "hex27"}  # XDMF's codes
+TET_EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+HEX = np.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2),  # as VTK numbers them
+                (1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
+                (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1), (0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)])
+# what Gmsh has at each place of its own numbering
+GMSH_TYPE = {"tet4": 4, "tet10": 11, "hex8": 5, "hex27": 12}
+GMSH_SIDE = {"tet4": 2, "tet10": 9, "hex8": 3, "hex27": 10}
+GMSH_HEX = [0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 16, 9, 17, 10, 18, 19, 12, 15, 13, 14, 24, 22, 20, 21, 23, 25, 26]
+GMSH_TET = [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]
+
+
+def rotation(axis=(1.0, 2.0, -0.7), angle=0.9):
+    """The matrix that turns by an angle [rad] about an axis (Rodrigues)."""
+    n = np.array(axis) / np.linalg.norm(axis)
+    cross = np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
+    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+
+
+class BoxMesh:
+    """A box of hexahedra, or of six tetrahedra in each, whose nodes may be moved: by `move` the corners, the others stay in
+    the middle (straight sides), or with `curved` all of them."""
+
+    def __init__(self, cell, cells, upper=(1.0, 1.0, 1.0), move=None, curved=False):
+        self.cell = cell
+        n = np.array(cells)
+        grid = np.stack(np.meshgrid(*(np.arange(2 * k + 1) for k in n), indexing="ij"), axis=-1).reshape(-1, 3)
+        size = 2 * n + 1
+
+        def number(place):
+            return (place[..., 0] * size[1] + place[..., 1]) * size[2] + place[..., 2]
+
+        first = 2 * np.stack(np.meshgrid(*(np.arange(k) for k in n), indexing="ij"), axis=-1).reshape(-1, 3)
+        hexes = number(first[:, None, :] + HEX[None])
+        nodes = grid / (2.0 * n) * np.array(upper)
+        moved = move(nodes) if move else nodes
+        if cell.startswith("hex"):
+            self.cells, corners = hexes, 8
+            around = [np.flatnonzero([all(h == 1 or h == c for h, c in zip(HEX[a], HEX[b])) for b in range(8)]) for a in range(27)]
+            faces = [np.flatnonzero(HEX[:, d] == v) for d in range(3) for v in (0, 2)]
+        else:
+            tets = []
+            for path in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)):
+                place = np.zeros((4, 3), dtype=int)
+                for i, axis in enumerate(path):
+                    place[i + 1:, axis] = 2
+                if np.linalg.det((place[1:] - place[0]).astype(float)) < 0:
+                    place[[1, 2]] = place[[2, 1]]
+                middles = [(place[a] + place[b]) // 2 for a, b in TET_EDGES]
+                tets.append(number(first[:, None, :] + np.vstack([place, middles])[None]))
+            self.cells, corners = np.concatenate(tets), 4
+            around = [[a] for a in range(4)] + [list(e) for e in TET_EDGES]
+        self.nodes = moved.copy()
+        if not curved:
+            for a in range(corners, self.cells.shape[1]):
+                self.nodes[self.cells[:, a]] = moved[self.cells[:, around[a]]].mean(axis=1)
+        self.sides = {}
+        for i, name in enumerate(SIDES):
+            at = 0 if i % 2 == 0 else size[i // 2] - 1
+            on = grid[:, i // 2] == at
+            if cell.startswith("hex"):
+                wanted = [0, 1, 2, 3, 4, 5, 6, 7, 8]  # corners round, middles, centre
+                local = {0: [0, 4, 7, 3, 16, 15, 19, 11, 20], 1: [1, 2, 6, 5, 9, 18, 13, 17, 21], 2: [0, 1, 5, 4, 8, 17, 12, 16, 22],
+                         3: [3, 7, 6, 2, 19, 14, 18, 10, 23], 4: [0, 3, 2, 1, 11, 10, 9, 8, 24], 5: [4, 5, 6, 7, 12, 13, 14, 15, 25]}[i]
+                assert set(local) == set(faces[i])
+                chosen = self.cells[on[self.cells[:, local[8]]]][:, local]
+                self.sides[name] = chosen[:, wanted]
+            else:
+                found = []
+                for a, b, c in ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1)):
+                    edge = [4 + next(k for k, e in enumerate(TET_EDGES) if set(e) == set(pair)) for pair in ((a, b), (b, c), (c, a))]
+                    chosen = self.cells[on[self.cells[:, [a, b, c]]].all(axis=1)]
+                    found.append(chosen[:, [a, b, c] + edge])
+                self.sides[name] = np.concatenate(found)
+        if cell in ("tet4", "hex8"):
+            self.cells = self.cells[:, :corners]
+            self.sides = {k: v[:, :3 if cell == "tet4" else 4] for k, v in self.sides.items()}
+
+    def turned(self, matrix):
+        self.nodes = self.nodes @ matrix.T
+        return self
+
+    def write(self, path):
+        """Gmsh's format 2.2, with the region "soil" and the six sides."""
+        used, index = np.unique(self.cells, return_inverse=True)
+        index = index.reshape(self.cells.shape)
+        order = GMSH_TET if self.cell.startswith("tet") else GMSH_HEX
+        order = order[:self.cells.shape[1]]
+        with open(path, "w") as file:
+            file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n7\n" +
+                       "".join(f'2 {i + 1} "{name}"\n' for i, name in enumerate(SIDES)) + '3 7 "soil"\n$EndPhysicalNames\n')
+            file.write(f"$Nodes\n{len(used)}\n" + "".join(
+                f"{i + 1} {x!r} {y!r} {z!r}\n" for i, (x, y, z) in enumerate(self.nodes[used].tolist())) + "$EndNodes\n")
+            lines = []
+            for i, name in enumerate(SIDES):
+                for side in np.searchsorted(used, self.sides[name]):
+                    lines.append((GMSH_SIDE[self.cell], i + 1, side))
+            lines += [(GMSH_TYPE[self.cell], 7, cell[order]) for cell in index]
+            file.write(f"$Elements\n{len(lines)}\n" + "".join(
+                f"{k + 1} {kind} 2 {tag} {tag} {' '.join(str(n + 1) for n in cell)}\n" for k, (kind, tag, cell) in enumerate(lines)))
+            file.write("$EndElements\n")
+        return path
+
+
+def _shapes(shape, xi):
+    """Values and slopes (node, 3) of the shape functions at one place of the reference cell."""
+    if shape.startswith("tet"):
+        L = np.array([1 - sum(xi), *xi])
+        dL = np.array([[-1, -1, -1], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=float)
+        if shape == "tet4":
+            return L, dL
+        pairs = np.array(TET_EDGES)
+        return (np.concatenate([L * (2 * L - 1), 4 * L[pairs[:, 0]] * L[pairs[:, 1]]]),
+                np.vstack([(4 * L - 1)[:, None] * dL, 4 * (dL[pairs[:, 0]] * L[pairs[:, 1], None] + L[pairs[:, 0], None] * dL[pairs[:, 1]])]))
+    x = np.array(xi)
+    if shape == "hex8":
+        value, slope, places = np.array([(1 - x) / 2, (1 + x) / 2]), np.array([-0.5 * np.ones(3), 0.5 * np.ones(3)]), HEX[:8] // 2
+    else:
+        value, slope, places = np.array([x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2]), np.array([x - 0.5, -2 * x, x + 0.5]), HEX
+    along = np.array([[value[p[d], d] for d in range(3)] for p in places])
+    steep = np.array([[slope[p[d], d] for d in range(3)] for p in places])
+    return along.prod(axis=1), np.stack([steep[:, d] * along[:, [e for e in range(3) if e != d]].prod(axis=1) for d in range(3)], axis=1)
+
+
+def _rule(shape):
+    """Gauss points and weights; tetrahedra as collapsed cubes, exact to degree 5."""
+    g, w = np.polynomial.legendre.leggauss(4)
+    for i in range(4):
+        for j in range(4):
+            for k in range(4):
+                if shape.startswith("hex"):
+                    yield (g[i], g[j], g[k]), w[i] * w[j] * w[k]
+                else:
+                    a, b, c = (1 + g[i]) / 2, (1 + g[j]) / 2, (1 + g[k]) / 2
+                    yield (a, b * (1 - a), c * (1 - a) * (1 - b)), w[i] * w[j] * w[k] / 8 * (1 - a) ** 2 * (1 - b)
+
+
+class Fields:
+    """Mesh and last fields of a run whose cells are all of one shape."""
+
+    def __init__(self, folder, stem, step=-1):
+        with h5py.File(os.path.join(folder, "results", stem + ".h5"), "r") as file:
+            topology = file["mesh/topology"][:]
+            self.shape = SHAPES[topology[0]]
+            self.cells = topology.reshape(-1, 1 + int(self.shape[3:]))[:, 1:]
+            self.nodes = file["mesh/coordinates"][:]
+            last = file["steps"][sorted(file["steps"])[step]]
+            self.nodal = {name: last["nodal"][name][:] for name in last["nodal"]}
+            self.cell = {name: last["cell"][name][:] for name in last["cell"]}
+        self.vertices = np.unique(self.cells[:, :4 if self.shape.startswith("tet") else 8])
+
+    def points(self):
+        """(places, weights times volume, shape values) of every quadrature point of all cells."""
+        for xi, weight in _rule(self.shape):
+            value, slope = _shapes(self.shape, xi)
+            jacobian = np.einsum("eai,aj->eij", self.nodes[self.cells], slope)
+            yield np.einsum("a,eai->ei", value, self.nodes[self.cells]), weight * np.linalg.det(jacobian), value, xi
+
+    def volume(self):
+        return sum(weight.sum() for _, weight, _, _ in self.points())
+
+    def integral(self, values):
+        return sum((weight * (values[self.cells] @ shape)).sum() for _, weight, shape, _ in self.points())
+
+    def l2_error(self, values, exact, linear=False):
+        """Of nodal values (node) or (node, 3) against exact(x, y, z), relative to the norm of the exact ones; `linear`: the
+        field lives on the corners."""
+        corners = 4 if self.shape.startswith("tet") else 8
+        off = size = 0.0
+        for place, weight, shape, xi in self.points():
+            if linear:
+                shape = _shapes("tet4" if corners == 4 else "hex8", xi)[0]
+            found = np.tensordot(values[self.cells[:, :corners] if linear else self.cells], shape, axes=(1, 0))
+            true = np.stack(np.broadcast_arrays(*exact(*place.T)), axis=-1) if values.ndim > 1 else exact(*place.T)
+            off += (weight * ((found - true) ** 2).reshape(len(weight), -1).sum(axis=1)).sum()
+            size += (weight * (true ** 2).reshape(len(weight), -1).sum(axis=1)).sum()
+        return np.sqrt(off / size)
+
+
+def prescribed(components, sides=SIDES):
+    """Conditions that prescribe {x: expression, ...} on sides."""
+    return {f"displacement {side}": {"type": "displacement", "set": side, **components} for side in sides}
+
+
+ELASTIC = {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.25}
+WATER = {"type": "water", "incompressible": True, "unit weight": 1e4}
+SATURATED = {"porosity": 0.4, "skeleton": ELASTIC, "fluid": WATER,
+             "permeability": {"type": "constant", "hydraulic conductivity": 1e-6}}
+SOLID = {"density": 1800.0, "skeleton": ELASTIC}
+
+
+def quasi_static(duration, step, theta=1.0, start_up=0, **more):
+    return {"type": "quasi-static", "duration": float(duration),
+            "integrator": {"type": "theta", "theta": theta, "start-up steps": start_up}, "time step": {"initial": float(step), **more}}
+
+
+def deck(name, mesh, conditions, stages, physics="solid", material=None, more_physics=None, **sections):
+    """A deck of one soil; mesh is a section without its geometry, or a file."""
+    mesh = {"type": "gmsh", "file": mesh} if isinstance(mesh, str) else mesh
+    return deck_text(name, {
+        "mesh": {"geometry": "three-dimensional", **mesh},
+        "materials": {"soil": material or (SATURATED if physics == "biot" else SOLID)},
+        "physics": {"ground": {"type": physics, **(more_physics or {})}},
+        "boundary conditions": conditions, "stages": stages, **sections})
+
+
+class SpaceCase(MudlineCase):
+    def input(self, name, topic="space"):
+        return os.path.join(ROOT, "inputs", topic, name + ".xml")
+
+    def run_text(self, name, text, settings=(), **options):
+        return self.run_deck(self.write(name + ".xml", text), settings, **options)
+
+    def fields(self, stem, step=-1):
+        return Fields(self.folder, stem, step)
+
+    def history_of(self, stem):
+        return History(os.path.join(self.folder, "results", stem + ".csv"))
+
+    def assert_near(self, what, value, exact, tolerance, scale=None):
+        """|value - exact| <= tolerance |scale|, by default relative to the exact value."""
+        error = np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale))
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})", flush=True)
+        self.assertLessEqual(error, tolerance, what)
