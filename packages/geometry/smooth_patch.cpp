@@ -160,27 +160,41 @@ void SmoothPatch::set_inside(int edge, const std::array<Point, 3>& normal) {
 }
 
 PatchPoint SmoothPatch::at(double a, double b) const {
+  // de Casteljau's means of the means: the last but one and two levels hold the derivatives
   const double value[3] = {1 - a - b, a, b};
-  constexpr double slope[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
-  Jet power[3][5];
-  for (int c = 0; c < 3; ++c) {
-    power[c][0].f = 1;
-    power[c][1] = {value[c], slope[c][0], slope[c][1], 0, 0, 0};
-    for (int n = 2; n <= 4; ++n) power[c][n] = power[c][n - 1] * power[c][1];
-  }
-  constexpr double factorial[5] = {1, 1, 2, 6, 24};
+  std::array<Point, points> level = control_;
+  Point six[6], three[3];
+  const auto halve = [&](int degree) {
+    for (int rest = 0; rest < degree; ++rest)
+      for (int k = 0; k <= rest; ++k) {
+        const int here = rest * (rest + 1) / 2 + k, next = (rest + 1) * (rest + 2) / 2 + k;
+        for (int i = 0; i < 3; ++i)
+          level[here][i] = value[0] * level[here][i] + value[1] * level[next][i] + value[2] * level[next + 1][i];
+      }
+  };
+  halve(4);
+  halve(3);
+  std::copy_n(level.begin(), 6, six);
+  halve(2);
+  std::copy_n(level.begin(), 3, three);
+  halve(1);
   PatchPoint sum{};
-  for (int j = 0; j <= 4; ++j)
-    for (int k = 0; j + k <= 4; ++k) {
-      const int i = 4 - j - k;
-      add(power[0][i] * power[1][j] * power[2][k], 24 / (factorial[i] * factorial[j] * factorial[k]),
-          control_[number({i, j, k})], sum);
-    }
+  sum.x = level[0];
+  for (int i = 0; i < 3; ++i) {
+    sum.da[i] = 4 * (three[1][i] - three[0][i]);
+    sum.db[i] = 4 * (three[2][i] - three[0][i]);
+    sum.daa[i] = 12 * (six[0][i] - 2 * six[1][i] + six[3][i]);
+    sum.dab[i] = 12 * (six[0][i] - six[1][i] - six[2][i] + six[4][i]);
+    sum.dbb[i] = 12 * (six[0][i] - 2 * six[2][i] + six[5][i]);
+  }
+  constexpr double slope[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
+  Jet at[3];
+  for (int c = 0; c < 3; ++c) at[c] = {value[c], slope[c][0], slope[c][1], 0, 0, 0};
   for (int c = 0; c < 3; ++c) {
     const int t = (c + 1) % 3, o = (c + 2) % 3;
     if (value[t] + value[o] < 1e-12) continue;  // value and slope vanish at the corner
-    const Jet weight = power[c][2] * power[t][2] * power[o][1] * inverse(power[t][1] + power[o][1]);
-    add(weight, 12, twist_[c], sum);
+    const Jet inner = at[c] * at[t];
+    add(inner * inner * at[o] * inverse(at[t] + at[o]), 12, twist_[c], sum);
   }
   return sum;
 }
@@ -193,14 +207,26 @@ double SmoothPatch::closest_flat(const Point& x, double& a, double& b) const {
   return length(plus(plus(d, a, edge_a_), b, edge_b_));
 }
 
-double SmoothPatch::distance_bound(const Point& x) const {
+double SmoothPatch::flat_distance(const Point& x) const {
   double a, b;
-  return closest_flat(x, a, b) - bulge_;
+  return closest_flat(x, a, b);
 }
 
 PatchPoint SmoothPatch::closest(const Point& x) const {
   double a, b;
   closest_flat(x, a, b);
+  PatchPoint best = closest_from(x, a, b);
+  if (bulge_ < 0.05 * std::max(length(edge_a_), length(edge_b_))) return best;
+  // more than one point of a strongly curved patch may be the nearest one around
+  constexpr double start[4][2] = {{1.0 / 3, 1.0 / 3}, {0.1, 0.1}, {0.8, 0.1}, {0.1, 0.8}};
+  for (const auto& from : start) {
+    const PatchPoint other = closest_from(x, from[0], from[1]);
+    if (length(minus(other.x, x)) < length(minus(best.x, x))) best = other;
+  }
+  return best;
+}
+
+PatchPoint SmoothPatch::closest_from(const Point& x, double a, double b) const {
   PatchPoint best = at(a, b);
   Point d = minus(best.x, x);
   double square = dot(d, d);

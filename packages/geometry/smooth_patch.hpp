@@ -21,9 +21,9 @@ class SmoothPatch {
   PatchPoint at(double a, double b) const;
   /// Nearest point to x by Newton's method within the triangle, from the nearest point of the flat facet.
   PatchPoint closest(const Point& x) const;
-  /// Lower bound [m] of the distance.
-  double distance_bound(const Point& x) const;
-  /// Largest distance [m] between the patch and the flat facet.
+  /// Distance [m] to the flat facet.
+  double flat_distance(const Point& x) const;
+  /// Bound of the distance [m] between the patch and the flat facet.
   double bulge() const { return bulge_; }
   Bounds bounds() const { return bounds_; }
 
@@ -38,6 +38,8 @@ class SmoothPatch {
   void set_inside(int edge, const std::array<Point, 3>& normal);
   /// Barycentric coordinates of the nearest point of the flat facet; the distance.
   double closest_flat(const Point& x, double& a, double& b) const;
+  /// By Newton's method from these barycentric coordinates.
+  PatchPoint closest_from(const Point& x, double a, double b) const;
 
   std::array<Point, points> control_{};
   std::array<Point, 3> twist_{};  // of the inner control point at every corner, by which side one looks from

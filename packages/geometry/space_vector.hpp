@@ -18,6 +18,6 @@ inline Point plus(const Point& a, double factor, const Point& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 inline Point scaled(double factor, const Point& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
-inline double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
+inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 }  // namespace mudline

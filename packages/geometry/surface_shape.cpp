@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/log.hpp"
 #include "core/pi.hpp"
@@ -19,6 +20,12 @@ namespace {
 constexpr double smooth_angle = 10;  // [deg] between facets that may still be samples of a smooth surface
 
 Point to_point(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
 
 void check_three(const Section& section, const std::string& entry, const std::vector<double>& values) {
   if (values.size() != 3) section.fail("expected 3 numbers (x, y, z), given " + std::to_string(values.size()), entry);
@@ -120,8 +127,8 @@ void TriangulationShape::check(const Section& section) {
     const double angle = smooth->largest_angle() * 180 / pi;
     if (angle > smooth_angle)
       log::warn(section.source("file") + ": " + section.path() + "/file: neighbouring facets are at up to " +
-                std::to_string(std::lround(angle)) +
-                " degrees to each other, and the surface is smoothed there: above " + number_text(smooth_angle) +
+                std::to_string(std::lround(angle)) + " degrees to each other, and the smoothed surface is up to " +
+                rounded(smooth->largest_bulge()) + " m away from them: above " + number_text(smooth_angle) +
                 " degrees it should have finer facets, and no sharp edges");
     surface_ = smooth;
   } catch (const InputError& error) {

@@ -75,6 +75,7 @@ TriangulatedSurface::TriangulatedSurface(const SurfaceTriangles& triangles) {
     patches_.emplace_back(
         std::array<Point, 3>{surface.points[facet[0]], surface.points[facet[1]], surface.points[facet[2]]},
         std::array<Point, 3>{normals[facet[0]], normals[facet[1]], normals[facet[2]]});
+    largest_bulge_ = std::max(largest_bulge_, patches_.back().bulge());
     boxes.push_back(patches_.back().bounds());
     bounds_.enclose(boxes.back().low);
     bounds_.enclose(boxes.back().high);
@@ -83,15 +84,27 @@ TriangulatedSurface::TriangulatedSurface(const SurfaceTriangles& triangles) {
 }
 
 SurfaceFoot TriangulatedSurface::closest(const Point& x) const {
+  // a patch is solved for only where its facet is near enough; that of the nearest facet comes first
   double square = std::numeric_limits<double>::infinity();
-  PatchPoint nearest{};
+  int first = 0;
   tree_->search(x, square, [&](int number) {
-    const double bound = patches_[number].distance_bound(x);
-    if (bound > 0 && bound * bound >= square) return;
+    const double distance = patches_[number].flat_distance(x);
+    if (distance * distance >= square) return;
+    square = distance * distance;
+    first = number;
+  });
+  PatchPoint nearest = patches_[first].closest(x);
+  const auto square_distance = [&](const PatchPoint& at) {
+    const Point d = minus(x, at.x);
+    return dot(d, d);
+  };
+  square = square_distance(nearest);
+  tree_->search(x, square, [&](int number) {
+    const double bound = patches_[number].flat_distance(x) - patches_[number].bulge();
+    if (number == first || (bound > 0 && bound * bound >= square)) return;
     const PatchPoint candidate = patches_[number].closest(x);
-    const Point d = minus(x, candidate.x);
-    if (dot(d, d) >= square) return;
-    square = dot(d, d);
+    if (square_distance(candidate) >= square) return;
+    square = square_distance(candidate);
     nearest = candidate;
   });
   SurfaceFoot result{};
@@ -103,9 +116,8 @@ SurfaceFoot TriangulatedSurface::closest(const Point& x) const {
 }
 
 SurfaceTriangles TriangulatedSurface::triangles(double chord_error) const {
-  double bulge = 0;
-  for (const SmoothPatch& patch : patches_) bulge = std::max(bulge, patch.bulge());
-  const int n = std::max(1, static_cast<int>(std::ceil(std::sqrt(bulge / chord_error))));
+  // second derivatives of a quartic make up to three times its distance from the facet
+  const int n = std::max(1, static_cast<int>(std::ceil(std::sqrt(3 * largest_bulge_ / chord_error))));
   SurfaceTriangles result;
   const auto number = [](int i, int j) { return (i + j) * (i + j + 1) / 2 + j; };
   for (const SmoothPatch& patch : patches_) {

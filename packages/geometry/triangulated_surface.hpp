@@ -26,11 +26,13 @@ class TriangulatedSurface : public Surface {
   std::size_t facets() const { return patches_.size(); }
   /// Between the normals of neighbouring facets [rad].
   double largest_angle() const { return largest_angle_; }
+  /// Bound of the distance between the surface and its facets [m].
+  double largest_bulge() const { return largest_bulge_; }
 
  private:
   std::vector<SmoothPatch> patches_;
   std::unique_ptr<const BoxTree> tree_;
-  double largest_angle_ = 0;
+  double largest_angle_ = 0, largest_bulge_ = 0;
 };
 
 }  // namespace mudline
