@@ -94,6 +94,23 @@ TEST(RevolvedSurface, ConeWithRoundedTipIsExact) {
   }
 }
 
+TEST(RevolvedSurface, CurvedTipNearTheAxis) {
+  // a Bezier curve that leaves the axis at right angles, with the curvature 2/3 * 0.3 / 0.3^2 there
+  const auto body =
+      surface(revolved(text_parameter("type", "path") + array_parameter("start", "0, 0") +
+                       section_xml("pieces", section_xml("tip", text_parameter("type", "bezier") +
+                                                                    array_parameter("x", "0.3, 0.5, 0.5") +
+                                                                    array_parameter("y", "0, 0.3, 1")))));
+  const double curvature = 20.0 / 9;
+  for (const double off : {0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6})
+    for (const double z : {-0.2, 0.0, 0.15}) {
+      const SurfaceFoot foot = body->closest({-off, 0, z});
+      const double turning = curvature / (1 - curvature * z);
+      EXPECT_NEAR(foot.gap, -z, 1e-11);
+      expect_turning(foot, {-turning * off, 0, -1}, turning, turning, 2e-5);
+    }
+}
+
 TEST(RevolvedSurface, SharpTipFansOut) {
   const auto cone = surface(revolved(rounded_cone(0)));
   for (const double off : {0.0, 1e-12, 1e-7, 0.02}) {

@@ -108,6 +108,27 @@ TEST(TriangulatedSurface, GapAndNormalAreContinuousAcrossEdges) {
   EXPECT_LT(normal, 2.5);  // [1/m]; of the ellipsoid up to 2
 }
 
+TEST(TriangulatedSurface, NoPointOfItIsNearerThanTheFoot) {
+  SurfaceTriangles waisted = icosphere(2);
+  for (Point& x : waisted.points) {
+    const double width = 0.35 + 0.65 * x[2] * x[2];
+    x = {width * x[0], width * x[1], 1.4 * x[2]};
+  }
+  for (const SurfaceTriangles& triangles : {waisted, RoundedBox({2, 1, 0.3}, 0).triangles(1)}) {
+    const TriangulatedSurface surface(triangles);
+    const SurfaceTriangles drawn = surface.triangles(1e-3);
+    RandomPoints random({{-1.4, -1.2, -1.8}, {1.4, 1.2, 1.8}});
+    for (int i = 0; i < 200; ++i) {
+      const Point x = random.next();
+      const double gap = std::abs(surface.closest(x).gap);
+      double nearest = 1e300;
+      for (const Point& point : drawn.points) nearest = std::min(nearest, length(minus(point, x)));
+      EXPECT_LE(gap, nearest + 1e-12);
+      EXPECT_GE(gap, nearest - 0.05);
+    }
+  }
+}
+
 TEST(TriangulatedSurface, LongFacetsStayNearTheBody) {
   // as CAD programs write shafts: facets from end to end, beside small ones of the fillets
   const auto body = surface(revolved(text_parameter("type", "torpedo") + text_parameter("tip", "cone") +
