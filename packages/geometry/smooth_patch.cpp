@@ -107,7 +107,7 @@ void SmoothPatch::set_edge(int edge, const std::array<Point, 3>& corner, const s
     const Point d = plus(chord, -dot(chord, n), n);
     const double cosine = length(d) / size;
     // so long that the curve between two points of a circle is one, to the sixth order of its angle
-    return cosine > 1e-6 ? scaled(2 / (3 * cosine * (1 + cosine)), d) : scaled(1.0 / 3, chord);
+    return scaled(2 / (3 * cosine * (1 + cosine)), d);
   };
   const Point cubic[4] = {corner[s], plus(corner[s], 1, handle(normal[s])), plus(corner[t], -1, handle(normal[t])),
                           corner[t]};

@@ -15,7 +15,8 @@ struct PatchPoint {
 /// edges.
 class SmoothPatch {
  public:
-  /// Corners counter-clockwise as seen from where the normals, unit vectors, point; no normal is along an edge.
+  /// Corners counter-clockwise as seen from where the normals, unit vectors, point, at less than 90 degrees to the
+  /// facet's.
   SmoothPatch(const std::array<Point, 3>& corner, const std::array<Point, 3>& normal);
 
   PatchPoint at(double a, double b) const;

@@ -85,7 +85,7 @@ SurfaceTriangles read_stl(const std::string& file) {
   else
     throw InputError(
         "the file is no STL file: it neither starts with 'solid' nor has the length that its number of facets gives");
-  if (result.facets.empty()) throw InputError("the file has no facets");
+  if (result.facets.empty()) throw InputError("the file has no facets, or is a binary one that was cut short");
   return result;
 }
 

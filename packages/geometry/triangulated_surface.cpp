@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/errors.hpp"
+#include "core/text.hpp"
 #include "geometry/point_normals.hpp"
 #include "geometry/space_vector.hpp"
 
@@ -26,6 +27,15 @@ double enclosed_volume(const SurfaceTriangles& surface) {
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
     sum += dot(minus(surface.points[surface.facets[f][0]], surface.points[0]), surface.area_vector(f)) / 6;
   return sum;
+}
+
+/// Refuses what a patch cannot be made for.
+void check_folds(const SurfaceTriangles& surface, const std::vector<Point>& normals) {
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+    for (const int point : surface.facets[f])
+      if (dot(normals[point], surface.area_vector(f)) < 0.05 * length(surface.area_vector(f)))
+        throw InputError("the surface is folded at " + tuple_text(surface.points[point].data(), 3) +
+                         ": a facet is at more than 87 degrees to the mean of those around that point");
 }
 
 /// First and second derivatives of the gap where the foot is at a patch's point: normal and turning.
@@ -69,6 +79,7 @@ TriangulatedSurface::TriangulatedSurface(const SurfaceTriangles& triangles) {
     largest_angle_ =
         std::max(largest_angle_, angle_between(surface.area_vector(edge.facet), surface.area_vector(edge.neighbour)));
   const std::vector<Point> normals = point_normals(surface);
+  check_folds(surface, normals);
   std::vector<Bounds> boxes;
   bounds_ = Bounds::nothing();
   for (const auto& facet : surface.facets) {

@@ -16,7 +16,8 @@ namespace mudline {
 class TriangulatedSurface : public Surface {
  public:
   /// Points that are within 1e-7 of the body's size of each other are one. A surface that is inside out is turned.
-  /// InputError, without a position, for one that is not closed, see closed_edges().
+  /// InputError, without a position, for one that is not closed, see closed_edges(), or that is folded to an edge
+  /// of no thickness.
   explicit TriangulatedSurface(const SurfaceTriangles& triangles);
 
   SurfaceFoot closest(const Point& x) const override;

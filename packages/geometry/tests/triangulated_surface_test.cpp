@@ -232,6 +232,10 @@ TEST(TriangulatedSurface, FaultsAreNamed) {
   SurfaceTriangles flat = icosphere(0);
   flat.points[flat.facets[2][2]] = scaled(0.5, plus(flat.points[flat.facets[2][0]], 1, flat.points[flat.facets[2][1]]));
   EXPECT_NE(error(flat).find("1 facet has no area, the first one at ("), std::string::npos) << error(flat);
+  // a pyramid so flat that its sides stand upside down to the mean of those at the points of its base
+  const SurfaceTriangles wedge{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.01}},
+                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  EXPECT_NE(error(wedge).find("the surface is folded at ("), std::string::npos) << error(wedge);
   EXPECT_EQ(error({}), "the surface has no facets");
 }
 
