@@ -36,13 +36,12 @@ def face_triangles(kind, face):
         return [((a, b, 8 + face), (True, False, False)) for a, b in ring]
     if kind == 38:
         middle = middles(TET_EDGES, 4)
-        triangles = [((a, middle[a, b], middle[c, a]), (True, False, True)) for (c, a), (_, b) in zip(ring[-1:] + ring, ring)]
+        before = ring[-1:] + ring[:-1]
+        triangles = [((a, middle[a, b], middle[c, a]), (True, False, True)) for (c, _), (a, b) in zip(before, ring)]
         return triangles + [(tuple(middle[pair] for pair in ring), (False, False, False))]
     middle = middles(HEX_EDGES, 8)
-    triangles = []
-    for a, b in ring:
-        triangles += [((a, middle[a, b], 20 + face), (True, False, False)), ((middle[a, b], b, 20 + face), (True, False, False))]
-    return triangles
+    halves = [pair for a, b in ring for pair in ((a, middle[a, b]), (middle[a, b], b))]
+    return [((a, b, 20 + face), (True, False, False)) for a, b in halves]
 
 
 def cell_tetrahedra(kind):
@@ -80,10 +79,10 @@ class Mesh:
 class Triangles:
     """Triangles between places: a place is a node, the mean of nodes, or lies on the line between two of these."""
 
-    def __init__(self, count, means, ends, share, triangles, cells):
-        """ends, share: a place is (1 - share) of its first end and share of its second; the ends are numbers of nodes, or,
-        from `count` on, of rows of `means`, a list of arrays of nodes."""
-        self.count, self.means, self.ends, self.share = count, means, ends, share
+    def __init__(self, means, ends, share, triangles, cells):
+        """ends, share: a place is (1 - share) of its first end and share of its second; the ends are numbers of nodes
+        and, after the last node, of the rows of `means`, a list of arrays of nodes."""
+        self.means, self.ends, self.share = means, ends, share
         self.triangles, self.cells = triangles, cells  # cells: that each triangle belongs to
 
     def at_places(self, nodal):
@@ -130,9 +129,8 @@ def outer_surface(mesh):
             cells.append(ids[chosen])
             sides.append(np.tile(edges, (len(nodes), 1)))
     used, triangles = np.unique(np.concatenate(triangles), return_inverse=True)
-    surface = Triangles(
-        count, means, np.column_stack([used, used]), np.zeros(len(used)), triangles.reshape(-1, 3), np.concatenate(cells)
-    )
+    ends, share = np.column_stack([used, used]), np.zeros(len(used))
+    surface = Triangles(means, ends, share, triangles.reshape(-1, 3), np.concatenate(cells))
     surface.sides = np.concatenate(sides).astype(int)
     surface.sides[sharp_sides(surface, mesh.points) & (surface.sides == 1)] = 2
     return surface
@@ -159,8 +157,8 @@ def sharp_sides(surface, nodal_points):
 
 
 class Section(Triangles):
-    """The cut of the cells by a plane x = at or y = at of the mesh at the start; it moves with the soil. `outline` and `edges`
-    are pairs of places: around it, and between its cells."""
+    """The cut of the cells by a plane x = at or y = at of the mesh at the start; it moves with the soil.
+    `outline` and `edges` are pairs of places: around it, and between its cells."""
 
     def __init__(self, mesh, axis, at):
         self.axis, self.at = axis, at
@@ -179,7 +177,7 @@ class Section(Triangles):
                 owners.append(ids[chosen])
         level = np.concatenate([level] + [level[nodes].mean(axis=1) for nodes in means])
         ends, share, triangles, cells = cut(np.concatenate(tetrahedra), np.concatenate(owners), level)
-        super().__init__(count, means, ends, share, triangles, cells)
+        super().__init__(means, ends, share, triangles, cells)
         self.outline, self.edges = section_edges(triangles, cells)
 
 

@@ -104,8 +104,8 @@ class Buffer:
         return [weights[(side + 2) % 3] * heights[self.triangle, side] for side in range(3)]
 
     def lines(self, sides):
-        """Darkness of the covered pixels: edges of the model and of the picture's outline, and, where the mesh is coarse enough
-        to be seen, edges of cells. sides: see outer_surface."""
+        """Darkness of the covered pixels: edges of the model and of the picture's outline, and edges of cells where the
+        mesh is coarse enough. sides: see outer_surface."""
         dark = np.zeros(len(self.pixel), np.float32)
         size = np.sqrt(np.maximum(self.area, 0))[self.triangle] / FINER  # of a triangle, in pixels of the image
         strength = 0.32 * np.clip((size - 5) / 12, 0, 1)
@@ -151,5 +151,7 @@ class Buffer:
 def shaded(colours, light, white, dark):
     """Colours (pixel, 3) in the light, with white level lines and dark mesh lines of given strength over them."""
     colours = colours * light[:, None]
-    colours += (1 - colours) * white[:, None]
-    return colours + (LINE - colours) * dark[:, None]
+    for ink, strength in ((1, white), (LINE, dark)):
+        drawn = np.flatnonzero(strength)
+        colours[drawn] += (ink - colours[drawn]) * strength[drawn, None]
+    return colours
