@@ -99,6 +99,8 @@ class FieldResult:
         topology, offset = self.file["mesh/topology"][:], self.file["mesh/offset"][:]
         if self.in_space:
             self.mesh_in_space = Mesh(topology, offset, self.file["mesh/coordinates"][:])
+            if not self.mesh_in_space.blocks:
+                raise ReportError(f"{self.file.filename}: no tetrahedra or hexahedra of known kind")
             return
         kinds = topology[offset]
         triangles, owners, edges = [], [], []

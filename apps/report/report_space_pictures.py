@@ -13,6 +13,7 @@ from report_view import Buffer, View, shaded
 plt = pictures.plt
 STYLE = {**pictures.STYLE, "axes.grid": False, "contour.negative_linestyle": "solid"}
 RESOLUTION = 160  # pixels of the perspective picture per inch
+NARROW = 1 / 12  # a section narrower than this part of the other one is left out
 LEVELS = 12  # bands between level lines, as in the sections
 HEIGHT, WIDTH = 4.3, 5.0  # [inch] that the perspective picture may take, and the sections together
 LABELS = 0.58  # [inch] around the perspective picture for the numbers on its axes
@@ -35,7 +36,7 @@ class SpaceModel:
         extent = np.ptp(mesh.points, axis=0)
         for axis in (1, 0):
             section, side = choose_section(mesh, self.surface, moved, axis)
-            if section is not None:
+            if section is not None and extent[1 - axis] > NARROW * extent[axis]:
                 self.sections.append(section)
             longer = (extent[1 - axis], axis) > (extent[axis], 1 - axis)
             across = 1.2 if longer else 1.0  # the longer side, rather from its front
@@ -191,20 +192,24 @@ def draw_axes(axes, view, window, inches):
         out = np.array([-along[1], along[0]])
         out *= np.sign(out @ ((a + b) / 2 - middle)) or 1.0
         axes.plot(*np.array([a, b]).T, **style)
+        longest = 0
         for value in marks(view.low[axis], view.high[axis], np.hypot(*(b - a)) / metre):
             place = line[0].copy()
             place[axis] = value
             place = view.project(place)[:2]
             axes.plot(*np.array([place, place + 4 * metre * out]).T, **style)
-            write(axes, f"{value:.6g}".replace("-", "\N{MINUS SIGN}"), place, out * 12)
-        write(axes, f"{'xyz'[axis]} [m]", (a + b) / 2, out * 31)
+            label = f"{value:.8g}".replace("-", "\N{MINUS SIGN}")
+            longest = max(longest, len(label))
+            write(axes, label, place, out * (12 + 2.4 * max(len(label) - 3, 0) * abs(out[0])))
+        write(axes, f"{'xyz'[axis]} [m]", (a + b) / 2, out * (31 + 5 * max(longest - 3, 0) * abs(out[0])))
 
 
 def marks(low, high, points):
     """Round numbers for an axis that is so many points long."""
     values = pictures.ticks(max(1, int(points / 42))).tick_values(low, high)
     tolerance = 1e-6 * (high - low)
-    return [value for value in values if low - tolerance <= value <= high + tolerance]
+    values = [value for value in values if low - tolerance <= value <= high + tolerance]
+    return values if points > 14 * len(values) else values[-1:]
 
 
 def write(axes, text, place, offset):
@@ -228,10 +233,11 @@ def draw_section(axes, section, places, field, values, low, high):
     axes.set_aspect("equal")
     for minimum, maximum, limit in zip(places.min(axis=0), places.max(axis=0), (axes.set_xlim, axes.set_ylim)):
         limit(minimum, maximum)
+    axes.ticklabel_format(style="plain", useOffset=False)
     axes.set_xlabel(f"{'yx'[section.axis]} [m]")
     axes.set_ylabel("z [m]")
     axes.xaxis.set_major_locator(pictures.ticks(max(1, min(5, int(inches[0] / 0.45)))))
     axes.yaxis.set_major_locator(pictures.ticks(max(1, min(6, int(inches[1] / 0.35)))))
     at = 0.0 if abs(section.at) < 1e-9 * np.abs(places).max() else section.at
-    title = f"{'section at ' if inches[0] > 1.2 else ''}{'xy'[section.axis]} = {at:.4g} m"
+    title = f"{'section at ' if inches[0] > 1.2 else ''}{'xy'[section.axis]} = {at:.8g} m"
     axes.set_title(title, fontsize=9, fontweight="normal", loc="left")

@@ -27,8 +27,8 @@ SIZE = np.array([2.0, 3.0, 1.0])
 CELLS = np.array([2, 3, 2])
 
 
-def box_in_space(kind):
-    """(topology, offset, points) of the box from 0 to SIZE in CELLS, tetrahedra six to a cell; inner nodes are shifted."""
+def box_in_space(kind, size=SIZE):
+    """(topology, offset, points) of the box from 0 to size in CELLS, tetrahedra six to a cell; inner nodes are shifted."""
     hexahedron = np.array([[int(c) for c in place] for place in HEX27.split()])
     if kind in (6, 38):
         shapes = []
@@ -44,17 +44,17 @@ def box_in_space(kind):
         [2 * np.array(ijk) + shape for ijk in itertools.product(*map(range, CELLS)) for shape in shapes]
     )  # (cell, node, 3) in half sides
     places, nodes = np.unique(cells.reshape(-1, 3), axis=0, return_inverse=True)
-    points = places / (2 * CELLS) * SIZE
+    points = places / (2 * CELLS) * size
     inner = ((places > 0) & (places < 2 * CELLS)).all(axis=1)
-    points[inner] += 0.04 * np.random.default_rng(1).uniform(-1, 1, (inner.sum(), 3))
+    points[inner] += 0.04 * size * np.random.default_rng(1).uniform(-1, 1, (inner.sum(), 3))
     nodes = nodes.reshape(cells.shape[:2])
     topology = np.column_stack([np.full(len(nodes), kind), nodes])
     return topology.ravel(), np.arange(len(nodes)) * topology.shape[1], points
 
 
-def write_space_result(path, kind, peak):
+def write_space_result(path, kind, peak, size=SIZE):
     """Two outputs: at rest, and pressed down around the place `peak`."""
-    topology, offset, points = box_in_space(kind)
+    topology, offset, points = box_in_space(kind, size)
     with h5py.File(path, "w") as file:
         file.attrs.update({"format": "mudline fields", "geometry": "three-dimensional"})
         file.attrs.update({"nodes": len(points), "elements": len(offset)})
@@ -190,6 +190,11 @@ class SpaceTest(unittest.TestCase):
             model = report_space_pictures.SpaceModel(FieldResult(path), 1)
             self.assertEqual(tuple(section.at for section in model.sections), places)
             self.assertEqual(tuple(np.sign(model.towards)), signs)
+
+    def test_section_of_a_slice_across_it_is_left_out(self):
+        write_space_result(self.folder / "box.h5", 9, (0, 0, 1), np.array([2.0, 0.15, 1.0]))
+        sections = report_space_pictures.SpaceModel(FieldResult(self.folder / "box.h5"), 1).sections
+        self.assertEqual([(section.axis, section.at) for section in sections], [(1, 0.0)])
 
     def test_page_of_a_result_in_space(self):
         write_space_result(self.folder / "box.h5", 9, (0, 0, 1))
