@@ -35,9 +35,10 @@ std::string BlockAmgSolver::prepare(RCP<const DofMap> dofs) {
   gmres_ = std::make_unique<FieldGmres>(dofs_);
   for (int f = 0; f < dofs_->num_fields(); ++f) {
     const FieldLayout& field = dofs_->field(f);
-    if (field.apart || field.components == 1 || (field.name == "displacement" && field.components == 2)) continue;
-    return "linear solver 'block amg' treats a displacement of two components and scalar fields, not '" + field.name +
-           "'; use 'direct'";
+    const bool moves = field.name == "displacement" && (field.components == 2 || field.components == 3);
+    if (field.apart || field.components == 1 || moves) continue;
+    return "linear solver 'block amg' treats a displacement of two or three components and scalar fields, not '" +
+           field.name + "'; use 'direct'";
   }
   return "";
 }

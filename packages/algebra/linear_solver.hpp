@@ -23,9 +23,10 @@ struct LinearReport {
 /// Data that a block preconditioner needs beyond the matrix. Filled by the physics; absent parts are null or zero.
 struct BlockData {
   int displacement = -1, pressure = -1;  // field indices in the dof map; pressure -1: no pore fluid
-  std::vector<double> coordinates;       // (owned displacement node, 2) current coordinates [m]
-  /// Owned displacement nodes that are not vertices: their parents' global displacement node ids (2 for an edge, 4 for
-  /// a cell centre); empty for vertices. The linear subspace of p-multigrid.
+  std::vector<double> coordinates;       // (owned displacement node, dimension) current coordinates [m]
+  /// Owned displacement nodes that are not vertices: the global displacement node ids of the vertices in whose middle
+  /// they are (2 on an edge, 4 on a quadrangle, 8 in a hexahedron); empty for vertices. The linear subspace of
+  /// p-multigrid.
   std::vector<std::vector<GlobalOrdinal>> parents;
   /// Pressure mass and Laplacian matrices on the pressure field map (no constraints applied):
   /// Q = int Np^T Np dv, L = int grad(Np)^T grad(Np) dv. Row map dofs.field_map(pressure), whose global ids are those
@@ -34,7 +35,7 @@ struct BlockData {
   std::vector<char> pressure_constrained;  // by owned pressure dof
   /// Coefficients of the Jacobian [[c_m M + c_k K, -L c_p], [c_v L^T, c_s S + c_h H]], representative scalars:
   double constrained_modulus = 0;  // lambda + 2G of K [Pa], times c_k
-  double drained_modulus = 0;      // lambda + G [Pa], times c_k (2-D fixed-stress modulus)
+  double drained_modulus = 0;      // lambda + G in the plane, lambda + 2/3 G in space [Pa], times c_k (fixed stress)
   double inertia = 0;              // c_m rho [kg/(m3 s2)]
   double coupling_u = 1;           // c_p alpha
   double coupling_p = 1;           // c_v alpha [1/s]

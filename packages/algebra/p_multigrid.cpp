@@ -1,7 +1,5 @@
 #include "algebra/p_multigrid.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +10,6 @@ namespace mudline {
 
 namespace {
 
-constexpr int components = 2;
 constexpr int smoother_degree = 2;
 
 using IdVectors = Tpetra::MultiVector<GlobalOrdinal>;
@@ -28,7 +25,7 @@ Vertices find_vertices(const FieldLayout& field, const BlockData& data, const RC
   for (int i = 0; i < field.num_owned; ++i)
     if (data.parents[i].empty()) result.owned.push_back(i);
   result.nodes = make_map({field.node_ids.begin(), field.node_ids.begin() + field.num_owned}, comm);
-  result.coarse_dofs = make_dense_map(result.owned.size() * components, comm);
+  result.coarse_dofs = make_dense_map(result.owned.size() * field.components, comm);
   return result;
 }
 
@@ -46,6 +43,7 @@ struct NodeTable {
 
 NodeTable exchange_nodes(const FieldLayout& field, const BlockData& data, const Vertices& vertices,
                          const std::vector<char>& constrained) {
+  const int components = field.components;
   IdVectors owned(vertices.nodes, 1 + components);
   {
     const auto values = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -72,7 +70,10 @@ NodeTable exchange_nodes(const FieldLayout& field, const BlockData& data, const 
 RCP<CrsMatrix> make_prolongator(const RCP<const Map>& fine, const FieldLayout& field, const BlockData& data,
                                 const Vertices& vertices, const std::vector<char>& constrained) {
   const NodeTable table = exchange_nodes(field, data, vertices, constrained);
-  const auto prolongator = rcp(new CrsMatrix(fine, 4));
+  const int components = field.components;
+  std::size_t most = 1;
+  for (const auto& parents : data.parents) most = std::max(most, parents.size());
+  const auto prolongator = rcp(new CrsMatrix(fine, most));
   std::size_t vertex = 0;
   for (int i = 0; i < field.num_owned; ++i) {
     const auto& parents = data.parents[i];
@@ -98,31 +99,47 @@ RCP<CrsMatrix> make_prolongator(const RCP<const Map>& fine, const FieldLayout& f
   return prolongator;
 }
 
-/// Translations and the rotation about the centre of the domain, scaled to the size of a translation.
+/// Mean of the owned and all other vertices' coordinates, and the root mean square of their distance from it [m].
+struct Extent {
+  std::vector<double> centre;
+  double radius;
+};
+
+Extent extent_of(const MultiVector& points) {
+  const int dimension = static_cast<int>(points.getNumVectors());
+  Extent extent{std::vector<double>(dimension), 0};
+  points.meanValue(extent.centre);
+  std::vector<double> norm(dimension);
+  points.norm2(norm);
+  const auto count = static_cast<double>(points.getGlobalLength());
+  for (int i = 0; i < dimension; ++i) extent.radius += norm[i] * norm[i] / count - extent.centre[i] * extent.centre[i];
+  extent.radius = std::sqrt(extent.radius);
+  return extent;
+}
+
+/// Translations and the rotations about the centre of the domain, scaled to the size of a translation.
 void add_rigid_modes(AmgInput& input, const Vertices& vertices, const BlockData& data) {
   const std::size_t count = vertices.owned.size();
-  const RCP<const Comm> comm = vertices.coarse_dofs->getComm();
-  double here[5] = {0, 0, 0, 0, static_cast<double>(count)}, sum[5];
-  for (const int node : vertices.owned)
-    for (int c = 0; c < components; ++c) {
-      const double coordinate = data.coordinates[components * node + c];
-      here[c] += coordinate;
-      here[2 + c] += coordinate * coordinate;
-    }
-  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, 5, here, sum);
-  const double centre[2] = {sum[0] / sum[4], sum[1] / sum[4]};
-  const double radius = std::sqrt((sum[2] + sum[3]) / sum[4] - centre[0] * centre[0] - centre[1] * centre[1]);
-
-  input.coordinates = rcp(new MultiVector(make_dense_map(count, comm), components));
-  input.null_space = rcp(new MultiVector(vertices.coarse_dofs, 3));
-  const auto points = input.coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  const auto modes = input.null_space->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const int dimension = input.equations;
+  input.coordinates = rcp(new MultiVector(make_dense_map(count, vertices.coarse_dofs->getComm()), dimension));
+  {
+    const auto points = input.coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t v = 0; v < count; ++v)
+      for (int i = 0; i < dimension; ++i) points(v, i) = data.coordinates[dimension * vertices.owned[v] + i];
+  }
+  const Extent extent = extent_of(*input.coordinates);
+  input.null_space = rcp(new MultiVector(vertices.coarse_dofs, dimension == 2 ? 3 : 6));
+  const auto points = input.coordinates->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto modes = input.null_space->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (std::size_t v = 0; v < count; ++v) {
-    for (int c = 0; c < components; ++c) points(v, c) = data.coordinates[components * vertices.owned[v] + c];
-    for (int c = 0; c < components; ++c)
-      for (int mode = 0; mode < components; ++mode) modes(components * v + c, mode) = c == mode ? 1 : 0;
-    modes(components * v, 2) = -(points(v, 1) - centre[1]) / radius;
-    modes(components * v + 1, 2) = (points(v, 0) - centre[0]) / radius;
+    const auto row = [&](int i) { return dimension * v + i; };
+    for (int i = 0; i < dimension; ++i) modes(row(i), i) = 1;
+    int mode = dimension;
+    for (int i = 0; i < dimension; ++i)  // in the plane of the directions i and j
+      for (int j = i + 1; j < dimension; ++j, ++mode) {
+        modes(row(i), mode) = -(points(v, j) - extent.centre[j]) / extent.radius;
+        modes(row(j), mode) = (points(v, i) - extent.centre[i]) / extent.radius;
+      }
   }
 }
 
@@ -134,7 +151,7 @@ PMultigrid::PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const Bl
   const RCP<const Comm> comm = matrix->getComm();
   const Vertices vertices = find_vertices(field, data, comm);
   AmgInput input;
-  input.equations = components;
+  input.equations = field.components;
   add_rigid_modes(input, vertices, data);
   if (vertices.coarse_dofs->getGlobalNumElements() == matrix->getGlobalNumRows()) {
     input.matrix = matrix;

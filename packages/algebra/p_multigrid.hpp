@@ -12,7 +12,8 @@ namespace mudline {
 /// A linear displacement space goes to multigrid at once.
 class PMultigrid : public Operator {
  public:
-  /// `matrix`: the block on a map with dense ids, two components per node; `constrained` marks its isolated rows.
+  /// `matrix`: the block on a map with dense ids, the components of a node adjacent; `constrained` marks its isolated
+  /// rows.
   PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
              const std::vector<char>& constrained);
 
