@@ -30,7 +30,7 @@ double smallest_wave_number(const BlockData& data, int dimension, const Comm& co
 
 }  // namespace
 
-BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, FieldBlocks& blocks,
+BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlocks& blocks,
                                  const BlockData& data)
     : map_(dofs.owned()), blocks_(blocks) {
   const int u = data.displacement, p = data.pressure;

@@ -107,7 +107,7 @@ bool MumpsSolver::may_try_old_factor() {
   return false;
 }
 
-LinearReport MumpsSolver::solve(const Vector& b, Vector& x, double tolerance) {
+LinearReport MumpsSolver::solve(const Vector& b, Vector& x, const LinearTolerance& tolerance) {
   if (matrix_.is_null()) throw std::logic_error("direct solver used before it has a matrix");
   int spent = 0;
   if (may_try_old_factor()) {
@@ -128,7 +128,7 @@ LinearReport MumpsSolver::solve(const Vector& b, Vector& x, double tolerance) {
   return report;
 }
 
-LinearReport MumpsSolver::solve_by_old_factor(const Vector& b, Vector& x, double tolerance) {
+LinearReport MumpsSolver::solve_by_old_factor(const Vector& b, Vector& x, const LinearTolerance& tolerance) {
   const KrylovResult krylov = gmres_->solve(matrix_, factor_, b, x, tolerance, reuse_iterations_);
   if (krylov.converged)
     wait_ = 0;
@@ -143,17 +143,17 @@ LinearReport MumpsSolver::solve_by_old_factor(const Vector& b, Vector& x, double
   return report;
 }
 
-LinearReport MumpsSolver::solve_by_factor(const Vector& b, Vector& x, double tolerance) {
+LinearReport MumpsSolver::solve_by_factor(const Vector& b, Vector& x, const LinearTolerance& tolerance) {
   Vector residual(dofs_->owned()), correction(dofs_->owned());
   LinearReport report;
   factor_->apply(b, x);
   report.relative_residual = (*evaluate_)(*matrix_, b, x, residual).relative();
-  for (int step = 0; step < 2 && report.relative_residual > tolerance; ++step) {
+  for (int step = 0; step < 2 && report.relative_residual > tolerance.relative; ++step) {
     factor_->apply(residual, correction);
     x.update(1, correction, 1);
     report.relative_residual = (*evaluate_)(*matrix_, b, x, residual).relative();
   }
-  report.converged = report.relative_residual <= tolerance;
+  report.converged = report.relative_residual <= tolerance.relative;
   if (!report.converged)
     report.reason = std::isfinite(report.relative_residual)
                         ? "the direct solution is inaccurate (relative residual " +

@@ -4,13 +4,20 @@
 #include <cmath>
 
 #include "algebra/amg.hpp"
+#include "algebra/nodal_chebyshev.hpp"
+#include "algebra/smoothed_cycle.hpp"
 #include "algebra/tpetra_compat.hpp"
 
 namespace mudline {
 
 namespace {
 
-constexpr int smoother_degree = 2;
+/// Stretched elements leave errors that are smooth in one direction only: a wider part of the spectrum is smoothed.
+/// From three to one on it is worth the products.
+NodalChebyshev::Settings smoothing(double aspect_ratio) {
+  constexpr double stretched = 4;  // a box of six tetrahedra, stretched three to one, has 3.9
+  return aspect_ratio > stretched ? NodalChebyshev::Settings{6, 30} : NodalChebyshev::Settings{2, 10};
+}
 
 using IdVectors = Tpetra::MultiVector<GlobalOrdinal>;
 
@@ -148,42 +155,27 @@ void add_rigid_modes(AmgInput& input, const Vertices& vertices, const BlockData&
 PMultigrid::PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
                        const std::vector<char>& constrained)
     : matrix_(matrix) {
-  const RCP<const Comm> comm = matrix->getComm();
-  const Vertices vertices = find_vertices(field, data, comm);
+  const Vertices vertices = find_vertices(field, data, matrix->getComm());
+  const auto smoother = [&](const RCP<CrsMatrix>& a) {
+    return rcp(new NodalChebyshev(a, field.components, smoothing(data.aspect_ratio)));
+  };
   AmgInput input;
   input.equations = field.components;
   add_rigid_modes(input, vertices, data);
-  if (vertices.coarse_dofs->getGlobalNumElements() == matrix->getGlobalNumRows()) {
-    input.matrix = matrix;
-  } else {
-    prolongator_ = make_prolongator(matrix->getRowMap(), field, data, vertices, constrained);
-    smoother_ = chebyshev_smoother(matrix, smoother_degree);
-    input.matrix = galerkin_product(*prolongator_, *matrix);
-    residual_ = rcp(new MultiVector(matrix->getRowMap(), 1));
-    correction_ = rcp(new MultiVector(matrix->getRowMap(), 1));
-    coarse_residual_ = rcp(new MultiVector(vertices.coarse_dofs, 1));
-    coarse_correction_ = rcp(new MultiVector(vertices.coarse_dofs, 1));
+  RCP<CrsMatrix> prolongator;
+  input.matrix = matrix;
+  if (vertices.coarse_dofs->getGlobalNumElements() != matrix->getGlobalNumRows()) {
+    prolongator = make_prolongator(matrix->getRowMap(), field, data, vertices, constrained);
+    input.matrix = galerkin_product(*prolongator, *matrix);
   }
-  coarse_ = amg_cycle(input);
+  cycle_ = amg_cycle(input);
+  if (field.components == 3)
+    cycle_ = rcp(new SmoothedCycle(input.matrix, smoother(input.matrix), cycle_, Teuchos::null));
+  if (!prolongator.is_null()) cycle_ = rcp(new SmoothedCycle(matrix, smoother(matrix), cycle_, prolongator));
 }
 
 void PMultigrid::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {
-  if (prolongator_.is_null()) {
-    coarse_->apply(x, y);
-    return;
-  }
-  const auto update_residual = [&] {
-    matrix_->apply(y, *residual_);
-    residual_->update(1, x, -1);
-  };
-  smoother_->apply(x, y);
-  update_residual();
-  prolongator_->apply(*residual_, *coarse_residual_, Teuchos::TRANS);
-  coarse_->apply(*coarse_residual_, *coarse_correction_);
-  prolongator_->apply(*coarse_correction_, y, Teuchos::NO_TRANS, 1, 1);
-  update_residual();
-  smoother_->apply(*residual_, *correction_);
-  y.update(1, *correction_, 1);
+  cycle_->apply(x, y);
 }
 
 }  // namespace mudline

@@ -78,6 +78,7 @@ class ProblemInSpace {
     data.constrained_modulus = lambda + 2 * G;
     data.drained_modulus = lambda + 2 * G / 3;
     data.inertia = mass_factor() * settings_.density;
+    data.aspect_ratio = 2 * std::max(height_, 1 / height_);  // the tetrahedra of a cube have 2
     if (!settings_.fluid) return data;
     data.pressure = 1;
     data.coupling_u = 1;

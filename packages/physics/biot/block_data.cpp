@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "discretisation/element_map.hpp"
 #include "framework/element_loop.hpp"
 
 namespace mudline {
@@ -79,6 +80,21 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
   }
 }
 
+/// Longest edge over height of the worst element of this rank, against that of the equilateral one [-].
+double worst_aspect_ratio(const Soil& soil, const StepView& view) {
+  double worst = 1;
+  for (const SoilBlock& b : soil.blocks) {
+    const bool plane = dimension(b.shape) == 2;
+    const double equilateral = !is_simplex(b.shape) ? 1.0 : plane ? 4 / std::sqrt(3.0) : std::sqrt(13.5);
+    for (int e = 0; e < b.elements; ++e) {
+      const ElementMap element(b.shape, [&](int a) { return &view.x_end(b.nodes(e, a), 0); });
+      const ElementSize size = element.size();
+      worst = std::max(worst, size.longest_edge / (size.height * equilateral));
+    }
+  }
+  return worst;
+}
+
 /// An empty matrix on the pressure map with room for each pair of neighbours.
 RCP<CrsMatrix> pressure_matrix(const Soil& soil) {
   const DofMap& dofs = *soil.space->dofs();
@@ -133,6 +149,8 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
     data.pressure_mass = mass;
     data.pressure_laplacian = laplacian;
   }
+  Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_MAX, worst_aspect_ratio(soil, view),
+                     Teuchos::outArg(data.aspect_ratio));
   double total[6];
   Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_SUM, 6, means.sum, total);
   for (int i = 1; i < 6; ++i) total[i] /= total[0];
