@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "algebra/field_residual.hpp"
 #include "algebra/krylov.hpp"
@@ -38,6 +39,7 @@ class MumpsSolver : public LinearSolver {
   bool reuse_ = true, reproducible_ = true;
   int reuse_iterations_ = 8;
   RCP<const DofMap> dofs_;
+  std::vector<GlobalOrdinal> node_of_row_;  // in space, to order by; else empty
   RCP<const CrsMatrix> matrix_;
   RCP<FactorOperator> factor_;
   bool factored_ = false;    // factor_ holds factors, maybe of an older matrix
