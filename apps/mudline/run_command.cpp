@@ -35,12 +35,11 @@ void check_probes(const Loaded& loaded) {
   const double slack = 1e-6 * box.extent();
   for (const ProbeSettings& probe : loaded.output.probes) {
     const auto& at = probe.point;
-    for (int i = 0; probe.moves_with.empty() && i < 2; ++i)
+    for (int i = 0; probe.moves_with.empty() && i < loaded.model->mesh().dimension(); ++i)
       if (at[i] < box.low[i] - slack || at[i] > box.high[i] + slack)
         loaded.root->section("output").section("probes").fail(
-            std::string(i == 0 ? "x" : "y") + " = " + number_text(at[i]) +
-                " lies outside the mesh, which reaches from " + number_text(box.low[i]) + " to " +
-                number_text(box.high[i]),
+            std::string(axis_names[i]) + " = " + number_text(at[i]) + " lies outside the mesh, which reaches from " +
+                number_text(box.low[i]) + " to " + number_text(box.high[i]),
             probe.name);
   }
 }

@@ -19,6 +19,7 @@ import numpy as np
 
 import report_pictures as pictures
 import report_point
+import report_space_pictures
 from report_result import FieldResult, History, ReportError, find_files, text
 
 FAVOURITES = [
@@ -31,7 +32,7 @@ FAVOURITES = [
     "preconsolidation pressure",
     "velocity",
 ]
-MAX_DEFAULT_FIELDS = 6
+MAX_DEFAULT_FIELDS = 6  # and, in space, the vertical displacement
 ATTEMPTS = 3
 
 CSS = """
@@ -98,7 +99,7 @@ def summary(result, history, name):
                 unit = " s" if key.replace("_", " ") == "wall time" and re.fullmatch(r"[0-9.eE+-]+", value) else ""
                 rows.append((html.escape(key.replace("_", " ")), html.escape(value) + unit))
         rows += [
-            ("geometry", "axisymmetric" if result.axisymmetric else "plane strain"),
+            ("geometry", result.geometry),
             (
                 "mesh",
                 f"{result.file.attrs['nodes']} nodes, {result.file.attrs['elements']} elements; "
@@ -192,18 +193,37 @@ def choose_fields(result, step, wanted):
                 raise ReportError(f"there is no field '{name}'; known: " + ", ".join(sorted(available)))
         return wanted
     # Components of vectors are there for who asks for them; their length says enough for an overview.
-    whole = [name for name in available if not (name[-2:] in (" x", " y") and name[:-2] in available)]
+    whole = [name for name in available if not (name[-2:] in (" x", " y", " z") and name[:-2] in available)]
     ordered = [name for name in FAVOURITES if name in whole] + [name for name in whole if name not in FAVOURITES]
     # first of all the unknowns that not every model has: a temperature, what a plugin adds
     special = [name for name in ordered if not available[name].by_cell and name not in FAVOURITES and name + " x" not in available
                and not name.startswith("contact ")]
     ordered = special + [name for name in ordered if name not in special]
-    return ordered[:MAX_DEFAULT_FIELDS]
+    ordered = ordered[:MAX_DEFAULT_FIELDS]
+    if result.in_space and "displacement" in ordered:
+        ordered.insert(ordered.index("displacement") + 1, "displacement z")
+    return ordered
+
+
+def field_drawings(result, steps, options):
+    """[(step, what draws its fields)]"""
+    if not result.in_space:
+        return [(step, pictures.FieldPicture(result, step, options.mirror, options.zoom)) for step in steps]
+    if options.zoom:
+        raise ReportError("--zoom: there is no second panel for a result in space")
+    model = report_space_pictures.SpaceModel(result, steps[-1])
+    return [(step, report_space_pictures.SpacePicture(result, step, model)) for step in steps]
+
+
+def uniform_text(result, step, field):
+    factor, unit, _, _ = pictures.colour_range(field, None)
+    value = f"{field.values[0] * factor:.6g} {unit}".removesuffix(" -")
+    return f"t = {pictures.nice_time(result.times[step])}, {result.stages[step]}: {value} everywhere."
 
 
 def field_section(result, steps, wanted, options, gallery):
     names = choose_fields(result, steps[-1], wanted)
-    drawings = [(step, pictures.FieldPicture(result, step, options.mirror), result.fields(step)) for step in steps]
+    drawings = [(step, drawing, result.fields(step)) for step, drawing in field_drawings(result, steps, options)]
     parts = []
     for name in names:
         parts.append(f"<h3>{html.escape(name)}</h3><div class=row>")
@@ -212,7 +232,10 @@ def field_section(result, steps, wanted, options, gallery):
         if options.common_scale:
             limits = (min(f.values.min() for _, _, f in shown), max(f.values.max() for _, _, f in shown))
         for step, drawing, field in shown:
-            figure = drawing.figure(field, limits, options.zoom)
+            if result.in_space and np.ptp(field.values) == 0 and len(shown) > 1:  # a picture of it would tell nothing
+                parts.append(f"<p>{html.escape(uniform_text(result, step, field))}</p>")
+                continue
+            figure = drawing.figure(field, limits)
             parts.append(gallery.add(figure, f"{name} t={result.times[step]:.6g}", False))
         parts.append("</div>")
     return "".join(parts)

@@ -209,6 +209,38 @@ def resistance_figure(body, forces, penetration):
         return figure
 
 
+def colour_range(field, limits):
+    """(factor, unit, lowest, highest) of the colour bar; limits: (lowest, highest) in the field's unit, or None."""
+    largest = np.abs(field.values).max() if limits is None else max(abs(limits[0]), abs(limits[1]))
+    factor, unit = scaled(field.unit, largest)
+    values = field.values * factor
+    low, high = (values.min(), values.max()) if limits is None else (limits[0] * factor, limits[1] * factor)
+    if high - low <= 1e-12 * max(abs(high), abs(low), 1e-300):
+        low, high = low - (0.01 * abs(low) or 1.0), high + (0.01 * abs(high) or 1.0)
+    return factor, unit, low, high
+
+
+def paint(axes, mesh, values, by_triangle, low, high):
+    """Colours triangles by their own values, or smoothly, with level lines, by those of the points."""
+    if by_triangle:
+        return axes.tripcolor(
+            mesh,
+            facecolors=values,
+            cmap=COLOUR_MAP,
+            vmin=low,
+            vmax=high,
+            edgecolors="face",
+            linewidth=0.4,
+            antialiased=False,  # else the background shines through between the triangles
+            rasterized=True,
+        )
+    drawn = axes.tripcolor(mesh, values, cmap=COLOUR_MAP, vmin=low, vmax=high, shading="gouraud", rasterized=True)
+    levels = np.linspace(low, high, 13)[1:-1]
+    if np.ptp(values) > 0:
+        axes.tricontour(mesh, values, levels=levels, colors="white", linewidths=0.5, alpha=0.55)
+    return drawn
+
+
 def zoom_window(contours, bounds, half):
     """The neighbourhood of the bodies' lowest part, or None when it would show nearly everything."""
     if not contours:
@@ -231,8 +263,9 @@ def zoom_window(contours, bounds, half):
 class FieldPicture:
     """Draws one field of one step: the whole mesh and, where a body acts, its neighbourhood."""
 
-    def __init__(self, result, step, mirror):
-        self.result, self.step = result, step
+    def __init__(self, result, step, mirror, zoom=None):
+        """zoom: window or None for an automatic one, [] for none."""
+        self.result, self.step, self.zoom = result, step, zoom
         self.points = result.coordinates(step)
         self.triangles, self.cells, self.edges = result.triangles, result.triangle_cells, result.edges
         self.boundary = result.boundary
@@ -252,18 +285,14 @@ class FieldPicture:
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         self.bounds = [low[0], high[0], low[1], high[1]]
 
-    def figure(self, field, limits=None, zoom=None):
-        """limits: (lowest, highest) in the field's unit; zoom: window or None for an automatic one, [] for none."""
-        largest = np.abs(field.values).max() if limits is None else max(abs(limits[0]), abs(limits[1]))
-        factor, unit = scaled(field.unit, largest)
+    def figure(self, field, limits=None):
+        """limits: (lowest, highest) in the field's unit."""
+        factor, unit, low, high = colour_range(field, limits)
         values = field.values * factor
-        low, high = (values.min(), values.max()) if limits is None else (limits[0] * factor, limits[1] * factor)
-        if high - low <= 1e-12 * max(abs(high), abs(low), 1e-300):
-            low, high = low - (0.01 * abs(low) or 1.0), high + (0.01 * abs(high) or 1.0)
         window = (
             zoom_window(self.contours, self.bounds, self.result.axisymmetric and not self.mirrored)
-            if zoom is None
-            else (zoom or None)
+            if self.zoom is None
+            else (self.zoom or None)
         )
 
         with plt.rc_context({**STYLE, "axes.grid": False}):
@@ -325,25 +354,10 @@ class FieldPicture:
 
     def draw(self, axes, field, values, low, high, panel, detailed):
         if field.by_cell:
-            drawn = axes.tripcolor(
-                self.mesh,
-                facecolors=values[self.cells],
-                cmap=COLOUR_MAP,
-                vmin=low,
-                vmax=high,
-                edgecolors="face",
-                linewidth=0.4,
-                antialiased=False,  # else the background shines through between the triangles
-                rasterized=True,
-            )
+            shown = values[self.cells]
         else:
-            nodal = np.concatenate([values, values]) if self.mirrored else values
-            drawn = axes.tripcolor(
-                self.mesh, nodal, cmap=COLOUR_MAP, vmin=low, vmax=high, shading="gouraud", rasterized=True
-            )
-            levels = np.linspace(low, high, 13)[1:-1]
-            if np.ptp(values) > 0:
-                axes.tricontour(self.mesh, nodal, levels=levels, colors="white", linewidths=0.5, alpha=0.55)
+            shown = np.concatenate([values, values]) if self.mirrored else values
+        drawn = paint(axes, self.mesh, shown, field.by_cell, low, high)
         if detailed:
             axes.add_collection(LineCollection(self.points[self.edges], colors="black", linewidths=0.35, alpha=0.28))
         axes.add_collection(

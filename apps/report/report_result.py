@@ -8,6 +8,8 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")  # a running simulation 
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
+from report_space import Mesh  # noqa: E402
+
 NODES_OF_CELL = {4: 3, 5: 4, 36: 6, 35: 9}  # XDMF cell number: nodes
 # Straight-sided triangles that cover a cell, and its outline; node order: corners, edge middles, centre.
 TRIANGLES_OF_CELL = {
@@ -78,7 +80,9 @@ class FieldResult:
             raise ReportError(f"{path}: cannot be read as an HDF5 file") from None
         if text(self.file.attrs.get("format", "")) != "mudline fields":
             raise ReportError(f"{path}: not a field file of mudline")
-        self.axisymmetric = text(self.file.attrs["geometry"]) == "axisymmetric"
+        self.geometry = text(self.file.attrs["geometry"])
+        self.axisymmetric = self.geometry == "axisymmetric"
+        self.in_space = self.geometry == "three-dimensional"
         self.metadata = {name: text(data[()]) for name, data in self.file["metadata"].items()}
         try:
             self.regions = text(self.file["mesh/region names"][()]).split("\n")
@@ -93,6 +97,11 @@ class FieldResult:
 
     def _read_cells(self):
         topology, offset = self.file["mesh/topology"][:], self.file["mesh/offset"][:]
+        if self.in_space:
+            self.mesh_in_space = Mesh(topology, offset, self.file["mesh/coordinates"][:])
+            if not self.mesh_in_space.blocks:
+                raise ReportError(f"{self.file.filename}: no tetrahedra or hexahedra of known kind")
+            return
         kinds = topology[offset]
         triangles, owners, edges = [], [], []
         for kind, count in NODES_OF_CELL.items():
@@ -127,7 +136,7 @@ class FieldResult:
         return int(np.argmin(np.abs(self.times - time)))
 
     def coordinates(self, step):
-        return self.file["steps"][self.steps[step]]["coordinates"][:, :2]
+        return self.file["steps"][self.steps[step]]["coordinates"][:, : 3 if self.in_space else 2]
 
     def bodies(self, step):
         """{name: current contour (n, 2)}"""
@@ -153,7 +162,7 @@ class FieldResult:
                     result[name] = Field(name, unit, values, by_cell)
                 elif values.shape[1] == 3:
                     result[name] = Field(name, unit, np.linalg.norm(values, axis=1), by_cell)
-                    for axis, column in zip("xy", values.T):
+                    for axis, column in zip("xyz" if self.in_space else "xy", values.T):
                         result[f"{name} {axis}"] = Field(f"{name} {axis}", unit, column, by_cell)
                 elif "stress" in name:
                     result.update(stress_invariants(name, unit, values, by_cell))

@@ -1,6 +1,5 @@
 #include "algebra/amg.hpp"
 
-#include <Ifpack2_Factory.hpp>
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <TpetraExt_MatrixMatrix.hpp>
 #include <TpetraExt_TripleMatrixMultiply.hpp>
@@ -45,21 +44,6 @@ RCP<Operator> amg_cycle(const AmgInput& input) {
   fix_random_start();
   Teuchos::ParameterList list = multigrid_list(input);
   return MueLu::CreateTpetraPreconditioner(RCP<Operator>(input.matrix), list);
-}
-
-RCP<Operator> chebyshev_smoother(const RCP<const CrsMatrix>& matrix, int degree) {
-  fix_random_start();
-  using Row = Tpetra::RowMatrix<>;
-  const auto smoother = Ifpack2::Factory().create<Row>("CHEBYSHEV", RCP<const Row>(matrix));
-  Teuchos::ParameterList list;
-  list.set("chebyshev: degree", degree);
-  list.set("chebyshev: ratio eigenvalue", 10.0);
-  list.set("chebyshev: eigenvalue max iterations", 10);
-  list.set("chebyshev: zero starting solution", true);
-  smoother->setParameters(list);
-  smoother->initialize();
-  smoother->compute();
-  return smoother;
 }
 
 RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const CrsMatrix& matrix) {

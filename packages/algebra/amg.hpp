@@ -15,9 +15,6 @@ struct AmgInput {
 /// One V-cycle of smoothed aggregation, a fixed linear operator.
 RCP<Operator> amg_cycle(const AmgInput& input);
 
-/// Chebyshev smoother of the given degree, started from zero: y ~ A^-1 x on the upper part of the spectrum.
-RCP<Operator> chebyshev_smoother(const RCP<const CrsMatrix>& matrix, int degree);
-
 /// P^T A P
 RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const CrsMatrix& matrix);
 

@@ -25,8 +25,10 @@ BlockAmgSolver::~BlockAmgSolver() = default;
 void BlockAmgSolver::parameters(Parameters& p) {
   p.add("maximum iterations", maximum_iterations_, "-", closed(1, 100000),
         "GMRES iterations after which a solve fails");
-  p.add("rebuild growth", rebuild_growth_, "-", closed(1, 100),
-        "The preconditioner is rebuilt when the iterations exceed this factor of its first count, plus 5");
+  p.add(
+      "rebuild growth", rebuild_growth_, "-", closed(1, 100),
+      "The preconditioner is rebuilt when the iterations exceed this factor of those of its first solve, for the same "
+      "fall of the residual, plus 5");
 }
 
 std::string BlockAmgSolver::prepare(RCP<const DofMap> dofs) {
@@ -35,9 +37,10 @@ std::string BlockAmgSolver::prepare(RCP<const DofMap> dofs) {
   gmres_ = std::make_unique<FieldGmres>(dofs_);
   for (int f = 0; f < dofs_->num_fields(); ++f) {
     const FieldLayout& field = dofs_->field(f);
-    if (field.apart || field.components == 1 || (field.name == "displacement" && field.components == 2)) continue;
-    return "linear solver 'block amg' treats a displacement of two components and scalar fields, not '" + field.name +
-           "'; use 'direct'";
+    const bool moves = field.name == "displacement" && (field.components == 2 || field.components == 3);
+    if (field.apart || field.components == 1 || moves) continue;
+    return "linear solver 'block amg' treats a displacement of two or three components and scalar fields, not '" +
+           field.name + "'; use 'direct'";
   }
   return "";
 }
@@ -50,7 +53,7 @@ void BlockAmgSolver::set_matrix(RCP<const CrsMatrix> matrix, const std::function
 void BlockAmgSolver::reset() {
   preconditioner_ = Teuchos::null;
   blocks_.reset();
-  fresh_iterations_ = -1;
+  fresh_rate_ = -1;
   stale_ = false;
 }
 
@@ -62,32 +65,34 @@ void BlockAmgSolver::build() {
   for (int f = 0; f < dofs_->num_fields(); ++f)
     if (dofs_->field(f).apart) apart.push_back(f);
   if (!apart.empty()) preconditioner_ = rcp(new Bordered(*matrix_, *dofs_, *blocks_, preconditioner_, apart));
-  fresh_iterations_ = -1;
+  fresh_rate_ = -1;
   stale_ = false;
 }
 
-int BlockAmgSolver::most_iterations_before_rebuild() const {
-  return static_cast<int>(rebuild_growth_ * fresh_iterations_) + rebuild_slack;
+int BlockAmgSolver::most_iterations(double decades) const {
+  return static_cast<int>(rebuild_growth_ * fresh_rate_ * decades) + rebuild_slack;
 }
 
-LinearReport BlockAmgSolver::solve(const Vector& b, Vector& x, double tolerance) {
+LinearReport BlockAmgSolver::solve(const Vector& b, Vector& x, const LinearTolerance& tolerance) {
   if (matrix_.is_null()) throw std::logic_error("block amg solver used before it has a matrix");
   LinearReport report;
   KrylovResult krylov;
   // The blocks of another graph cannot be refilled, though they still precondition.
-  const bool old = !preconditioner_.is_null() && !stale_ && blocks_->fits(*matrix_) && fresh_iterations_ >= 0;
+  const bool old = !preconditioner_.is_null() && !stale_ && blocks_->fits(*matrix_) && fresh_rate_ >= 0;
   if (old) {
-    // Twice the limit: a solve that only just exceeds it is finished, and the next matrix pays for the rebuild.
-    const int limit = most_iterations_before_rebuild();
-    krylov = gmres_->solve(matrix_, preconditioner_, b, x, tolerance, std::min(2 * limit, maximum_iterations_));
-    stale_ = krylov.iterations > limit;
+    // Twice the limit of a full solve: one that only just exceeds its own is finished, and the next matrix pays for the
+    // rebuild.
+    const double most_decades = -std::log10(tolerance.relative);
+    krylov = gmres_->solve(matrix_, preconditioner_, b, x, tolerance,
+                           std::min(2 * most_iterations(most_decades), maximum_iterations_));
+    stale_ = krylov.iterations > most_iterations(krylov.decades);
   }
   if (!krylov.converged) {
     const int spent = krylov.iterations;
     build();
     report.factored = true;
     krylov = gmres_->solve(matrix_, preconditioner_, b, x, tolerance, maximum_iterations_);
-    fresh_iterations_ = krylov.iterations;
+    fresh_rate_ = krylov.iterations / std::max(krylov.decades, 1.0);
     krylov.iterations += spent;
   }
   report.converged = krylov.converged;

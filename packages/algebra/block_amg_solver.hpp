@@ -20,12 +20,14 @@ class BlockAmgSolver : public LinearSolver {
   void parameters(Parameters& p);
   std::string prepare(RCP<const DofMap> dofs) override;
   void set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) override;
-  LinearReport solve(const Vector& b, Vector& x, double tolerance) override;
+  LinearReport solve(const Vector& b, Vector& x, const LinearTolerance& tolerance) override;
+  bool iterative() const override { return true; }
   void reset() override;
 
  private:
   void build();
-  int most_iterations_before_rebuild() const;
+  /// Iterations that a solve through so many decades may take with the preconditioner at hand.
+  int most_iterations(double decades) const;
 
   int maximum_iterations_ = 200;
   double rebuild_growth_ = 1.3;
@@ -35,7 +37,7 @@ class BlockAmgSolver : public LinearSolver {
   std::unique_ptr<FieldGmres> gmres_;
   std::unique_ptr<FieldBlocks> blocks_;
   RCP<Operator> preconditioner_;
-  int fresh_iterations_ = -1;  // of the first solve with this preconditioner
+  double fresh_rate_ = -1;  // iterations per decade in the first solve with this preconditioner
   bool stale_ = false;
 };
 

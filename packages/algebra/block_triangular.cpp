@@ -14,22 +14,23 @@ namespace mudline {
 namespace {
 
 /// The inverse square of the domain's extent [1/m2].
-double smallest_wave_number(const BlockData& data, const Comm& comm) {
-  constexpr double huge = std::numeric_limits<double>::max();
-  double here[4] = {-huge, -huge, -huge, -huge}, extent[4];  // x, y, -x, -y
-  for (std::size_t i = 0; i + 1 < data.coordinates.size(); i += 2)
-    for (int c = 0; c < 2; ++c) {
+double smallest_wave_number(const BlockData& data, int dimension, const Comm& comm) {
+  double here[6], extent[6];  // largest coordinates, then the largest of the other sign
+  std::fill_n(here, 6, -std::numeric_limits<double>::max());
+  for (std::size_t i = 0; i < data.coordinates.size(); i += dimension)
+    for (int c = 0; c < dimension; ++c) {
       here[c] = std::max(here[c], data.coordinates[i + c]);
-      here[2 + c] = std::max(here[2 + c], -data.coordinates[i + c]);
+      here[3 + c] = std::max(here[3 + c], -data.coordinates[i + c]);
     }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 4, here, extent);
-  const double width = std::max(extent[0] + extent[2], extent[1] + extent[3]);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 6, here, extent);
+  double width = 0;
+  for (int c = 0; c < dimension; ++c) width = std::max(width, extent[c] + extent[3 + c]);
   return 1 / (width * width);
 }
 
 }  // namespace
 
-BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, FieldBlocks& blocks,
+BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlocks& blocks,
                                  const BlockData& data)
     : map_(dofs.owned()), blocks_(blocks) {
   const int u = data.displacement, p = data.pressure;
@@ -41,7 +42,7 @@ BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, Fi
     add_level(matrix, f, amg_cycle(input));
   }
   if (p >= 0) {
-    const double x_min = smallest_wave_number(data, *map_->getComm());
+    const double x_min = smallest_wave_number(data, dofs.field(u).components, *map_->getComm());
     add_level(matrix, p,
               rcp(new SchurInverse(schur_coefficients(data, x_min), blocks.block(matrix, p, p),
                                    blocks.renumbered(*data.pressure_mass, p),

@@ -14,7 +14,7 @@ namespace mudline {
 class BlockTriangular : public Operator {
  public:
   /// Cuts its own copies out of `matrix`, so that it outlives later values. `blocks` must outlive this.
-  BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, FieldBlocks& blocks, const BlockData& data);
+  BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlocks& blocks, const BlockData& data);
 
   RCP<const Map> getDomainMap() const override { return map_; }
   RCP<const Map> getRangeMap() const override { return map_; }
@@ -32,7 +32,7 @@ class BlockTriangular : public Operator {
   void add_level(const CrsMatrix& matrix, int field, RCP<Operator> inverse);
 
   RCP<const Map> map_;
-  FieldBlocks& blocks_;
+  const FieldBlocks& blocks_;
   std::vector<Level> levels_;
 };
 

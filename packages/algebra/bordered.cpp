@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-Bordered::Bordered(const CrsMatrix& matrix, const DofMap& dofs, FieldBlocks& blocks, RCP<Operator> inner,
+Bordered::Bordered(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlocks& blocks, RCP<Operator> inner,
                    const std::vector<int>& apart)
     : map_(dofs.owned()), blocks_(blocks), apart_(apart), inner_(std::move(inner)) {
   for (int f = 0; f < dofs.num_fields(); ++f)

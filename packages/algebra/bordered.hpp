@@ -13,7 +13,7 @@ namespace mudline {
 class Bordered : public Operator {
  public:
   /// `inner`: P on the map of the whole matrix, reads and writes the inner fields only. `apart`: the other fields.
-  Bordered(const CrsMatrix& matrix, const DofMap& dofs, FieldBlocks& blocks, RCP<Operator> inner,
+  Bordered(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlocks& blocks, RCP<Operator> inner,
            const std::vector<int>& apart);
 
   RCP<const Map> getDomainMap() const override { return map_; }
@@ -28,7 +28,7 @@ class Bordered : public Operator {
   std::vector<double> rows_times(const MultiVector& v) const;
 
   RCP<const Map> map_;
-  FieldBlocks& blocks_;
+  const FieldBlocks& blocks_;
   std::vector<int> inner_fields_, apart_, sizes_;
   RCP<Operator> inner_;
   std::vector<RCP<CrsMatrix>> rows_;  // (apart field, inner field)

@@ -26,21 +26,19 @@ std::vector<GlobalOrdinal> on_columns(const std::vector<GlobalOrdinal>& by_row, 
   return result;
 }
 
-}  // namespace
-
+/// A matrix whose rows begin as given among its entries; fill(entries, values) writes local columns and values.
+template <class Fill>
 RCP<CrsMatrix> make_matrix(const RCP<const Map>& rows, const RCP<const Map>& columns, const RCP<const Map>& domain,
-                           const std::vector<std::size_t>& row_begin, const std::vector<LocalOrdinal>& entries,
-                           const std::vector<double>& values) {
+                           const std::vector<std::size_t>& row_begin, Fill&& fill) {
   using Local = CrsMatrix::local_matrix_device_type;
   typename Local::row_map_type::non_const_type begin_view("row begin", row_begin.size());
-  typename Local::index_type::non_const_type entry_view("entries", entries.size());
-  typename Local::values_type::non_const_type value_view("values", values.size());
+  typename Local::index_type::non_const_type entry_view("entries", row_begin.back());
+  typename Local::values_type::non_const_type value_view("values", row_begin.back());
   const auto begin_host = Kokkos::create_mirror_view(begin_view);
   const auto entry_host = Kokkos::create_mirror_view(entry_view);
   const auto value_host = Kokkos::create_mirror_view(value_view);
   std::copy(row_begin.begin(), row_begin.end(), begin_host.data());
-  std::copy(entries.begin(), entries.end(), entry_host.data());
-  std::copy(values.begin(), values.end(), value_host.data());
+  fill(entry_host.data(), value_host.data());
   Kokkos::deep_copy(begin_view, begin_host);
   Kokkos::deep_copy(entry_view, entry_host);
   Kokkos::deep_copy(value_view, value_host);
@@ -48,6 +46,8 @@ RCP<CrsMatrix> make_matrix(const RCP<const Map>& rows, const RCP<const Map>& col
   matrix->expertStaticFillComplete(domain, rows);
   return matrix;
 }
+
+}  // namespace
 
 FieldBlocks::FieldBlocks(const CrsMatrix& matrix, RCP<const DofMap> dofs)
     : graph_(matrix.getCrsGraph()), dofs_(std::move(dofs)) {
@@ -65,7 +65,7 @@ FieldBlocks::FieldBlocks(const CrsMatrix& matrix, RCP<const DofMap> dofs)
   column_id_ = on_columns(id, *dofs_->owned(), matrix.getColMap());
 }
 
-FieldBlocks::Block FieldBlocks::cut(const CrsMatrix& matrix, int f, int g) const {
+RCP<CrsMatrix> FieldBlocks::block(const CrsMatrix& matrix, int f, int g) const {
   std::vector<LocalOrdinal> block_column(column_field_.size(), -1);
   std::vector<GlobalOrdinal> column_ids;
   for (std::size_t column = 0; column < column_field_.size(); ++column)
@@ -74,32 +74,25 @@ FieldBlocks::Block FieldBlocks::cut(const CrsMatrix& matrix, int f, int g) const
       column_ids.push_back(column_id_[column]);
     }
   const auto local = matrix.getLocalMatrixHost();
-  Block block;
+  const auto for_each_entry = [&](int row, auto&& action) {
+    for (std::size_t k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
+      if (const LocalOrdinal column = block_column[local.graph.entries(k)]; column >= 0)
+        action(column, local.values(k));
+  };
+  const int first = dofs_->owned_begin(f), end = dofs_->owned_end(f);
   std::vector<std::size_t> row_begin{0};
-  std::vector<LocalOrdinal> entries;
-  for (int row = dofs_->owned_begin(f); row < dofs_->owned_end(f); ++row) {
-    for (std::size_t k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
-      const LocalOrdinal column = block_column[local.graph.entries(k)];
-      if (column < 0) continue;
-      entries.push_back(column);
-      block.source.push_back(k);
-    }
-    row_begin.push_back(entries.size());
+  for (int row = first; row < end; ++row) {
+    row_begin.push_back(row_begin.back());
+    for_each_entry(row, [&](LocalOrdinal, double) { ++row_begin.back(); });
   }
-  block.matrix = make_matrix(maps_[f], make_map(column_ids, dofs_->comm()), maps_[g], row_begin, entries,
-                             std::vector<double>(entries.size(), 0.0));
-  return block;
-}
-
-RCP<CrsMatrix> FieldBlocks::block(const CrsMatrix& matrix, int f, int g) {
-  const auto key = std::make_pair(f, g);
-  auto found = blocks_.find(key);
-  if (found == blocks_.end()) found = blocks_.emplace(key, cut(matrix, f, g)).first;
-  const Block& block = found->second;
-  const auto source = matrix.getLocalMatrixHost().values;
-  const auto target = block.matrix->getLocalMatrixHost().values;
-  for (std::size_t k = 0; k < block.source.size(); ++k) target(k) = source(block.source[k]);
-  return block.matrix;
+  return make_matrix(maps_[f], make_map(column_ids, dofs_->comm()), maps_[g], row_begin,
+                     [&](LocalOrdinal* entries, double* values) {
+                       for (int row = first; row < end; ++row)
+                         for_each_entry(row, [&](LocalOrdinal column, double value) {
+                           *entries++ = column;
+                           *values++ = value;
+                         });
+                     });
 }
 
 RCP<CrsMatrix> FieldBlocks::renumbered(const CrsMatrix& matrix, int f) const {
@@ -110,9 +103,10 @@ RCP<CrsMatrix> FieldBlocks::renumbered(const CrsMatrix& matrix, int f) const {
   const auto local = matrix.getLocalMatrixHost();
   std::vector<std::size_t> row_begin(local_rows(matrix) + 1, 0);
   for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) row_begin[row + 1] = local.graph.row_map(row + 1);
-  const std::vector<LocalOrdinal> entries(local.graph.entries.data(), local.graph.entries.data() + row_begin.back());
-  const std::vector<double> values(local.values.data(), local.values.data() + row_begin.back());
-  return make_matrix(maps_[f], columns, maps_[f], row_begin, entries, values);
+  return make_matrix(maps_[f], columns, maps_[f], row_begin, [&](LocalOrdinal* entries, double* values) {
+    std::copy_n(local.graph.entries.data(), row_begin.back(), entries);
+    std::copy_n(local.values.data(), row_begin.back(), values);
+  });
 }
 
 std::vector<char> FieldBlocks::isolated(const CrsMatrix& matrix, int f) const {

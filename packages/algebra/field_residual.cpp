@@ -23,6 +23,11 @@ double FieldResidual::relative() const {
   return worst;
 }
 
+void FieldResidual::loosen(const LinearTolerance& tolerance) {
+  for (std::size_t f = 0; f < tolerance.enough.size(); ++f)
+    reference[f] = std::max(reference[f], tolerance.enough[f] / tolerance.relative);
+}
+
 FieldResidualEvaluator::FieldResidualEvaluator(RCP<const DofMap> dofs)
     : dofs_(std::move(dofs)), part_(dofs_->owned()), product_(dofs_->owned()) {}
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "algebra/dof_map.hpp"
+#include "algebra/linear_solver.hpp"
 
 namespace mudline {
 
@@ -12,6 +13,8 @@ struct FieldResidual {
   std::vector<double> reference;  // the largest of ||b_f||, the terms ||A_fg x_g||, and 1e-6 || |A_f| |x| ||
   /// Worst norm/reference over the fields; a field without terms counts as zero. NaN stays NaN.
   double relative() const;
+  /// Raises the references so that what is enough meets the relative tolerance.
+  void loosen(const LinearTolerance& tolerance);
 };
 
 /// Evaluates r = b - A x and its norms. Forces and volume fluxes have different units, so one norm over all rows would

@@ -49,6 +49,9 @@ class ScaledPreconditioner : public Operator {
   mutable Vector unscaled_;
 };
 
+/// Search directions after which GMRES starts afresh; room for them all is taken from the start.
+constexpr int kept_vectors = 60;
+
 /// GMRES on D A P; the residual D r is brought below `tolerance` in absolute terms. Returns the iterations done.
 int gmres(const RCP<const Operator>& matrix, const RCP<const Operator>& preconditioner, const RCP<Vector>& x,
           const RCP<const Vector>& b, double tolerance, int max_iterations) {
@@ -56,8 +59,8 @@ int gmres(const RCP<const Operator>& matrix, const RCP<const Operator>& precondi
   problem->setRightPrec(preconditioner);
   problem->setProblem();
   const auto list = Teuchos::parameterList();
-  list->set("Num Blocks", std::min(max_iterations, 100));
-  list->set("Maximum Restarts", 20);
+  list->set("Num Blocks", std::min(max_iterations, kept_vectors));
+  list->set("Maximum Restarts", 40);
   list->set("Maximum Iterations", max_iterations);
   list->set("Convergence Tolerance", tolerance);
   list->set("Implicit Residual Scaling", "None");
@@ -84,18 +87,20 @@ RCP<Vector> FieldGmres::row_scale(const FieldResidual& residual) const {
 }
 
 KrylovResult FieldGmres::solve(const RCP<const CrsMatrix>& matrix, const RCP<const Operator>& preconditioner,
-                               const Vector& b, Vector& x, double tolerance, int max_iterations) {
+                               const Vector& b, Vector& x, const LinearTolerance& tolerance, int max_iterations) {
   KrylovResult result;
   Vector residual(dofs_->owned());
+  FieldResidual state;
+  const auto evaluate = [&] {
+    state = evaluate_(*matrix, b, x, residual);
+    state.loosen(tolerance);
+    result.relative_residual = state.relative();
+    result.converged = result.relative_residual <= tolerance.relative;
+    return !result.converged && std::isfinite(result.relative_residual);
+  };
   // A first guess only tells how large the terms are; it is not kept, GMRES finds it again in its first step.
   preconditioner->apply(b, x);
-  FieldResidual state = evaluate_(*matrix, b, x, residual);
-  result.relative_residual = state.relative();
-  if (!std::isfinite(result.relative_residual)) return result;
-  if (result.relative_residual <= tolerance) {
-    result.converged = true;
-    return result;
-  }
+  if (!evaluate()) return result;
   x.putScalar(0);
   residual.assign(b);
 
@@ -105,15 +110,13 @@ KrylovResult FieldGmres::solve(const RCP<const CrsMatrix>& matrix, const RCP<con
     const auto correction = rcp(new Vector(dofs_->owned()));
     const auto right = rcp(new Vector(dofs_->owned()));
     right->elementWiseMultiply(1, *scale, residual, 0);
-    const double target = 0.9 * tolerance;  // margin for the drift of the implicit residual
+    const double target = 0.9 * tolerance.relative;  // margin for the drift of the implicit residual
+    if (round == 0) result.decades = std::max(0.0, std::log10(right->norm2() / target));
     result.iterations +=
         gmres(rcp(new ScaledMatrix(matrix, scale)), rcp(new ScaledPreconditioner(preconditioner, *scale)), correction,
               right, target, max_iterations - result.iterations);
     x.update(1, *correction, 1);
-    state = evaluate_(*matrix, b, x, residual);
-    result.relative_residual = state.relative();
-    result.converged = result.relative_residual <= tolerance;
-    if (result.converged || !std::isfinite(result.relative_residual)) return result;
+    if (!evaluate()) return result;
   }
   return result;
 }

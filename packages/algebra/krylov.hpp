@@ -5,6 +5,7 @@
 
 #include "algebra/dof_map.hpp"
 #include "algebra/field_residual.hpp"
+#include "algebra/linear_solver.hpp"
 
 namespace mudline {
 
@@ -12,17 +13,18 @@ struct KrylovResult {
   bool converged = false;
   int iterations = 0;
   double relative_residual = 0;  // true, worst over the fields
+  double decades = 0;            // by which the residual had to fall
 };
 
 /// Restarted GMRES, preconditioned from the right, that converges in every field: the rows of each field are divided by
-/// the size of the largest term in that field's balance, so that the norm GMRES minimises weighs the fields alike.
+/// what that field may leave, so that the norm GMRES minimises weighs the fields alike.
 class FieldGmres {
  public:
   explicit FieldGmres(RCP<const DofMap> dofs);
-  /// Solves A x = b from x = 0 until the true residual of each field is below `tolerance` times its reference.
+  /// Solves A x = b from x = 0 until the true residual of each field meets `tolerance`.
   /// `preconditioner` approximates the inverse of A.
   KrylovResult solve(const RCP<const CrsMatrix>& matrix, const RCP<const Operator>& preconditioner, const Vector& b,
-                     Vector& x, double tolerance, int max_iterations);
+                     Vector& x, const LinearTolerance& tolerance, int max_iterations);
 
  private:
   RCP<Vector> row_scale(const FieldResidual& residual) const;

@@ -3,12 +3,20 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "algebra/dof_map.hpp"
 #include "core/registry.hpp"
 
 namespace mudline {
+
+/// When a linear solve is exact enough: each field's residual is below the relative tolerance or below what is enough.
+struct LinearTolerance {
+  LinearTolerance(double relative, std::vector<double> enough = {}) : relative(relative), enough(std::move(enough)) {}
+  double relative;             // bounds LinearReport::relative_residual
+  std::vector<double> enough;  // by field: norm of the residual of its rows; empty: none is enough
+};
 
 /// What happened in one linear solve.
 struct LinearReport {
@@ -23,18 +31,21 @@ struct LinearReport {
 /// Data that a block preconditioner needs beyond the matrix. Filled by the physics; absent parts are null or zero.
 struct BlockData {
   int displacement = -1, pressure = -1;  // field indices in the dof map; pressure -1: no pore fluid
-  std::vector<double> coordinates;       // (owned displacement node, 2) current coordinates [m]
-  /// Owned displacement nodes that are not vertices: their parents' global displacement node ids (2 for an edge, 4 for
-  /// a cell centre); empty for vertices. The linear subspace of p-multigrid.
+  std::vector<double> coordinates;       // (owned displacement node, dimension) current coordinates [m]
+  /// Owned displacement nodes that are not vertices: the global displacement node ids of the vertices in whose middle
+  /// they are (2 on an edge, 4 on a quadrangle, 8 in a hexahedron); empty for vertices. The linear subspace of
+  /// p-multigrid.
   std::vector<std::vector<GlobalOrdinal>> parents;
   /// Pressure mass and Laplacian matrices on the pressure field map (no constraints applied):
   /// Q = int Np^T Np dv, L = int grad(Np)^T grad(Np) dv. Row map dofs.field_map(pressure), whose global ids are those
   /// of the dof map.
   RCP<const CrsMatrix> pressure_mass, pressure_laplacian;
   std::vector<char> pressure_constrained;  // by owned pressure dof
+  /// Longest edge over height of the element that is stretched most, against that of the equilateral one [-].
+  double aspect_ratio = 1;
   /// Coefficients of the Jacobian [[c_m M + c_k K, -L c_p], [c_v L^T, c_s S + c_h H]], representative scalars:
   double constrained_modulus = 0;  // lambda + 2G of K [Pa], times c_k
-  double drained_modulus = 0;      // lambda + G [Pa], times c_k (2-D fixed-stress modulus)
+  double drained_modulus = 0;      // lambda + G in the plane, lambda + 2/3 G in space [Pa], times c_k (fixed stress)
   double inertia = 0;              // c_m rho [kg/(m3 s2)]
   double coupling_u = 1;           // c_p alpha
   double coupling_p = 1;           // c_v alpha [1/s]
@@ -50,8 +61,10 @@ class LinearSolver {
   virtual std::string prepare(RCP<const DofMap> dofs) = 0;
   /// New values of A. `block_data` is evaluated only when the solver needs it (a rebuild of its preconditioner).
   virtual void set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) = 0;
-  /// x starts from zero. `tolerance` bounds LinearReport::relative_residual.
-  virtual LinearReport solve(const Vector& b, Vector& x, double tolerance) = 0;
+  /// x starts from zero.
+  virtual LinearReport solve(const Vector& b, Vector& x, const LinearTolerance& tolerance) = 0;
+  /// True when a looser tolerance saves work.
+  virtual bool iterative() const { return false; }
   /// True when it holds factors of the very matrix that was set last: another right-hand side then costs a solve only.
   virtual bool exact() const { return false; }
   /// Forget factorisations and hierarchies (after a remap, a failed step, a stage change).

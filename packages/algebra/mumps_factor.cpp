@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "algebra/node_ordering.hpp"
 #include "algebra/tpetra_compat.hpp"
 
 namespace mudline {
@@ -63,7 +64,7 @@ struct MumpsFactor::Instance {
   bool one_process = false, here = true;  // here: this rank takes part
   MPI_Comm ranks = MPI_COMM_SELF;
   std::vector<int> counts, offsets;  // entries of each rank, known where they are gathered
-  std::vector<MUMPS_INT> rows, columns;
+  std::vector<MUMPS_INT> rows, columns, order;
   std::vector<double> values;
   std::size_t local_values = 0;
   RCP<const Map> owned, on_root;
@@ -87,6 +88,8 @@ struct MumpsFactor::Instance {
 
   void take_graph(const CrsMatrix& matrix);
   void gather_graph();
+  /// Takes over the order of elimination that the nodes of the rows lead to.
+  void order_by_nodes(const std::vector<GlobalOrdinal>& node_of_row);
   void take_values(const CrsMatrix& matrix);
 };
 
@@ -132,6 +135,20 @@ void MumpsFactor::Instance::gather_graph() {
   values.resize(all);
 }
 
+void MumpsFactor::Instance::order_by_nodes(const std::vector<GlobalOrdinal>& node_of_row) {
+  Tpetra::Vector<GlobalOrdinal> nodes(owned), all(on_root);
+  {
+    const auto values = nodes.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t row = 0; row < node_of_row.size(); ++row) values(row, 0) = node_of_row[row];
+  }
+  all.doImport(nodes, *to_root, Tpetra::INSERT);
+  if (!here) return;
+  const auto values = all.getLocalViewHost(Tpetra::Access::ReadOnly);
+  order = nested_dissection(rows, columns, {values.data(), values.data() + values.extent(0)});
+  id.perm_in = order.data();
+  control(7) = 1;  // the ordering is given
+}
+
 void MumpsFactor::Instance::take_values(const CrsMatrix& matrix) {
   const auto local = matrix.getLocalMatrixHost().values;
   if (one_process)
@@ -141,7 +158,8 @@ void MumpsFactor::Instance::take_values(const CrsMatrix& matrix) {
     std::copy_n(local.data(), local_values, values.begin());
 }
 
-MumpsFactor::MumpsFactor(const CrsMatrix& matrix, bool one_process) : instance_(std::make_unique<Instance>()) {
+MumpsFactor::MumpsFactor(const CrsMatrix& matrix, bool one_process, const std::vector<GlobalOrdinal>& node_of_row)
+    : instance_(std::make_unique<Instance>()) {
   Instance& mumps = *instance_;
   mumps.take_graph(matrix);
   const Comm& comm = *mumps.owned->getComm();
@@ -161,7 +179,8 @@ MumpsFactor::MumpsFactor(const CrsMatrix& matrix, bool one_process) : instance_(
   mumps.control(6) = 0;                 // columns are not permuted, as with distributed entries
   mumps.control(28) = 1;                // sequential analysis
   mumps.control(7) = 7;                 // ordering chosen by MUMPS
-  mumps.control(14) = 30;               // workspace beyond the estimate [%]
+  if (central && !node_of_row.empty()) mumps.order_by_nodes(node_of_row);
+  mumps.control(14) = 30;  // workspace beyond the estimate [%]
   mumps.id.n = static_cast<MUMPS_INT>(mumps.owned->getGlobalNumElements());
   (central ? mumps.id.nnz : mumps.id.nnz_loc) = static_cast<MUMPS_INT8>(mumps.rows.size());
   (central ? mumps.id.irn : mumps.id.irn_loc) = mumps.rows.data();

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "algebra/types.hpp"
 
@@ -13,8 +14,9 @@ class MumpsFactor {
  public:
   /// Takes the graph of `matrix`, whose global ids are 0 .. N-1, and orders it (once per graph). On several ranks MUMPS
   /// adds up in the order in which messages arrive, so the last digits differ from run to run; with `one_process` rank
-  /// 0 factors and solves alone, and they do not.
-  MumpsFactor(const CrsMatrix& matrix, bool one_process);
+  /// 0 factors and solves alone, and they do not. `node_of_row`: for owned rows, see node_ordering.hpp; the order of
+  /// elimination is then found on the nodes where rank 0 holds the graph. Empty: MUMPS finds one.
+  MumpsFactor(const CrsMatrix& matrix, bool one_process, const std::vector<GlobalOrdinal>& node_of_row);
   ~MumpsFactor();
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra/mumps_factor.hpp"
+#include "algebra/node_ordering.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
@@ -20,8 +21,8 @@ constexpr int longest_wait = 15;
 /// The factors of one graph as an operator, the preconditioner of the reuse path.
 class FactorOperator : public Operator {
  public:
-  FactorOperator(const CrsMatrix& matrix, bool one_process)
-      : graph_(matrix.getCrsGraph()), factor_(matrix, one_process) {}
+  FactorOperator(const CrsMatrix& matrix, bool one_process, const std::vector<GlobalOrdinal>& node_of_row)
+      : graph_(matrix.getCrsGraph()), factor_(matrix, one_process, node_of_row) {}
   bool fits(const CrsMatrix& matrix) const { return graph_ == matrix.getCrsGraph(); }
   std::string factor(const CrsMatrix& matrix) { return factor_.factor(matrix); }
   RCP<const Map> getDomainMap() const override { return graph_->getRowMap(); }
@@ -53,6 +54,9 @@ std::string MumpsSolver::prepare(RCP<const DofMap> dofs) {
   dofs_ = std::move(dofs);
   evaluate_ = std::make_unique<FieldResidualEvaluator>(dofs_);
   gmres_ = std::make_unique<FieldGmres>(dofs_);
+  // In the plane the order of MUMPS is as good.
+  const int u = dofs_->find("displacement");
+  node_of_row_ = u >= 0 && dofs_->field(u).components == 3 ? nodes_of_rows(*dofs_) : std::vector<GlobalOrdinal>();
   return "";
 }
 
@@ -68,7 +72,8 @@ void MumpsSolver::reset() {
 }
 
 std::string MumpsSolver::factor() {
-  if (factor_.is_null() || !factor_->fits(*matrix_)) factor_ = rcp(new FactorOperator(*matrix_, reproducible_));
+  if (factor_.is_null() || !factor_->fits(*matrix_))
+    factor_ = rcp(new FactorOperator(*matrix_, reproducible_, node_of_row_));
   const std::string reason = factor_->factor(*matrix_);
   factored_ = current_ = reason.empty();
   helped_ = false;
@@ -107,7 +112,7 @@ bool MumpsSolver::may_try_old_factor() {
   return false;
 }
 
-LinearReport MumpsSolver::solve(const Vector& b, Vector& x, double tolerance) {
+LinearReport MumpsSolver::solve(const Vector& b, Vector& x, const LinearTolerance& tolerance) {
   if (matrix_.is_null()) throw std::logic_error("direct solver used before it has a matrix");
   int spent = 0;
   if (may_try_old_factor()) {
@@ -128,7 +133,7 @@ LinearReport MumpsSolver::solve(const Vector& b, Vector& x, double tolerance) {
   return report;
 }
 
-LinearReport MumpsSolver::solve_by_old_factor(const Vector& b, Vector& x, double tolerance) {
+LinearReport MumpsSolver::solve_by_old_factor(const Vector& b, Vector& x, const LinearTolerance& tolerance) {
   const KrylovResult krylov = gmres_->solve(matrix_, factor_, b, x, tolerance, reuse_iterations_);
   if (krylov.converged)
     wait_ = 0;
@@ -143,17 +148,17 @@ LinearReport MumpsSolver::solve_by_old_factor(const Vector& b, Vector& x, double
   return report;
 }
 
-LinearReport MumpsSolver::solve_by_factor(const Vector& b, Vector& x, double tolerance) {
+LinearReport MumpsSolver::solve_by_factor(const Vector& b, Vector& x, const LinearTolerance& tolerance) {
   Vector residual(dofs_->owned()), correction(dofs_->owned());
   LinearReport report;
   factor_->apply(b, x);
   report.relative_residual = (*evaluate_)(*matrix_, b, x, residual).relative();
-  for (int step = 0; step < 2 && report.relative_residual > tolerance; ++step) {
+  for (int step = 0; step < 2 && report.relative_residual > tolerance.relative; ++step) {
     factor_->apply(residual, correction);
     x.update(1, correction, 1);
     report.relative_residual = (*evaluate_)(*matrix_, b, x, residual).relative();
   }
-  report.converged = report.relative_residual <= tolerance;
+  report.converged = report.relative_residual <= tolerance.relative;
   if (!report.converged)
     report.reason = std::isfinite(report.relative_residual)
                         ? "the direct solution is inaccurate (relative residual " +

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "algebra/field_residual.hpp"
 #include "algebra/krylov.hpp"
@@ -20,7 +21,7 @@ class MumpsSolver : public LinearSolver {
   void parameters(Parameters& p);
   std::string prepare(RCP<const DofMap> dofs) override;
   void set_matrix(RCP<const CrsMatrix> matrix, const std::function<BlockData()>& block_data) override;
-  LinearReport solve(const Vector& b, Vector& x, double tolerance) override;
+  LinearReport solve(const Vector& b, Vector& x, const LinearTolerance& tolerance) override;
   bool exact() const override { return factored_ && current_; }
   void reset() override;
   /// The values of the matrix that the kept factors belong to, behind the counters of the reuse.
@@ -31,13 +32,14 @@ class MumpsSolver : public LinearSolver {
   /// "" or why the current matrix could not be factored.
   std::string factor();
   bool may_try_old_factor();
-  LinearReport solve_by_old_factor(const Vector& b, Vector& x, double tolerance);
-  LinearReport solve_by_factor(const Vector& b, Vector& x, double tolerance);
+  LinearReport solve_by_old_factor(const Vector& b, Vector& x, const LinearTolerance& tolerance);
+  LinearReport solve_by_factor(const Vector& b, Vector& x, const LinearTolerance& tolerance);
 
   std::vector<double> factored_values_;  // local values of the matrix that factor_ belongs to
   bool reuse_ = true, reproducible_ = true;
   int reuse_iterations_ = 8;
   RCP<const DofMap> dofs_;
+  std::vector<GlobalOrdinal> node_of_row_;  // in space, to order by; else empty
   RCP<const CrsMatrix> matrix_;
   RCP<FactorOperator> factor_;
   bool factored_ = false;    // factor_ holds factors, maybe of an older matrix

@@ -1,19 +1,23 @@
 #include "algebra/p_multigrid.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 
 #include "algebra/amg.hpp"
+#include "algebra/nodal_chebyshev.hpp"
+#include "algebra/smoothed_cycle.hpp"
 #include "algebra/tpetra_compat.hpp"
 
 namespace mudline {
 
 namespace {
 
-constexpr int components = 2;
-constexpr int smoother_degree = 2;
+/// Stretched elements leave errors that are smooth in one direction only: a wider part of the spectrum is smoothed.
+/// From three to one on it is worth the products.
+NodalChebyshev::Settings smoothing(double aspect_ratio) {
+  constexpr double stretched = 4;  // a box of six tetrahedra, stretched three to one, has 3.9
+  return aspect_ratio > stretched ? NodalChebyshev::Settings{6, 30} : NodalChebyshev::Settings{2, 10};
+}
 
 using IdVectors = Tpetra::MultiVector<GlobalOrdinal>;
 
@@ -28,7 +32,7 @@ Vertices find_vertices(const FieldLayout& field, const BlockData& data, const RC
   for (int i = 0; i < field.num_owned; ++i)
     if (data.parents[i].empty()) result.owned.push_back(i);
   result.nodes = make_map({field.node_ids.begin(), field.node_ids.begin() + field.num_owned}, comm);
-  result.coarse_dofs = make_dense_map(result.owned.size() * components, comm);
+  result.coarse_dofs = make_dense_map(result.owned.size() * field.components, comm);
   return result;
 }
 
@@ -46,6 +50,7 @@ struct NodeTable {
 
 NodeTable exchange_nodes(const FieldLayout& field, const BlockData& data, const Vertices& vertices,
                          const std::vector<char>& constrained) {
+  const int components = field.components;
   IdVectors owned(vertices.nodes, 1 + components);
   {
     const auto values = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -72,7 +77,10 @@ NodeTable exchange_nodes(const FieldLayout& field, const BlockData& data, const 
 RCP<CrsMatrix> make_prolongator(const RCP<const Map>& fine, const FieldLayout& field, const BlockData& data,
                                 const Vertices& vertices, const std::vector<char>& constrained) {
   const NodeTable table = exchange_nodes(field, data, vertices, constrained);
-  const auto prolongator = rcp(new CrsMatrix(fine, 4));
+  const int components = field.components;
+  std::size_t most = 1;
+  for (const auto& parents : data.parents) most = std::max(most, parents.size());
+  const auto prolongator = rcp(new CrsMatrix(fine, most));
   std::size_t vertex = 0;
   for (int i = 0; i < field.num_owned; ++i) {
     const auto& parents = data.parents[i];
@@ -98,31 +106,47 @@ RCP<CrsMatrix> make_prolongator(const RCP<const Map>& fine, const FieldLayout& f
   return prolongator;
 }
 
-/// Translations and the rotation about the centre of the domain, scaled to the size of a translation.
+/// Mean of the owned and all other vertices' coordinates, and the root mean square of their distance from it [m].
+struct Extent {
+  std::vector<double> centre;
+  double radius;
+};
+
+Extent extent_of(const MultiVector& points) {
+  const int dimension = static_cast<int>(points.getNumVectors());
+  Extent extent{std::vector<double>(dimension), 0};
+  points.meanValue(extent.centre);
+  std::vector<double> norm(dimension);
+  points.norm2(norm);
+  const auto count = static_cast<double>(points.getGlobalLength());
+  for (int i = 0; i < dimension; ++i) extent.radius += norm[i] * norm[i] / count - extent.centre[i] * extent.centre[i];
+  extent.radius = std::sqrt(extent.radius);
+  return extent;
+}
+
+/// Translations and the rotations about the centre of the domain, scaled to the size of a translation.
 void add_rigid_modes(AmgInput& input, const Vertices& vertices, const BlockData& data) {
   const std::size_t count = vertices.owned.size();
-  const RCP<const Comm> comm = vertices.coarse_dofs->getComm();
-  double here[5] = {0, 0, 0, 0, static_cast<double>(count)}, sum[5];
-  for (const int node : vertices.owned)
-    for (int c = 0; c < components; ++c) {
-      const double coordinate = data.coordinates[components * node + c];
-      here[c] += coordinate;
-      here[2 + c] += coordinate * coordinate;
-    }
-  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, 5, here, sum);
-  const double centre[2] = {sum[0] / sum[4], sum[1] / sum[4]};
-  const double radius = std::sqrt((sum[2] + sum[3]) / sum[4] - centre[0] * centre[0] - centre[1] * centre[1]);
-
-  input.coordinates = rcp(new MultiVector(make_dense_map(count, comm), components));
-  input.null_space = rcp(new MultiVector(vertices.coarse_dofs, 3));
-  const auto points = input.coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  const auto modes = input.null_space->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const int dimension = input.equations;
+  input.coordinates = rcp(new MultiVector(make_dense_map(count, vertices.coarse_dofs->getComm()), dimension));
+  {
+    const auto points = input.coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t v = 0; v < count; ++v)
+      for (int i = 0; i < dimension; ++i) points(v, i) = data.coordinates[dimension * vertices.owned[v] + i];
+  }
+  const Extent extent = extent_of(*input.coordinates);
+  input.null_space = rcp(new MultiVector(vertices.coarse_dofs, dimension == 2 ? 3 : 6));
+  const auto points = input.coordinates->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto modes = input.null_space->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (std::size_t v = 0; v < count; ++v) {
-    for (int c = 0; c < components; ++c) points(v, c) = data.coordinates[components * vertices.owned[v] + c];
-    for (int c = 0; c < components; ++c)
-      for (int mode = 0; mode < components; ++mode) modes(components * v + c, mode) = c == mode ? 1 : 0;
-    modes(components * v, 2) = -(points(v, 1) - centre[1]) / radius;
-    modes(components * v + 1, 2) = (points(v, 0) - centre[0]) / radius;
+    const auto row = [&](int i) { return dimension * v + i; };
+    for (int i = 0; i < dimension; ++i) modes(row(i), i) = 1;
+    int mode = dimension;
+    for (int i = 0; i < dimension; ++i)  // in the plane of the directions i and j
+      for (int j = i + 1; j < dimension; ++j, ++mode) {
+        modes(row(i), mode) = -(points(v, j) - extent.centre[j]) / extent.radius;
+        modes(row(j), mode) = (points(v, i) - extent.centre[i]) / extent.radius;
+      }
   }
 }
 
@@ -131,42 +155,27 @@ void add_rigid_modes(AmgInput& input, const Vertices& vertices, const BlockData&
 PMultigrid::PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
                        const std::vector<char>& constrained)
     : matrix_(matrix) {
-  const RCP<const Comm> comm = matrix->getComm();
-  const Vertices vertices = find_vertices(field, data, comm);
+  const Vertices vertices = find_vertices(field, data, matrix->getComm());
+  const auto smoother = [&](const RCP<CrsMatrix>& a) {
+    return rcp(new NodalChebyshev(a, field.components, smoothing(data.aspect_ratio)));
+  };
   AmgInput input;
-  input.equations = components;
+  input.equations = field.components;
   add_rigid_modes(input, vertices, data);
-  if (vertices.coarse_dofs->getGlobalNumElements() == matrix->getGlobalNumRows()) {
-    input.matrix = matrix;
-  } else {
-    prolongator_ = make_prolongator(matrix->getRowMap(), field, data, vertices, constrained);
-    smoother_ = chebyshev_smoother(matrix, smoother_degree);
-    input.matrix = galerkin_product(*prolongator_, *matrix);
-    residual_ = rcp(new MultiVector(matrix->getRowMap(), 1));
-    correction_ = rcp(new MultiVector(matrix->getRowMap(), 1));
-    coarse_residual_ = rcp(new MultiVector(vertices.coarse_dofs, 1));
-    coarse_correction_ = rcp(new MultiVector(vertices.coarse_dofs, 1));
+  RCP<CrsMatrix> prolongator;
+  input.matrix = matrix;
+  if (vertices.coarse_dofs->getGlobalNumElements() != matrix->getGlobalNumRows()) {
+    prolongator = make_prolongator(matrix->getRowMap(), field, data, vertices, constrained);
+    input.matrix = galerkin_product(*prolongator, *matrix);
   }
-  coarse_ = amg_cycle(input);
+  cycle_ = amg_cycle(input);
+  if (field.components == 3)
+    cycle_ = rcp(new SmoothedCycle(input.matrix, smoother(input.matrix), cycle_, Teuchos::null));
+  if (!prolongator.is_null()) cycle_ = rcp(new SmoothedCycle(matrix, smoother(matrix), cycle_, prolongator));
 }
 
 void PMultigrid::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {
-  if (prolongator_.is_null()) {
-    coarse_->apply(x, y);
-    return;
-  }
-  const auto update_residual = [&] {
-    matrix_->apply(y, *residual_);
-    residual_->update(1, x, -1);
-  };
-  smoother_->apply(x, y);
-  update_residual();
-  prolongator_->apply(*residual_, *coarse_residual_, Teuchos::TRANS);
-  coarse_->apply(*coarse_residual_, *coarse_correction_);
-  prolongator_->apply(*coarse_correction_, y, Teuchos::NO_TRANS, 1, 1);
-  update_residual();
-  smoother_->apply(*residual_, *correction_);
-  y.update(1, *correction_, 1);
+  cycle_->apply(x, y);
 }
 
 }  // namespace mudline

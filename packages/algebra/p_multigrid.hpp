@@ -6,13 +6,14 @@
 
 namespace mudline {
 
-/// Approximate inverse of the displacement block: Chebyshev smoothing on the given (quadratic) space around an
-/// algebraic multigrid cycle on the linear one, whose functions are the vertex values with every other node at the mean
-/// of its parents. Going down in degree first leaves multigrid a smaller, sparser problem of the kind it is made for.
-/// A linear displacement space goes to multigrid at once.
+/// Approximate inverse of the displacement block: smoothing on the given (quadratic) space around a cycle on the linear
+/// one, whose functions are the vertex values with every other node at the mean of its parents. Going down in degree
+/// first leaves multigrid a smaller, sparser problem of the kind it is made for. On the linear space algebraic
+/// multigrid does the rest, in space between two more smoothings, because its own smoother sees single unknowns only.
 class PMultigrid : public Operator {
  public:
-  /// `matrix`: the block on a map with dense ids, two components per node; `constrained` marks its isolated rows.
+  /// `matrix`: the block on a map with dense ids, the components of a node adjacent; `constrained` marks its isolated
+  /// rows.
   PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
              const std::vector<char>& constrained);
 
@@ -22,9 +23,8 @@ class PMultigrid : public Operator {
              double = 0) const override;
 
  private:
-  RCP<CrsMatrix> matrix_, prolongator_;
-  RCP<Operator> smoother_, coarse_;
-  mutable RCP<MultiVector> residual_, correction_, coarse_residual_, coarse_correction_;
+  RCP<CrsMatrix> matrix_;
+  RCP<Operator> cycle_;
 };
 
 }  // namespace mudline

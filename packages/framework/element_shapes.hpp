@@ -29,9 +29,8 @@ auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
       if (!block.moves())
         return corners ? f(coordinates, ElementShapes<N, P, S, false>{})
                        : f(coordinates, ElementShapes<N, N, S, false>{});
-      if constexpr (P < N)
-        if (corners) return f(coordinates, ElementShapes<N, P, S>{});
-      throw std::logic_error("no inf-sup stable set of fields for the cell");
+      if (corners || P == N) return f(coordinates, ElementShapes<N, P, S>{});
+      throw std::logic_error("no kernel is compiled for fields at all nodes of quadratic cells");
     };
     static_assert(max_scalars == 2);
     if (block.scalars == 2) return of_scalars(std::integral_constant<int, 2>{});

@@ -107,6 +107,9 @@ void NewtonOptions::parameters(Parameters& p) {
   p.add("reuse Jacobian", reuse_jacobian,
         "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one "
         "would not pay");
+  p.add("largest forcing", largest_forcing, "-", Range{0, 1, false, true},
+        "share of a Newton iterate's residual that an iterative linear solver may leave; it falls with the residual "
+        "(Eisenstat and Walker); 0: always solved to 'linear tolerance'");
   p.choice(
       "first guess", first_guess, {{"committed", FirstGuess::committed}, {"extrapolated", FirstGuess::extrapolated}},
       "of a step: the state it starts from; extrapolated: moved on with the rates of that state where that leaves less "

@@ -64,6 +64,7 @@ struct NewtonOptions {
   int halvings = 4;
   double largest_growth = 0;  // 0: any
   bool reuse_jacobian = true;
+  double largest_forcing = 0.1;  // share of the residual that a linear solve may leave; 0: none
   FirstGuess first_guess = FirstGuess::extrapolated;
   bool guarded = true;  // the deck names no line search of NOX
   NoxOptions nox;

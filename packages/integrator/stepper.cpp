@@ -142,6 +142,7 @@ void Stepper::activate(const std::vector<Term*>& active) {
   for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", total_.extent(0));
   solver_.reset();
   chord_.forget();
+  forcing_.forget();
 }
 
 void Stepper::prepare_view(const StepRequest& request, StepView::Kind kind) {
@@ -331,7 +332,8 @@ void Stepper::apply_jacobian(const Vector& v, Vector& jv) { assembler_.matrix()-
 
 bool Stepper::solve(const Vector& f, Vector& dx) {
   const Stopwatch watch(times_.linear);
-  const LinearReport report = solver_.solve(f, dx, tolerances_.linear);
+  const LinearReport report = solver_.solve(f, dx, {tolerances_.linear, enough_});
+  enough_.clear();
   linear_iterations_ += report.iterations;
   factorisations_ += report.factored ? 1 : 0;
   if (!report.converged) failure_ = "linear solver: " + report.reason;
@@ -366,9 +368,9 @@ std::vector<double> Stepper::residual_ratios(const Vector& f) {
   // what the step sets out of balance acts in it, also where nothing has answered yet
   const bool first = first_norms_.empty();
   if (first) first_norms_ = norms_;
-  const std::vector<double> limits = allowed(norms_ == first_norms_ ? norms_ : std::vector<double>(norms_.size(), 0.0));
+  limits_ = allowed(norms_ == first_norms_ ? norms_ : std::vector<double>(norms_.size(), 0.0));
   std::vector<double> ratios;
-  for (std::size_t i = 0; i < norms_.size(); ++i) ratios.push_back(norms_[i] == 0 ? 0.0 : norms_[i] / limits[i]);
+  for (std::size_t i = 0; i < norms_.size(); ++i) ratios.push_back(norms_[i] == 0 ? 0.0 : norms_[i] / limits_[i]);
   return ratios;
 }
 
@@ -380,6 +382,11 @@ void Stepper::observe(double worst) {
     for (std::size_t i = 0; i < limits.size(); ++i) before = std::max(before, observed_norms_[i] / limits[i]);
   }
   chord_.observe(worst, before);
+  // by field, so that none is solved further than the worst one needs
+  const double share = solver_.iterative() ? forcing_.next(worst) : 0.0;
+  enough_.clear();
+  if (share > 0)
+    for (const double limit : limits_) enough_.push_back(share * worst * limit);
   observed_norms_ = norms_;
 }
 
@@ -408,6 +415,8 @@ Vector Stepper::begin(const StepRequest& request, const StepTolerances& toleranc
   prepare_view(request, StepView::Kind::step);
   constrain(request);
   check_chord();
+  forcing_.start_step();
+  enough_.clear();
   Vector x(map());
   start_from(constraints_, store_.committed().value, x);
   levels(x);
@@ -548,6 +557,7 @@ double Stepper::step_limit(double dt) const {
 
 StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
   chord_.enabled = newton.reuse_jacobian;
+  forcing_.largest = newton.largest_forcing;
   Vector x = begin(request, tolerances);
   const bool goes_on = newton.first_guess == NewtonOptions::FirstGuess::extrapolated && extrapolate(x);
   const int predicted = !goes_on && predict(x) ? 1 : 0;
@@ -560,6 +570,7 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
     report.reason += hints();
     solver_.reset();
     chord_.forget();
+    forcing_.forget();
     return report;
   }
   const std::vector<double> sizes = owned_field_norms(*space_.dofs(), x);

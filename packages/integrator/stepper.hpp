@@ -8,6 +8,7 @@
 #include "framework/constraints.hpp"
 #include "framework/term_faces.hpp"
 #include "integrator/chord.hpp"
+#include "integrator/forcing.hpp"
 #include "integrator/levels.hpp"
 #include "integrator/newton.hpp"
 #include "integrator/time_scheme.hpp"
@@ -184,14 +185,16 @@ class Stepper : public NonlinearProblem {
   NodalView reaction_, total_, acting_, whole_;
   std::vector<NodalView> force_;
   // By field: what acts at the last evaluation, rounding of residual and matrix, norms of the residual of the first and
-  // of the last iterate that was measured, and of the one observed before.
-  std::vector<double> reference_, rounding_, matrix_rounding_, first_norms_, norms_, observed_norms_;
+  // of the last iterate that was measured, what is allowed for the latter, and norms of the one observed before.
+  std::vector<double> reference_, rounding_, matrix_rounding_, first_norms_, norms_, limits_, observed_norms_;
   std::vector<double> reference_floor_, size_floor_;
   double coordinate_norm_ = 0;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;
   ChordControl chord_;
+  Forcing forcing_;
+  std::vector<double> enough_;  // of the coming linear solve, see LinearTolerance
   Vector evaluated_, balance_;  // where the trial state stands, and the residual there,
   bool stands_ = false;         // unless it has been moved since
 };

@@ -55,6 +55,7 @@ void Stepper::restore_solver(const std::vector<double>& memory) {
 
 std::vector<double> Stepper::solver_memory() {
   std::vector<double> memory = solver_.memory();
+  forcing_.forget();
   if (memory.empty())
     chord_.forget();
   else

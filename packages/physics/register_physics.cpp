@@ -1,4 +1,5 @@
 #include "physics/biot/fluid_mass.hpp"
+#include "physics/biot/pressure_projection.hpp"
 #include "physics/register.hpp"
 #include "physics/soil_physics.hpp"
 #include "physics/thm/thermo_hydro_mechanical.hpp"
@@ -13,18 +14,31 @@ class Biot : public SoilPhysics {
     common_parameters(p);
     pore_water_parameters(p);
     p.add("fluid acceleration", fluid_acceleration_, "keep the term rho_f a in Darcy's law");
+    p.choice(
+        "pressure", pair_, {{"Taylor-Hood", Pair::taylor_hood}, {"equal order", Pair::equal_order}},
+        "nodes of the pore pressure. Taylor-Hood: the corners of quadratic cells; equal order: all nodes of linear "
+        "cells, steadied by a projection on the element's mean");
   }
   std::vector<Field> fields() const override { return {displacement_field(), pore_pressure_field()}; }
-  void check_mesh(const Mesh& mesh, const Section& section) const override { require_quadratic_cells(mesh, section); }
+  void check_mesh(const Mesh& mesh, const Section& section) const override {
+    if (pair_ == Pair::taylor_hood) require_quadratic_cells(mesh, section, ", or give 'pressure' = 'equal order'");
+    for (const ElementBlock& block : mesh.blocks())
+      if (pair_ == Pair::equal_order && order(block.shape) > 1)
+        section.fail(std::string("equal order is for linear cells; the mesh has ") + mudline::name(block.shape),
+                     "pressure");
+  }
 
  protected:
   std::vector<std::string> scalar_fields() const override { return {"pore pressure"}; }
   void add_terms(PhysicsContext& context) override {
     context.terms.push_back(std::make_unique<FluidMass>(soil_, fluid_acceleration_));
+    if (pair_ == Pair::equal_order) context.terms.push_back(std::make_unique<PressureProjection>(soil_));
   }
 
  private:
+  enum class Pair { taylor_hood, equal_order };
   bool fluid_acceleration_ = false;
+  Pair pair_ = Pair::taylor_hood;
 };
 
 class Solid : public SoilPhysics {

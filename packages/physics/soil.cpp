@@ -164,6 +164,18 @@ void Soil::sparsity(Assembler& assembler) {
 Field displacement_field() { return {"displacement", "m", "N", vector_components, Support::all_nodes, 2}; }
 Field pore_pressure_field() { return {"pore pressure", "Pa", "m3/s", 1, Support::vertices, 1}; }
 
+namespace {
+
+/// Enough for what the strains of a cell can be: three points of a tri3, four of a tet4 or tet10, two per direction of
+/// a quad4 or hex8, three of a quad9 or hex27, six of a tri6.
+int default_degree(CellShape shape) {
+  if (shape == CellShape::tet10) return 2;
+  if (order(shape) == 1) return is_simplex(shape) ? 2 : 3;
+  return 4;
+}
+
+}  // namespace
+
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
                                 int degree, const Section& where) {
   const bool porous = !scalars.empty();
@@ -192,10 +204,10 @@ std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, 
                      "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
                      "'permeability', or use physics 'biot'",
                  b.material->name);
-    // Four points carry all strains of a tet10, as C3D10 has them in other programs.
-    const int own = degree > 0 ? degree : elements.shape == CellShape::tet10 ? 2 : 4;
+    const int own = degree > 0 ? degree : default_degree(elements.shape);
     static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, own);
-    b.mass = own < 4 ? b.with_quadrature(4) : b;
+    const int products = 2 * order(elements.shape);  // of two shapes
+    b.mass = own < products ? b.with_quadrature(products) : b;
     soil->blocks.push_back(b);
   }
   return soil;

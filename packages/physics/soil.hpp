@@ -85,7 +85,7 @@ struct Soil {
 /// Pairs every element block with the one material that names its region. `scalars`: the fields beside the
 /// displacement: none, the pore pressure, or pore pressure and temperature. InputError when no material or several name
 /// a region, or when the material does not fit (with pore pressure: fluid and permeability required; otherwise
-/// refused). quadrature_degree: 0: by the cell, 4 or, of a tet10, 2.
+/// refused). quadrature_degree: 0: by the cell.
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
                                 int quadrature_degree, const Section& where);
 

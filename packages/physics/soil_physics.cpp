@@ -35,8 +35,8 @@ void SoilPhysics::common_parameters(Parameters& p) {
   p.add("gravity", gravity_.vector, "m/s2", "gravitational acceleration as a vector");
   p.add("gravity factor", gravity_.factor, "-", "function of time that scales gravity");
   p.add("quadrature degree", quadrature_, "-", closed(1, 8),
-        "polynomial degree that the element quadrature integrates exactly; by default 4, of ten-node tetrahedra 2. "
-        "Inertia takes 4 at least");
+        "polynomial degree that the element quadrature integrates exactly; by default 4, in tet10, tri3 and tet4 2, in "
+        "quad4 and hex8 3. Inertia takes at least twice the order of the cell");
   if (!p.given("quadrature degree")) quadrature_ = cell_default;
   p.add("mass damping", mass_damping_, "1/s", non_negative(), "Rayleigh damping: factor of the mass matrix");
   p.add("stiffness damping", stiffness_damping_, "s", non_negative(),
@@ -53,12 +53,12 @@ void SoilPhysics::pore_water_parameters(Parameters& p) {
   excess_ = counted == Counted::excess;
 }
 
-void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& section) {
+void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& section, const std::string& otherwise) {
   for (const ElementBlock& block : mesh.blocks())
     if (order(block.shape) < 2)
       section.fail(std::string("linear ") + mudline::name(block.shape) +
-                       " cells give an unstable displacement and pore-pressure pair; "
-                       "use quadratic cells (tri6 or quad9, in Gmsh: order 2)",
+                       " cells give an unstable displacement and pore-pressure pair; use quadratic cells (" +
+                       (mesh.dimension() == 3 ? "tet10 or hex27" : "tri6 or quad9") + ", in Gmsh: order 2)" + otherwise,
                    "type");
 }
 

@@ -21,8 +21,9 @@ class SoilPhysics : public Physics {
   void common_parameters(Parameters& p);
   /// Of saturated soil.
   void pore_water_parameters(Parameters& p);
-  /// Fails for linear cells, on which displacement and pore pressure are no stable pair.
-  static void require_quadratic_cells(const Mesh& mesh, const Section& section);
+  /// Fails for linear cells, on which displacement and pore pressure are no stable pair; `otherwise`: what would help,
+  /// besides quadratic cells.
+  static void require_quadratic_cells(const Mesh& mesh, const Section& section, const std::string& otherwise = "");
   /// Fails where pore fluids have several densities; `why`: "with ...".
   void require_one_fluid_density(const Section& materials, const std::string& why) const;
 

@@ -6,6 +6,7 @@
 
 #include "core/entry.hpp"
 #include "core/guarded.hpp"
+#include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
@@ -231,13 +232,25 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
   section.allow_sections({"linear solver", "newton"});
   Parameters p(section);
   tolerances_.parameters(p);
-  p.passes_on("linear solver", "solver of the linear systems; see the linear solver types");
+  p.passes_on(
+      "linear solver",
+      "solver of the linear systems; see the linear solver types; absent: direct, but block amg in three dimensions "
+      "with more than 5000 unknowns");
   p.section("newton", newton_, "nonlinear iterations");
   p.finish();
-  const Section linear = section.section_of_type("linear solver", "direct");
-  solver_ = registries.linear_solvers.create(linear);
-  const std::string reason = solver_->prepare(space_->dofs());
-  if (!reason.empty()) linear.fail(reason, "type");
+  constexpr Tpetra::global_size_t small = 5000;  // unknowns up to which a factorisation in space is as cheap
+  const bool space = mesh_->dimension() == 3;
+  const bool chosen = section.section("linear solver").has_parameter("type");
+  const auto take = [&](const std::string& type) {
+    const Section linear = section.section_of_type("linear solver", type);
+    solver_ = registries.linear_solvers.create(linear);
+    const std::string reason = solver_->prepare(space_->dofs());
+    if (reason.empty() && space) log::info("linear solver: " + linear.text("type"));
+    return reason;
+  };
+  const bool large = space && space_->dofs()->owned()->getGlobalNumElements() > small;
+  if (!chosen && large && take("block amg").empty()) return;
+  if (const std::string reason = take("direct"); !reason.empty()) section.section("linear solver").fail(reason, "type");
 }
 
 void Model::activate(const Stage& stage, bool fresh) {

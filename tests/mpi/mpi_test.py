@@ -4,9 +4,10 @@ import re
 import unittest
 
 import numpy as np
-from mudline_case import ROOT, MudlineCase, deck_text
+from mudline_case import ROOT, MudlineCase, deck_text, program
 
 DECK = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
+IN_SPACE = os.path.join(ROOT, "tests", "mpi", "footing_in_space.xml")
 DIRECT = []
 REUSE = ["solver/linear solver/reuse factorisation=true"]
 BLOCK_AMG = ["solver/linear solver/type=block amg"]
@@ -98,6 +99,28 @@ class Mpi(MudlineCase):
         for ranks in (1, 2):
             amg = self.run_deck(deck, tight + BLOCK_AMG, ranks=ranks, extra=("--steps", "40"))
             self.assert_same_run(direct, amg, ("body/ball/displacement y", "contact/seabed/reaction y"), f"{ranks} ranks", rounding=1e-6)
+
+    def test_ranks_in_space(self):
+        exact = ["solver/newton/largest forcing=0", "solver/linear tolerance=1e-11"]
+        columns = ("displacement z", "displacement x", "reaction/base z", "reaction/left side x")
+        one = self.run_deck(IN_SPACE, exact + ["solver/linear solver/type=direct"])
+        for solver in ("direct", "block amg"):
+            for ranks in (1, 2, 4):
+                many = self.run_deck(IN_SPACE, exact + ["solver/linear solver/type=" + solver], ranks=ranks)
+                names = [name for name in one.columns if any(part in name for part in columns)]
+                self.assertEqual(len(names), 4)
+                self.assert_same_run(one, many, names, f"{solver}, {ranks} ranks")
+        self.assertIn("linear solver: block amg", program(["run", IN_SPACE, "--overwrite"], 1, self.folder, 300).stdout)
+        small = ["run", IN_SPACE, "--overwrite", "--set", "mesh/cells={2, 2, 2}"]
+        self.assertIn("linear solver: direct", program(small, 1, self.folder, 300).stdout)
+
+    def test_restart_in_space(self):
+        settings = ["output/checkpoint steps=2", "stages/loading/duration=0.6"]
+        whole = self.run_deck(IN_SPACE, settings + ["output/name=whole"], name="whole")
+        self.run_deck(IN_SPACE, settings + ["output/name=parts"], extra=("--steps", "2"), name="parts")
+        self.run_deck(IN_SPACE, settings + ["output/name=parts"], extra=("--restart",), name="parts")
+        self.assertEqual(self.content("parts"), self.content("whole"))
+        self.assertEqual(len(whole.time), 6)
 
     def test_restart_direct_2(self):
         self.check_restart(DIRECT, 2)

@@ -56,6 +56,54 @@ TEST(BlockAmg, SoftZoneAndUnsymmetricTangent) {
   EXPECT_LE(cases::check_block_amg(settings), 60);
 }
 
+TEST(BlockAmg, InSpaceCountsHoldOverTimeStepAndPermeability) {
+  for (const double dt : {1e-4, 1e-1, 1e2})
+    for (const double mobility : {1e-12, 1e-8, 1e-6})
+      EXPECT_LE(cases::check_in_space(cases::in_space_at(dt, mobility)), 25);
+}
+
+TEST(BlockAmg, InSpaceQuasiStaticAndDry) {
+  model::Settings settings = cases::in_space_at(10, 1e-12);
+  settings.inertia = false;
+  EXPECT_LE(cases::check_in_space(settings), 25);
+  settings.fluid = false;
+  EXPECT_LE(cases::check_in_space(settings), 20);
+}
+
+TEST(BlockAmg, StiffContactWithFriction) {
+  model::Settings settings = cases::in_space_at(10, 1e-12);
+  settings.inertia = false;
+  model::ProblemInSpace problem(settings, Tpetra::getDefaultComm());
+  problem.contact = 1e3 * settings.young / (settings.size / settings.cells);
+  EXPECT_LE(cases::check_block_amg_on(problem), 40);
+}
+
+TEST(BlockAmg, StretchedElements) {
+  model::Settings settings = cases::in_space_at(10, 1e-12);
+  settings.inertia = false;
+  EXPECT_LE(cases::check_block_amg_on(model::ProblemInSpace(settings, Tpetra::getDefaultComm(), 0.1)), 50);
+}
+
+TEST(BlockAmg, SolvesNoFurtherThanIsEnough) {
+  model::Problem problem(at(1e-1), Tpetra::getDefaultComm());
+  BlockAmgSolver solver;
+  ASSERT_EQ(solver.prepare(problem.dofs()), "");
+  EXPECT_TRUE(solver.iterative());
+  const RCP<const CrsMatrix> matrix = problem.assemble();
+  solver.set_matrix(matrix, [&] { return problem.block_data(); });
+  const Vector b = problem.load();
+  Vector x(problem.dofs()->owned());
+  const int full = solver.solve(b, x, 1e-8).iterations;
+  const std::vector<double> enough{1e-2 * b.norm2(), 1e-2};
+  const LinearReport report = solver.solve(b, x, {1e-8, enough});
+  EXPECT_TRUE(report.converged);
+  EXPECT_LT(2 * report.iterations, full);
+  FieldResidualEvaluator evaluate(problem.dofs());
+  Vector residual(problem.dofs()->owned());
+  const FieldResidual left = evaluate(*matrix, b, x, residual);
+  for (int f = 0; f < 2; ++f) EXPECT_LE(left.norm[f], enough[f]);
+}
+
 TEST(BlockAmg, KeepsThePreconditionerUntilItNoLongerFits) {
   model::Settings settings = at(1e-2);
   settings.cells = 16;
@@ -92,8 +140,8 @@ TEST(BlockAmg, SaysWhichFieldsItCannotTreat) {
   const std::string turns = reason({{"displacement", 2, {0}, 1}, {"rotation", 3, {0}, 1}});
   EXPECT_NE(turns.find("'rotation'"), std::string::npos);
   EXPECT_NE(turns.find("'direct'"), std::string::npos);
-  EXPECT_NE(reason({{"displacement", 3, {0}, 1}}).find("two components"), std::string::npos);
-  EXPECT_EQ(reason({{"displacement", 2, {0}, 1}}), "");
+  EXPECT_NE(reason({{"displacement", 4, {0}, 1}}).find("three components"), std::string::npos);
+  for (const int components : {2, 3}) EXPECT_EQ(reason({{"displacement", components, {0}, 1}}), "");
   EXPECT_EQ(reason({{"displacement", 2, {0}, 1}, {"heat", 1, {0}, 1}, {"body", 3, {0}, 1, true}}), "");
 }
 

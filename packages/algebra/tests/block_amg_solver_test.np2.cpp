@@ -27,5 +27,10 @@ TEST(BlockAmgTwoRanks, DrySoil) {
   EXPECT_LE(cases::check_block_amg(settings), 22);
 }
 
+TEST(BlockAmgTwoRanks, InSpace) {
+  EXPECT_LE(cases::check_in_space(cases::in_space_at(1e-1)), 25);
+  EXPECT_LE(cases::check_in_space(cases::in_space_at(1e2, 1e-12)), 25);
+}
+
 }  // namespace
 }  // namespace mudline

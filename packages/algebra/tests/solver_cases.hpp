@@ -5,6 +5,7 @@
 #include "algebra/block_amg_solver.hpp"
 #include "algebra/mumps_solver.hpp"
 #include "algebra/tests/distributed_cases.hpp"
+#include "algebra/tests/model_in_space.hpp"
 #include "core/section.hpp"
 
 namespace mudline::cases {
@@ -124,8 +125,8 @@ inline void check_singular(bool reproducible = true) {
 }
 
 /// One solve of the block solver on the gravity problem, compared with the direct solution. Returns the iterations.
-inline int check_block_amg(const model::Settings& settings, double tolerance = 1e-8) {
-  model::Problem problem(settings, Tpetra::getDefaultComm());
+template <class Problem>
+int check_block_amg_on(Problem&& problem, double tolerance = 1e-8) {
   const RCP<const CrsMatrix> matrix = problem.assemble();
   const Vector b = problem.load();
   Vector x(problem.dofs()->owned()), exact(problem.dofs()->owned());
@@ -144,11 +145,26 @@ inline int check_block_amg(const model::Settings& settings, double tolerance = 1
   return report.iterations;
 }
 
+inline int check_block_amg(const model::Settings& settings) {
+  return check_block_amg_on(model::Problem(settings, Tpetra::getDefaultComm()));
+}
+
 inline model::Settings at(double dt, double mobility = 1e-8) {
   model::Settings settings;
   settings.dt = dt;
   settings.mobility = mobility;
   return settings;
+}
+
+/// The same on a small box in space.
+inline model::Settings in_space_at(double dt, double mobility = 1e-8) {
+  model::Settings settings = at(dt, mobility);
+  settings.cells = 5;
+  return settings;
+}
+
+inline int check_in_space(const model::Settings& settings) {
+  return check_block_amg_on(model::ProblemInSpace(settings, Tpetra::getDefaultComm()));
 }
 
 }  // namespace mudline::cases

@@ -2,8 +2,10 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <algorithm>
 #include <cmath>
 
+#include "discretisation/element_map.hpp"
 #include "framework/element_loop.hpp"
 
 namespace mudline {
@@ -39,6 +41,8 @@ template <class Loop>
 void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const Loop& loop, Means& means,
                CrsMatrix* mass, CrsMatrix* laplacian) {
   constexpr int NP = Loop::NS;
+  constexpr double sideways =
+      Loop::D == 2 ? 1.0 / 3 : 0.0;  // the drained modulus where the soil yields in every direction
   const RCP<const Map>& overlap = soil.space->dofs()->overlap();
   const PointView void_ratios = view.committed->arrays[b.void_ratio], stress = view.committed->arrays[b.stress],
                   law = view.committed->arrays[b.law];
@@ -52,9 +56,12 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
       const double mobility = b.porous() ? b.material->permeability->conductivity(void_ratio, void_ratios(row, 1)).k /
                                                b.material->fluid->unit_weight()
                                          : 0.0;
-      const double values[6] = {
-          1,       m.bulk + 4.0 / 3 * m.shear, m.bulk + m.shear / 3, b.material->density(n), b.material->storage(n),
-          mobility};
+      const double values[6] = {1,
+                                m.bulk + 4.0 / 3 * m.shear,
+                                m.bulk + sideways * m.shear,
+                                b.material->density(n),
+                                b.material->storage(n),
+                                mobility};
       for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];
       for (int c = 0; c < NP; ++c)
         for (int d = 0; d < NP; ++d) {
@@ -73,6 +80,43 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
   }
 }
 
+/// Longest edge over height of the worst element of this rank, against that of the equilateral one [-].
+double worst_aspect_ratio(const Soil& soil, const StepView& view) {
+  double worst = 1;
+  for (const SoilBlock& b : soil.blocks) {
+    const bool plane = dimension(b.shape) == 2;
+    const double equilateral = !is_simplex(b.shape) ? 1.0 : plane ? 4 / std::sqrt(3.0) : std::sqrt(13.5);
+    for (int e = 0; e < b.elements; ++e) {
+      const ElementMap element(b.shape, [&](int a) { return &view.x_end(b.nodes(e, a), 0); });
+      const ElementSize size = element.size();
+      worst = std::max(worst, size.longest_edge / (size.height * equilateral));
+    }
+  }
+  return worst;
+}
+
+/// An empty matrix on the pressure map with room for each pair of neighbours.
+RCP<CrsMatrix> pressure_matrix(const Soil& soil) {
+  const DofMap& dofs = *soil.space->dofs();
+  const int begin = dofs.owned_begin(soil.pressure), end = dofs.owned_end(soil.pressure);
+  std::vector<std::vector<int>> neighbours(end - begin);
+  for (const SoilBlock& b : soil.blocks) {
+    const int first = b.u.nodes * soil.space->mesh().dimension(), end_column = first + b.p.nodes;
+    for (int e = 0; e < b.elements; ++e)
+      for (int c = first; c < end_column; ++c) {
+        const int row = b.dofs(e, c) - begin;
+        if (row < 0 || row >= end - begin) continue;
+        for (int d = first; d < end_column; ++d) neighbours[row].push_back(b.dofs(e, d));
+      }
+  }
+  std::vector<std::size_t> counts;
+  for (std::vector<int>& row : neighbours) {
+    std::sort(row.begin(), row.end());
+    counts.push_back(std::unique(row.begin(), row.end()) - row.begin());
+  }
+  return rcp(new CrsMatrix(dofs.field_map(soil.pressure), Teuchos::arrayViewFromVector(counts)));
+}
+
 }  // namespace
 
 BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<const char*> constrained) {
@@ -86,8 +130,8 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
   data.parents = node_parents(soil);
   RCP<CrsMatrix> mass, laplacian;
   if (soil.pressure >= 0) {
-    mass = rcp(new CrsMatrix(dofs.field_map(soil.pressure), 16));
-    laplacian = rcp(new CrsMatrix(dofs.field_map(soil.pressure), 16));
+    mass = pressure_matrix(soil);
+    laplacian = pressure_matrix(soil);
     for (int i = dofs.owned_begin(soil.pressure); i < dofs.owned_end(soil.pressure); ++i)
       data.pressure_constrained.push_back(constrained(i));
   }
@@ -105,6 +149,8 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
     data.pressure_mass = mass;
     data.pressure_laplacian = laplacian;
   }
+  Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_MAX, worst_aspect_ratio(soil, view),
+                     Teuchos::outArg(data.aspect_ratio));
   double total[6];
   Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_SUM, 6, means.sum, total);
   for (int i = 1; i < 6; ++i) total[i] /= total[0];

@@ -115,7 +115,7 @@ TEST(InitialState, ContradictionsAreNamed) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   const std::string geostatic = text_parameter("type", "geostatic");
-  has(start(geostatic), "a geostatic start needs gravity pointing down");
+  has(start(geostatic), "a geostatic start needs gravity: give");
   has(gravity + start(geostatic + number_parameter("K0", 0.5) + number_parameter("K0 friction angle [deg]", 30)),
       "give either this or 'K0', not both");
   has(gravity + start(geostatic + number_parameter("overconsolidation ratio", 2) +

@@ -15,7 +15,15 @@ struct Case {
   std::string cell, geometry, skeleton, integrator;
   double tolerance;
   bool heat = false;
+  bool space() const { return geometry == "three-dimensional"; }
+  bool linear() const { return cell == "tri3" || cell == "quad4" || cell == "tet4" || cell == "hex8"; }
 };
+
+/// Numbers of a point or vector; the one for y is left out in the plane, whose second direction is upright.
+std::string numbers(const Case& c, const std::string& name, const char* type, const std::string& x,
+                    const std::string& y, const std::string& z) {
+  return par(name, type, "{" + x + ", " + (c.space() ? y + ", " : "") + z + "}");
+}
 
 std::string elastic() {
   return list("skeleton",
@@ -37,16 +45,18 @@ std::string deck(const Case& c) {
               : "");
   const std::string physics =
       (c.heat ? text("type", "thermo-hydro-mechanical") + number("water expansion", 5e-3)
-              : text("type", "biot") + par("fluid acceleration", "bool", "true")) +
-      par("gravity", "Array(double)", "{1.0, -9.81}") + number("mass damping", 2.0) +
+              : text("type", "biot") + par("fluid acceleration", "bool", "true") +
+                    text("pressure", c.linear() ? "equal order" : "Taylor-Hood")) +
+      numbers(c, "gravity", "Array(double)", "1.0", "0.5", "-9.81") + number("mass damping", 2.0) +
       number("stiffness damping", 1e-3) +
       list("initial state", text("type", "uniform") + number("effective stress xx", 8e4) +
                                 number("effective stress yy", 1e5) + number("effective stress zz", 8e4) +
-                                number("pore pressure", 2e4));
+                                (c.space() ? number("shear stress yz", 5e3) : "") + number("pore pressure", 2e4));
   const std::string conditions =
       list("base", text("type", "fixed") + text("set", "bottom")) +
       list("drain", text("type", "pore pressure") + text("set", "top") + number("value", 1e3)) +
-      list("shear", text("type", "traction") + text("set", "top") + number("x", 3e4) + number("y", -2e4)) +
+      list("shear", text("type", "traction") + text("set", "top") + number("x", 3e4) + number("y", -2e4) +
+                        (c.space() ? number("z", 1e4) : "")) +
       list("push", text("type", "pressure") + text("set", "right") + number("value", 5e4)) +
       list("mud", text("type", "pressure") + text("set", "left") + text("value", "4e4*(1.2-y)*(1+x)") +
                       text("position", "present")) +
@@ -55,8 +65,9 @@ std::string deck(const Case& c) {
   return list(
       "deck",
       list("mesh", text("type", "box") + text("geometry", c.geometry) + text("cell", c.cell) +
-                       par("cells", "Array(double)", "{3, 2}") + par("lower", "Array(double)", "{0.5, 0.0}") +
-                       par("upper", "Array(double)", "{2.0, 1.0}") + number("distortion", 0.2)) +
+                       numbers(c, "cells", "Array(double)", "3", "2", "2") +
+                       numbers(c, "lower", "Array(double)", "0.5", "0.2", "0.0") +
+                       numbers(c, "upper", "Array(double)", "2.0", "1.0", "1.0") + number("distortion", 0.2)) +
           list("materials", list("soil", material)) + list("physics", list("ground", physics)) +
           list("boundary conditions", conditions) +
           list("stages", list("shake", text("type", c.integrator == "theta" ? "quasi-static" : "dynamic") +
@@ -153,6 +164,18 @@ TEST(Jacobian, EqualsDifferencedResidualOfElasticSoil) {
         check({cell, geometry, elastic(), integrator, 1e-6});
 }
 
+TEST(Jacobian, EqualsDifferencedResidualInSpace) {
+  for (const char* cell : {"tet10", "hex27"})
+    for (const char* integrator : {"generalised alpha", "theta"})
+      check({cell, "three-dimensional", elastic(), integrator, 1e-6});
+}
+
+TEST(Jacobian, EqualsDifferencedResidualOfEqualOrderCells) {
+  check({"tri3", "plane strain", elastic(), "generalised alpha", 1e-6});
+  check({"quad4", "axisymmetric", elastic(), "generalised alpha", 1e-6});
+  for (const char* cell : {"tet4", "hex8"}) check({cell, "three-dimensional", elastic(), "generalised alpha", 1e-6});
+}
+
 TEST(Jacobian, EqualsDifferencedResidualOfWarmSoil) {
   for (const char* geometry : {"plane strain", "axisymmetric"})
     for (const char* integrator : {"generalised alpha", "theta"})
@@ -162,6 +185,7 @@ TEST(Jacobian, EqualsDifferencedResidualOfWarmSoil) {
 TEST(Jacobian, EqualsDifferencedResidualOfYieldingClay) {
   for (const char* geometry : {"plane strain", "axisymmetric"})
     check({"tri6", geometry, cam_clay(), "generalised alpha", 1e-3});
+  check({"tet10", "three-dimensional", cam_clay(), "generalised alpha", 1e-3});
 }
 
 }  // namespace

@@ -1,0 +1,237 @@
+"""Tests of the report of results in space: outer faces, sections, the perspective picture, the page."""
+
+import itertools
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+os.environ.setdefault("MPLCONFIGDIR", tempfile.gettempdir())
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import h5py  # noqa: E402
+import numpy as np  # noqa: E402
+
+import report_pictures  # noqa: E402
+import report_space  # noqa: E402
+import report_space_pictures  # noqa: E402
+import report_view  # noqa: E402
+import test_report  # noqa: E402
+from report_result import FieldResult  # noqa: E402
+
+# Nodes of hex27 in the order of VTK, in half sides of the cell; those of hex8 are the first eight.
+HEX27 = "000 200 220 020 002 202 222 022 100 210 120 010 102 212 122 012 001 201 221 021 011 211 101 121 110 112 111"
+SIZE = np.array([2.0, 3.0, 1.0])
+CELLS = np.array([2, 3, 2])
+
+
+def box_in_space(kind, size=SIZE):
+    """(topology, offset, points) of the box from 0 to size in CELLS, tetrahedra six to a cell; inner nodes are shifted."""
+    hexahedron = np.array([[int(c) for c in place] for place in HEX27.split()])
+    if kind in (6, 38):
+        shapes = []
+        for way in itertools.permutations(np.eye(3, dtype=int) * 2):
+            corners = np.cumsum([np.zeros(3, int), *way], axis=0)
+            if np.linalg.det(corners[1:] - corners[0]) < 0:
+                corners = corners[[0, 2, 1, 3]]
+            middles = [(corners[a] + corners[b]) // 2 for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
+            shapes.append(np.vstack([corners, middles])[: 4 if kind == 6 else 10])
+    else:
+        shapes = [hexahedron[:8] if kind == 9 else hexahedron]
+    cells = np.array(
+        [2 * np.array(ijk) + shape for ijk in itertools.product(*map(range, CELLS)) for shape in shapes]
+    )  # (cell, node, 3) in half sides
+    places, nodes = np.unique(cells.reshape(-1, 3), axis=0, return_inverse=True)
+    points = places / (2 * CELLS) * size
+    inner = ((places > 0) & (places < 2 * CELLS)).all(axis=1)
+    points[inner] += 0.04 * size * np.random.default_rng(1).uniform(-1, 1, (inner.sum(), 3))
+    nodes = nodes.reshape(cells.shape[:2])
+    topology = np.column_stack([np.full(len(nodes), kind), nodes])
+    return topology.ravel(), np.arange(len(nodes)) * topology.shape[1], points
+
+
+def write_space_result(path, kind, peak, size=SIZE):
+    """Two outputs: at rest, and pressed down around the place `peak`."""
+    topology, offset, points = box_in_space(kind, size)
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"format": "mudline fields", "geometry": "three-dimensional"})
+        file.attrs.update({"nodes": len(points), "elements": len(offset)})
+        file["metadata/deck"] = np.bytes_("<ParameterList>\n</ParameterList>")
+        file["mesh/topology"], file["mesh/offset"], file["mesh/coordinates"] = topology, offset, points
+        file["mesh/region names"] = np.bytes_("clay")
+        down = np.exp(-np.linalg.norm(points - peak, axis=1))
+        for k, stage in enumerate(("start", "load")):
+            step = file.create_group(f"steps/{k:06d}")
+            step.attrs.update({"step": k, "stage": stage, "time": 2.0 * k})
+            moved = k * down[:, None] * [0.0, 1e-3, -0.02]
+            step["coordinates"] = points + moved
+            for link, name, unit, values in [
+                ("nodal/displacement", "displacement", "m", moved),
+                ("nodal/pore_pressure", "pore pressure", "Pa", 1e4 * (1 - points[:, 2])),
+                ("cell/void_ratio", "void ratio", "-", 0.8 + 1e-3 * np.arange(len(offset))),
+            ]:
+                step[link] = values
+                step[link].attrs.update({"name": name, "unit": unit})
+
+
+def linear(points):
+    return 3 + points @ [2.0, -1.0, 4.0]
+
+
+def areas(points, triangles):
+    return 0.5 * np.linalg.norm(report_space.normals(points, triangles), axis=1)
+
+
+class SpaceTest(unittest.TestCase):
+    setUp, tearDown = test_report.ReportTest.setUp, test_report.ReportTest.tearDown
+    run_report = test_report.ReportTest.run_report
+
+    def test_outer_faces_of_a_box(self):
+        quadrilaterals = 2 * (CELLS[0] * CELLS[1] + CELLS[1] * CELLS[2] + CELLS[2] * CELLS[0])
+        for kind, faces, pieces in ((6, 2, 1), (38, 2, 4), (9, 1, 4), (50, 1, 8)):
+            mesh = report_space.Mesh(*box_in_space(kind))
+            self.assertEqual(sum(len(cells) for _, cells, _ in report_space.outer_faces(mesh)), faces * quadrilaterals)
+            surface = report_space.outer_surface(mesh)
+            self.assertEqual(len(surface.triangles), faces * pieces * quadrilaterals)
+            points = surface.at_places(mesh.points)
+            area = 2 * (SIZE[0] * SIZE[1] + SIZE[1] * SIZE[2] + SIZE[2] * SIZE[0])
+            self.assertAlmostEqual(areas(points, surface.triangles).sum(), area)
+            # by the divergence theorem: right only if every triangle is turned outwards
+            corners = points[surface.triangles]
+            self.assertAlmostEqual(np.linalg.det(corners).sum() / 6, SIZE.prod())
+            lengths = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+            self.assertAlmostEqual(lengths[surface.sides == 2].sum(), 2 * 4 * SIZE.sum())  # each seen by two triangles
+
+    def test_cells_are_filled_by_their_tetrahedra(self):
+        for kind in (6, 38, 9, 50):
+            mesh = report_space.Mesh(*box_in_space(kind))
+            nodes, points = mesh.blocks[0][2], mesh.points
+            if kind == 9:
+                nodes, means = report_space.with_centres(nodes, len(points))
+                points = np.concatenate([points] + [points[group].mean(axis=1) for group in means])
+            corners = points[nodes[:, report_space.cell_tetrahedra(kind)]].reshape(-1, 4, 3)
+            volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+            self.assertAlmostEqual(np.abs(volumes).sum(), SIZE.prod())
+
+    def test_section_through_a_linear_field_is_exact(self):
+        for kind, axis, at in itertools.product((6, 38, 9, 50), (0, 1), (0.0, 0.37, 0.5, 1.0)):
+            mesh = report_space.Mesh(*box_in_space(kind))
+            at *= SIZE[axis]  # sides, a plane through cells, and those between cells
+            section = report_space.Section(mesh, axis, at)
+            places = section.at_places(mesh.points)
+            np.testing.assert_allclose(places[:, axis], at, atol=1e-12)
+            np.testing.assert_allclose(section.at_places(linear(mesh.points)), linear(places), atol=1e-12)
+            self.assertAlmostEqual(areas(places, section.triangles).sum(), SIZE[1 - axis] * SIZE[2])
+            ends = places[section.outline]
+            self.assertAlmostEqual(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum(), 2 * (SIZE[1 - axis] + SIZE[2]))
+            self.assertGreaterEqual(len(np.unique(section.cells)), CELLS[1 - axis] * CELLS[2])
+
+    def test_section_takes_the_values_of_the_cells_that_it_cuts(self):
+        topology, offset, points = box_in_space(9)
+        mesh = report_space.Mesh(topology, offset, points)
+        section = report_space.Section(mesh, 1, 0.5)  # through the middle of the first row of cells
+        first_row = [cell for cell in range(len(offset)) if points[topology[offset[cell] + 1], 1] < 0.5]
+        self.assertEqual(sorted(set(section.cells)), first_row)
+
+    def test_section_moves_with_the_soil(self):
+        mesh = report_space.Mesh(*box_in_space(38))
+        section = report_space.Section(mesh, 0, 0.6)
+        moved = section.at_places(mesh.points * [1.0, 1.0, 0.9] + [0.1, 0.0, 0.0])
+        np.testing.assert_allclose(moved[:, 0], 0.7)
+        np.testing.assert_allclose([moved[:, 2].min(), moved[:, 2].max()], [0.0, 0.9], atol=1e-12)
+
+    def look(self, points, triangles):
+        view = report_view.View([0, 0, 0], SIZE, (-1.0, -1.5))
+        projected = view.project(points)
+        low, high = projected[:, :2].min(axis=0), projected[:, :2].max(axis=0)
+        window = [low[0], high[0], low[1], high[1]]
+        return view, window, report_view.Buffer(projected, triangles, window, 160, 120)
+
+    def test_pixels_show_the_places_that_lie_behind_them(self):
+        mesh = report_space.Mesh(*box_in_space(6))
+        surface = report_space.outer_surface(mesh)
+        points = surface.at_places(mesh.points)
+        view, window, buffer = self.look(points, surface.triangles)
+        seen = np.column_stack([buffer.values(column[surface.triangles]) for column in points.T])
+        back = view.project(seen)
+        x = window[0] + (buffer.pixel % 320 + 0.5) / 320 * (window[1] - window[0])
+        y = window[3] - (buffer.pixel // 320 + 0.5) / 240 * (window[3] - window[2])
+        np.testing.assert_allclose(back[:, :2], np.column_stack([x, y]), atol=2e-5)
+        # of a box the eye sees three sides, whole: none of the other three, and the picture's area is that of these
+        self.assertTrue(((seen[:, 0] < 1e-5) | (seen[:, 1] < 1e-5) | (seen[:, 2] > 1 - 1e-5)).all())
+        corners = view.project(points)[surface.triangles][:, :, :2]
+        picture = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 2
+        pixel = (window[1] - window[0]) * (window[3] - window[2]) / (320 * 240)
+        self.assertAlmostEqual(len(buffer.pixel) * pixel / picture[picture > 0].sum(), 1.0, delta=0.002)
+
+    def test_what_lies_behind_is_hidden(self):
+        surface = report_space.outer_surface(report_space.Mesh(*box_in_space(9)))
+        points = surface.at_places(box_in_space(9)[2])
+        count, triangles = len(points), surface.triangles
+        behind = SIZE / 2 + 0.2 * (points - SIZE / 2) - 3.0 * report_view.View([0, 0, 0], SIZE, (-1.0, -1.5)).eye
+        for order in ([triangles, triangles + count], [triangles + count, triangles]):
+            _, _, buffer = self.look(np.vstack([points, behind]), np.vstack(order))
+            seen = np.vstack(order)[buffer.triangle]
+            self.assertTrue((seen < count).all())
+
+    def test_sections_and_view_go_where_the_soil_moves(self):
+        for i, (peak, places, signs) in enumerate(
+            [
+                ((0, 0, 1), (0.0, 0.0), (-1, -1)),
+                ((1, 1.5, 1), (1.5, 1.0), (-1, -1)),
+                ((2, 0, 1), (0.0, 2.0), (1, -1)),
+                ((1, 3, 1), (3.0, 1.0), (-1, 1)),
+            ]
+        ):
+            path = self.folder / f"box{i}.h5"
+            write_space_result(path, 50, peak)
+            model = report_space_pictures.SpaceModel(FieldResult(path), 1)
+            self.assertEqual(tuple(section.at for section in model.sections), places)
+            self.assertEqual(tuple(np.sign(model.towards)), signs)
+
+    def test_section_of_a_slice_across_it_is_left_out(self):
+        write_space_result(self.folder / "box.h5", 9, (0, 0, 1), np.array([2.0, 0.15, 1.0]))
+        sections = report_space_pictures.SpaceModel(FieldResult(self.folder / "box.h5"), 1).sections
+        self.assertEqual([(section.axis, section.at) for section in sections], [(1, 0.0)])
+
+    def test_page_of_a_result_in_space(self):
+        write_space_result(self.folder / "box.h5", 9, (0, 0, 1))
+        code, _, err = self.run_report(self.folder / "box.h5", "--png", self.folder / "png")
+        self.assertEqual((code, err), (0, ""))
+        page = (self.folder / "box_report.html").read_text()
+        self.assertIn("three-dimensional", page)
+        self.assertIn("<p>t = 0 s, start: 0 m everywhere.</p>", page)
+        written = {path.name for path in (self.folder / "png").iterdir()}
+        expected = {f"{name}_t_2.png" for name in ("displacement", "displacement_z", "pore_pressure", "void_ratio")}
+        self.assertEqual(written, expected | {"pore_pressure_t_0.png", "void_ratio_t_0.png"})
+
+    def test_picture_has_both_sections_and_readable_units(self):
+        for kind in (6, 9, 38, 50):
+            write_space_result(self.folder / f"box{kind}.h5", kind, (0, 0, 1))
+            self.check_picture(FieldResult(self.folder / f"box{kind}.h5"))
+
+    def check_picture(self, result):
+        fields = result.fields(1)
+        self.assertAlmostEqual(fields["displacement z"].values.min(), -0.02)
+        model = report_space_pictures.SpaceModel(result, 1)
+        figure = report_space_pictures.SpacePicture(result, 1, model).figure(fields["displacement z"])
+        surface, first, second, bar = figure.axes
+        titles = [axes.get_title("left") for axes in (first, second)]
+        self.assertEqual(titles, ["section at y = 0 m", "section at x = 0 m"])
+        self.assertEqual((first.get_xlabel(), second.get_xlabel()), ("x [m]", "y [m]"))
+        self.assertEqual(bar.get_ylabel(), "displacement z [mm]")
+        np.testing.assert_allclose(bar.get_ylim(), [-20, fields["displacement z"].values.max() * 1e3])
+        np.testing.assert_allclose(first.get_xlim(), [0, 2], atol=1e-9)
+        np.testing.assert_allclose(second.get_xlim(), [0, 3], atol=2e-3)
+        report_pictures.plt.close(figure)
+
+    def test_zoom_is_refused(self):
+        write_space_result(self.folder / "box.h5", 6, (0, 0, 1))
+        code, _, err = self.run_report(self.folder / "box.h5", "--zoom", "0,1,0,1")
+        self.assertEqual((code, err), (2, "mudline report: --zoom: there is no second panel for a result in space\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

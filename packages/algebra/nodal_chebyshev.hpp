@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra/types.hpp"
+
+namespace mudline {
+
+/// Chebyshev smoother on D^-1 A, started from zero: y ~ A^-1 x on the upper part of the spectrum. D holds the blocks of
+/// the diagonal of A that couple the unknowns of one node, unsymmetric as they are: a stiff contact with friction makes
+/// one direction of a node stiff, which the diagonal alone does not see.
+class NodalChebyshev : public Operator {
+ public:
+  struct Settings {
+    int degree = 2;
+    double ratio = 10;  // of the largest eigenvalue to the smallest one that is smoothed
+  };
+  /// The unknowns of a node are `components` adjacent rows. Keeps the matrix, whose values must not change.
+  NodalChebyshev(RCP<const CrsMatrix> matrix, int components, const Settings& settings);
+
+  RCP<const Map> getDomainMap() const override { return matrix_->getRowMap(); }
+  RCP<const Map> getRangeMap() const override { return matrix_->getRowMap(); }
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp = Teuchos::NO_TRANS, double = 1,
+             double = 0) const override;
+
+  /// Largest eigenvalue of D^-1 A, as estimated.
+  double largest_eigenvalue() const { return largest_; }
+
+ private:
+  void invert_blocks();
+  /// By the power method from a start that depends on the global ids only, so that a repeated set-up gives the same.
+  double estimate_largest() const;
+  /// y = share * y + factor * D^-1 x
+  void add_inverse(double factor, const MultiVector& x, double share, MultiVector& y) const;
+
+  RCP<const CrsMatrix> matrix_;
+  int components_;
+  Settings settings_;
+  std::vector<double> inverse_;  // (node, component, component)
+  double largest_ = 1;
+  mutable MultiVector residual_, step_;
+};
+
+}  // namespace mudline

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "algebra/types.hpp"
+
+namespace mudline {
+
+/// A correction from a smaller space, or from another approximate inverse on the same one, between two smoothings.
+class SmoothedCycle : public Operator {
+ public:
+  /// `prolongator`: from the space of `inner` to that of `matrix`; null: they are the same.
+  SmoothedCycle(RCP<const CrsMatrix> matrix, RCP<const Operator> smoother, RCP<const Operator> inner,
+                RCP<const CrsMatrix> prolongator);
+
+  RCP<const Map> getDomainMap() const override { return matrix_->getRowMap(); }
+  RCP<const Map> getRangeMap() const override { return matrix_->getRowMap(); }
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp = Teuchos::NO_TRANS, double = 1,
+             double = 0) const override;
+
+ private:
+  /// residual_ = x - A y
+  void find_residual(const MultiVector& x, const MultiVector& y) const;
+
+  RCP<const CrsMatrix> matrix_, prolongator_;
+  RCP<const Operator> smoother_, inner_;
+  mutable MultiVector residual_, correction_, inner_residual_, inner_correction_;
+};
+
+}  // namespace mudline

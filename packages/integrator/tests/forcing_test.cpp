@@ -1,0 +1,46 @@
+#include "integrator/forcing.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mudline {
+namespace {
+
+TEST(Forcing, FollowsTheContraction) {
+  Forcing forcing;
+  forcing.start_step();
+  EXPECT_DOUBLE_EQ(forcing.next(1e6), 0.1);
+  EXPECT_DOUBLE_EQ(forcing.next(4e5), 0.1);              // contracted by 0.4: 0.9 0.4^2 is more than the largest share
+  EXPECT_DOUBLE_EQ(forcing.next(8e4), 0.9 * 0.2 * 0.2);  // by 0.2
+  EXPECT_DOUBLE_EQ(forcing.next(800), 0.3 / 800);        // 0.9 0.01^2 is less than the end needs
+  EXPECT_DOUBLE_EQ(forcing.next(8), 0.3 / 8);
+  EXPECT_DOUBLE_EQ(forcing.next(0.5), 0.1);
+}
+
+TEST(Forcing, SolvesFurtherAtOnceWhereTheStepBeforeHadNoCurvature) {
+  Forcing forcing;
+  for (const double share : {0.1, 0.9 * 0.1 * 0.1, 0.9 * 0.009 * 0.009}) {
+    forcing.start_step();
+    EXPECT_NEAR(forcing.next(1e6), share, 1e-12);
+    forcing.next(1e6 * share);  // nothing but what the linear solve left
+  }
+  forcing.start_step();
+  forcing.next(1e6);
+  forcing.next(5e5);  // curvature
+  forcing.start_step();
+  EXPECT_DOUBLE_EQ(forcing.next(1e6), 0.1);
+}
+
+TEST(Forcing, ForgetsAndCanBeOff) {
+  Forcing forcing;
+  forcing.start_step();
+  forcing.next(1e6);
+  forcing.next(1e5);
+  forcing.forget();
+  forcing.start_step();
+  EXPECT_DOUBLE_EQ(forcing.next(1e6), 0.1);
+  forcing.largest = 0;
+  EXPECT_EQ(forcing.next(1e6), 0);
+}
+
+}  // namespace
+}  // namespace mudline

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "framework/term.hpp"
+#include "physics/soil.hpp"
+
+namespace mudline {
+
+/// Steadies the pore pressure where it has the nodes of linear cells, as the displacement has (equal order): such a
+/// pair alone lets pressures oscillate from node to node in soil that cannot drain. Adds a storage of what differs from
+/// the element's mean,
+///   R_p += int (q - mean q) (pdot - mean pdot) / (2 G) dv,
+/// which keeps the water of every element and vanishes with the element's size. G: elastic shear modulus of the element
+/// in the committed state; places of the start of the step.
+/// Source: Bochev, Dohrmann and Gunzburger 2006, SIAM J. Numer. Anal. 44; White and Borja 2008, CMAME 197.
+class PressureProjection : public Term {
+ public:
+  explicit PressureProjection(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
+  std::string name() const override { return "pressure projection"; }
+  Role role() const override { return Role::balance; }
+  int residual(const StepView& view, const ResidualView& f) override;
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+
+ private:
+  /// Calls f(first column of the pressure in the dof table, element, matrix) with the matrix [m3/Pa] of every element.
+  template <class F>
+  void for_each_element(const StepView& view, F&& f) const;
+  std::shared_ptr<Soil> soil_;
+};
+
+}  // namespace mudline
