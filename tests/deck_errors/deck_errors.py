@@ -10,13 +10,14 @@ import bad_values
 import mesh_motion
 import misspelt
 import point_decks
+import space_decks
 import unused
 from mudline_case import PROGRAM, MudlineCase, program
 from own_lines import own_lines
 from wrong_deck import BASE
 
 TIMEOUT = 60  # [s] a deck that hangs fails
-DECKS = misspelt.DECKS + bad_values.DECKS + bad_bodies.DECKS + bad_files.DECKS + mesh_motion.DECKS + unused.DECKS
+DECKS = misspelt.DECKS + bad_values.DECKS + bad_bodies.DECKS + bad_files.DECKS + mesh_motion.DECKS + space_decks.DECKS + unused.DECKS
 
 
 def answers(decks):
