@@ -3,17 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/space_vector.hpp"
+
 namespace mudline {
 
 namespace {
-
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Pieces per edge of a side, so many that its curve is followed.
 int divisions(CellShape side) {
@@ -54,16 +48,16 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
   const auto corner = [&](int c) { return mesh.coordinates[side.at.nodes[c % side.corners]]; };
   side.edge = std::numeric_limits<double>::max();
   for (int c = 0; c < (side.corners == 2 ? 1 : side.corners); ++c) {
-    const Point way = difference(corner(c + 1), corner(c));
+    const Point way = minus(corner(c + 1), corner(c));
     side.edge = std::min(side.edge, std::sqrt(dot(way, way)));
   }
   if (side.corners == 2) {
-    const Point way = difference(corner(1), corner(0));
+    const Point way = minus(corner(1), corner(0));
     side.normal = {way[1], -way[0], 0};
   } else {
     const int last = side.corners == 3 ? 0 : 1;  // of a quadrilateral: half the product of its diagonals
-    side.normal = cross(difference(corner(side.corners == 3 ? 1 : 2), corner(0)),
-                        difference(corner(side.corners - 1), corner(last)));
+    side.normal =
+        cross(minus(corner(side.corners == 3 ? 1 : 2), corner(0)), minus(corner(side.corners - 1), corner(last)));
     for (double& n : side.normal) n *= 0.5;
   }
   side.measure = std::sqrt(dot(side.normal, side.normal));
@@ -76,7 +70,7 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
 
 /// Distance of a point from a triangle (Ericson 2005, 5.1.5).
 double distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const Point ab = difference(b, a), ac = difference(c, a), n = cross(ab, ac), ap = difference(p, a);
+  const Point ab = minus(b, a), ac = minus(c, a), n = cross(ab, ac), ap = minus(p, a);
   const double square = dot(n, n);
   if (square > 0) {
     const double v = dot(cross(ap, ac), n) / square, w = dot(cross(ab, ap), n) / square;
@@ -126,7 +120,7 @@ std::vector<std::array<double, 2>> side_samples(CellShape side, bool few) {
 }
 
 double distance_to_piece(const Point& point, const Point& a, const Point& b) {
-  const Point way = difference(b, a), off = difference(point, a);
+  const Point way = minus(b, a), off = minus(point, a);
   const double square = dot(way, way);
   const double t = square > 0 ? std::min(std::max(dot(off, way) / square, 0.0), 1.0) : 0.0;
   const Point rest{off[0] - t * way[0], off[1] - t * way[1], off[2] - t * way[2]};

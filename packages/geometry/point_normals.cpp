@@ -6,8 +6,8 @@
 #include <set>
 
 #include "core/errors.hpp"
+#include "core/space_vector.hpp"
 #include "core/text.hpp"
-#include "geometry/space_vector.hpp"
 
 namespace mudline {
 

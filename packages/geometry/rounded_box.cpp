@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/pi.hpp"
-#include "geometry/space_vector.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 

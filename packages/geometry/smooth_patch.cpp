@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/space_vector.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 

@@ -1,6 +1,6 @@
 #include "geometry/solid_moments.hpp"
 
-#include "geometry/space_vector.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 

@@ -6,10 +6,10 @@
 
 #include "core/log.hpp"
 #include "core/pi.hpp"
+#include "core/space_vector.hpp"
 #include "core/text.hpp"
 #include "geometry/revolved_surface.hpp"
 #include "geometry/rounded_box.hpp"
-#include "geometry/space_vector.hpp"
 #include "geometry/stl_file.hpp"
 #include "geometry/triangulated_surface.hpp"
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "core/errors.hpp"
+#include "core/space_vector.hpp"
 #include "core/text.hpp"
-#include "geometry/space_vector.hpp"
 
 namespace mudline {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "geometry/space_vector.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 

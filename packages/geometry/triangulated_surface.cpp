@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/errors.hpp"
+#include "core/space_vector.hpp"
 #include "core/text.hpp"
 #include "geometry/point_normals.hpp"
-#include "geometry/space_vector.hpp"
 
 namespace mudline {
 

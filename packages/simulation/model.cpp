@@ -9,7 +9,6 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
-#include "discretisation/mesh_topology.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
 #include "simulation/supports.hpp"
@@ -95,8 +94,11 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
                  [&](const Section& entry) { physics_[i]->initialise(*store_, entry); });
   check_contradictions(deck);
   check_motions(deck);
-  check_parts(deck);
-  check_supports(deck);
+  if (space_->find("displacement") >= 0) {
+    const MeshParts parts = mesh_parts(*mesh_);
+    check_parts(deck, parts);
+    check_supports(deck, parts);
+  }
   check_unused(deck);
 }
 
@@ -340,9 +342,9 @@ void Model::check_motions(const Section& deck) const {
   }
 }
 
-void Model::check_supports(const Section& deck) {
+void Model::check_supports(const Section& deck, const MeshParts& parts) {
   if (!soil_) return;
-  const Supports supports(*this);
+  const Supports supports(*this, parts);
   double time = 0;
   bool pressed_in = false;
   for (const auto& stage : stages_) {
@@ -398,9 +400,8 @@ void Model::check_unused(const Section& deck) const {
   }
 }
 
-void Model::check_parts(const Section& deck) const {
-  const MeshParts parts = mesh_parts(*mesh_);
-  if (parts.places.size() < 2 || space_->find("displacement") < 0) return;
+void Model::check_parts(const Section& deck, const MeshParts& parts) const {
+  if (parts.places.size() < 2) return;
   std::vector<std::string> holding;
   for (const auto& condition : conditions_) {
     if (condition->may_hold()) return;  // nobody knows where

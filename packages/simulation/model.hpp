@@ -8,6 +8,7 @@
 
 #include "ale/ale.hpp"
 #include "bodies/body_terms.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "framework/closed_sides.hpp"
 #include "integrator/stepper.hpp"
 #include "simulation/registries.hpp"
@@ -61,11 +62,11 @@ class Model {
   void read_solver(const Section& deck, const Registries& registries);
   void check_contradictions(const Section& deck) const;
   void check_motions(const Section& deck) const;
-  void check_supports(const Section& deck);
+  void check_supports(const Section& deck, const MeshParts& parts);
   /// Conditions and contacts that no stage lists, bodies that nothing uses.
   void check_unused(const Section& deck) const;
   /// Every part of a mesh in several parts has a condition or a contact that could hold it, in whatever stage.
-  void check_parts(const Section& deck) const;
+  void check_parts(const Section& deck, const MeshParts& parts) const;
   double constrained_modulus(int block, int element) const;
 
   std::unique_ptr<Mesh> mesh_;

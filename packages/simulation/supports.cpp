@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -18,25 +19,11 @@ Point axis(int direction) {
   return along;
 }
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Unit normal of the plane through the first corners of a side.
 Point side_normal(const Mesh& mesh, const std::vector<int>& nodes) {
   const Point a = mesh.place(nodes[0]), b = mesh.place(nodes[1]);
-  const Point along{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  Point across = axis(2);
-  if (mesh.dimension() == 3) {
-    const Point c = mesh.place(nodes[2]);
-    across = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  }
-  Point normal = cross(along, across);
-  const double size = distance(normal, {});
-  for (double& n : normal) n /= size;
-  return normal;
+  const Point normal = cross(minus(b, a), mesh.dimension() == 3 ? minus(mesh.place(nodes[2]), a) : axis(2));
+  return scaled(1 / length(normal), normal);
 }
 
 }  // namespace
@@ -81,7 +68,7 @@ int Supports::Gram::free(const std::vector<int>& chosen) const {
   return chosen[largest];
 }
 
-Supports::Supports(Model& model) : model_(model), mesh_parts_(mesh_parts(model.mesh())) { find_parts(); }
+Supports::Supports(Model& model, const MeshParts& parts) : model_(model), mesh_parts_(parts) { find_parts(); }
 
 void Supports::find_parts() {
   const Mesh& mesh = model_.mesh();
@@ -170,7 +157,7 @@ void Supports::Collector::displace(int mover, const Point& at, const Point& alon
     if (motions_[k].mover != mover) continue;
     const Mover& m = movers_[mover];
     const int direction = motions_[k].direction;
-    const Point moment = cross({at[0] - m.centre[0], at[1] - m.centre[1], at[2] - m.centre[2]}, along);
+    const Point moment = cross(minus(at, m.centre), along);
     row[k] += factor * (direction < axes ? along[direction] : moment[axes == 2 ? 2 : direction - 3] / m.size);
   }
 }
@@ -248,7 +235,7 @@ int Supports::nearest_part(const std::string& set, const Point& at) const {
   int nearest = 0;
   double least = 1e300;
   for (int node : model_.mesh().nodes_of_set(set)) {
-    const double here = distance(model_.mesh().place(node), at);
+    const double here = length(minus(model_.mesh().place(node), at));
     if (here >= least) continue;
     least = here;
     nearest = mesh_parts_.of_node[node];

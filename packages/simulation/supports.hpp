@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "discretisation/mesh_topology.hpp"
 #include "simulation/model.hpp"
 
 namespace mudline {
@@ -22,7 +21,7 @@ namespace mudline {
 class Supports {
  public:
   /// Collective.
-  explicit Supports(Model& model);
+  Supports(Model& model, const MeshParts& parts);
   /// What is free to move in the stage that begins at `time` [s], "body 'anchor' is free to move in x"; "": nothing.
   /// `pressed_in`: contacts may have been. Collective, the same answer on every rank.
   std::string missing(const Stage& stage, double time, bool pressed_in) const;
@@ -53,7 +52,7 @@ class Supports {
   int directions() const { return dimension() == 3 ? 6 : 3; }
 
   Model& model_;
-  MeshParts mesh_parts_;
+  const MeshParts& mesh_parts_;
   std::vector<Mover> parts_;
 };
 

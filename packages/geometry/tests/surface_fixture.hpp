@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/deck.hpp"
+#include "core/space_vector.hpp"
 #include "core/tests/deck_text.hpp"
-#include "geometry/space_vector.hpp"
 #include "geometry/surface_shape.hpp"
 
 namespace mudline {
