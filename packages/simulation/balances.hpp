@@ -32,20 +32,20 @@ class Balances {
   void start();
 
  private:
+  static constexpr int directions = static_cast<int>(axis_names.size());
   // Rows of the state array; the works of all terms of the model follow.
   enum Row {
     reaction_work,
     excess_work,
     outflow,
-    impulse,  // and the next ones, by direction; the same of those below
-    momentum = impulse + static_cast<int>(axis_names.size()),
-    momentum_end = momentum + static_cast<int>(axis_names.size()) - 1,
-    water_start,
+    impulse,  // a row per direction, as those of momentum below
+    momentum = impulse + directions,
+    water_start = momentum + directions,
     kinetic_start,
     remap_solid,
     remap_water,
     remap_momentum,
-    remap_kinetic = remap_momentum + static_cast<int>(axis_names.size()),
+    remap_kinetic = remap_momentum + directions,
     remap_drift,
     first_term
   };

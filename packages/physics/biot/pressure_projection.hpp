@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "framework/term.hpp"
 #include "physics/soil.hpp"
@@ -19,14 +20,17 @@ class PressureProjection : public Term {
   explicit PressureProjection(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
   std::string name() const override { return "pressure projection"; }
   Role role() const override { return Role::balance; }
+  void begin(const StepView& view) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
  private:
-  /// Calls f(first column of the pressure in the dof table, element, matrix) with the matrix [m3/Pa] of every element.
+  /// Calls f(block, element, first, c, row) for the rows c of all elements' matrices [m3/Pa]; the pressures of the
+  /// block's dof table begin in column `first`.
   template <class F>
-  void for_each_element(const StepView& view, F&& f) const;
+  void for_each_row(F&& f) const;
   std::shared_ptr<Soil> soil_;
+  std::vector<PointView> matrices_;  // by block: (element, entry), of the present step
 };
 
 }  // namespace mudline
