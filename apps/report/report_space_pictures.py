@@ -17,18 +17,19 @@ plt = pictures.plt
 STYLE = {**pictures.STYLE, "axes.grid": False, "contour.negative_linestyle": "solid"}
 RESOLUTION = 160  # pixels of the perspective picture per inch
 NARROW = 1 / 12  # a section narrower than this part of the other one is left out
-BODY_SHADE = 0.55  # brightness of a body where the lamp does not reach
+BODY_SHADE = 0.65  # brightness of a body where the lamp does not reach
+IN_FRONT = 1 + 1e-4  # factor on the nearness of bodies, so that it is the body that is seen where soil is at the same place
 LEVELS = 12  # bands between level lines, as in the sections
 HEIGHT, WIDTH = 4.3, 5.0  # [inch] that the perspective picture may take, and the sections together
-SKY = 0.25  # of the model's longest side: so much of what bodies have above the soil is drawn
+SKY = 0.25, 0.5  # of the model's longest side: so much of a body above the soil is drawn, if it has more than the second
 LABELS = 0.58  # [inch] around the perspective picture for the numbers on its axes
 
 
 class SpaceModel:
     """What stays the same in all pictures of a result: surface, sections, direction of view.
 
-    Each section goes through the middle of the model, or is a flat side of it, where the soil moves more there (at least
-    a quarter more than in the middle): a plane of symmetry cuts through what happens. A flat side at x = 0 or y = 0
+    Each section goes through the middle of the first body (without bodies: of the model), or is a flat side of the
+    model, where the soil moves more there (at least a quarter more than in the middle): a plane of symmetry cuts through what happens. A flat side at x = 0 or y = 0
     is preferred when it is as good. The viewer stands on the side of the section, else at small x and y,
     and sees a flat side that is a section from nearer its front.
     """
@@ -39,8 +40,9 @@ class SpaceModel:
         moved = np.linalg.norm(result.coordinates(step) - mesh.points, axis=1)
         self.sections, weight = [], [-1.0, -1.0]
         extent = np.ptp(mesh.points, axis=0)
+        middle = middle_of(mesh, result.bodies_in_space(step))
         for axis in (1, 0):
-            section, side = choose_section(mesh, self.surface, moved, axis)
+            section, side = choose_section(mesh, self.surface, moved, axis, middle[axis])
             if section is not None and extent[1 - axis] > NARROW * extent[axis]:
                 self.sections.append(section)
             longer = (extent[1 - axis], axis) > (extent[axis], 1 - axis)
@@ -49,14 +51,26 @@ class SpaceModel:
         self.towards = weight
 
 
-def choose_section(mesh, surface, moved, axis):
+def middle_of(mesh, bodies):
+    """Where sections go: through the middle of the first body, to a thousandth of the model's size, where it is within the
+    model; else through that of the model."""
+    low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
+    middle = (low + high) / 2
+    for points, _ in list(bodies.values())[:1]:
+        digits = 3 - int(np.floor(np.log10((high - low).max())))
+        body = ((points.min(axis=0) + points.max(axis=0)) / 2).round(digits)
+        middle = np.where((body > low) & (body < high), body, middle)
+    return middle
+
+
+def choose_section(mesh, surface, moved, axis, middle):
     """(section, -1 or 1 where it is the lower or upper flat side, 0 in the middle) across x (axis 0) or y (axis 1)."""
     coordinate = mesh.points[:, axis]
     low, high = coordinate.min(), coordinate.max()
     size = max(abs(low), abs(high), high - low)
     places = [(at, side) for at, side in ((low, -1), (high, 1)) if is_flat(mesh, surface, axis, at)]
     at_zero = [place for place in places if abs(place[0]) < 1e-9 * size]
-    places = at_zero + [((low + high) / 2, 0)] + [place for place in places if place not in at_zero]
+    places = at_zero + [(middle, 0)] + [place for place in places if place not in at_zero]
     sections = [(Section(mesh, axis, at), side) for at, side in places]
     sections = [(section, side) for section, side in sections if len(section.triangles)]
     peaks = [section.at_places(moved).max() for section, _ in sections]
@@ -81,15 +95,24 @@ class SpacePicture:
         points = result.coordinates(step)
         self.points = model.surface.at_places(points)
         self.view = View(self.points.min(axis=0), self.points.max(axis=0), model.towards)
-        self.bodies = result.bodies_in_space(step).values()
-        self.low, self.high = self.view.low, self.view.high + [0, 0, SKY * np.ptp([self.view.low, self.view.high], axis=0).max()]
+        self.bodies = list(result.bodies_in_space(step).values())
+        self.low, self.high = self.body_box()
         self.panels = [Panel(section, points, self.bodies, self.low, self.high) for section in model.sections]
         self._look()
+
+    def body_box(self):
+        """(low, high) of the box in which bodies are drawn: that of the soil, and some air."""
+        low, high = self.view.low.copy(), self.view.high.copy()
+        size = (high - low).max()
+        above = max([points[:, 2].max() - high[2] for points, _ in self.bodies], default=0.0)
+        high[2] += SKY[0] * size if above > SKY[1] * size else max(above, 0.0) + 0.02 * size
+        return low, high
 
     def _look(self):
         """The pixels of the perspective picture and what is drawn over the colours of every field."""
         points, triangles, sides, part = self.with_bodies()
         projected = self.view.project(points)
+        projected[len(self.points) :, 2] *= IN_FRONT
         drawn = np.vstack([projected[:, :2], self.view.project(axis_lines(self.view).reshape(-1, 3))[:, :2]])
         low, high = drawn.min(axis=0), drawn.max(axis=0)
         margin = 0.01 * (high - low).max()
@@ -265,6 +288,8 @@ class Panel:
                     self.loops.append(loop)
                     self.low = np.minimum(self.low, inside.min(axis=0))
                     self.high = np.maximum(self.high, inside.max(axis=0))
+                    if self.high[1] > self.places[:, 1].max():
+                        self.high[1] = high[2]
 
     def draw(self, axes, field, values, low, high):
         section, places = self.section, self.places
