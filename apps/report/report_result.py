@@ -151,6 +151,14 @@ class FieldResult:
             result[name] = body["contour"][:] + shift
         return result
 
+    def bodies_in_space(self, step):
+        """{name: (points (n, 3), triangles (m, 3)) of the current surface}"""
+        placed = self.file["steps"][self.steps[step]].get("bodies", {})
+        return {
+            text(body.attrs["name"]): (placed[link]["coordinates"][:], body["triangles"][:])
+            for link, body in self.file.get("bodies", {}).items()
+        }
+
     def fields(self, step):
         """{name: Field} of what can be drawn: scalars, lengths of vectors, invariants of stresses."""
         result = {}

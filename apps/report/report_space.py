@@ -132,7 +132,7 @@ def outer_surface(mesh):
     ends, share = np.column_stack([used, used]), np.zeros(len(used))
     surface = Triangles(means, ends, share, triangles.reshape(-1, 3), np.concatenate(cells))
     surface.sides = np.concatenate(sides).astype(int)
-    surface.sides[sharp_sides(surface, mesh.points) & (surface.sides == 1)] = 2
+    surface.sides[sharp_sides(surface.at_places(mesh.points), surface.triangles) & (surface.sides == 1)] = 2
     return surface
 
 
@@ -142,10 +142,9 @@ def normals(points, triangles):
     return np.cross(b - a, c - a)
 
 
-def sharp_sides(surface, nodal_points):
-    """(triangle, 3): whether the surface has an edge between the nodes 01, 12, 20."""
-    triangles = surface.triangles
-    normal = normals(surface.at_places(nodal_points), triangles)
+def sharp_sides(points, triangles):
+    """(triangle, 3): whether the surface has an edge between the corners 01, 12, 20."""
+    normal = normals(points, triangles)
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     pairs = np.sort(triangles[:, [(0, 1), (1, 2), (2, 0)]].reshape(-1, 2), axis=1)
     _, number, uses = np.unique(pairs, axis=0, return_inverse=True, return_counts=True)

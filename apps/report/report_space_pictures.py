@@ -1,29 +1,35 @@
-"""Draws a field in space: a perspective picture of the outer surface, and two upright sections beside it."""
+"""Draws a field in space: a perspective picture of the outer surface, and two upright sections beside it; bodies in both."""
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_rgb
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 from matplotlib.tri import Triangulation
 
 import report_pictures as pictures
 from report_space import Section, normals, outer_surface
+from report_space_bodies import clipped, section_loops
 from report_view import Buffer, View, shaded
 
 plt = pictures.plt
 STYLE = {**pictures.STYLE, "axes.grid": False, "contour.negative_linestyle": "solid"}
 RESOLUTION = 160  # pixels of the perspective picture per inch
 NARROW = 1 / 12  # a section narrower than this part of the other one is left out
+BODY_SHADE = 0.65  # brightness of a body where the lamp does not reach
+IN_FRONT = 1 + 1e-4  # factor on the nearness of bodies, so that it is the body that is seen where soil is at the same place
 LEVELS = 12  # bands between level lines, as in the sections
 HEIGHT, WIDTH = 4.3, 5.0  # [inch] that the perspective picture may take, and the sections together
+SKY = 0.25, 0.5  # of the model's longest side: so much of a body above the soil is drawn, if it has more than the second
 LABELS = 0.58  # [inch] around the perspective picture for the numbers on its axes
 
 
 class SpaceModel:
     """What stays the same in all pictures of a result: surface, sections, direction of view.
 
-    Each section goes through the middle of the model, or is a flat side of it, where the soil moves more there (at least
-    a quarter more than in the middle): a plane of symmetry cuts through what happens. A flat side at x = 0 or y = 0
+    Each section goes through the middle of the first body (without bodies: of the model), or is a flat side of the
+    model, where the soil moves more there (at least a quarter more than in the middle): a plane of symmetry cuts through what happens. A flat side at x = 0 or y = 0
     is preferred when it is as good. The viewer stands on the side of the section, else at small x and y,
     and sees a flat side that is a section from nearer its front.
     """
@@ -34,8 +40,9 @@ class SpaceModel:
         moved = np.linalg.norm(result.coordinates(step) - mesh.points, axis=1)
         self.sections, weight = [], [-1.0, -1.0]
         extent = np.ptp(mesh.points, axis=0)
+        middle = middle_of(mesh, result.bodies_in_space(step))
         for axis in (1, 0):
-            section, side = choose_section(mesh, self.surface, moved, axis)
+            section, side = choose_section(mesh, self.surface, moved, axis, middle[axis])
             if section is not None and extent[1 - axis] > NARROW * extent[axis]:
                 self.sections.append(section)
             longer = (extent[1 - axis], axis) > (extent[axis], 1 - axis)
@@ -44,14 +51,26 @@ class SpaceModel:
         self.towards = weight
 
 
-def choose_section(mesh, surface, moved, axis):
+def middle_of(mesh, bodies):
+    """Where sections go: through the middle of the first body, to a thousandth of the model's size, where it is within the
+    model; else through that of the model."""
+    low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
+    middle = (low + high) / 2
+    for points, _ in list(bodies.values())[:1]:
+        digits = 3 - int(np.floor(np.log10((high - low).max())))
+        body = ((points.min(axis=0) + points.max(axis=0)) / 2).round(digits)
+        middle = np.where((body > low) & (body < high), body, middle)
+    return middle
+
+
+def choose_section(mesh, surface, moved, axis, middle):
     """(section, -1 or 1 where it is the lower or upper flat side, 0 in the middle) across x (axis 0) or y (axis 1)."""
     coordinate = mesh.points[:, axis]
     low, high = coordinate.min(), coordinate.max()
     size = max(abs(low), abs(high), high - low)
     places = [(at, side) for at, side in ((low, -1), (high, 1)) if is_flat(mesh, surface, axis, at)]
     at_zero = [place for place in places if abs(place[0]) < 1e-9 * size]
-    places = at_zero + [((low + high) / 2, 0)] + [place for place in places if place not in at_zero]
+    places = at_zero + [(middle, 0)] + [place for place in places if place not in at_zero]
     sections = [(Section(mesh, axis, at), side) for at, side in places]
     sections = [(section, side) for section, side in sections if len(section.triangles)]
     peaks = [section.at_places(moved).max() for section, _ in sections]
@@ -76,15 +95,24 @@ class SpacePicture:
         points = result.coordinates(step)
         self.points = model.surface.at_places(points)
         self.view = View(self.points.min(axis=0), self.points.max(axis=0), model.towards)
-        self.panels = []  # (section, places in its plane)
-        for section in model.sections:
-            self.panels.append((section, section.at_places(points)[:, [1 - section.axis, 2]]))
+        self.bodies = list(result.bodies_in_space(step).values())
+        self.low, self.high = self.body_box()
+        self.panels = [Panel(section, points, self.bodies, self.low, self.high) for section in model.sections]
         self._look()
+
+    def body_box(self):
+        """(low, high) of the box in which bodies are drawn: that of the soil, and some air."""
+        low, high = self.view.low.copy(), self.view.high.copy()
+        size = (high - low).max()
+        above = max([points[:, 2].max() - high[2] for points, _ in self.bodies], default=0.0)
+        high[2] += SKY[0] * size if above > SKY[1] * size else max(above, 0.0) + 0.02 * size
+        return low, high
 
     def _look(self):
         """The pixels of the perspective picture and what is drawn over the colours of every field."""
-        surface = self.model.surface
-        projected = self.view.project(self.points)
+        points, triangles, sides, part = self.with_bodies()
+        projected = self.view.project(points)
+        projected[len(self.points) :, 2] *= IN_FRONT
         drawn = np.vstack([projected[:, :2], self.view.project(axis_lines(self.view).reshape(-1, 3))[:, :2]])
         low, high = drawn.min(axis=0), drawn.max(axis=0)
         margin = 0.01 * (high - low).max()
@@ -92,9 +120,25 @@ class SpacePicture:
         size = high - low + 2 * margin
         self.size = size * min(WIDTH / size[0], HEIGHT / size[1])
         width, height = np.ceil(self.size * RESOLUTION).astype(int)
-        self.buffer = Buffer(projected, surface.triangles, self.window, width, height)
-        self.light = self.view.light(normals(self.points, surface.triangles)).astype(np.float32)[self.buffer.triangle]
-        self.dark = self.buffer.lines(surface.sides)
+        self.buffer = Buffer(projected, triangles, self.window, width, height)
+        turned = normals(points, triangles)
+        light = np.where(part == 1, self.view.light(turned), self.view.light(turned, BODY_SHADE)).astype(np.float32)
+        self.light, self.dark = light[self.buffer.triangle], self.buffer.lines(sides, part)
+        self.count = len(triangles)
+
+    def with_bodies(self):
+        """(points, triangles, sides, part): the outer surface, part 1, and after it the bodies, as far as they are drawn."""
+        surface = self.model.surface
+        points, sides = [self.points], [surface.sides]
+        part = [np.full(len(surface.triangles), 1)]
+        for number, (places, triangles) in enumerate(self.bodies, 2):
+            corners, lines = clipped(places, triangles, self.low, self.high)
+            points.append(corners.reshape(-1, 3))
+            sides.append(lines)
+            part.append(np.full(len(lines), number))
+        points, part = np.concatenate(points), np.concatenate(part)
+        of_bodies = np.arange(len(self.points), len(points)).reshape(-1, 3)
+        return points, np.vstack([surface.triangles, of_bodies]), np.concatenate(sides), part
 
     def figure(self, field, limits=None):
         """limits: (lowest, highest) in the field's unit."""
@@ -115,8 +159,8 @@ class SpacePicture:
             shift = (tallest - self.size[1] - LABELS) / 2
             self.draw_surface(axes_at(LABELS, LABELS + shift, *self.size), field, values, low, high)
             up = (tallest - max([y + h for _, y, _, h in boxes], default=0.0) - 0.25) / 2
-            for (section, places), (x, y, w, h) in zip(self.panels, boxes):
-                draw_section(axes_at(left + x, y + up, w, h), section, places, field, values, low, high)
+            for panel, (x, y, w, h) in zip(self.panels, boxes):
+                panel.draw(axes_at(left + x, y + up, w, h), field, values, low, high)
             bar_height = min(tallest - 0.5, 3.8)
             bar_axes = axes_at(right + 0.25, (tallest - bar_height) / 2, 0.15, bar_height)
             colours = ScalarMappable(Normalize(low, high), pictures.COLOUR_MAP)
@@ -132,7 +176,7 @@ class SpacePicture:
 
     def section_boxes(self):
         """[(x, y, width, height)] of the sections in inches: one over the other or side by side, whichever is larger."""
-        sizes = [np.maximum(np.ptp(places, axis=0), 1e-300) for _, places in self.panels]
+        sizes = [np.maximum(panel.high - panel.low, 1e-300) for panel in self.panels]
         if not sizes:
             return []
         gap = np.array([0.75, 0.85])  # for numbers and titles
@@ -154,13 +198,18 @@ class SpacePicture:
 
     def draw_surface(self, axes, field, values, low, high):
         surface, buffer = self.model.surface, self.buffer
+        of_corners = np.full((self.count, 3), np.nan)  # bodies have no values
         if field.by_cell:
-            of_pixels, white = values[surface.cells][buffer.triangle], np.zeros(len(buffer.pixel), np.float32)
+            of_corners[: len(surface.cells)] = values[surface.cells][:, None]
+            of_pixels, white = of_corners[buffer.triangle, 0], np.zeros(len(buffer.pixel), np.float32)
         else:
-            of_pixels = buffer.values(surface.at_places(values)[surface.triangles])
+            of_corners[: len(surface.cells)] = surface.at_places(values)[surface.triangles]
+            of_pixels = buffer.values(of_corners)
             white = 0.5 * buffer.level_lines(of_pixels, low, high, LEVELS).astype(np.float32)
-        table = plt.get_cmap(pictures.COLOUR_MAP)(np.linspace(0, 1, 256))[:, :3].astype(np.float32)
-        number = ((of_pixels - low) / (high - low) * 255).round().clip(0, 255).astype(int)
+        table = plt.get_cmap(pictures.COLOUR_MAP)(np.linspace(0, 1, 256))[:, :3]
+        table = np.vstack([table, to_rgb(pictures.BODY["facecolor"])]).astype(np.float32)
+        number = ((of_pixels - low) / (high - low) * 255).round().clip(0, 255)
+        number = np.nan_to_num(number, nan=256).astype(int)
         image = buffer.image(shaded(table[number], self.light, white, self.dark))
         axes.imshow(image, extent=self.window, zorder=2)
         axes.set_xlim(self.window[:2])
@@ -219,25 +268,59 @@ def write(axes, text, place, offset):
     )
 
 
-def draw_section(axes, section, places, field, values, low, high):
-    mesh = Triangulation(places[:, 0], places[:, 1], section.triangles)
-    shown = values[section.cells] if field.by_cell else section.at_places(values)
-    pictures.paint(axes, mesh, shown, field.by_cell, low, high)
-    inches = axes.figure.get_size_inches() * axes.get_position().size
-    cells = max(len(np.unique(section.cells)), 1)
-    if np.sqrt(inches.prod() / cells) > 0.07:  # finer mesh lines would only darken the picture
-        axes.add_collection(LineCollection(places[section.edges], colors="black", linewidths=0.35, alpha=0.28))
-    axes.add_collection(
-        LineCollection(places[section.outline], colors="#3c4043", linewidths=0.8, capstyle="round", clip_on=False)
-    )
-    axes.set_aspect("equal")
-    for minimum, maximum, limit in zip(places.min(axis=0), places.max(axis=0), (axes.set_xlim, axes.set_ylim)):
-        limit(minimum, maximum)
-    axes.ticklabel_format(style="plain", useOffset=False)
-    axes.set_xlabel(f"{'yx'[section.axis]} [m]")
-    axes.set_ylabel("z [m]")
-    axes.xaxis.set_major_locator(pictures.ticks(max(1, min(5, int(inches[0] / 0.45)))))
-    axes.yaxis.set_major_locator(pictures.ticks(max(1, min(6, int(inches[1] / 0.35)))))
-    at = 0.0 if abs(section.at) < 1e-9 * np.abs(places).max() else section.at
-    title = f"{'section at ' if inches[0] > 1.2 else ''}{'xy'[section.axis]} = {at:.8g} m"
-    axes.set_title(title, fontsize=9, fontweight="normal", loc="left")
+class Panel:
+    """A section in the soil's current position, with those of the bodies in the plane of the section at the start."""
+
+    def __init__(self, section, points, bodies, low, high):
+        """low, high: of the box in which bodies are drawn."""
+        self.section = section
+        shown = [1 - section.axis, 2]
+        self.places = section.at_places(points)[:, shown]
+        self.low, self.high = self.places.min(axis=0), self.places.max(axis=0)
+        at, axis = section.at, section.axis
+        plane = (axis, at, 1 if at - low[axis] < high[axis] - at else -1)
+        self.loops = []
+        for body in bodies:
+            for loop in section_loops(*body, plane, np.linalg.norm(high - low)):
+                loop = loop[:, shown]
+                inside = loop.clip(low[shown], high[shown])
+                if (np.ptp(inside, axis=0) > 0).all():
+                    self.loops.append(loop)
+                    self.low = np.minimum(self.low, inside.min(axis=0))
+                    self.high = np.maximum(self.high, inside.max(axis=0))
+                    if self.high[1] > self.places[:, 1].max():
+                        self.high[1] = high[2]
+
+    def draw(self, axes, field, values, low, high):
+        section, places = self.section, self.places
+        mesh = Triangulation(places[:, 0], places[:, 1], section.triangles)
+        shown = values[section.cells] if field.by_cell else section.at_places(values)
+        pictures.paint(axes, mesh, shown, field.by_cell, low, high)
+        inches = axes.figure.get_size_inches() * axes.get_position().size
+        cells = max(len(np.unique(section.cells)), 1)
+        if np.sqrt(inches.prod() / cells) > 0.07:  # finer mesh lines would only darken the picture
+            axes.add_collection(LineCollection(places[section.edges], colors="black", linewidths=0.35, alpha=0.28))
+        axes.add_collection(
+            LineCollection(places[section.outline], colors="#3c4043", linewidths=0.8, capstyle="round", clip_on=False)
+        )
+        self.draw_bodies(axes)
+        axes.set_aspect("equal")
+        axes.set_xlim(self.low[0], self.high[0])
+        axes.set_ylim(self.low[1], self.high[1])
+        axes.ticklabel_format(style="plain", useOffset=False)
+        axes.set_xlabel(f"{'yx'[section.axis]} [m]")
+        axes.set_ylabel("z [m]")
+        axes.xaxis.set_major_locator(pictures.ticks(max(1, min(5, int(inches[0] / 0.45)))))
+        axes.yaxis.set_major_locator(pictures.ticks(max(1, min(6, int(inches[1] / 0.35)))))
+        at = 0.0 if abs(section.at) < 1e-9 * np.abs(places).max() else section.at
+        title = f"{'section at ' if inches[0] > 1.2 else ''}{'xy'[section.axis]} = {at:.8g} m"
+        axes.set_title(title, fontsize=9, fontweight="normal", loc="left")
+
+    def draw_bodies(self, axes):
+        if not self.loops:
+            return
+        path = Path.make_compound_path(*(Path(loop, closed=True) for loop in self.loops))
+        style = pictures.BODY
+        # outlines first, so that those inside a body of several pieces are covered
+        axes.add_patch(PathPatch(path, zorder=5, **{**style, "linewidth": 2 * style["linewidth"]}))
+        axes.add_patch(PathPatch(path, zorder=5, facecolor=style["facecolor"], edgecolor="none"))

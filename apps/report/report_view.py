@@ -27,11 +27,12 @@ class View:
         nearness = self.distance / (self.distance - points @ self.eye)
         return np.stack([points @ self.right * nearness, points @ self.up * nearness, nearness], axis=-1)
 
-    def light(self, normals):
-        """Brightness of faces: from above and left of the eye; weak, so that colours stay those of the colour bar."""
+    def light(self, normals, shade=0.8):
+        """Brightness of faces: from above and left of the eye; weak, so that colours stay those of the colour bar.
+        shade: where the lamp does not reach."""
         lamp = 0.75 * self.eye + 0.6 * self.up - 0.45 * self.right
         length = np.maximum(np.linalg.norm(normals, axis=1), 1e-300) * np.linalg.norm(lamp)
-        return (0.8 + 0.22 * np.clip(normals @ lamp / length, 0, 1)).clip(max=1.0)
+        return (shade + (1.02 - shade) * np.clip(normals @ lamp / length, 0, 1)).clip(max=1.0)
 
 
 def cross(a, b):
@@ -103,9 +104,9 @@ class Buffer:
         heights = (self.area[:, None] / np.maximum(lengths, 1e-9)).astype(np.float32)
         return [weights[(side + 2) % 3] * heights[self.triangle, side] for side in range(3)]
 
-    def lines(self, sides):
-        """Darkness of the covered pixels: edges of the model and of the picture's outline, and edges of cells where the
-        mesh is coarse enough. sides: see outer_surface."""
+    def lines(self, sides, part):
+        """Darkness of the covered pixels: edges of the model, outlines of its parts, and edges of cells where the mesh
+        is coarse enough. sides: see outer_surface; part (triangle): 1, 2, ..."""
         dark = np.zeros(len(self.pixel), np.float32)
         size = np.sqrt(np.maximum(self.area, 0))[self.triangle] / FINER  # of a triangle, in pixels of the image
         strength = 0.32 * np.clip((size - 5) / 12, 0, 1)
@@ -113,11 +114,11 @@ class Buffer:
             for side, distance in enumerate(self.to_sides):
                 here = (sides[:, side] == kind)[self.triangle]
                 np.maximum(dark, here * strong * np.clip(half + 0.5 - distance, 0, 1), out=dark)
-        covered = np.zeros((self.height + 2, self.width + 2), bool)
+        parts = np.zeros((self.height + 2, self.width + 2), int)
         rows, columns = self.pixel // self.width + 1, self.pixel % self.width + 1
-        covered[rows, columns] = True
-        neighbours = [covered[rows + i, columns + j] for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1))]
-        dark[~np.all(neighbours, axis=0)] = 0.75
+        parts[rows, columns] = here = part[self.triangle]
+        neighbours = [parts[rows + i, columns + j] for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1))]
+        dark[np.min(neighbours, axis=0) < here] = 0.75
         return dark
 
     def values(self, corner_values):
@@ -126,10 +127,11 @@ class Buffer:
         return sum(weight * corner_values[self.triangle, k] for k, weight in enumerate(self.weights))
 
     def level_lines(self, values, low, high, count):
-        """Covered pixels at which one of `count` bands of equal width between low and high begins."""
+        """Covered pixels at which one of `count` bands of equal width between low and high begins; pixels whose value is
+        not a number have none."""
         band = np.full((self.height, self.width), -1, np.int16)
         of_pixel = np.floor((values - low) / (high - low) * count).clip(0, count - 1)
-        band.reshape(-1)[self.pixel] = of_pixel
+        band.reshape(-1)[self.pixel] = np.where(np.isnan(values), -1, of_pixel)
         line = np.zeros_like(band, bool)
         for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
             changes = (band[here] != band[there]) & (band[here] >= 0) & (band[there] >= 0)

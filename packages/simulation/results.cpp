@@ -7,6 +7,29 @@
 
 namespace mudline {
 
+namespace {
+
+/// A body's contour to within `tolerance` [m], where it starts.
+BodyOutline outline_of(const RigidBody& body, double tolerance) {
+  std::vector<std::array<double, 2>> contour = body.contour().sample(tolerance);
+  // a half contour is closed along its axis, so that pictures fill the body
+  if (body.contour().extent() == ContourExtent::half && !contour.empty()) contour.push_back({0.0, contour.back()[1]});
+  BodyOutline outline;
+  for (const auto& point : contour)
+    outline.points.push_back({point[0] + body.initial_position()[0], point[1] + body.initial_position()[1], 0.0});
+  return outline;
+}
+
+BodyPose pose_of(const RigidBody& body, const State& state) {
+  const BodyPlacement now = body.placement(state), start = body.initial_placement();
+  const double c = std::cos(now.angle), s = std::sin(now.angle);
+  return {{now.centre[0] - start.centre[0], now.centre[1] - start.centre[1], 0.0},
+          {{c, -s, 0}, {s, c, 0}, {0, 0, 1}},
+          {start.centre[0], start.centre[1], 0.0}};
+}
+
+}  // namespace
+
 Results::Results(Model& model, const OutputSettings& settings, const Origin& origin,
                  const std::optional<ResultsRestart>& restart)
     : model_(model),
@@ -21,13 +44,7 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
   fields_.set_metadata("geometry", mudline::name(model.mesh().geometry()));
   const double size = model.mesh().bounds().extent();
   for (const auto& [name, body] : model.bodies()) {
-    std::vector<std::array<double, 2>> contour = body->contour().sample(1e-4 * size);
-    // a half contour is closed along its axis, so that pictures fill the body
-    if (body->contour().extent() == ContourExtent::half && !contour.empty())
-      contour.push_back({0.0, contour.back()[1]});
-    for (auto& point : contour)
-      for (int i = 0; i < 2; ++i) point[i] += body->initial_position()[i];
-    fields_.add_body(name, contour);
+    fields_.add_body(name, outline_of(*body, 1e-4 * size));
   }
 }
 
@@ -188,10 +205,7 @@ void Results::write_fields(int step, const std::string& stage) {
   for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node)
     for (int i = 0; i < model_.mesh().dimension(); ++i) coordinates.push_back(state.coordinates(node, i));
   std::map<std::string, BodyPose> bodies;
-  for (const auto& [name, body] : model_.bodies()) {
-    const BodyPlacement now = body->placement(state), start = body->initial_placement();
-    bodies[name] = {{now.centre[0] - start.centre[0], now.centre[1] - start.centre[1]}, now.angle, start.centre};
-  }
+  for (const auto& [name, body] : model_.bodies()) bodies[name] = pose_of(*body, state);
   fields_.write(state.time, step, stage, coordinates, nodal_fields(), cell_fields(), bodies);
 }
 

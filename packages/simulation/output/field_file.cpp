@@ -7,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "core/run_error.hpp"
+#include "core/space_vector.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/field_index.hpp"
 #include "simulation/output/field_layout.hpp"
@@ -35,6 +36,24 @@ std::map<std::string, xdmf::Field> read_fields(hid_t file, const std::string& gr
                     static_cast<int>(h5::integer_attribute(dataset, "components"))};
   }
   return fields;
+}
+
+/// In the plane the angle [rad], between -pi and pi; in space the matrix, row by row.
+std::vector<double> rotation(const BodyPose& pose, int dimension) {
+  const auto& turn = pose.turn;
+  if (dimension == 2) return {std::atan2(turn[1][0], turn[0][0])};
+  return {&turn[0][0], &turn[0][0] + 9};
+}
+
+Point moved(const Point& point, const BodyPose& pose) {
+  const auto& turn = pose.turn;
+  const BodyPose rest;
+  // a body that does not turn keeps every bit
+  if (std::equal(&turn[0][0], &turn[0][0] + 9, &rest.turn[0][0])) return plus(point, 1, pose.shift);
+  Point now = plus(pose.centre, 1, pose.shift);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) now[i] += turn[i][j] * (point[j] - pose.centre[j]);
+  return now;
 }
 
 }  // namespace
@@ -169,20 +188,14 @@ void FieldFile::File::write_bodies(hid_t file, const std::map<std::string, BodyP
   for (const auto& [link, body] : index.model.bodies) {
     const auto found = poses.find(body.name);
     const BodyPose pose = found == poses.end() ? BodyPose() : found->second;
-    const double c = std::cos(pose.angle), s = std::sin(pose.angle);
     const auto place = h5::create_group(group, link);
-    h5::set_attribute(place, "displacement", std::vector<double>{pose.shift[0], pose.shift[1]});
-    h5::set_attribute(place, "rotation", std::vector<double>{pose.angle});
+    h5::set_attribute(place, "displacement", std::vector<double>(pose.shift.begin(), pose.shift.begin() + dimension));
+    h5::set_attribute(place, "rotation", rotation(pose, dimension));
     std::vector<double> points;
     if (rank == 0)
-      for (const auto& point : index.contours.at(link)) {
-        const double x = point[0] - pose.centre[0], y = point[1] - pose.centre[1];
-        // a body that does not turn keeps every bit
-        if (pose.angle == 0)
-          points.insert(points.end(), {point[0] + pose.shift[0], point[1] + pose.shift[1], 0.0});
-        else
-          points.insert(points.end(), {pose.centre[0] + pose.shift[0] + c * x - s * y,
-                                       pose.centre[1] + pose.shift[1] + s * x + c * y, 0.0});
+      for (const Point& point : index.outlines.at(link).points) {
+        const Point now = moved(point, pose);
+        points.insert(points.end(), now.begin(), now.end());
       }
     h5::write(place, "coordinates", points, {hsize_t(body.points), 3, 0, rank == 0 ? hsize_t(body.points) : 0});
   }
@@ -228,19 +241,22 @@ void FieldFile::set_metadata(const std::string& name, const std::string& text) {
   file_->index.metadata[h5::link_name(name)] = broadcast(file_->comm, text);
 }
 
-void FieldFile::add_body(const std::string& name, const std::vector<std::array<double, 2>>& contour) {
+void FieldFile::add_body(const std::string& name, const BodyOutline& outline) {
   FieldIndex& index = file_->index;
   const std::string link = h5::link_name(name);
-  const auto found = index.contours.find(link);
-  if (found != index.contours.end()) {
-    // After a restart: the steps already written describe this contour.
-    if (contour.size() != found->second.size())
-      throw InputError(index.path() + ": body '" + name + "' has another contour than in the first run");
+  const bool in_space = file_->dimension == 3;
+  if (in_space == outline.facets.empty())
+    throw std::invalid_argument("body '" + name + "': triangles are what a body in space has, and it alone");
+  const auto found = index.outlines.find(link);
+  if (found != index.outlines.end()) {
+    // After a restart: the steps already written describe this outline.
+    if (outline.points.size() != found->second.points.size() || outline.facets != found->second.facets)
+      throw InputError(index.path() + ": body '" + name + "' has another " + (in_space ? "surface" : "contour") +
+                       " than in the first run");
   } else if (index.steps > 0) {
     throw std::invalid_argument("body '" + name + "' is added after the first step was written");
   }
-  index.contours[link] = contour;
-  index.model.bodies[link] = {name, static_cast<long long>(contour.size())};
+  index.add_body(link, name, outline);
 }
 
 void FieldFile::write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,

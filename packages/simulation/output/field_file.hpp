@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "discretisation/mesh.hpp"
+#include "geometry/surface_triangles.hpp"
 
 namespace mudline {
 
@@ -19,12 +19,16 @@ struct OutputField {
   std::vector<double> values;
 };
 
-/// How a body has moved from its reference position: turned about `centre` (of the reference position) by `angle`
-/// [rad], then shifted [m].
+/// A rigid body in its reference position, as it is drawn: in space its closed surface, in the plane the points of its
+/// contour, without facets.
+using BodyOutline = SurfaceTriangles;
+
+/// How a body has moved from its reference position: turned about `centre` (of the reference position) by the matrix
+/// `turn`, then shifted [m].
 struct BodyPose {
-  std::array<double, 2> shift{};
-  double angle = 0;
-  std::array<double, 2> centre{};
+  Point shift{};
+  double turn[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Point centre{};
 };
 
 /// Where the fields of a run are continued: after so many steps. `accept_loss`: with those up to `time` [s] that are
@@ -61,11 +65,10 @@ class FieldFile {
   /// Stores a text under a name ("program", "deck", ...), replacing an earlier one; on disk with the next step.
   void set_metadata(const std::string& name, const std::string& text);
 
-  /// A rigid body's contour in its reference position [m], drawn with the soil. Before the first write; after a restart
-  /// it is given again.
-  void add_body(const std::string& name, const std::vector<std::array<double, 2>>& contour);
+  /// A rigid body, drawn with the soil. Before the first write; after a restart it is given again.
+  void add_body(const std::string& name, const BodyOutline& outline);
 
-  /// Appends a step. `coordinates`: (owned node, 2) current [m]; `poses` by body, absent ones rest.
+  /// Appends a step. `coordinates`: (owned node, axis) current [m]; `poses` by body, absent ones rest.
   void write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
              const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
              const std::map<std::string, BodyPose>& poses = {});

@@ -1,5 +1,6 @@
 #include "simulation/output/field_index.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -16,10 +17,38 @@ namespace {
 constexpr const char* format_name = "mudline fields";
 constexpr long long format_version = 2;
 
+/// The outline of a body: "contour" in the plane, "surface" and "triangles" in space.
+SurfaceTriangles read_outline(hid_t body) {
+  SurfaceTriangles outline;
+  const auto links = h5::names(body);
+  const bool in_space = std::find(links.begin(), links.end(), "surface") != links.end();
+  const auto points = h5::read_all<double>(body, in_space ? "surface" : "contour");
+  for (std::size_t i = 0, columns = in_space ? 3 : 2; i + columns <= points.size(); i += columns)
+    outline.points.push_back({points[i], points[i + 1], in_space ? points[i + 2] : 0.0});
+  if (!in_space) return outline;
+  const auto corners = h5::read_all<int>(body, "triangles");
+  for (std::size_t i = 0; i + 3 <= corners.size(); i += 3)
+    outline.facets.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  return outline;
+}
+
+void write_outline(hid_t body, const SurfaceTriangles& outline) {
+  const bool in_space = !outline.facets.empty();
+  const hsize_t columns = in_space ? 3 : 2;
+  std::vector<double> points;
+  for (const Point& point : outline.points) points.insert(points.end(), point.begin(), point.begin() + columns);
+  h5::write(body, in_space ? "surface" : "contour", points, {outline.points.size(), columns, 0, outline.points.size()});
+  if (!in_space) return;
+  std::vector<int> corners;
+  for (const auto& facet : outline.facets) corners.insert(corners.end(), facet.begin(), facet.end());
+  h5::write(body, "triangles", corners, {outline.facets.size(), 3, 0, outline.facets.size()});
+}
+
 }  // namespace
 
 FieldIndex::FieldIndex(const std::string& path_stem, bool writer) : stem(path_stem), writer_(writer) {
   model.folder = std::filesystem::path(folder()).filename().string();
+  model.index = std::filesystem::path(path()).filename().string();
 }
 
 std::string FieldIndex::step_name(std::size_t step) {
@@ -49,13 +78,16 @@ std::size_t FieldIndex::read() {
   for (const std::string& link : h5::names(h5::open_group(file, "metadata")))
     metadata[link] = h5::read_text(file, "metadata/" + link);
   for (const std::string& link : h5::names(h5::open_group(file, "bodies"))) {
-    const auto points = h5::read_all<double>(file, "bodies/" + link + "/contour");
-    auto& contour = contours[link];
-    for (std::size_t i = 0; i + 1 < points.size(); i += 2) contour.push_back({points[i], points[i + 1]});
     const auto body = h5::open_group(file, "bodies/" + link);
-    model.bodies[link] = {h5::text_attribute(body, "name"), static_cast<long long>(contour.size())};
+    add_body(link, h5::text_attribute(body, "name"), read_outline(body));
   }
   return h5::names(h5::open_group(file, "steps")).size();
+}
+
+void FieldIndex::add_body(const std::string& link, const std::string& name, const SurfaceTriangles& outline) {
+  model.bodies[link] = {name, static_cast<long long>(outline.points.size()),
+                        static_cast<long long>(outline.facets.size())};
+  outlines[link] = outline;
 }
 
 void FieldIndex::append(const xdmf::Step& step) {
@@ -65,9 +97,10 @@ void FieldIndex::append(const xdmf::Step& step) {
 
 std::string FieldIndex::write() const {
   if (!writer_) return "";
-  FileSize size{0, 8 + metadata.size() + 2 * contours.size() + steps};
+  FileSize size{0, 8 + metadata.size() + 3 * outlines.size() + steps};
   for (const auto& [link, text] : metadata) size.bytes += text.size();
-  for (const auto& [link, contour] : contours) size.bytes += contour.size() * sizeof(contour[0]);
+  for (const auto& [link, outline] : outlines)
+    size.bytes += outline.points.size() * sizeof(Point) + outline.facets.size() * sizeof(outline.facets[0]);
   std::string error = write_whole(MPI_COMM_SELF, path(), size, [this](hid_t file) {
     h5::set_attribute(file, "format", std::string(format_name));
     h5::set_attribute(file, "format version", format_version);
@@ -79,12 +112,10 @@ std::string FieldIndex::write() const {
     const auto texts = h5::create_group(file, "metadata"), bodies = h5::create_group(file, "bodies"),
                links = h5::create_group(file, "steps");
     for (const auto& [link, text] : metadata) h5::write_text(texts, link, text, 0);
-    for (const auto& [link, contour] : contours) {
+    for (const auto& [link, outline] : outlines) {
       const auto body = h5::create_group(bodies, link);
       h5::set_attribute(body, "name", model.bodies.at(link).name);
-      std::vector<double> points;
-      for (const auto& point : contour) points.insert(points.end(), point.begin(), point.end());
-      h5::write(body, "contour", points, {contour.size(), 2, 0, contour.size()});
+      write_outline(body, outline);
     }
     for (std::size_t k = 0; k < steps; ++k) h5::link_to_file(links, step_name(k), model.path(step_name(k)), "/");
   });

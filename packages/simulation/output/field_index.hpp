@@ -1,11 +1,11 @@
 #pragma once
 
 // What is known of a run's fields as a whole; used by field_file.cpp only.
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "geometry/surface_triangles.hpp"
 #include "simulation/output/xdmf.hpp"
 
 namespace mudline {
@@ -28,6 +28,9 @@ struct FieldIndex {
   /// Returns the number of steps that it names.
   std::size_t read();
 
+  /// Adds a body under its link name, or gives it another outline.
+  void add_body(const std::string& link, const std::string& name, const SurfaceTriangles& outline);
+
   /// Adds a complete step.
   void append(const xdmf::Step& step);
 
@@ -41,8 +44,8 @@ struct FieldIndex {
 
   std::string stem, geometry;
   xdmf::Model model;
-  std::map<std::string, std::string> metadata;                         // by link name
-  std::map<std::string, std::vector<std::array<double, 2>>> contours;  // by link name, in the reference position [m]
+  std::map<std::string, std::string> metadata;       // by link name
+  std::map<std::string, SurfaceTriangles> outlines;  // by link name, in the reference position; no facets in the plane
   std::size_t steps = 0;
 
  private:

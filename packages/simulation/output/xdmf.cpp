@@ -13,10 +13,14 @@ std::string number(double value) {
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
+std::string heavy_of(const std::string& file, const std::string& path, const std::string& dimensions,
+                     const std::string& type) {
+  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + file + ":" + path + "</DataItem>";
+}
+
 std::string heavy(const Model& model, const std::string& file, const std::string& path, const std::string& dimensions,
                   const std::string& type) {
-  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + model.path(file) + ":" + path +
-         "</DataItem>";
+  return heavy_of(model.path(file), path, dimensions, type);
 }
 
 const char* const real = "NumberType=\"Float\" Precision=\"8\"";
@@ -36,19 +40,23 @@ std::string attributes(const Model& model, const Step& step, const std::map<std:
   return text;
 }
 
-std::string body_grid(const Model& model, const Step& step, const std::string& link, const Body& body) {
-  const std::string points = std::to_string(body.points);
+/// The closed surface of a body in space, its contour in the plane.
+std::string body_topology(const Model& model, const std::string& link, const Body& body) {
+  const std::string points = std::to_string(body.points), triangles = std::to_string(body.triangles);
+  if (body.triangles > 0)
+    return "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + triangles + "\">" +
+           heavy_of(model.index, "/bodies/" + link + "/triangles", triangles + " 3", small_integer) + "</Topology>\n";
   std::string line;
   for (long long i = 0; i < body.points; ++i) line += (i == 0 ? "" : " ") + std::to_string(i);
-  return "      <Grid Name=\"" + xml_escaped(body.name) +
-         "\" GridType=\"Uniform\">\n"
-         "        <Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" +
-         points +
-         "\">"
-         "<DataItem Dimensions=\"1 " +
-         points + "\" " + small_integer + " Format=\"XML\">" + line +
-         "</DataItem></Topology>\n"
-         "        <Geometry GeometryType=\"XYZ\">" +
+  return "<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" + points +
+         "\"><DataItem Dimensions=\"1 " + points + "\" " + small_integer + " Format=\"XML\">" + line +
+         "</DataItem></Topology>\n";
+}
+
+std::string body_grid(const Model& model, const Step& step, const std::string& link, const Body& body) {
+  const std::string points = std::to_string(body.points);
+  return "      <Grid Name=\"" + xml_escaped(body.name) + "\" GridType=\"Uniform\">\n        " +
+         body_topology(model, link, body) + "        <Geometry GeometryType=\"XYZ\">" +
          heavy(model, step.file, "/bodies/" + link + "/coordinates", points + " 3", real) +
          "</Geometry>\n      </Grid>\n";
 }

@@ -23,12 +23,13 @@ struct Step {
 
 struct Body {
   std::string name;
-  long long points;
+  long long points, triangles;  // triangles 0: a contour in the plane
 };
 
 /// What stays the same over a run.
 struct Model {
   std::string folder;  // that holds mesh.h5 and the files of the steps, beside the XDMF file
+  std::string index;   // beside it, too: the file that holds the triangles of bodies
   long long nodes, elements, topology_length;
   std::map<std::string, Body> bodies;  // by link name
   /// Of a file in the folder, as seen from beside the folder.

@@ -1,5 +1,6 @@
 #include "simulation/output/field_file.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "core/errors.hpp"
@@ -24,7 +25,13 @@ struct Result {
   }
   Mesh mesh;
 };
-const std::vector<std::array<double, 2>> contour{{0, 0}, {1, 1}, {0, 1}};
+const BodyOutline contour{{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}};
+const BodyOutline tetrahedron{{{0, 0, 1}, {2, 0, 1}, {0, 2, 1}, {0, 0, 2}},
+                              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+
+void write_in_space(const Mesh& mesh, FieldFile& file, const BodyPose& pose) {
+  file.write(0, 0, "push", owned_coordinates(mesh), {}, {}, {{"a spike", pose}});
+}
 
 TEST(FieldFile, WritesTheMeshOnceInGlobalOrder) {
   Folder folder;
@@ -105,6 +112,87 @@ TEST(FieldFile, RestartDropsLaterStepsAndGoesOn) {
   FieldFile from_the_start(result.mesh, folder / "parts", FieldRestart{});
   EXPECT_EQ(from_the_start.num_steps(), 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "parts.xdmf"));
+}
+
+TEST(FieldFile, ContourInThePlaneTurnsAboutZ) {
+  Folder folder;
+  Result result;
+  FieldFile file(result.mesh, folder / "r");
+  file.add_body("cone", contour);
+  file.write(0, 0, "push", owned_coordinates(result.mesh), {}, {},
+             {{"cone", {{0.5, 0.25, 0}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 1, 0}}}});
+  EXPECT_EQ(dataset(folder / "r.h5", "/bodies/cone/contour"), (std::vector<double>{0, 0, 1, 1, 0, 1}));
+  EXPECT_EQ(dataset(folder / "r.h5", "/steps/000000/bodies/cone/coordinates"),
+            (std::vector<double>{1.5, 1.25, 0, 0.5, 2.25, 0, 0.5, 1.25, 0}));
+  EXPECT_EQ(attribute(folder / "r.fields/000000.h5", "/bodies/cone", "displacement"), (std::vector<double>{0.5, 0.25}));
+  EXPECT_EQ(attribute(folder / "r.fields/000000.h5", "/bodies/cone", "rotation"), std::vector<double>{std::acos(0.0)});
+}
+
+TEST(FieldFile, BodyInSpaceIsASurfaceThatTurnsAboutAnyAxis) {
+  Folder folder;
+  const Mesh mesh(world(), Geometry::space, cube());
+  FieldFile file(mesh, folder / "r");
+  file.add_body("a spike", tetrahedron);
+  // about the axis (1, 1, 1): x becomes y, y becomes z, z becomes x
+  const BodyPose pose{{0.5, 0, -0.25}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}};
+  write_in_space(mesh, file, pose);
+  EXPECT_EQ(dataset(folder / "r.h5", "/bodies/a_spike/surface"),
+            (std::vector<double>{0, 0, 1, 2, 0, 1, 0, 2, 1, 0, 0, 2}));
+  EXPECT_EQ(dataset(folder / "r.h5", "/bodies/a_spike/triangles"),
+            (std::vector<double>{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}));
+  EXPECT_EQ(dataset(folder / "r.h5", "/steps/000000/bodies/a_spike/coordinates"),
+            (std::vector<double>{0.5, 0, 0.75, 0.5, 2, 0.75, 0.5, 0, 2.75, 1.5, 0, 0.75}));
+  const std::string step = folder / "r.fields/000000.h5";
+  EXPECT_EQ(attribute(step, "/bodies/a_spike", "displacement"), (std::vector<double>{0.5, 0, -0.25}));
+  EXPECT_EQ(attribute(step, "/bodies/a_spike", "rotation"), (std::vector<double>{0, 0, 1, 1, 0, 0, 0, 1, 0}));
+  const std::string xdmf = content(folder / "r.xdmf");
+  EXPECT_NE(xdmf.find("<Grid Name=\"a spike\" GridType=\"Uniform\">\n        <Topology TopologyType=\"Triangle\" "
+                      "NumberOfElements=\"4\"><DataItem Dimensions=\"4 3\" NumberType=\"Int\" Precision=\"4\" "
+                      "Format=\"HDF\">r.h5:/bodies/a_spike/triangles</DataItem></Topology>"),
+            std::string::npos);
+  EXPECT_NE(xdmf.find("r.fields/000000.h5:/bodies/a_spike/coordinates"), std::string::npos);
+}
+
+TEST(FieldFile, BodyInSpaceThatDoesNotTurnKeepsEveryBit) {
+  Folder folder;
+  const Mesh mesh(world(), Geometry::space, cube());
+  FieldFile file(mesh, folder / "r");
+  BodyOutline spike = tetrahedron;
+  spike.points[0] = {0.1, 0.2, 1.3};
+  file.add_body("a spike", spike);
+  BodyPose pose;
+  pose.shift = {0.01, 0.02, -0.03};
+  pose.centre = {7.7, 8.8, 9.9};
+  write_in_space(mesh, file, pose);
+  const auto points = dataset(folder / "r.h5", "/steps/000000/bodies/a_spike/coordinates");
+  EXPECT_EQ(std::vector<double>(points.begin(), points.begin() + 3),
+            (std::vector<double>{0.1 + 0.01, 0.2 + 0.02, 1.3 - 0.03}));
+}
+
+TEST(FieldFile, RestartRefusesAnotherOutline) {
+  Folder folder;
+  const Result plane;
+  const Mesh space(world(), Geometry::space, cube());
+  {
+    FieldFile in_plane(plane.mesh, folder / "plane"), in_space(space, folder / "space");
+    in_plane.add_body("cone", contour);
+    plane.write(in_plane, 0);
+    in_space.add_body("a spike", tetrahedron);
+    write_in_space(space, in_space, {});
+  }
+  FieldFile in_plane(plane.mesh, folder / "plane", FieldRestart{1}), in_space(space, folder / "space", FieldRestart{1});
+  BodyOutline longer = contour, turned = tetrahedron;
+  longer.points.push_back({0, 0.5, 0});
+  std::swap(turned.facets[0], turned.facets[1]);
+  EXPECT_EQ(message_of<InputError>([&] { in_plane.add_body("cone", longer); }),
+            (folder / "plane.h5") + ": body 'cone' has another contour than in the first run");
+  EXPECT_EQ(message_of<InputError>([&] { in_space.add_body("a spike", turned); }),
+            (folder / "space.h5") + ": body 'a spike' has another surface than in the first run");
+  in_space.add_body("a spike", tetrahedron);
+  write_in_space(space, in_space, {});
+  EXPECT_EQ(in_space.num_steps(), 2);
+  EXPECT_THROW(in_plane.add_body("spike", tetrahedron), std::invalid_argument);
+  EXPECT_THROW(in_space.add_body("cone", contour), std::invalid_argument);
 }
 
 TEST(FieldFile, AStepThatWasCutShortHarmsNothing) {

@@ -12,7 +12,7 @@ using namespace output_test;
 
 void write_run(const Mesh& mesh, const std::string& stem) {
   FieldFile file(mesh, stem);
-  file.add_body("cone", {{0, 0}, {1, 1}, {0, 1}});
+  file.add_body("cone", {{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}});
   for (int step = 0; step < 2; ++step)
     file.write(step, step, "push", owned_coordinates(mesh),
                {{"displacement", "m", 2, by_node(mesh, 2, [&](long long id, int c) { return step + id / (3.0 + c); })}},

@@ -72,11 +72,21 @@ inline GlobalMesh two_shapes(int columns) {
   return mesh;
 }
 
-/// Coordinates (owned node, 2) and a value per owned node or element that depends on its global id only.
+/// One hex8 with sides 1.
+inline GlobalMesh cube() {
+  GlobalMesh mesh;
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+      mesh.coordinates.push_back({x, y, z});
+  mesh.blocks = {{"clay", CellShape::hex8, {0, 1, 2, 3, 4, 5, 6, 7}}};
+  return mesh;
+}
+
+/// Coordinates (owned node, axis) and a value per owned node or element that depends on its global id only.
 inline std::vector<double> owned_coordinates(const Mesh& mesh) {
   std::vector<double> values;
   for (int n = 0; n < mesh.num_owned_nodes(); ++n)
-    values.insert(values.end(), {mesh.coordinates()(n, 0), mesh.coordinates()(n, 1)});
+    for (int i = 0; i < mesh.dimension(); ++i) values.push_back(mesh.coordinates()(n, i));
   return values;
 }
 template <class F>
@@ -107,6 +117,23 @@ inline std::vector<double> dataset(const std::string& path, const std::string& n
     H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     H5Sclose(space);
     H5Dclose(set);
+  }
+  H5Fclose(file);
+  return values;
+}
+
+/// The numbers of an attribute of an object.
+inline std::vector<double> attribute(const std::string& path, const std::string& object, const std::string& name) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file < 0) return {};
+  const hid_t place = H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  std::vector<double> values;
+  if (place >= 0) {
+    const hid_t space = H5Aget_space(place);
+    values.resize(H5Sget_simple_extent_npoints(space));
+    H5Aread(place, H5T_NATIVE_DOUBLE, values.data());
+    H5Sclose(space);
+    H5Aclose(place);
   }
   H5Fclose(file);
   return values;
