@@ -92,7 +92,8 @@ std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::a
 
 Positions BoundaryMotion::move(const Positions& x, const State& state) const {
   Positions result = x;
-  const SizeField size = size_field(focus_.empty() ? std::array<double, 2>{} : in_plane(bodies_.at(focus_)->position(state)));
+  const SizeField size =
+      size_field(focus_.empty() ? std::array<double, 2>{} : in_plane(bodies_.at(focus_)->position(state)));
   for (std::size_t p = 0; p < paths_.size(); ++p)
     if (slides_[p]) move_path(p, state, size, result);
   return result;

@@ -113,7 +113,8 @@ void RigidBody::bind(const Space& space, int field, int index) {
 void RigidBody::declare_state(StateStore& store) {
   ArrayInfo info;
   info.name = "body/" + name_ + "/motion";
-  for (int i = 0; i < dimension(); ++i) info.variables.push_back({std::string("displacement ") + axis_names[i], 1, "m"});
+  for (int i = 0; i < dimension(); ++i)
+    info.variables.push_back({std::string("displacement ") + axis_names[i], 1, "m"});
   for (int i = 0; i < dimension(); ++i) info.variables.push_back({std::string("velocity ") + axis_names[i], 1, "m/s"});
   info.variables.push_back({"moving time", 1, "s"});
   for (int i = 0; i < 3 && dimension() == 3; ++i)
@@ -216,8 +217,8 @@ double RigidBody::speed(const State& state, double dt) const {
   for (int i = 0; i < parts; ++i) {
     const double from = state.time + dt * i / parts, to = state.time + dt * (i + 1) / parts;
     const BodyState next = motion_->advance(at, from, to);
-    const double path = length(minus(next.displacement, at.displacement)) +
-                        reach_ * length((next.turn * at.turn.inverse()).vector());
+    const double path =
+        length(minus(next.displacement, at.displacement)) + reach_ * length((next.turn * at.turn.inverse()).vector());
     fastest = std::max(fastest, path / (to - from));
     at = next;
   }

@@ -39,10 +39,10 @@ struct BodyUnknowns {
   int field = -1;
 };
 
-/// A rigid body: a contour in the plane or a surface in space, its position, its mass, and the law of motion that holds in the present stage. A body that
-/// is free in some stage has unknowns; its placement is then that of the nodal state. Of the others displacement and
-/// velocity live in the state array "body/<name>/motion" (one row, the same on every rank), and so does the time in
-/// motion of all.
+/// A rigid body: a contour in the plane or a surface in space, its position, its mass, and the law of motion that holds
+/// in the present stage. A body that is free in some stage has unknowns; its placement is then that of the nodal state.
+/// Of the others displacement and velocity live in the state array "body/<name>/motion" (one row, the same on every
+/// rank), and so does the time in motion of all.
 class RigidBody {
  public:
   /// Reads and validates an entry of "bodies". InputError.
@@ -140,6 +140,5 @@ class RigidBody {
   bool may_be_free_ = false, of_revolution_ = false;
   int array_ = -1;
 };
-
 
 }  // namespace mudline

@@ -93,7 +93,8 @@ double ContactLaws::temperature(const State& committed, const SurfaceSide& side,
   const CellShape carrier = corners ? linear_partner(side.shape) : side.shape;
   double shape[max_side_nodes], slope[2 * max_side_nodes], result = 0;
   evaluate_shape(carrier, xi, shape, slope);
-  for (int a = 0; a < num_nodes(carrier); ++a) result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
+  for (int a = 0; a < num_nodes(carrier); ++a)
+    result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
   return result;
 }
 

@@ -62,11 +62,10 @@ struct Rotation {
     int largest = 0;
     for (int k = 1; k < 4; ++k)
       if (q[k] > q[largest]) largest = k;
-    const double products[4][4] = {
-        {q[0], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
-        {m[2][1] - m[1][2], q[1], m[1][0] + m[0][1], m[0][2] + m[2][0]},
-        {m[0][2] - m[2][0], m[1][0] + m[0][1], q[2], m[2][1] + m[1][2]},
-        {m[1][0] - m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2], q[3]}};
+    const double products[4][4] = {{q[0], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
+                                   {m[2][1] - m[1][2], q[1], m[1][0] + m[0][1], m[0][2] + m[2][0]},
+                                   {m[0][2] - m[2][0], m[1][0] + m[0][1], q[2], m[2][1] + m[1][2]},
+                                   {m[1][0] - m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2], q[3]}};
     const double sign = products[largest][0] < 0 ? -1 : 1;
     const Point axis{sign * products[largest][1], sign * products[largest][2], sign * products[largest][3]};
     const double sine = length(axis), angle = 2 * std::atan2(sine, sign * products[largest][0]);

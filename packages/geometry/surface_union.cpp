@@ -31,7 +31,8 @@ SurfaceFoot PlacedSurface::closest(const Point& x) const {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) result.turning[i][j] += rotation.matrix[i][k] * own.turning[k][l] * rotation.matrix[j][l];
+        for (int l = 0; l < 3; ++l)
+          result.turning[i][j] += rotation.matrix[i][k] * own.turning[k][l] * rotation.matrix[j][l];
   return result;
 }
 

@@ -166,7 +166,8 @@ void Model::read_conditions(const Section& deck, const Registries& registries) {
 
 void Model::read_bodies(const Section& deck, const Registries& registries) {
   for (const Section& entry : collection(deck.section("bodies")))
-    bodies_[entry.name()] = RigidBody::read(entry, mesh_->geometry(), {registries.contours, registries.surfaces, registries.motions});
+    bodies_[entry.name()] =
+        RigidBody::read(entry, mesh_->geometry(), {registries.contours, registries.surfaces, registries.motions});
   const Section stages = deck.section("stages");
   std::vector<std::string> known;
   for (const auto& [name, body] : bodies_) known.push_back(name);

@@ -16,7 +16,8 @@ BodyOutline outline_of(const RigidBody& body, double size) {
   if (body.surface()) {
     outline = body.surface()->triangles(2e-4 * size);
   } else {
-    for (const PlanePoint& point : body.contour().sample(1e-4 * size)) outline.points.push_back({point[0], point[1], 0});
+    for (const PlanePoint& point : body.contour().sample(1e-4 * size))
+      outline.points.push_back({point[0], point[1], 0});
     // a half contour is closed along its axis, so that pictures fill the body
     if (body.contour().extent() == ContourExtent::half && !outline.points.empty())
       outline.points.push_back({0, outline.points.back()[1], 0});

@@ -31,7 +31,7 @@ LeakySurface::LeakySurface(const Space& space, const ContactSurface& surface, do
       if (side.shape == shape) nodes.emplace_back(side.node, side.node + side.count);
     const SideBlock block(space, field, shape, nodes, 5);
     parts_[shape] = {block, PointView("outside", block.sides * block.points, 1),
-                         Kokkos::View<char*>("open", block.sides)};
+                     Kokkos::View<char*>("open", block.sides)};
   }
 }
 

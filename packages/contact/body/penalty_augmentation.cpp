@@ -46,9 +46,8 @@ Misfit PenaltyContact::misfit(const State& state) const {
       const int row = first_row_[s] + c;
       sums.spring = std::max(sums.spring, rows_.pressure(state, row) / stiffness);
       const double normal = rows_.pressure(state, row) - rows_.normal_multiplier(state, row);
-      const Point shear = rows_.sticks(state, row)
-                              ? minus(rows_.shear(state, row).shear, rows_.shear_multiplier(state, row))
-                              : Point{};
+      const Point shear =
+          rows_.sticks(state, row) ? minus(rows_.shear(state, row).shear, rows_.shear_multiplier(state, row)) : Point{};
       for (int a = 0; a < sides[s].count; ++a) {
         const double weight = r.shape[c][a] * here[c];
         sums.add(sides[s].node[a], weight, stiffness, weight * normal, scaled(weight, shear));
@@ -76,9 +75,8 @@ std::optional<Augmentation> PenaltyContact::update_active_set(const State& trial
   std::vector<double> pressed(first_row_.back());
   for (std::size_t s = 0; s < candidate_.size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
-      pressed[row] =
-          rows_.gap(trial, row) -
-          (deck_.augmented() ? rows_.normal_multiplier(trial, row) / trial.arrays[penalties_](s, 0) : 0.0);
+      pressed[row] = rows_.gap(trial, row) -
+                     (deck_.augmented() ? rows_.normal_multiplier(trial, row) / trial.arrays[penalties_](s, 0) : 0.0);
   return active_set_.update(
       trial, name_, deck_.active_set, gap_tolerance_, [&](int row) { return pressed[row]; },
       *context_.space.mesh().comm());

@@ -220,9 +220,9 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
       if (side_force.correction[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), side_force.correction[a]);
     }
   }
-  done(0, 0) = view.committed->arrays[work_](0, 0) + work(local_force(*view.committed), local_force(*view.trial),
-                                                          body_->placement(*view.committed),
-                                                          body_->placement(*view.trial));
+  done(0, 0) =
+      view.committed->arrays[work_](0, 0) + work(local_force(*view.committed), local_force(*view.trial),
+                                                 body_->placement(*view.committed), body_->placement(*view.trial));
   look_for_touch(view);
   return failures;
 }
@@ -254,8 +254,7 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
       for (int a = 0; a < force.dofs; ++a) {
         if (a >= soil && a < first_body) continue;
         for (int b = 0; b < force.dofs; ++b)
-          to.add(side.row, a, b,
-                 -weight * (b >= soil && b < first_body ? 1.0 : moved) * force.k[a * force.dofs + b]);
+          to.add(side.row, a, b, -weight * (b >= soil && b < first_body ? 1.0 : moved) * force.k[a * force.dofs + b]);
       }
     }
   }

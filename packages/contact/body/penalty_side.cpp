@@ -115,7 +115,8 @@ template <class T, int D>
 void act(const SideContact& side, int c, const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot,
          const ContactResponse<T, D>& now, ContactPoint& point, PointAction<T, D>& end, PointAction<T, D>& more) {
   const SpatialVector<T, D> friction = foot.traction(now.shear * x.area),
-                            force = foot.normal * (now.pressure * x.area) + friction, damping = foot.normal * now.damping;
+                            force = foot.normal * (now.pressure * x.area) + friction,
+                            damping = foot.normal * now.damping;
   const auto moment = cross(x.arm, force);
   end.add(force, moment);
   if (side.law.conserves) {
@@ -150,8 +151,7 @@ void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, cons
       const T acting = sign * (last + weight * above);
       const double* d = acting.d;
       for (int b = 0; b < nodes; ++b)
-        for (int j = 0; j < D; ++j)
-          column[D * b + j] = shape[b] * d[j] + d[X::of_area] * areas.slope[c][D * b + j];
+        for (int j = 0; j < D; ++j) column[D * b + j] = shape[b] * d[j] + d[X::of_area] * areas.slope[c][D * b + j];
       for (int b = 0; b < side.pressure_nodes; ++b)
         column[pressures + b] = pressure_shape(side, c)[b] * d[X::of_pressure];
       for (int k = 0; k < body.count; ++k) column[first_body + k] = d[X::of_body + k];

@@ -36,7 +36,9 @@ class PointRows {
   Point friction(const State& state, int row) const;
 
   double& normal_multiplier(const State& state, int row) const { return state.arrays[multipliers_](row, 0); }
-  Point shear_multiplier(const State& state, int row) const { return vector(state.arrays[multipliers_], row, 1, shears_); }
+  Point shear_multiplier(const State& state, int row) const {
+    return vector(state.arrays[multipliers_], row, 1, shears_);
+  }
   void set_shear_multiplier(const State& state, int row, const Point& stress) const;
 
   /// Handles of the arrays; -1: there is none.

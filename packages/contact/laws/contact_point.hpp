@@ -45,31 +45,31 @@ Tangential<T, D> no_tangential() {
 /// the engine takes as unknowns) the response carries on. D: dimension of the model.
 template <class T, int D = 2>
 struct ContactMotion {
-  T gap{0.0};             // [m] at the end of the step; negative: penetration
-  T shift{0.0};           // [m] gap at which the pressure starts: multiplier over penalty
-  bool member = false;    // of the active set
-  T gap_old{0.0};         // [m] at the start of the step, for shares and damping
-  T force_old{0.0};       // [N] normal force there, for damping
-  T area{1.0};            // [m2]
+  T gap{0.0};                                       // [m] at the end of the step; negative: penetration
+  T shift{0.0};                                     // [m] gap at which the pressure starts: multiplier over penalty
+  bool member = false;                              // of the active set
+  T gap_old{0.0};                                   // [m] at the start of the step, for shares and damping
+  T force_old{0.0};                                 // [N] normal force there, for damping
+  T area{1.0};                                      // [m2]
   Tangential<T, D> travel = no_tangential<T, D>();  // [m] advance along the surface in the step
-  T opened{0.0};          // [m] by which it was open at the start: travel counts from where it touched
+  T opened{0.0};  // [m] by which it was open at the start: travel counts from where it touched
   Tangential<T, D> shear_old = no_tangential<T, D>();  // [Pa] from which the stick spring starts
-  double slip_old = 0;    // [m] path slid before
-  bool slid = false;      // in the step before
-  T pore_pressure{0.0};   // [Pa] of the soil that touches
-  TouchingSoil soil;      // the rest of it
-  Point position{};       // [m] at the start of the step
+  double slip_old = 0;                                 // [m] path slid before
+  bool slid = false;                                   // in the step before
+  T pore_pressure{0.0};                                // [Pa] of the soil that touches
+  TouchingSoil soil;                                   // the rest of it
+  Point position{};                                    // [m] at the start of the step
 };
 
 template <class T, int D = 2>
 struct ContactResponse {
   bool presses = false, slides = false;
-  T pressure{0.0};                     // [Pa] on the soil, compression positive
+  T pressure{0.0};                                 // [Pa] on the soil, compression positive
   Tangential<T, D> shear = no_tangential<T, D>();  // [Pa] on the soil, along the surface; resists positive travel
-  T damping{0.0};                      // [N] along the normal, added to the mean force over the step
-  T start_share{0.0}, end_share{0.0};  // [-] of the forces at both ends in that mean
-  double slip = 0;                     // [m] of this step
-  double heat = 0, damping_heat = 0;   // [J] of friction, of damping
+  T damping{0.0};                                  // [N] along the normal, added to the mean force over the step
+  T start_share{0.0}, end_share{0.0};              // [-] of the forces at both ends in that mean
+  double slip = 0;                                 // [m] of this step
+  double heat = 0, damping_heat = 0;               // [J] of friction, of damping
 };
 
 namespace detail {
@@ -105,7 +105,8 @@ template <class T, int D>
 Tangential<T, D> touching_travel(const ContactMotion<T, D>& point) {
   const T pressed = point.gap - point.shift;
   if (!(value(point.opened) > 0)) return point.travel;
-  if (!(value(pressed) < 0)) return no_tangential<T, D>();  // held in tension by a fixed active set: it has not touched yet
+  if (!(value(pressed) < 0))
+    return no_tangential<T, D>();  // held in tension by a fixed active set: it has not touched yet
   return point.travel * (pressed / (pressed - point.opened));
 }
 

@@ -335,7 +335,8 @@ Augmentation PairContact::augment(const StepView& view, int count) {
     }
   };
   const std::vector<double> normal = in_shapes(*slave_, rest.normal, masses);
-  const std::vector<double> shear = laws_.friction() ? in_shapes(*slave_, rest.shear[0], masses) : std::vector<double>();
+  const std::vector<double> shear =
+      laws_.friction() ? in_shapes(*slave_, rest.shear[0], masses) : std::vector<double>();
   const PointView& multipliers = trial.arrays[multipliers_];
   for (std::size_t s = 0; s < slave_->sides().size(); ++s)
     for (int a = 0; a < side_multipliers; ++a) {
