@@ -1,0 +1,148 @@
+"""Contact in space: Hertz's sphere, the patch test, Coulomb's block, a ball against the axisymmetric program, ranks and restart."""
+import os
+import re
+import unittest
+
+import numpy as np
+
+from space_case import SOLID, SpaceCase, deck, quasi_static
+
+YOUNG, POISSON = 2e8, 0.3
+STIFF = {"density": 1800.0, "skeleton": {"type": "linear elastic", "Young's modulus": YOUNG, "Poisson's ratio": POISSON}}
+SYMMETRY = {"x = 0": {"type": "fixed", "set": "left", "components": "x"}, "y = 0": {"type": "fixed", "set": "front", "components": "y"}}
+
+
+def box(cell, cells, lower, upper, **more):
+    return {"type": "box", "cell": cell, "cells": list(cells), "lower": [float(v) for v in lower],
+            "upper": [float(v) for v in upper], **more}
+
+
+def ball(diameter, motion, position=(0.0, 0.0, 0.0)):
+    surface = {"type": "revolved", "contour": {"type": "sphere", "diameter": float(diameter)}}
+    return {"ball": {"position": list(position), "surface": surface, "motion": motion}}
+
+
+def plate(motion, position, size=4.0):
+    surface = {"type": "box", "length x": size, "length y": size, "length z": 1.0, "position": [0.0, 0.0, 0.5]}
+    return {"plate": {"position": list(position), "surface": surface, "motion": motion}}
+
+
+def moved(**functions):
+    return {"type": "prescribed displacement", **{name.replace("_", " "): text for name, text in functions.items()}}
+
+
+class Hertz(SpaceCase):
+    """A rigid sphere of 1 m on an elastic half space, so little that strains stay small: the approach is 1e-6 of the radius. A
+    quarter, with Boussinesq's displacements of the same load on the far faces."""
+    APPROACH = 1e-6
+
+    def run_sphere(self, cell, cells, **contact):
+        modulus = YOUNG / (1 - POISSON**2)
+        a = np.sqrt(self.APPROACH)
+        load = 4 / 3 * modulus * self.APPROACH**1.5
+        shear = YOUNG / (2 * (1 + POISSON))
+        size = 10 * a
+        # of a point load that grows as the approach to the 3/2; w downwards
+        factor = f"({load / (4 * np.pi * shear)!r}*t^1.5)"
+        rho = "sqrt(x^2+y^2+z^2)"
+        outwards = f"{factor}/{rho}*(-z/({rho})^2-{1 - 2 * POISSON!r}/({rho}-z))"  # over the distance from the axis
+        far = {"type": "displacement", "x": f"x*({outwards})", "y": f"y*({outwards})",
+               "z": f"-{factor}/{rho}*({2 * (1 - POISSON)!r}+(z/{rho})^2)"}
+        conditions = {**SYMMETRY, **{f"far {side}": {**far, "set": side} for side in ("right", "back", "bottom")}}
+        mesh = box(cell, cells, (0, 0, -size), (size, size, 0), grading=[12.0, 12.0, 1 / 12])
+        touching = {"type": "penalty", "body": "ball", "surface": "top", "penalty factor": 100.0, **contact}
+        history = self.run_text("hertz", deck(
+            "hertz", mesh, conditions, {"press": quasi_static(1, 0.25)}, material=STIFF,
+            bodies=ball(2, moved(z=f"-{self.APPROACH!r}*t")), contacts={"face": touching}))
+        fields = self.fields("hertz")
+        on_axis = np.flatnonzero(np.abs(fields.nodes).max(axis=1) < 1e-9)[0]
+        largest = 1.5 * load / (np.pi * a**2)
+        return history, fields, on_axis, load, largest, a
+
+    def check(self, cell, cells):
+        history, fields, on_axis, load, largest, a = self.run_sphere(cell, cells)
+        self.assert_near(f"{cell}: load", 4 * history["contact/face/reaction z"][-1], load, 0.01)
+        gap = history["contact/face/maximum penetration"][-1]
+        self.assertLess(gap, 0.01 * self.APPROACH)
+        self.assert_near("touching area", 4 * history["contact/face/contact area"][-1], np.pi * a**2, 0.1)
+        pressure = fields.nodal["contact_pressure_face"]
+        self.assert_near("largest pressure", pressure[on_axis], largest, 0.03)
+
+    def test_hexahedra(self):
+        self.check("hex27", (9, 9, 9))
+
+    def test_tetrahedra(self):
+        self.check("tet10", (9, 9, 9))
+
+
+class Patch(SpaceCase):
+    """A smooth plate on distorted cells presses evenly."""
+
+    def test_distorted(self):
+        for cell in ("tet10", "hex27", "tet4", "hex8"):
+            with self.subTest(cell=cell):
+                conditions = {**SYMMETRY, "base": {"type": "fixed", "set": "bottom", "components": "z"}}
+                self.run_text("patch", deck(
+                    "patch", box(cell, (3, 3, 2), (0, 0, -1), (1.5, 1.5, 0), distortion=0.25), conditions,
+                    {"press": quasi_static(1, 1)}, material=STIFF,
+                    bodies=plate(moved(z="-1e-4*t"), (0.0, 0.0, 0.0)),
+                    contacts={"face": {"type": "penalty", "body": "plate", "surface": "top", "penalty": 1e10}},
+                    solver={"residual tolerance": 1e-12}))
+                stress = self.fields("patch").cell["effective_stress"]
+                scale = np.abs(stress).max()
+                self.assertLess(np.abs(stress[:, 2] - stress[:, 2].mean()).max(), 1e-9 * scale)
+                self.assertLess(np.abs(stress[:, [0, 1, 3, 4, 5]]).max(), 1e-9 * scale)
+
+
+class Coulomb(SpaceCase):
+    def test_block_is_dragged(self):
+        """A plate pressed on a block and dragged in the direction (3, 4): the whole block's top slides at mu N."""
+        conditions = {"base": {"type": "fixed", "set": "bottom"}}
+        history = self.run_text("drag", deck(
+            "drag", box("hex27", (2, 2, 2), (0, 0, -1), (1, 1, 0)), conditions, {"drag": quasi_static(2, 0.25)}, material=STIFF,
+            bodies=plate(moved(z="-1e-4*min(t,1)", x="3e-3*max(t-1,0)", y="4e-3*max(t-1,0)"), (0.0, 0.0, 0.0)),
+            contacts={"face": {"type": "penalty", "body": "plate", "surface": "top",
+                               "friction": {"type": "coulomb", "coefficient": 0.2}}}))
+        normal = history["contact/face/reaction z"][-1]
+        self.assertGreater(normal, 1000)
+        drag = np.array([history[f"contact/face/friction {axis}"][-1] for axis in "xy"])
+        self.assert_near("drag over normal force", np.hypot(*drag), 0.2 * normal, 1e-9)
+        self.assert_near("its direction", drag, -np.array([0.6, 0.8]) * 0.2 * normal, 0.02, 0.2 * normal)
+
+
+class Revolved(SpaceCase):
+    """A rough ball pressed into Tresca clay: a quarter in space against the same section in the axisymmetric program."""
+    SECTION = {"type": "box", "cell": "tri6", "cells": [8, 8], "lower": [0.0, -1.6], "upper": [1.6, 0.0], "grading": [5.0, 0.2]}
+    CLAY = {"density": 1800.0, "skeleton": {"type": "tresca", "undrained strength": 1e4, "rigidity index": 100.0, "Poisson's ratio": 0.49}}
+
+    def deck_text(self, space):
+        up = "z" if space else "y"
+        mesh = self.SECTION
+        if space:
+            mesh = {"type": "revolved", "angle": 90.0, "layers": 5, "plane": self.SECTION}
+        sphere = {"type": "sphere", "diameter": 0.8}
+        body = {"surface": {"type": "revolved", "contour": sphere}} if space else {"contour": sphere}
+        conditions = {"base": {"type": "fixed", "set": "bottom"}, "far": {"type": "fixed", "set": "right", "components": "xy" if space else "x"}}
+        if space:
+            conditions.update({"start": {"type": "fixed", "set": "start", "components": "y"}, "end": {"type": "fixed", "set": "end", "components": "x"},
+                               "axis": {"type": "fixed", "set": "left", "components": "xy"}})
+        else:
+            conditions["axis"] = {"type": "fixed", "set": "left", "components": "x"}
+        motion = {"type": "prescribed displacement", up: "-0.04*t"}
+        result = deck("ball", mesh, conditions, {"press": quasi_static(1, 0.05, maximum=0.05)}, material=self.CLAY,
+                      bodies={"ball": {"position": [0.0] * (3 if space else 2), **body, "motion": motion}},
+                      contacts={"face": {"type": "penalty", "body": "ball", "surface": "top",
+                                         "friction": {"type": "coulomb", "coefficient": 0.3}}})
+        return result if space else result.replace('value="three-dimensional"', 'value="axisymmetric"')
+
+    def test_ball(self):
+        flat = self.run_text("flat", self.deck_text(False))
+        space = self.run_text("space", self.deck_text(True))
+        for share in (0.5, 1.0):
+            wanted = flat.at("contact/face/reaction y", share)
+            self.assert_near(f"force at {share}", 4 * space.at("contact/face/reaction z", share), wanted, 0.01)
+        self.assert_near("friction upwards", 4 * space["contact/face/friction z"][-1], flat["contact/face/friction y"][-1], 0.015)
+
+
+if __name__ == "__main__":
+    unittest.main()
