@@ -53,8 +53,7 @@ class SpaceModel:
 
 
 def spans_of_body(mesh, bodies):
-    """(axis, 2): from where to where the first body goes if its middle is in the model, else from where to where the
-    model goes; the same for each axis."""
+    """(axis, 2): from where to where the first body goes; along axes where its middle is not in the model, the model."""
     spans = np.column_stack([mesh.points.min(axis=0), mesh.points.max(axis=0)])
     for points, _ in list(bodies.values())[:1]:
         body = np.column_stack([points.min(axis=0), points.max(axis=0)])
