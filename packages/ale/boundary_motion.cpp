@@ -56,7 +56,7 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     for (const auto& [name, body] : bodies) known.push_back(name);
     if (!bodies.count(focus_)) section.fail("unknown body '" + focus_ + "'" + suggestion(focus_, known), "focus");
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
-    focus = bodies.at(focus_)->initial_position();
+    focus = in_plane(bodies.at(focus_)->initial_position());
   }
   paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
                       [&](int node) { return starts_on_body(source[node]); });
@@ -92,7 +92,8 @@ std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::a
 
 Positions BoundaryMotion::move(const Positions& x, const State& state) const {
   Positions result = x;
-  const SizeField size = size_field(focus_.empty() ? std::array<double, 2>{} : bodies_.at(focus_)->position(state));
+  const SizeField size =
+      size_field(focus_.empty() ? std::array<double, 2>{} : in_plane(bodies_.at(focus_)->position(state)));
   for (std::size_t p = 0; p < paths_.size(); ++p)
     if (slides_[p]) move_path(p, state, size, result);
   return result;

@@ -41,7 +41,8 @@ struct BodyLoad {
 class ReleasedMotion : public BodyMotion {
  public:
   BodyState advance(const BodyState& old, double t_old, double t_end) const override;
-  bool lateral() const override { return releases(0) || releases(2); }
+  bool moves(int axis) const override { return axis < 2 && releases(axis); }
+  bool turns() const override { return releases(2); }
   const ReleasedMotion* released() const override { return this; }
   bool releases(int direction) const { return released_[direction]; }
 

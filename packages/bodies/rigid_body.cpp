@@ -7,16 +7,6 @@
 
 namespace mudline {
 
-namespace {
-
-PlanePoint turned(double angle, const PlanePoint& v) {
-  if (angle == 0) return v;  // bodies that do not rotate keep every bit
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v[0] - s * v[1], s * v[0] + c * v[1]};
-}
-
-}  // namespace
-
 void RigidBody::parameters(Parameters& p) {
   p.add("position", position_, "m", "Where the body's reference point (the tip of its contour) is before any motion");
   p.add(
@@ -30,7 +20,8 @@ void RigidBody::parameters(Parameters& p) {
   p.add("tip height", tip_height_, "m", non_negative(),
         "Height above the reference point below which contact forces are the tip's, above it the shaft's; 0: the "
         "shape's own");
-  p.passes_on("contour", "Shape of the body; 'type' names a contour");
+  p.passes_on("contour", "Shape of the body in the plane; 'type' names a contour");
+  p.passes_on("surface", "Shape of the body in space; 'type' names a surface");
   p.passes_on("motion", "How the body moves, unless a stage says otherwise; 'type' names a motion");
 }
 
@@ -41,35 +32,63 @@ std::shared_ptr<RigidBody> RigidBody::read(const Section& section, Geometry geom
   Parameters p(section);
   body->parameters(p);
   p.finish();
-  const Section contour = section.section("contour");
-  const auto shape = registries.contours.create(contour);
-  body->contour_ = std::make_unique<Contour>(shape->contour(contour));
-  body->of_revolution_ = shape->of_revolution();
-  body->enclosed_ = std::make_unique<ContourVolume>(body->contour(), geometry);
-  if (body->tip_height_ == 0) body->tip_height_ = shape->tip_height();
-  const bool half = body->contour().extent() == ContourExtent::half;
-  if (geometry == Geometry::axisymmetric && !half)
-    contour.fail("an axisymmetric body has a half contour, not a full one", "extent");
-  if (geometry == Geometry::axisymmetric && body->position_[0] != 0)
-    section.fail("the axis of an axisymmetric body is r = 0: the first value must be 0", "position");
-  if (half && body->centre_[0] != 0)
-    section.fail("the centre of mass of a body with a half contour is on its axis: the first value must be 0",
-                 "centre of mass");
-  BodyProperties& properties = body->properties_;
-  properties.geometry = geometry;
-  properties.enclosed = body->enclosed_.get();
-  if (properties.volume == 0) properties.volume = body->enclosed_->total();
+  body->properties_.geometry = geometry;
+  const bool space = geometry == Geometry::space;
+  for (const char* other : {"contour", "surface"})
+    if (section.has_section(other) && space != (std::string(other) == "surface"))
+      section.fail(space ? "a body in space has a 'surface'; a contour is turned into one by the type 'revolved'"
+                         : "a body in the plane has a 'contour'",
+                   other);
+  if (space)
+    body->read_surface(section, registries);
+  else
+    body->read_contour(section, registries);
   body->own_motion_ = body->motion_ = body->read_motion(section.section("motion"), registries.motions);
   return body;
+}
+
+void RigidBody::read_contour(const Section& section, const BodyRegistries& registries) {
+  const Section entry = section.section("contour");
+  const auto shape = registries.contours.create(entry);
+  contour_ = std::make_unique<Contour>(shape->contour(entry));
+  of_revolution_ = shape->of_revolution();
+  enclosed_ = std::make_unique<ContourVolume>(contour(), properties_.geometry);
+  if (tip_height_ == 0) tip_height_ = shape->tip_height();
+  const bool half = contour().extent() == ContourExtent::half;
+  if (properties_.geometry == Geometry::axisymmetric && !half)
+    entry.fail("an axisymmetric body has a half contour, not a full one", "extent");
+  if (properties_.geometry == Geometry::axisymmetric && position_[0] != 0)
+    section.fail("the axis of an axisymmetric body is r = 0: the first value must be 0", "position");
+  if (half && centre_[0] != 0)
+    section.fail("the centre of mass of a body with a half contour is on its axis: the first value must be 0",
+                 "centre of mass");
+  properties_.enclosed = enclosed_.get();
+  if (properties_.volume == 0) properties_.volume = enclosed_->total();
+  reach_ = 0.5 * contour().length();
+}
+
+void RigidBody::read_surface(const Section& section, const BodyRegistries& registries) {
+  const Section entry = section.section("surface");
+  const auto shape = registries.surfaces.create(entry, {registries.surfaces, registries.contours});
+  surface_ = shape->surface();
+  if (tip_height_ == 0) tip_height_ = shape->tip_height();
+  if (properties_.volume == 0) properties_.volume = surface_->moments().volume;
+  constexpr double coarse = 0.01;  // of its extent; [m] where it goes on for ever
+  const double extent = surface_->bounds().extent();
+  for (const Point& x : surface_->triangles(coarse * (std::isfinite(extent) ? extent : 1.0)).points)
+    reach_ = std::max(reach_, length(minus(x, centre_)));
 }
 
 std::shared_ptr<const BodyMotion> RigidBody::read_motion(const Section& section, const Registry<BodyMotion>& motions) {
   std::shared_ptr<const BodyMotion> motion = motions.create(section);
   if (motion->released()) {
+    if (dimension() == 3)
+      section.fail("a body in space moves as prescribed; allowed: held, prescribed displacement, prescribed velocity",
+                   "type");
     motion->released()->check_body(properties_, section);
     may_be_free_ = true;
   }
-  if (contour().extent() == ContourExtent::half && motion->lateral())
+  if (contour_ && contour().extent() == ContourExtent::half && (motion->moves(0) || motion->turns()))
     section.fail("a body with a half contour cannot leave its axis: it has no motion in x");
   return motion;
 }
@@ -94,11 +113,14 @@ void RigidBody::bind(const Space& space, int field, int index) {
 void RigidBody::declare_state(StateStore& store) {
   ArrayInfo info;
   info.name = "body/" + name_ + "/motion";
-  info.variables = {{"displacement x", 1, "m"},
-                    {"displacement y", 1, "m"},
-                    {"velocity x", 1, "m/s"},
-                    {"velocity y", 1, "m/s"},
-                    {"moving time", 1, "s"}};
+  for (int i = 0; i < dimension(); ++i)
+    info.variables.push_back({std::string("displacement ") + axis_names[i], 1, "m"});
+  for (int i = 0; i < dimension(); ++i) info.variables.push_back({std::string("velocity ") + axis_names[i], 1, "m/s"});
+  info.variables.push_back({"moving time", 1, "s"});
+  for (int i = 0; i < 3 && dimension() == 3; ++i)
+    info.variables.push_back({std::string("rotation ") + axis_names[i], 1, "rad"});
+  for (int i = 0; i < 3 && dimension() == 3; ++i)
+    info.variables.push_back({std::string("spin ") + axis_names[i], 1, "rad/s"});
   array_ = store.find(info.name);
   if (array_ < 0) array_ = store.declare(std::move(info), 1);
 }
@@ -108,24 +130,38 @@ bool RigidBody::set_motion(std::shared_ptr<const BodyMotion> motion) {
   return motion_ != motion;
 }
 
-void RigidBody::restart_clock(State& committed) const { committed.arrays[array_](0, 4) = 0; }
+void RigidBody::restart_clock(State& committed) const { committed.arrays[array_](0, 2 * dimension()) = 0; }
 
-BodyState RigidBody::body_state(const State& state) const {
+BodyState RigidBody::state_of(const State& state) const {
   const PointView& row = state.arrays[array_];
-  BodyState result{{row(0, 0), row(0, 1)}, {row(0, 2), row(0, 3)}, row(0, 4)};
+  const int axes = dimension();
+  BodyState result;
+  result.moving_time = row(0, 2 * axes);
+  for (int i = 0; i < axes; ++i) {
+    result.displacement[i] = row(0, i);
+    result.velocity[i] = row(0, axes + i);
+  }
+  if (axes == 3) {
+    result.turn = Rotation::by({row(0, 7), row(0, 8), row(0, 9)});
+    result.spin = {row(0, 10), row(0, 11), row(0, 12)};
+  }
   for (int k = 0; k < unknowns_.count; ++k) {
-    const int direction = unknowns_.direction[k];
-    if (direction > 1) continue;
-    result.displacement[direction] = state.value(unknowns_.dof[k]);
-    result.velocity[direction] = state.rate(unknowns_.dof[k]);
+    const int direction = unknowns_.direction[k], dof = unknowns_.dof[k];
+    if (direction < 2) {
+      result.displacement[direction] = state.value(dof);
+      result.velocity[direction] = state.rate(dof);
+    } else {
+      result.turn = Rotation::by({0, 0, state.value(dof) * unknowns_.scale[k]});
+      result.spin[2] = state.rate(dof) * unknowns_.scale[k];
+    }
   }
   return result;
 }
 
 BodyState RigidBody::prescribed(const State& committed, double t_old, double t_end) const {
-  BodyState now = body_state(committed);
+  BodyState now = state_of(committed);
   if (motion_) return motion_->advance(now, t_old, t_end);
-  now.velocity = {0, 0};
+  now.velocity = now.spin = {};
   now.moving_time = 0;
   return now;
 }
@@ -144,11 +180,16 @@ void RigidBody::prescribe(const State& committed, double t_old, double t_end, Co
 void RigidBody::advance(const StepView& view) const {
   const BodyState now = prescribed(*view.committed, view.time_old, view.time_end);
   const PointView& row = view.trial->arrays[array_];
-  row(0, 4) = now.moving_time;
+  const int axes = dimension();
+  row(0, 2 * axes) = now.moving_time;
   if (unknowns_.count > 0) return;
-  for (int i = 0; i < 2; ++i) {
+  const Point turned = now.turn.vector();
+  for (int i = 0; i < axes; ++i) {
     row(0, i) = now.displacement[i];
-    row(0, 2 + i) = now.velocity[i];
+    row(0, axes + i) = now.velocity[i];
+    if (axes < 3) continue;
+    row(0, 7 + i) = turned[i];
+    row(0, 10 + i) = now.spin[i];
   }
 }
 
@@ -168,82 +209,69 @@ double RigidBody::speed(const State& state, double dt) const {
       now[direction] = v;
       then[direction] = v + a * dt;
     }
-    return std::max(std::hypot(now[0], now[1]), std::hypot(then[0], then[1])) + 0.5 * spin * contour().length();
+    return std::max(std::hypot(now[0], now[1]), std::hypot(then[0], then[1])) + spin * reach_;
   }
   constexpr int parts = 8;
-  BodyState at = body_state(state);
+  BodyState at = state_of(state);
   double fastest = 0;
   for (int i = 0; i < parts; ++i) {
     const double from = state.time + dt * i / parts, to = state.time + dt * (i + 1) / parts;
     const BodyState next = motion_->advance(at, from, to);
     const double path =
-        std::hypot(next.displacement[0] - at.displacement[0], next.displacement[1] - at.displacement[1]);
+        length(minus(next.displacement, at.displacement)) + reach_ * length((next.turn * at.turn.inverse()).vector());
     fastest = std::max(fastest, path / (to - from));
     at = next;
   }
   return fastest;
 }
 
-BodyPlacement RigidBody::initial_placement() const {
-  return {{position_[0] + centre_[0], position_[1] + centre_[1]}, 0};
-}
+BodyPlacement RigidBody::initial_placement() const { return {plus(position_, 1, centre_), {}}; }
 
 BodyPlacement RigidBody::placement(const State& state) const {
-  const auto u = body_state(state).displacement;
-  BodyPlacement result = initial_placement();
-  for (int i = 0; i < 2; ++i) result.centre[i] += u[i];
-  if (unknowns_.count == body_directions) result.angle = state.value(unknowns_.dof[2]) * unknowns_.scale[2];
-  return result;
+  const BodyState now = state_of(state);
+  return {plus(initial_placement().centre, 1, now.displacement), now.turn};
 }
 
-std::array<double, 2> RigidBody::position(const State& state) const {
+Point RigidBody::position(const State& state) const {
   const BodyPlacement at = placement(state);
-  const PlanePoint arm = turned(at.angle, centre_);
-  return {at.centre[0] - arm[0], at.centre[1] - arm[1]};
+  return plus(at.centre, 1, arm(at));
 }
 
-std::array<double, 2> RigidBody::displacement(const State& state) const {
-  auto u = body_state(state).displacement;
-  const PlanePoint arm = turned(placement(state).angle, centre_);
-  for (int i = 0; i < 2; ++i) u[i] += centre_[i] - arm[i];
-  return u;
+Point RigidBody::displacement(const State& state) const {
+  const BodyState now = state_of(state);
+  return plus(plus(now.displacement, 1, centre_), -1, now.turn(centre_));
 }
 
-std::array<double, 2> RigidBody::velocity(const State& state) const {
-  auto v = body_state(state).velocity;
-  if (unknowns_.count < body_directions) return v;
-  const PlanePoint arm = turned(placement(state).angle, centre_);
-  const double spin = state.rate(unknowns_.dof[2]) * unknowns_.scale[2];
-  return {v[0] + spin * arm[1], v[1] - spin * arm[0]};
+Point RigidBody::velocity(const State& state) const {
+  const BodyState now = state_of(state);
+  return plus(now.velocity, -1, cross(now.spin, now.turn(centre_)));
 }
 
-PlanePoint RigidBody::in_frame(const BodyPlacement& placement, const PlanePoint& x) const {
-  const PlanePoint arm = turned(-placement.angle, {x[0] - placement.centre[0], x[1] - placement.centre[1]});
-  return {arm[0] + centre_[0], arm[1] + centre_[1]};
+Point RigidBody::in_frame(const BodyPlacement& placement, const Point& x) const {
+  return plus(placement.turn.back(minus(x, placement.centre)), 1, centre_);
 }
 
 ContourFoot RigidBody::closest(const BodyPlacement& placement, const PlanePoint& x) const {
-  ContourFoot foot = contour().closest(in_frame(placement, x));
-  const PlanePoint arm = turned(placement.angle, {foot.foot[0] - centre_[0], foot.foot[1] - centre_[1]});
+  const auto turned = [&](const PlanePoint& v) { return in_plane(placement.turn({v[0], v[1], 0})); };
+  ContourFoot foot = contour().closest(in_plane(in_frame(placement, {x[0], x[1], 0})));
+  const PlanePoint arm = turned({foot.foot[0] - centre_[0], foot.foot[1] - centre_[1]});
   for (int i = 0; i < 2; ++i) foot.foot[i] = placement.centre[i] + arm[i];
-  foot.normal = turned(placement.angle, foot.normal);
-  foot.tangent = turned(placement.angle, foot.tangent);
+  foot.normal = turned(foot.normal);
+  foot.tangent = turned(foot.tangent);
   return foot;
 }
 
-std::vector<PlanePoint> RigidBody::sample(const State& state, double chord_error) const {
-  const BodyPlacement at = placement(state);
-  auto points = contour().sample(chord_error);
-  for (auto& point : points) {
-    const PlanePoint arm = turned(at.angle, {point[0] - centre_[0], point[1] - centre_[1]});
-    for (int i = 0; i < 2; ++i) point[i] = at.centre[i] + arm[i];
-  }
-  return points;
+SurfaceFoot RigidBody::foot(const BodyPlacement& placement, const Point& x) const {
+  return PlacedSurface{surface_, plus(placement.centre, 1, arm(placement)), placement.turn}.closest(x);
 }
 
-void register_rigid_body(Registry<ContourShape>& contours, Registry<BodyMotion>& motions) {
-  register_contours(contours);
-  register_motions(motions);
+double RigidBody::gap(const BodyPlacement& placement, const Point& x) const {
+  const Point own = in_frame(placement, x);
+  return surface_ ? surface_->closest(own).gap : contour().closest(in_plane(own)).gap;
+}
+
+double RigidBody::height(const BodyPlacement& placement, const Point& x) const {
+  return in_frame(placement, x)[dimension() - 1];
 }
 
 }  // namespace mudline

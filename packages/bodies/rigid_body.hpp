@@ -9,23 +9,25 @@
 #include "framework/constraints.hpp"
 #include "framework/state.hpp"
 #include "framework/term.hpp"
-#include "geometry/contour_shape.hpp"
+#include "geometry/surface_shape.hpp"
 
 namespace mudline {
 
 /// The registries an entry of the deck's "bodies" needs.
 struct BodyRegistries {
   const Registry<ContourShape>& contours;
+  const SurfaceRegistry& surfaces;
   const Registry<BodyMotion>& motions;
 };
 
-/// Where a body is: its centre of mass [m] and the angle [rad] by which it is turned about it.
+/// Where a body is: its centre of mass [m] and the rotation about it, from the orientation at the start.
 struct BodyPlacement {
-  PlanePoint centre{};
-  double angle = 0;
+  Point centre{};
+  Rotation turn;
 };
 
 /// The unknowns of a body that may move freely in some stage: components of one point of the field "body motion".
+/// Directions are the axes of the model, then the rotations: about z in the plane.
 /// Translations are those of the centre of mass [m]; the rotation is carried as an arc, the angle times the radius of
 /// gyration, so that all components have the unit m, the mass as inertia, and one norm.
 struct BodyUnknowns {
@@ -37,10 +39,10 @@ struct BodyUnknowns {
   int field = -1;
 };
 
-/// A rigid body: a contour, its position, its mass, and the law of motion that holds in the present stage. A body that
-/// is free in some stage has unknowns; its placement is then that of the nodal state. Of the others displacement and
-/// velocity live in the state array "body/<name>/motion" (one row, the same on every rank), and so does the time in
-/// motion of all.
+/// A rigid body: a contour in the plane or a surface in space, its position, its mass, and the law of motion that holds
+/// in the present stage. A body that is free in some stage has unknowns; its placement is then that of the nodal state.
+/// Of the others displacement and velocity live in the state array "body/<name>/motion" (one row, the same on every
+/// rank), and so does the time in motion of all.
 class RigidBody {
  public:
   /// Reads and validates an entry of "bodies". InputError.
@@ -51,10 +53,14 @@ class RigidBody {
   std::shared_ptr<const BodyMotion> read_motion(const Section& section, const Registry<BodyMotion>& motions);
 
   const std::string& name() const { return name_; }
+  int dimension() const { return mudline::dimension(properties_.geometry); }
+  /// In the plane.
   const Contour& contour() const { return *contour_; }
+  /// In space, in the body's frame; null in the plane.
+  const Surface* surface() const { return surface_.get(); }
   const BodyProperties& properties() const { return properties_; }
   /// Of the reference point before any motion [m].
-  const std::array<double, 2>& initial_position() const { return position_; }
+  const Point& initial_position() const { return position_; }
   BodyPlacement initial_placement() const;
   /// Height [m] above the reference point, in the body's frame, below which contact counts as the tip's.
   double tip_height() const { return tip_height_; }
@@ -94,36 +100,45 @@ class RigidBody {
   double speed(const State& state, double dt) const;
 
   /// Of the reference point.
-  std::array<double, 2> displacement(const State& state) const;
-  std::array<double, 2> velocity(const State& state) const;
+  Point displacement(const State& state) const;
+  Point velocity(const State& state) const;
   /// Of the reference point [m].
-  std::array<double, 2> position(const State& state) const;
+  Point position(const State& state) const;
   BodyPlacement placement(const State& state) const;
-  /// Nearest point of the contour; x and the foot in the coordinates of the mesh.
+  /// Rotation vector [rad] from the orientation at the start, and spin [rad/s].
+  Point rotation(const State& state) const { return state_of(state).turn.vector(); }
+  Point spin(const State& state) const { return state_of(state).spin; }
+  BodyState state_of(const State& state) const;
+  /// Nearest point of the contour; x and the foot in the coordinates of the mesh. In the plane.
   ContourFoot closest(const BodyPlacement& placement, const PlanePoint& x) const;
+  /// The same of the surface. In space.
+  SurfaceFoot foot(const BodyPlacement& placement, const Point& x) const;
+  /// Signed distance [m] of a point, negative inside.
+  double gap(const BodyPlacement& placement, const Point& x) const;
   /// Height [m] of a point in the body's frame above the reference point.
-  double height(const BodyPlacement& placement, const PlanePoint& x) const { return in_frame(placement, x)[1]; }
-  /// Polyline of the contour where it is now, for output.
-  std::vector<PlanePoint> sample(const State& state, double chord_error) const;
+  double height(const BodyPlacement& placement, const Point& x) const;
+  /// Radius [m] around the centre of mass within which the body is drawn.
+  double reach() const { return reach_; }
 
  private:
   RigidBody() = default;
   void parameters(Parameters& p);
-  BodyState body_state(const State& state) const;
-  PlanePoint in_frame(const BodyPlacement& placement, const PlanePoint& x) const;
+  void read_contour(const Section& section, const BodyRegistries& registries);
+  void read_surface(const Section& section, const BodyRegistries& registries);
+  Point in_frame(const BodyPlacement& placement, const Point& x) const;
+  /// Of the reference point from the centre of mass, as the body is turned.
+  Point arm(const BodyPlacement& placement) const { return scaled(-1, placement.turn(centre_)); }
   std::string name_;
-  std::array<double, 2> position_{}, centre_{};  // reference point in space; centre of mass in the body's frame
+  Point position_{}, centre_{};  // reference point in the mesh; centre of mass in the body's frame
   BodyProperties properties_;
-  double tip_height_ = 0;
+  double tip_height_ = 0, reach_ = 0;
   std::unique_ptr<const Contour> contour_;
+  std::shared_ptr<const Surface> surface_;
   std::unique_ptr<const ContourVolume> enclosed_;
   std::shared_ptr<const BodyMotion> own_motion_, motion_;
   BodyUnknowns unknowns_;
   bool may_be_free_ = false, of_revolution_ = false;
   int array_ = -1;
 };
-
-/// Contours and motions of this package; a plain list.
-void register_rigid_body(Registry<ContourShape>& contours, Registry<BodyMotion>& motions);
 
 }  // namespace mudline

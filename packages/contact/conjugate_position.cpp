@@ -16,13 +16,18 @@ BodyPlacement moved_ahead(const RigidBody& body, const State& state, const Const
   BodyPlacement result = body.placement(state);
   if (ahead.extent(0) == 0) return result;
   const BodyUnknowns& unknowns = body.unknowns();
+  Point turned{};
   for (int k = 0; k < unknowns.count; ++k) {
-    const int direction = unknowns.direction[k];
-    (direction < 2 ? result.centre[direction] : result.angle) += ahead(unknowns.dof[k]) * unknowns.scale[k];
+    const int direction = unknowns.direction[k], axes = body.dimension();
+    const double moved = ahead(unknowns.dof[k]) * unknowns.scale[k];
+    (direction < axes ? result.centre[direction] : turned[axes == 2 ? 2 : direction - axes]) += moved;
   }
-  if (unknowns.count > 0) return result;
-  const auto velocity = body.velocity(state);
-  for (std::size_t i = 0; i < velocity.size(); ++i) result.centre[i] += lead * velocity[i];
+  if (unknowns.count == 0) {
+    const BodyState now = body.state_of(state);
+    result.centre = plus(result.centre, lead, now.velocity);
+    turned = scaled(lead, now.spin);
+  }
+  result.turn = Rotation::by(turned) * result.turn;
   return result;
 }
 

@@ -1,5 +1,7 @@
 #include "contact/contact_laws.hpp"
 
+#include "contact/contact_rule.hpp"
+
 namespace mudline {
 
 void ContactLaws::declare_normal_law(Parameters& p) {
@@ -78,7 +80,7 @@ ContactPointLaw ContactLaws::in_step(const StepView& view, double damping) const
   return law;
 }
 
-TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, double xi) const {
+TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, const double* xi) const {
   TouchingSoil result;
   if (!read_.pore_pressure) result.pore_pressure = TouchingSoil::unknown;
   if (read_.temperature) result.temperature = temperature(committed, side, xi);
@@ -86,11 +88,13 @@ TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, 
   return result;
 }
 
-double ContactLaws::temperature(const State& committed, const SurfaceSide& side, double xi) const {
-  const int nodes = space_->field(temperature_).support == Support::vertices ? 2 : side.count;
-  double shape[3], slope[3], result = 0;
-  evaluate_line(nodes, xi, shape, slope);
-  for (int a = 0; a < nodes; ++a) result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
+double ContactLaws::temperature(const State& committed, const SurfaceSide& side, const double* xi) const {
+  const bool corners = space_->field(temperature_).support == Support::vertices;
+  const CellShape carrier = corners ? linear_partner(side.shape) : side.shape;
+  double shape[max_side_nodes], slope[2 * max_side_nodes], result = 0;
+  evaluate_shape(carrier, xi, shape, slope);
+  for (int a = 0; a < num_nodes(carrier); ++a)
+    result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
   return result;
 }
 

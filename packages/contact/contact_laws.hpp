@@ -31,12 +31,12 @@ class ContactLaws {
   bool read_pore_pressure() const { return read_.pore_pressure; }
   /// Laws, times and weights of a step; `damping` of the deck [s/m].
   ContactPointLaw in_step(const StepView& view, double damping) const;
-  /// At the reference coordinate xi of a side, in the state in which a step starts; without the pore pressure.
-  TouchingSoil soil(const State& committed, const SurfaceSide& side, double xi) const;
+  /// At the reference coordinates xi of a side, in the state in which a step starts; without the pore pressure.
+  TouchingSoil soil(const State& committed, const SurfaceSide& side, const double* xi) const;
 
  private:
   void note(const SoilQuantities& asked, const Section& law);
-  double temperature(const State& committed, const SurfaceSide& side, double xi) const;
+  double temperature(const State& committed, const SurfaceSide& side, const double* xi) const;
   double mean_stress(const State& committed, const SurfaceSide& side) const;
 
   const Space* space_ = nullptr;

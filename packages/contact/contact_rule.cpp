@@ -3,43 +3,52 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/space_vector.hpp"
+
 namespace mudline {
 
 double farthest(const SideCoordinates& x) {
   double result = 0;
-  for (const PlanePoint& point : x) result = std::max(result, std::hypot(point[0], point[1]));
+  for (const Point& point : x) result = std::max(result, length(point));
   return result;
 }
 
-ContactRule::ContactRule(ContactPoints kind, int nodes_, int degree) : nodes(nodes_) {
-  const QuadratureRule gauss = line_quadrature(degree);
+ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) : side(side_), nodes(num_nodes(side_)) {
+  const QuadratureRule gauss = cell_quadrature(side, degree);
   samples = static_cast<int>(gauss.weights.size());
   N.assign(samples, {});
   dN.assign(samples, {});
-  for (int q = 0; q < samples; ++q) evaluate_line(nodes, gauss.points[q][0], N[q].data(), dN[q].data());
+  for (int q = 0; q < samples; ++q) evaluate_shape(side, gauss.points[q].data(), N[q].data(), dN[q].data());
   const bool nodal = kind == ContactPoints::nodes;
   points = nodal ? nodes : samples;
   shape.assign(points, {});
+  corner.assign(points, {});
   weight.assign(points, std::vector<double>(samples, 0.0));
   for (int c = 0; c < points; ++c) {
     if (nodal) {
-      constexpr double node_xi[max_side_nodes] = {-1, 1, 0};
-      xi.push_back(node_xi[c]);
+      xi.push_back(reference_node(side, c));
       shape[c][c] = 1;
       for (int q = 0; q < samples; ++q) weight[c][q] = gauss.weights[q] * N[q][c];
     } else {
-      xi.push_back(gauss.points[c][0]);
+      xi.push_back(gauss.points[c]);
       shape[c] = N[c];
       weight[c][c] = gauss.weights[c];
     }
+    double slope[2 * max_side_nodes];
+    evaluate_shape(linear_partner(side), xi[c].data(), corner[c].data(), slope);
   }
 }
 
-PlanePoint ContactRule::place(int c, const SideCoordinates& x) const {
-  PlanePoint at{};
+Point ContactRule::place(int c, const SideCoordinates& x) const {
+  Point at{};
   for (int a = 0; a < nodes; ++a)
-    for (int i = 0; i < 2; ++i) at[i] += shape[c][a] * x[a][i];
+    for (int i = 0; i < 3; ++i) at[i] += shape[c][a] * x[a][i];
   return at;
+}
+
+bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area) {
+  return dimension(rule.side) == 1 ? contact_areas<2>(rule, x, geometry, area)
+                                   : contact_areas<3>(rule, x, geometry, area);
 }
 
 }  // namespace mudline

@@ -3,68 +3,99 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/space_vector.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// Area of an element over the length of a side, times 2 for a triangle: its height above the side. Corners only.
-double height_above(const Mesh& mesh, const ElementBlock& block, const SurfaceSide& side) {
-  const int corners = num_corners(block.shape);
-  const auto& x = mesh.coordinates();
-  double twice_area = 0;
-  for (int i = 0; i < corners; ++i) {
-    const int a = block.nodes(side.element, i), b = block.nodes(side.element, (i + 1) % corners);
-    twice_area += x(a, 0) * x(b, 1) - x(b, 0) * x(a, 1);
+/// Length, area or volume [m, m2, m3] of the linear cell on the corners of `shape`; node(a): local.
+template <class Node>
+double size_of(const Mesh& mesh, CellShape shape, Node&& node) {
+  const CellShape linear = linear_partner(shape);
+  const int corners = num_corners(shape), parameters = dimension(shape);
+  const QuadratureRule rule = cell_quadrature(linear, 2);
+  double size = 0;
+  for (std::size_t q = 0; q < rule.weights.size(); ++q) {
+    double N[8], dN[3 * 8];
+    evaluate_shape(linear, rule.points[q].data(), N, dN);
+    Point along[3] = {{}, {0, 1, 0}, {0, 0, 1}};
+    for (int k = 0; k < parameters; ++k) {
+      along[k] = {};
+      for (int a = 0; a < corners; ++a) along[k] = plus(along[k], dN[parameters * a + k], mesh.place(node(a)));
+    }
+    // a line's or a face's size is that of its column of height 1
+    const Point normal = cross(along[0], parameters == 1 ? Point{0, 0, 1} : along[1]);
+    size += rule.weights[q] * (parameters == 3 ? dot(normal, along[2]) : length(normal));
   }
-  const double length = std::hypot(x(side.node[1], 0) - x(side.node[0], 0), x(side.node[1], 1) - x(side.node[0], 1));
-  return (corners == 3 ? 1.0 : 0.5) * twice_area / length;
+  return size;
 }
 
-double chord(const ConstCoordinateView& x, const SurfaceSide& side) {
-  return std::hypot(x(side.node[1], 0) - x(side.node[0], 0), x(side.node[1], 1) - x(side.node[0], 1));
+/// Size of an element over that of a side, times its dimension for a triangle or a tetrahedron: its height above the
+/// side. Corners only.
+double height_above(const Mesh& mesh, const ElementBlock& block, const SurfaceSide& side) {
+  const double content = size_of(mesh, block.shape, [&](int a) { return block.nodes(side.element, a); });
+  const double base = size_of(mesh, side.shape, [&](int a) { return side.node[a]; });
+  return (is_simplex(block.shape) ? mesh.dimension() : 1) * content / base;
 }
 
 }  // namespace
 
+std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateView& x) {
+  std::pair<double, double> result{1e300, 0};
+  const int corners = num_corners(side.shape);
+  for (int a = 0; a < corners; ++a) {
+    Point edge{};
+    for (std::size_t i = 0; i < x.extent(1); ++i) edge[i] = x(side.node[(a + 1) % corners], i) - x(side.node[a], i);
+    result = {std::min(result.first, length(edge)), std::max(result.second, length(edge))};
+  }
+  return result;
+}
+
 ContactSurface::ContactSurface(const Space& space, const std::string& side_set, bool pressures,
                                const BodyUnknowns& body)
     : mesh_(space.mesh()), exchange_(mesh_), body_unknowns_(body.count) {
-  int rows[2] = {0, 0};
+  std::map<CellShape, int> rows;
   for (const Side& side : mesh_.side_sets().at(side_set)) {
     const ElementBlock& block = mesh_.blocks()[side.block];
-    SurfaceSide here{side.block, side.element, 0, {-1, -1, -1}, 0, 0};
+    SurfaceSide here{side.block, side.element, side.side, side_shape(block.shape), 0, {}, 0, 0};
     for (int local : side_nodes(block.shape, side.side)) here.node[here.count++] = block.nodes(side.element, local);
-    here.row = rows[here.count - 2]++;
+    here.row = rows[here.shape]++;
     here.height = height_above(mesh_, block, here);
     sides_.push_back(here);
   }
   const int displacement = space.find("displacement");
   const int pressure = pressures ? space.find("pore pressure") : -1;
-  for (int count = 2; count <= 3; ++count) {
+  for (const auto& [shape, count] : rows) {
     int more = 0;
-    if (pressure >= 0) more = space.field(pressure).support == Support::vertices ? 2 : count;
-    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", rows[count - 2], 2 * count + more + body.count);
+    if (pressure >= 0)
+      more = space.field(pressure).support == Support::vertices ? num_corners(shape) : num_nodes(shape);
+    const int width = mesh_.dimension() * num_nodes(shape) + more + body.count;
+    Kokkos::View<int**, Kokkos::LayoutRight> table("contact dofs", count, width);
     for (const SurfaceSide& side : sides_) {
-      if (side.count != count) continue;
-      int* to = space.write_dofs(displacement, side.node, count, &table(side.row, 0));
+      if (side.shape != shape) continue;
+      int* to = space.write_dofs(displacement, side.node, side.count, &table(side.row, 0));
       to = space.write_dofs(pressure, side.node, more, to);
       std::copy_n(body.dof, body.count, to);
     }
-    dofs_[count - 2] = table;
+    shapes_.push_back(shape);
+    dofs_[shape] = table;
   }
   const long long local = static_cast<long long>(sides_.size());
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_SUM, local, Teuchos::outArg(num_global_sides_));
 }
 
+int ContactSurface::pressure_nodes(CellShape shape) const {
+  return static_cast<int>(dofs(shape).extent(1)) - mesh_.dimension() * num_nodes(shape) - body_unknowns_;
+}
+
 std::vector<long long> ContactSurface::row_ids(const std::function<int(std::size_t side)>& rows) const {
-  constexpr long long most_rows = 64;
+  constexpr long long most_rows = 64, most_sides = 6;
   std::vector<long long> ids;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
-    // an element has one side that begins at this node
     const long long element = mesh_.blocks()[sides_[s].block].global_ids[sides_[s].element];
-    const long long side = element * mesh_.num_global_nodes() + mesh_.node_ids()[sides_[s].node[0]];
+    const long long side = element * most_sides + sides_[s].side;
     for (int row = 0; row < rows(s); ++row) ids.push_back(side * most_rows + row);
   }
   return ids;
@@ -72,14 +103,14 @@ std::vector<long long> ContactSurface::row_ids(const std::function<int(std::size
 
 double ContactSurface::shortest(const ConstCoordinateView& x) const {
   double local = 1e300, global = 0;
-  for (const SurfaceSide& side : sides_) local = std::min(local, chord(x, side));
+  for (const SurfaceSide& side : sides_) local = std::min(local, edges(side, x).first);
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MIN, local, Teuchos::outArg(global));
   return global;
 }
 
 double ContactSurface::longest(const ConstCoordinateView& x) const {
   double local = 0, global = 0;
-  for (const SurfaceSide& side : sides_) local = std::max(local, chord(x, side));
+  for (const SurfaceSide& side : sides_) local = std::max(local, edges(side, x).second);
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MAX, local, Teuchos::outArg(global));
   return global;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,11 @@ namespace mudline {
 
 /// One side of the soil's surface on this rank.
 struct SurfaceSide {
-  int block, element;
-  int count;      // nodes: 2, or 3 with the middle last
-  int node[3];    // local
-  int row;        // in the dof table of its count
+  int block, element, side;
+  CellShape shape;
+  int count;      // nodes
+  int node[9];    // local, in the order of the shape
+  int row;        // in the dof table of its shape
   double height;  // [m] of the element above the side, in the source's mesh
 };
 
@@ -30,17 +32,17 @@ class ContactSurface {
   const Mesh& mesh() const { return mesh_; }
   /// Over all ranks.
   long long num_global_sides() const { return num_global_sides_; }
-  /// Dofs of the sides with `count` nodes: (row, displacements node after node, then pore pressures, then the body's).
-  const ElementDofs& dofs(int count) const { return dofs_[count - 2]; }
-  /// How many of the first nodes of a side with `count` nodes have their pore pressure in its dofs.
-  int pressure_nodes(int count) const {
-    return static_cast<int>(dofs_[count - 2].extent(1)) - 2 * count - body_unknowns_;
-  }
+  /// The shapes that this rank's sides have, in a fixed order.
+  const std::vector<CellShape>& shapes() const { return shapes_; }
+  /// Dofs of the sides of a shape: (row, displacements node after node, then pore pressures, then the body's).
+  const ElementDofs& dofs(CellShape shape) const { return dofs_.at(shape); }
+  /// How many of the first nodes of a side of a shape have their pore pressure in its dofs.
+  int pressure_nodes(CellShape shape) const;
 
   /// Ids of rows that follow side after side, as many as `rows` says of each (less than 64); see ArrayInfo.
   std::vector<long long> row_ids(const std::function<int(std::size_t side)>& rows) const;
 
-  /// Shortest and longest distance between the corners of a side [m], over all ranks. Collective.
+  /// Shortest and longest edge of a side, between its corners [m], over all ranks. Collective.
   double shortest(const ConstCoordinateView& x) const;
   double longest(const ConstCoordinateView& x) const;
 
@@ -51,10 +53,14 @@ class ContactSurface {
   const Mesh& mesh_;
   NodalExchange exchange_;
   std::vector<SurfaceSide> sides_;
-  ElementDofs dofs_[2];
+  std::vector<CellShape> shapes_;
+  std::map<CellShape, ElementDofs> dofs_;
   long long num_global_sides_ = 0;
   int body_unknowns_ = 0;
 };
+
+/// Shortest and longest edge of one side [m].
+std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateView& x);
 
 /// Declares an array of rows with these ids; `shares`: of one row, of which every rank has its part.
 int declare_rows(StateStore& store, const std::string& name, std::vector<StateVariable> variables,

@@ -48,9 +48,9 @@ void EnforcementParameters::start_penalties(const ContactSurface& surface,
           penalty > 0 ? penalty : penalty_factor * stiffness(sides[s].block, sides[s].element) / sides[s].height;
 }
 
-void MisfitSums::add(int node, double length, double penalty, double normal_sum, double shear_sum) {
+void MisfitSums::add(int node, double length, double penalty, double normal_sum, const Point& shear_sum) {
   normal[node] += normal_sum;
-  shear[node] += shear_sum;
+  for (std::size_t i = 0; i < shear.size(); ++i) shear[i][node] += shear_sum[i];
   lengths[node] += length;
   stiffnesses[node] += length * penalty;
 }
@@ -59,9 +59,13 @@ Misfit::Misfit(const ContactSurface& surface, MisfitSums sums, double tangential
   gap = surface.mean(sums.normal, sums.stiffnesses);
   normal = surface.mean(std::move(sums.normal), sums.lengths);
   if (tangential_factor == 0) return;
-  stretch = surface.mean(sums.shear, std::move(sums.stiffnesses));
+  stretch.assign(normal.size(), 0.0);
+  for (std::vector<double>& component : sums.shear) {
+    const std::vector<double> part = surface.mean(component, sums.stiffnesses);
+    for (std::size_t node = 0; node < part.size(); ++node) stretch[node] = std::hypot(stretch[node], part[node]);
+    shear.push_back(surface.mean(std::move(component), sums.lengths));
+  }
   for (double& value : stretch) value /= tangential_factor;
-  shear = surface.mean(std::move(sums.shear), std::move(sums.lengths));
 }
 
 Misfit::Largest Misfit::largest(const Comm& comm) const {

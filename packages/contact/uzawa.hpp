@@ -33,10 +33,12 @@ struct EnforcementParameters {
 /// Sums over a rank's sides for Misfit, by local node: of stresses less multipliers [N/m], lengths, lengths times
 /// penalties.
 struct MisfitSums {
-  explicit MisfitSums(const Mesh& mesh)
-      : normal(mesh.num_nodes()), shear(normal), lengths(normal), stiffnesses(normal) {}
-  void add(int node, double length, double penalty, double normal_sum, double shear_sum);
-  std::vector<double> normal, shear, lengths, stiffnesses;
+  /// `shears`: components of a shear stress.
+  explicit MisfitSums(const Mesh& mesh, int shears = 1)
+      : normal(mesh.num_nodes()), lengths(normal), stiffnesses(normal), shear(shears, normal) {}
+  void add(int node, double length, double penalty, double normal_sum, const Point& shear_sum);
+  std::vector<double> normal, lengths, stiffnesses;
+  std::vector<std::vector<double>> shear;  // (component, node)
   double spring = 0;
 };
 
@@ -44,7 +46,8 @@ struct MisfitSums {
 /// [Pa], and over the penalties the gap and the stretch of what sticks [m]. Without friction shear and stretch are
 /// empty.
 struct Misfit {
-  std::vector<double> normal, gap, shear, stretch;
+  std::vector<double> normal, gap, stretch;
+  std::vector<std::vector<double>> shear;  // (component, node)
   double spring;  // [m] the deepest penetration that this rank's pressures would need without multipliers
 
   /// `tangential_factor`: tangential over normal penalty; 0: no friction. Collective.

@@ -6,6 +6,11 @@
 namespace mudline {
 
 using PlanePoint = std::array<double, 2>;  // [m]; plane strain: x, y; axisymmetric: r, z
+/// The first two coordinates.
+template <class Place>
+PlanePoint in_plane(const Place& x) {
+  return {x[0], x[1]};
+}
 
 /// One smooth piece of a contour, parametrised by its arc length s [m]. The body lies on the left of the direction of
 /// travel, so the normal into the soil is the tangent turned clockwise.

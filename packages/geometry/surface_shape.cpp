@@ -47,9 +47,7 @@ void SurfaceShape::check_placement(const Section& section) const {
 }
 
 PlacedSurface SurfaceShape::placed() const {
-  PlacedSurface result{build(), to_point(position_)};
-  result.turn(scaled(pi / 180, to_point(rotation_)));
-  return result;
+  return {build(), to_point(position_), Rotation::by(scaled(pi / 180, to_point(rotation_)))};
 }
 
 std::shared_ptr<const Surface> SurfaceShape::surface() const {

@@ -14,13 +14,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int cuts = 18;
 
-Point turned(const double (&rotation)[3][3], const Point& x) {
-  Point result{};
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) result[i] += rotation[i][k] * x[k];
-  return result;
-}
-
 /// The distance to the box, a lower bound of the gap; 0 inside.
 double distance_to(const Bounds& box, const Point& x) {
   Point beyond{};
@@ -30,32 +23,16 @@ double distance_to(const Bounds& box, const Point& x) {
 
 }  // namespace
 
-void PlacedSurface::turn(const Point& rotation_vector) {
-  const double angle = length(rotation_vector);
-  const Point n = angle > 0 ? scaled(1 / angle, rotation_vector) : Point{0, 0, 1};
-  const double c = std::cos(angle), s = std::sin(angle);
-  const double skew[3][3] = {{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) rotation[i][j] = (i == j ? c : 0.0) + s * skew[i][j] + (1 - c) * n[i] * n[j];
-}
-
-Point PlacedSurface::to_frame(const Point& x) const {
-  const Point d = minus(x, position);
-  Point result{};
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) result[i] += rotation[k][i] * d[k];
-  return result;
-}
-
 SurfaceFoot PlacedSurface::closest(const Point& x) const {
   SurfaceFoot own = surface->closest(to_frame(x)), result{};
   result.gap = own.gap;
-  result.normal = turned(rotation, own.normal);
-  result.foot = plus(position, 1, turned(rotation, own.foot));
+  result.normal = rotation(own.normal);
+  result.foot = from_frame(own.foot);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) result.turning[i][j] += rotation[i][k] * own.turning[k][l] * rotation[j][l];
+        for (int l = 0; l < 3; ++l)
+          result.turning[i][j] += rotation.matrix[i][k] * own.turning[k][l] * rotation.matrix[j][l];
   return result;
 }
 
@@ -64,7 +41,7 @@ Bounds PlacedSurface::bounds() const {
   Bounds result{position, position};
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) {
-      const double r = rotation[i][k];
+      const double r = rotation.matrix[i][k];
       if (std::abs(r) < 1e-12) continue;  // of right angles; an infinite length would become one across
       result.low[i] += std::min(r * own.low[k], r * own.high[k]);
       result.high[i] += std::max(r * own.low[k], r * own.high[k]);
@@ -100,7 +77,7 @@ SurfaceTriangles SurfaceUnion::triangles(double chord_error) const {
   SurfaceTriangles result;
   for (const PlacedSurface& part : parts_) {
     SurfaceTriangles own = part.surface->triangles(chord_error);
-    for (Point& x : own.points) x = plus(part.position, 1, turned(part.rotation, x));
+    for (Point& x : own.points) x = part.from_frame(x);
     result.add(own);
   }
   return result;
@@ -116,7 +93,7 @@ void SurfaceUnion::add_common(int part, const Block& block, SolidMoments& sum) c
   // the larger gap is that of what two solids have in common, the smaller one that of both together
   SurfaceFoot foot = parts_[part].surface->closest(centre);
   if (foot.gap >= reach) return;
-  const Point outside = plus(parts_[part].position, 1, turned(parts_[part].rotation, centre));
+  const Point outside = parts_[part].from_frame(centre);
   SurfaceFoot before{};
   before.gap = infinity;
   for (int i = 0; i < part; ++i) {
@@ -125,10 +102,7 @@ void SurfaceUnion::add_common(int part, const Block& block, SolidMoments& sum) c
   }
   if (before.gap > foot.gap) {
     foot = before;
-    Point normal{};
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) normal[i] += parts_[part].rotation[k][i] * before.normal[k];
-    foot.normal = normal;
+    foot.normal = parts_[part].rotation.back(before.normal);
   }
   if (foot.gap >= reach) return;
   if (foot.gap <= -reach || block.cuts == 0) {
@@ -152,7 +126,7 @@ SolidMoments SurfaceUnion::moments() const {
     const Bounds& box = parts_[i].surface->bounds();
     if (i > 0) add_common(static_cast<int>(i), {box.low, box.high, cuts}, common);
     own.add(common, -1);
-    result.add(own.placed(parts_[i].rotation, parts_[i].position), 1);
+    result.add(own.placed(parts_[i].rotation.matrix, parts_[i].position), 1);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/rotation.hpp"
 #include "geometry/surface.hpp"
 
 namespace mudline {
@@ -11,11 +12,10 @@ namespace mudline {
 struct PlacedSurface {
   std::shared_ptr<const Surface> surface;
   Point position{};  // [m]
-  double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Rotation rotation;
 
-  /// Sets the rotation: about the direction of the vector by its length [rad].
-  void turn(const Point& rotation_vector);
-  Point to_frame(const Point& x) const;
+  Point to_frame(const Point& x) const { return rotation.back(minus(x, position)); }
+  Point from_frame(const Point& x) const { return plus(position, 1, rotation(x)); }
   /// Of the surface, in the other frame.
   SurfaceFoot closest(const Point& x) const;
   Bounds bounds() const;

@@ -46,7 +46,7 @@ void BodyWay::follow(const Model& model) {
     const double dt = stage->duration / parts_of_a_stage;
     for (int i = 0; i < parts_of_a_stage && motion && !release_ && dt > 0; ++i) {
       now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
-      places_.push_back({time + (i + 1) * dt, now.displacement});
+      places_.push_back({time + (i + 1) * dt, in_plane(now.displacement)});
     }
     time += stage->duration;
   }
@@ -117,7 +117,7 @@ void BodyWay::find_boundaries(const Model& model, const WholeMesh& mesh) {
 ContourFoot BodyWay::foot_at(const Vec& displacement, const Vec& point) const {
   BodyPlacement placement = body_.initial_placement();
   for (int i = 0; i < 2; ++i) placement.centre[i] += displacement[i];
-  return body_.closest(placement, {point[0], point[1]});
+  return body_.closest(placement, point);
 }
 
 double BodyWay::gap(const Vec& displacement) const {

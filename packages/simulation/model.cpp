@@ -62,9 +62,8 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
   deck.allow_parameters({});
   deck.allow_sections(deck_sections());
   mesh_ = make_mesh(comm, registries.mesh_sources, required_section(deck, "mesh"), contact_pairs(deck));
-  for (const char* name : {"bodies", "contacts", "mesh motion"})
-    if (mesh_->dimension() == 3 && (deck.has_section(name) && !deck.section(name).section_names().empty()))
-      deck.section(name).fail("not available in three dimensions yet");
+  if (mesh_->dimension() == 3 && deck.has_section("mesh motion"))
+    deck.section("mesh motion").fail("not available in three dimensions yet");
   read_materials(deck, registries);
   read_bodies(deck, registries);
   read_physics(deck, registries);
@@ -167,7 +166,8 @@ void Model::read_conditions(const Section& deck, const Registries& registries) {
 
 void Model::read_bodies(const Section& deck, const Registries& registries) {
   for (const Section& entry : collection(deck.section("bodies")))
-    bodies_[entry.name()] = RigidBody::read(entry, mesh_->geometry(), {registries.contours, registries.motions});
+    bodies_[entry.name()] =
+        RigidBody::read(entry, mesh_->geometry(), {registries.contours, registries.surfaces, registries.motions});
   const Section stages = deck.section("stages");
   std::vector<std::string> known;
   for (const auto& [name, body] : bodies_) known.push_back(name);

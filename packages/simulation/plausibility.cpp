@@ -142,7 +142,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
   usual_.parameters(p);
   p.finish();
   if (!model.soil()) return;
-  if (!model.bodies().empty()) {
+  if (!model.bodies().empty() && model.mesh().dimension() == 2) {
     const WholeMesh mesh(model.mesh());
     const Positions positions = mesh.gather(model.mesh().coordinates());
     for (const auto& [name, body] : model.bodies()) {

@@ -69,9 +69,7 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
   if (probe.moves_with.empty()) return probe.point;
   const RigidBody& body = *model_.bodies().at(probe.moves_with);
   const BodyPlacement start = body.initial_placement(), now = body.placement(state);
-  const double turn = now.angle - start.angle, c = std::cos(turn), s = std::sin(turn);
-  const double arm[2] = {probe.point[0] - start.centre[0], probe.point[1] - start.centre[1]};
-  return {now.centre[0] + c * arm[0] - s * arm[1], now.centre[1] + s * arm[0] + c * arm[1], 0};
+  return plus(now.centre, 1, now.turn(minus(probe.point, start.centre)));
 }
 
 void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,

@@ -18,6 +18,7 @@ void register_all(Registries& r) {
   register_physics(r.physics);
   register_conditions(r.conditions);
   register_contours(r.contours);
+  register_surfaces(r.surfaces);
   register_motions(r.motions);
   register_contact(r.contacts);
   register_friction(r.frictions);
@@ -65,6 +66,7 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   Registry<PathPiece> pieces("contour piece");
   register_path_pieces(pieces);
   append(docs, pieces);
+  append(docs, r.surfaces);
   append(docs, r.motions);
   append(docs, r.conditions);
   append(docs, r.contacts);

@@ -25,6 +25,7 @@ struct Registries {
   Registry<Physics> physics{"physics"};
   Registry<Condition> conditions{"boundary condition"};
   Registry<ContourShape> contours{"contour"};
+  SurfaceRegistry surfaces{"surface"};
   Registry<BodyMotion> motions{"motion"};
   ContactRegistry contacts{"contact"};
   Registry<Friction> frictions{"friction"};

@@ -3,29 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// A body's contour to within `tolerance` [m], where it starts.
-BodyOutline outline_of(const RigidBody& body, double tolerance) {
-  std::vector<std::array<double, 2>> contour = body.contour().sample(tolerance);
-  // a half contour is closed along its axis, so that pictures fill the body
-  if (body.contour().extent() == ContourExtent::half && !contour.empty()) contour.push_back({0.0, contour.back()[1]});
+/// `size` of the mesh [m].
+BodyOutline outline_of(const RigidBody& body, double size) {
   BodyOutline outline;
-  for (const auto& point : contour)
-    outline.points.push_back({point[0] + body.initial_position()[0], point[1] + body.initial_position()[1], 0.0});
+  if (body.surface()) {
+    outline = body.surface()->triangles(2e-4 * size);
+  } else {
+    for (const PlanePoint& point : body.contour().sample(1e-4 * size))
+      outline.points.push_back({point[0], point[1], 0});
+    // a half contour is closed along its axis, so that pictures fill the body
+    if (body.contour().extent() == ContourExtent::half && !outline.points.empty())
+      outline.points.push_back({0, outline.points.back()[1], 0});
+  }
+  for (Point& point : outline.points) point = plus(point, 1, body.initial_position());
   return outline;
 }
 
 BodyPose pose_of(const RigidBody& body, const State& state) {
   const BodyPlacement now = body.placement(state), start = body.initial_placement();
-  const double c = std::cos(now.angle), s = std::sin(now.angle);
-  return {{now.centre[0] - start.centre[0], now.centre[1] - start.centre[1], 0.0},
-          {{c, -s, 0}, {s, c, 0}, {0, 0, 1}},
-          {start.centre[0], start.centre[1], 0.0}};
+  return {minus(now.centre, start.centre), now.turn, start.centre};
 }
 
 }  // namespace
@@ -214,15 +217,15 @@ void Results::write_history(const Balances& balances, const Report& terms, doubl
   const Space& space = model_.space();
   std::vector<HistoryValue> row{{"step/dt", "s", dt}, {"step/newton iterations", "-", static_cast<double>(iterations)}};
   for (const auto& [name, body] : model_.bodies()) {
-    const auto u = body->displacement(state), v = body->velocity(state);
-    const auto x = body->position(state);
-    const auto add = [&](const char* what, const char* unit, const std::array<double, 2>& components) {
-      for (std::size_t i = 0; i < components.size(); ++i)
-        row.push_back({"body/" + name + what + axis_names[i], unit, components[i]});
+    const auto add = [&, name = name, axes = body->dimension()](const char* what, const char* unit, const Point& x) {
+      for (int i = 0; i < axes; ++i) row.push_back({"body/" + name + what + axis_names[i], unit, x[i]});
     };
-    add("/position ", "m", x);
-    add("/displacement ", "m", u);
-    add("/velocity ", "m/s", v);
+    add("/position ", "m", body->position(state));
+    add("/displacement ", "m", body->displacement(state));
+    add("/velocity ", "m/s", body->velocity(state));
+    if (body->dimension() == 2) continue;
+    add("/rotation ", "rad", body->rotation(state));
+    add("/spin ", "rad/s", body->spin(state));
   }
   for (const auto& [name, quantity] : terms) row.push_back({name, quantity.unit, quantity.value});
   const auto excess = [&] { return excess_pressure(space.find("pore pressure")); };

@@ -98,8 +98,7 @@ std::vector<Supports::Mover> Supports::movers(const Stage& stage) const {
   for (const auto& [name, body] : model_.bodies()) {
     const auto motion = model_.motion_in(stage, name);
     if (!motion || !motion->released()) continue;
-    const auto centre = body->initial_placement().centre;
-    all.push_back({"body '" + name + "'", body.get(), {centre[0], centre[1], 0}, 0.5 * body->contour().length()});
+    all.push_back({"body '" + name + "'", body.get(), body->initial_placement().centre, body->reach()});
   }
   return all;
 }

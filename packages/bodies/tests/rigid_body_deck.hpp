@@ -14,13 +14,16 @@ namespace mudline {
 struct BodyDeck {
   explicit BodyDeck(const std::string& bodies) {
     deck.overlay("<ParameterList name=\"deck\">\n" + bodies + "</ParameterList>\n", "deck.xml");
-    register_rigid_body(contours, motions);
+    register_contours(contours);
+    register_surfaces(surfaces);
+    register_motions(motions);
   }
   std::shared_ptr<RigidBody> body(const std::string& name, Geometry geometry) {
-    return RigidBody::read(deck.root().section("bodies").section(name), geometry, {contours, motions});
+    return RigidBody::read(deck.root().section("bodies").section(name), geometry, {contours, surfaces, motions});
   }
   Deck deck;
   Registry<ContourShape> contours{"contour"};
+  SurfaceRegistry surfaces{"surface"};
   Registry<BodyMotion> motions{"motion"};
 };
 

@@ -34,15 +34,15 @@ TEST(BodyMotion, VelocityFollowsTheAbsoluteTime) {
   BodyState state;
   for (int i = 0; i < 20; ++i) state = shake->advance(state, 0.1 * i, 0.1 * (i + 1));
   EXPECT_NEAR(state.displacement[0], std::sin(6.0) / 3, 1e-9);
-  EXPECT_TRUE(shake->lateral());
+  EXPECT_TRUE(shake->moves(0));
 }
 
 TEST(BodyMotion, DisplacementCountsChangesOnly) {
   const auto pull = motion(text_parameter("type", "prescribed displacement") + text_parameter("y", "1 + t^2"));
-  const BodyState state = pull->advance({{0, 5}, {0, 0}, 0}, 1.0, 3.0);
+  const BodyState state = pull->advance({{0, 5}, {}, {}, {}, 0}, 1.0, 3.0);
   EXPECT_NEAR(state.displacement[1], 5 + 8, 1e-14);
   EXPECT_NEAR(state.velocity[1], 4, 1e-14);
-  EXPECT_FALSE(pull->lateral());
+  EXPECT_FALSE(pull->moves(0));
 }
 
 TEST(RigidBody, WrongEntriesAreNamed) {

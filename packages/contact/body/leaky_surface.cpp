@@ -25,31 +25,31 @@ LeakySurface::LeakySurface(const Space& space, const ContactSurface& surface, do
                            const Function& outside)
     : space_(space), surface_(surface), conductance_(conductance), outside_(outside) {
   const int field = space.find("pore pressure");
-  for (int count = 2; count <= 3; ++count) {
+  for (CellShape shape : surface.shapes()) {
     std::vector<std::vector<int>> nodes;
     for (const SurfaceSide& side : surface.sides())
-      if (side.count == count) nodes.emplace_back(side.node, side.node + count);
-    const SideBlock block(space, field, count == 2 ? CellShape::line2 : CellShape::line3, nodes, 5);
-    parts_[count - 2] = {block, PointView("outside", block.sides * block.points, 1),
-                         Kokkos::View<char*>("open", block.sides)};
+      if (side.shape == shape) nodes.emplace_back(side.node, side.node + side.count);
+    const SideBlock block(space, field, shape, nodes, 5);
+    parts_[shape] = {block, PointView("outside", block.sides * block.points, 1),
+                     Kokkos::View<char*>("open", block.sides)};
   }
 }
 
 void LeakySurface::sparsity(Assembler& assembler) {
-  for (Part& part : parts_) part.block.group = assembler.add_group(part.block.dofs);
+  for (auto& [shape, part] : parts_) part.block.group = assembler.add_group(part.block.dofs);
 }
 
 void LeakySurface::open(const std::vector<char>& flags) {
   for (std::size_t s = 0; s < flags.size(); ++s) {
     const SurfaceSide& side = surface_.sides()[s];
-    parts_[side.count - 2].open(side.row) = flags[s];
+    parts_.at(side.shape).open(side.row) = flags[s];
   }
 }
 
 template <class F>
 void LeakySurface::for_each_part(const StepView& view, F&& f) const {
   if (!view.flow) return;
-  for (const Part& part : parts_) {
+  for (const auto& [shape, part] : parts_) {
     const SideBlock& b = part.block;
     for (int s = 0; s < b.sides; ++s)
       for (int q = 0; part.open(s) && q < b.points; ++q)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "contact/contact_surface.hpp"
@@ -24,7 +25,7 @@ class LeakySurface {
   void jacobian(const StepView& view, Assembler& assembler) const;
 
  private:
-  /// The sides of 2 or of 3 nodes, by their rows in the surface.
+  /// The sides of one shape, by their rows in the surface.
   struct Part {
     SideBlock block;
     PointView outside;  // [Pa] at the points
@@ -37,7 +38,7 @@ class LeakySurface {
   const ContactSurface& surface_;
   double conductance_;
   const Function& outside_;
-  Part parts_[2];
+  std::map<CellShape, Part> parts_;
 };
 
 }  // namespace mudline

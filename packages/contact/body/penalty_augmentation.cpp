@@ -2,10 +2,9 @@
 #include <algorithm>
 
 #include "contact/body/penalty_contact.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
-
-namespace column = contact_column;
 
 void PenaltyContact::check_enforcement(const Section& section) const {
   deck_.check(section, deck_.active_set.outer());
@@ -24,42 +23,34 @@ void PenaltyContact::check_enforcement(const Section& section) const {
         "impact");
 }
 
-bool PenaltyContact::sticks(const State& state, int row) const {
-  return laws_.friction() && state.arrays[points_](row, column::active) > 0 &&
-         state.arrays[frictions_](row, friction_column::slides) == 0;
-}
-
-double PenaltyContact::initial_shear_multiplier(const State& committed, int row) const {
+Point PenaltyContact::initial_shear_multiplier(const State& committed, int row) const {
   // what slides or is off the body is not stretched; what sticks, by as much as its multiplier differs from its stress
-  return sticks(committed, row) ? committed.arrays[multipliers_](row, multiplier_column::shear)
-                                : committed.arrays[frictions_](row, friction_column::shear);
+  return rows_.sticks(committed, row) ? rows_.shear_multiplier(committed, row) : rows_.shear(committed, row).shear;
 }
 
 void PenaltyContact::start_multipliers(const StepView& view) const {
   if (!deck_.augmented() || !laws_.friction()) return;
   for (int row = 0; row < first_row_.back(); ++row)
-    view.trial->arrays[multipliers_](row, multiplier_column::shear) = initial_shear_multiplier(*view.committed, row);
+    rows_.set_shear_multiplier(*view.trial, row, initial_shear_multiplier(*view.committed, row));
 }
 
 Misfit PenaltyContact::misfit(const State& state) const {
-  MisfitSums sums(surface_->mesh());
+  MisfitSums sums(surface_->mesh(), rows_.shears());
   const auto& sides = surface_->sides();
-  const PointView &points = state.arrays[points_], &multipliers = state.arrays[multipliers_];
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const ContactRule& r = rule(sides[s]);
-    double here[max_contact_points];  // lengths, without the circumference: nodes on the axis have weight too
+    double here[max_contact_points];  // areas, without the circumference: nodes on the axis have weight too
     if (!contact_areas(r, side_coordinates(sides[s], state.coordinates), Geometry::plane_strain, here)) continue;
     const double stiffness = state.arrays[penalties_](s, 0);
     for (int c = 0; c < r.points; ++c) {
       const int row = first_row_[s] + c;
-      sums.spring = std::max(sums.spring, points(row, column::pressure) / stiffness);
-      const double normal = points(row, column::pressure) - multipliers(row, multiplier_column::normal);
-      const double shear = sticks(state, row) ? state.arrays[frictions_](row, friction_column::shear) -
-                                                    multipliers(row, multiplier_column::shear)
-                                              : 0.0;
+      sums.spring = std::max(sums.spring, rows_.pressure(state, row) / stiffness);
+      const double normal = rows_.pressure(state, row) - rows_.normal_multiplier(state, row);
+      const Point shear =
+          rows_.sticks(state, row) ? minus(rows_.shear(state, row).shear, rows_.shear_multiplier(state, row)) : Point{};
       for (int a = 0; a < sides[s].count; ++a) {
         const double weight = r.shape[c][a] * here[c];
-        sums.add(sides[s].node[a], weight, stiffness, weight * normal, weight * shear);
+        sums.add(sides[s].node[a], weight, stiffness, weight * normal, scaled(weight, shear));
       }
     }
   }
@@ -68,15 +59,14 @@ Misfit PenaltyContact::misfit(const State& state) const {
 
 void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement& placement) const {
   // what pressed, and what the body runs into, or touches, before the soil has moved
-  const PointView& before = view.committed->arrays[points_];
   std::vector<char> presses(first_row_.back(), 0);
   for (std::size_t s = 0; s < candidate_.size(); ++s) {
     if (!candidate_[s]) continue;
     const SurfaceSide& side = surface_->sides()[s];
     const SideCoordinates x = side_coordinates(side, view.x_end);
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
-      presses[row] = before(row, column::active) > 0 ||
-                     body_->closest(placement, rule(side).place(row - first_row_[s], x)).gap <= 1e-3 * gap_tolerance_;
+      presses[row] = rows_.active(*view.committed, row) ||
+                     body_->gap(placement, rule(side).place(row - first_row_[s], x)) <= 1e-3 * gap_tolerance_;
   }
   active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
 }
@@ -85,10 +75,8 @@ std::optional<Augmentation> PenaltyContact::update_active_set(const State& trial
   std::vector<double> pressed(first_row_.back());
   for (std::size_t s = 0; s < candidate_.size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
-      pressed[row] = trial.arrays[points_](row, column::gap) -
-                     (deck_.augmented()
-                          ? trial.arrays[multipliers_](row, multiplier_column::normal) / trial.arrays[penalties_](s, 0)
-                          : 0.0);
+      pressed[row] = rows_.gap(trial, row) -
+                     (deck_.augmented() ? rows_.normal_multiplier(trial, row) / trial.arrays[penalties_](s, 0) : 0.0);
   return active_set_.update(
       trial, name_, deck_.active_set, gap_tolerance_, [&](int row) { return pressed[row]; },
       *context_.space.mesh().comm());
@@ -122,19 +110,18 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
     }
   };
   const std::vector<double> normal = in_shapes(*surface_, rest.normal, masses);
-  const std::vector<double> tangential = laws_.friction() ? in_shapes(*surface_, rest.shear, masses) : rest.shear;
-  const PointView& multipliers = trial.arrays[multipliers_];
+  std::vector<std::vector<double>> tangential;
+  for (const std::vector<double>& component : rest.shear) tangential.push_back(in_shapes(*surface_, component, masses));
   for (std::size_t s = 0; s < sides.size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const auto& shape = rule(sides[s]).shape[row - first_row_[s]];
       for (int a = 0; a < sides[s].count; ++a)
-        multipliers(row, multiplier_column::normal) += shape[a] * normal[sides[s].node[a]];
+        rows_.normal_multiplier(trial, row) += shape[a] * normal[sides[s].node[a]];
       if (!laws_.friction()) continue;
-      double& shear = multipliers(row, multiplier_column::shear);
-      if (sticks(trial, row))
-        for (int a = 0; a < sides[s].count; ++a) shear += shape[a] * tangential[sides[s].node[a]];
-      else
-        shear = trial.arrays[frictions_](row, friction_column::shear);
+      Point shear = rows_.sticks(trial, row) ? rows_.shear_multiplier(trial, row) : rows_.shear(trial, row).shear;
+      for (std::size_t i = 0; rows_.sticks(trial, row) && i < tangential.size(); ++i)
+        for (int a = 0; a < sides[s].count; ++a) shear[i] += shape[a] * tangential[i][sides[s].node[a]];
+      rows_.set_shear_multiplier(trial, row, shear);
     }
   return {true, ""};
 }

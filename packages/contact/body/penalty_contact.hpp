@@ -1,12 +1,13 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "contact/active_set.hpp"
 #include "contact/body/leaky_surface.hpp"
-#include "contact/body/penalty_side.hpp"
+#include "contact/body/point_rows.hpp"
 #include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/uzawa.hpp"
@@ -35,22 +36,18 @@ struct PenaltyParameters : EnforcementParameters {
   ActiveSetParameters active_set;
 };
 
-/// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s m) ds at n+1, t = penalty <-gap> [Pa], n from
-/// the body into the soil, m along the body's contour, s [Pa] from the friction law, 0 without one; axisymmetric forces
-/// are those of the whole circumference, plane strain ones per metre.
+/// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s) dA at n+1, t = penalty <-gap> [Pa], n from
+/// the body into the soil, s [Pa] along the surface from the friction law, 0 without one; axisymmetric forces are those
+/// of the whole circumference, plane strain ones per metre.
 ///
 /// Augmented Lagrangian: t = <lambda - penalty gap>, and the stick spring of friction starts from a multiplier
 /// likewise. After each solve of a step lambda grows by t - lambda (Uzawa) as far as that is in the space of the sides'
 /// shapes: a side has more contact points than nodes, and cannot follow a body at all of them. Until the gap weighted
 /// by the shapes, and the stretch of what sticks, are within the gap tolerance at all nodes.
 ///
-/// State arrays: "contact/<name>/points" (a row per contact point: gap, pressure, active, force on the soil, area,
-/// height above the body's reference point, moment about its centre),
-/// "contact/<name>/friction" (with friction, a row per contact point: shear stress, path slid, heat, sliding,
-/// friction), "contact/<name>/multipliers" (augmented, a row per contact point: those of normal and shear stress with
-/// which the other arrays were evaluated), "contact/<name>/penalty" (a row per side, frozen when the contact first
-/// starts a step), "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the work
-/// done on the soil, trapezoidal in the body's displacement; of damping the heat so far and its force on the soil in
+/// State arrays: those of the points (see PointRows), "contact/<name>/penalty" (a row per side, frozen when the contact
+/// first starts a step), "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the
+/// work done on the soil, trapezoidal in the body's motion; of damping the heat so far and its force on the soil in
 /// the last step).
 ///
 /// Drainage: a side is closed to the pore water (what conditions prescribe on it is off) while more than half of its
@@ -102,17 +99,15 @@ class PenaltyContact : public Contact, public ClosesSides {
   void add_heat(const StepView& view, const ResidualView& f) const;
   /// Adds the damping of one side's points to the rows of the trial state.
   void book_damping(const State& trial, const std::vector<ContactPoint>& points) const;
-  ShearState shear_state(const State& state, int row) const;
   /// What is known of a point of a side; the multiplier of its shear stress counts by what it has changed in this step.
   ContactStart point_start(const StepView& view, std::size_t side, int row) const;
   ContactPointLaw law(const StepView& view, std::size_t side) const;
   void check_enforcement(const Section& section) const;
   /// The multiplier of a point's shear stress with which a step starts [Pa].
-  double initial_shear_multiplier(const State& committed, int row) const;
+  Point initial_shear_multiplier(const State& committed, int row) const;
   void start_multipliers(const StepView& view) const;
   void start_active_set(const StepView& view, const BodyPlacement& placement) const;
   std::optional<Augmentation> update_active_set(const State& trial) const;
-  bool sticks(const State& state, int row) const;
   Misfit misfit(const State& state) const;
   /// Force of one side at the linearisation point. False for a degenerate side.
   bool evaluate(const StepView& view, const Positions& at, std::size_t side, bool want_tangent, SideForce& force,
@@ -120,19 +115,27 @@ class PenaltyContact : public Contact, public ClosesSides {
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
   /// Collective.
   void look_for_touch(const StepView& view);
-  std::vector<double> nodal_mean(const PointView& rows, int column) const;
+  /// By local node, of a quantity of the rows.
+  std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
   /// Lower bound of the gap of a side's points [m].
   double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
-  const ContactRule& rule(const SurfaceSide& side) const { return rules_[side.count - 2]; }
+  const ContactRule& rule(const SurfaceSide& side) const { return rules_.at(side.shape); }
   void check_drainage(const Section& section) const;
+  void check_quadrature(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
+  /// The rows of a skipped side say that it is at least as far away as the search looked.
+  void write_away(const StepView& view, std::size_t side) const;
   /// More than half of the side's points are nearer to the body than the sealing gap, or in it.
   bool covered(std::size_t side, const State& committed, const BodyPlacement& placement) const;
   std::vector<char> covered_sides(const State& committed) const;  // (side)
-  /// Force [N] and moment about the body's centre [N m] on the soil, this rank's part.
-  std::array<double, 3> local_force(const State& state) const;
+  /// What acts on the soil, this rank's part.
+  PointForce local_force(const State& state) const;
+  /// Work on the soil of forces that change from `before` to `now` while the body moves.
+  static double work(const PointForce& before, const PointForce& now, const BodyPlacement& from,
+                     const BodyPlacement& to);
+  int axes() const { return context_.space.mesh().dimension(); }
 
   ContactContext context_;
   ContactLaws laws_;
@@ -141,7 +144,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   std::unique_ptr<ContactSurface> surface_;
   std::unique_ptr<LeakySurface> leak_;              // null unless leaky
   ActiveSet active_set_;                            // used with the outer loop only
-  std::vector<ContactRule> rules_;                  // for sides of 2 and of 3 nodes
+  std::map<CellShape, ContactRule> rules_;          // of the sides
   std::vector<int> first_row_;                      // (side) in the points array; one more: number of rows
   std::vector<char> candidate_;                     // (side) near enough to be evaluated in this step
   double capture_ = 0;                              // [m] of this step
@@ -150,8 +153,9 @@ class PenaltyContact : public Contact, public ClosesSides {
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
   bool predicting_ = false;
   int pressure_ = -1, temperature_ = -1;
-  int points_ = -1, penalties_ = -1, work_ = -1, frictions_ = -1, multipliers_ = -1;  // state handles
-  int group_[2] = {-1, -1};
+  PointRows rows_;
+  int penalties_ = -1, work_ = -1;  // state handles
+  std::map<CellShape, int> group_;  // of the assembler
 };
 
 /// The same without friction, by its own name.
@@ -161,16 +165,5 @@ class FrictionlessPenaltyContact : public PenaltyContact {
   static void document(Parameters& p) { PenaltyParameters().parameters(p); }
   void parameters(Parameters& p) { deck_.parameters(p); }
 };
-
-/// Columns of the arrays of contact points.
-namespace contact_column {
-enum : int { gap, pressure, active, force_x, force_y, area, height, moment };
-}
-namespace multiplier_column {
-enum : int { normal, shear };
-}
-namespace friction_column {
-enum : int { shear, slip, dissipated, slides, force_x, force_y };
-}
 
 }  // namespace mudline

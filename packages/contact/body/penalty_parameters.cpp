@@ -74,6 +74,7 @@ void PenaltyContact::check(const Section& section) {
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);
+  check_quadrature(section);
   laws_.read(context_, section);
   laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(),
                      deck_.impact == PenaltyParameters::Impact::conserving);
@@ -84,7 +85,8 @@ void PenaltyContact::check(const Section& section) {
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * surface_->shortest(mesh.coordinates());
   rules_.clear();
-  for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(deck_.method, nodes, deck_.quadrature_degree);
+  for (CellShape shape : surface_->shapes())
+    rules_.emplace(shape, ContactRule(deck_.method, shape, deck_.quadrature_degree));
   first_row_.assign(1, 0);
   for (const SurfaceSide& side : surface_->sides()) first_row_.push_back(first_row_.back() + rule(side).points);
   candidate_.assign(surface_->sides().size(), 1);
@@ -103,20 +105,40 @@ void PenaltyContact::check_drainage(const Section& section) const {
     if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = leaky", entry);
 }
 
+void PenaltyContact::check_quadrature(const Section& section) const {
+  const Mesh& mesh = context_.space.mesh();
+  if (mesh.dimension() == 2) return;
+  if (deck_.method == ContactPoints::nodes)
+    section.fail("nodes has no tributary areas on quadratic triangles; allowed in space: surface quadrature", "method");
+  constexpr int most = 8;  // of the rules for triangles
+  for (const ElementBlock& block : mesh.blocks())
+    if (is_simplex(side_shape(block.shape)) && deck_.quadrature_degree > most)
+      section.fail("on triangles the largest 'quadrature degree' is " + std::to_string(most) + ", given " +
+                       std::to_string(deck_.quadrature_degree),
+                   "quadrature degree");
+}
+
 void PenaltyContact::check_above(const Section& section) const {
-  const auto& x = context_.space.mesh().coordinates();
-  const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
+  const Mesh& mesh = context_.space.mesh();
+  const Teuchos::Comm<int>& comm = *mesh.comm();
+  const int up = axes() - 1;
   double lowest = 1e300, everywhere = 0, upwards = 0, faces_up = 0;
   for (const SurfaceSide& side : surface_->sides()) {
-    for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, x(side.node[a], 1));
-    upwards += x(side.node[0], 0) - x(side.node[1], 0);  // counter-clockwise elements: a top goes to the left
+    for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, mesh.place(side.node[a])[up]);
+    const Point first = mesh.place(side.node[0]), along = minus(mesh.place(side.node[1]), first);
+    // outward: to the right of the way in the plane, corners counter-clockwise from outside in space
+    upwards += up == 1 ? -along[0] : cross(along, minus(mesh.place(side.node[2]), first))[2];
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, upwards, Teuchos::outArg(faces_up));
   double top = -1e300;
-  for (const PlanePoint& point : body_->contour().sample(1e-2 * body_->contour().length()))
-    top = std::max(top, point[1] + body_->initial_position()[1]);
-  if (top >= everywhere - 0.5 * surface_->shortest(x) || faces_up <= 0) return;
+  if (body_->surface())
+    top = body_->surface()->bounds().high[2];
+  else
+    for (const PlanePoint& point : body_->contour().sample(1e-2 * body_->contour().length()))
+      top = std::max(top, point[1]);
+  top += body_->initial_position()[up];
+  if (top >= everywhere - 0.5 * surface_->shortest(mesh.coordinates()) || faces_up <= 0) return;
   char text[160];
   std::snprintf(
       text, sizeof text,
@@ -128,15 +150,15 @@ void PenaltyContact::check_above(const Section& section) const {
 void PenaltyContact::check_overlap(const Section& section) const {
   const auto& x = context_.space.mesh().coordinates();
   const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
-  double deepest = 0, worst[2] = {0, 0};
+  double deepest = 0;
+  Point worst{};
   for (const SurfaceSide& side : surface_->sides())
     for (int a = 0; a < side.count; ++a) {
-      const PlanePoint at{x(side.node[a], 0), x(side.node[a], 1)};
-      const double gap = body_->closest(body_->initial_placement(), at).gap;
+      const Point at = surface_->mesh().place(side.node[a]);
+      const double gap = body_->gap(body_->initial_placement(), at);
       if (gap >= deepest) continue;
       deepest = gap;
-      worst[0] = at[0];
-      worst[1] = at[1];
+      worst = at;
     }
   double everywhere = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, deepest, Teuchos::outArg(everywhere));
@@ -146,13 +168,12 @@ void PenaltyContact::check_overlap(const Section& section) const {
   const int mine = deepest == everywhere ? comm.getRank() : comm.getSize();
   int teller = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(teller));
-  Teuchos::broadcast(comm, teller, 2, worst);
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "' overlaps the surface by %.4g m at (%.6g, %.6g) at the start, more than half of its shortest side, %.4g m; "
-      "move its 'position'",
-      -everywhere, worst[0], worst[1], edge);
+  Teuchos::broadcast(comm, teller, 3, worst.data());
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "' overlaps the surface by %.4g m at %s at the start, more than half of its shortest side, %.4g m; "
+                "move its 'position'",
+                -everywhere, place_text(worst, axes()).c_str(), edge);
   section.fail("body '" + deck_.body + text, "body");
 }
 

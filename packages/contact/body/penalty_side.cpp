@@ -1,159 +1,218 @@
 #include "contact/body/penalty_side.hpp"
 
+#include <algorithm>
+
+#include "contact/body/body_foot.hpp"
+
 namespace mudline {
 
 namespace {
 
-/// A side and the body next to it as numbers of kind T: with their derivatives by the side's dofs.
-template <class T>
-struct SideNumbers {
-  explicit SideNumbers(const SideContact& side) : centre(constant<T>(side.placement.centre)) {
-    const int nodes = side.rule.nodes, first_body = 2 * nodes + side.pressure_nodes;
-    for (int a = 0; a < nodes; ++a) node[a] = unknown<T>(side.x[a], 2 * a);
-    for (int a = 0; a < side.pressure_nodes; ++a) pressure[a] = unknown<T>(side.pressure[a], 2 * nodes + a);
-    const BodyUnknowns& body = side.body.unknowns();
-    for (int k = 0; k < body.count; ++k)
-      (body.direction[k] == 0   ? centre.x
-       : body.direction[k] == 1 ? centre.y
-                                : turn) += body.scale[k] * unknown<T>(0.0, first_body + k);
+constexpr int max_side_dofs = 4 * max_side_nodes + 6;
+
+/// Areas of the contact points [m2] and their derivatives by the nodes' places [m] (node, axis).
+template <int D>
+struct SideAreas {
+  static constexpr int places = D * (D == 2 ? max_line_nodes : max_side_nodes);
+  double area[max_contact_points], slope[max_contact_points][places];
+
+  bool measure(const SideContact& side, bool want_slopes) {
+    if (!want_slopes) return contact_areas<D>(side.rule, side.x, side.geometry, area);
+    SpatialVector<Dual<places>, D> node[max_side_nodes];
+    for (int a = 0; a < side.rule.nodes; ++a)
+      for (int i = 0; i < D; ++i) node[a][i] = Dual<places>(side.x[a][i], D * a + i);
+    Dual<places> numbers[max_contact_points];
+    if (!contact_areas<D>(side.rule, node, side.geometry, numbers)) return false;
+    for (int c = 0; c < side.rule.points; ++c) {
+      area[c] = numbers[c].v;
+      std::copy_n(numbers[c].d, places, slope[c]);
+    }
+    return true;
   }
-  PlaneVector<T> node[max_side_nodes], centre;
-  T turn{0.0};  // [rad] of the body beyond its angle: 0, with derivatives
-  T pressure[max_side_nodes], area[max_contact_points];
 };
 
-/// Where a point is beside the body.
-template <class T>
-struct BodyFoot {
-  BodyFoot(const ContourFoot& at, const PlaneVector<T>& from_centre, const T& turn) : arm(from_centre) {
-    // how the point moves past the material of the body: 0, with derivatives
-    const PlaneVector<T> way{arm.x - value(arm.x) + turn * value(arm.y), arm.y - value(arm.y) - turn * value(arm.x)};
-    const PlaneVector<T> n = constant<T>(at.normal), m = constant<T>(at.tangent);
-    const T along = dot(m, way), turned = at.turning * along + turn;
-    gap = at.gap + dot(n, way);
-    advance = at.travel * along;
-    normal = n + m * turned;
-    tangent = m - n * turned;
+/// Force on the soil and moment about the body's centre, as numbers.
+template <class T, int D>
+struct PointAction {
+  SpatialVector<T, D> force = SpatialVector<T, D>::zero();
+  Tangential<T, D> moment = no_tangential<T, D>();
+  void add(const SpatialVector<T, D>& more, const Tangential<T, D>& turning) {
+    force = force + more;
+    moment = moment + turning;
   }
-  T gap, advance;  // [m]; of the foot along the contour: 0, with derivatives
-  PlaneVector<T> normal, tangent, arm;
+  /// By direction of the body.
+  T operator[](int direction) const {
+    if (direction < D) return force[direction];
+    if constexpr (D == 2)
+      return moment;
+    else
+      return moment[direction - D];
+  }
 };
 
-/// Forces by dof.
-template <class T>
-struct SideForces : StepForces<T, max_side_dofs> {
-  explicit SideForces(const SideContact& of) : side(of) {}
-  /// A force on the soil at point c with its moment about the body's centre.
-  void add(int c, const PlaneVector<T>& force, const T& moment, T (&to)[max_side_dofs]) const {
-    spread(side.rule.nodes, side.rule.shape[c].data(), force, to);
-    const BodyUnknowns& body = side.body.unknowns();
-    const int first_body = 2 * side.rule.nodes + side.pressure_nodes;
-    for (int k = 0; k < body.count; ++k)
-      to[first_body + k] -= body.scale[k] * (body.direction[k] == 0   ? force.x
-                                             : body.direction[k] == 1 ? force.y
-                                                                      : moment);
-  }
-  const SideContact& side;
-};
+/// Pore pressure's shapes at point c: those of the nodes that carry it.
+const double* pressure_shape(const SideContact& side, int c) {
+  const bool corners = side.pressure_nodes < side.rule.nodes;
+  return corners ? side.rule.corner[c].data() : side.rule.shape[c].data();
+}
 
-template <class T>
-T pore_pressure(const SideContact& side, int c, const SideNumbers<T>& x) {
-  T result(side.start[c].soil.pore_pressure);
-  double shape[max_side_nodes], slope[max_side_nodes];
-  if (side.pressure_nodes > 0) evaluate_line(side.pressure_nodes, side.rule.xi[c], shape, slope);
-  for (int a = 0; a < side.pressure_nodes; ++a) result += shape[a] * x.pressure[a];
+double pore_pressure(const SideContact& side, int c) {
+  double result = side.start[c].soil.pore_pressure;
+  for (int a = 0; a < side.pressure_nodes; ++a) result += pressure_shape(side, c)[a] * side.pressure[a];
   return result;
 }
 
-template <class T>
-ContactMotion<T> motion_of_point(const SideContact& side, int c, const SideNumbers<T>& x, const ContourFoot& at,
-                                 const BodyFoot<T>& foot) {
+template <class T, int D>
+ContactMotion<T, D> motion_of_point(const SideContact& side, int c, const PointNumbers<T, D>& x,
+                                    const typename BodyFoot<T, D>::Nearest& at, const BodyFoot<T, D>& foot) {
   const ContactStart& start = side.start[c];
-  ContactMotion<T> motion;
+  ContactMotion<T, D> motion;
   motion.gap = foot.gap;
-  motion.area = x.area[c];
+  motion.area = x.area;
   motion.shift = T(start.shift);
   motion.member = start.member;
   motion.soil = start.soil;
-  motion.pore_pressure = pore_pressure(side, c, x);
+  motion.pore_pressure = x.pore_pressure;
   const bool shears = side.law.friction && presses(side.law, motion);
   if (!shears && !side.law.conserves && !(side.law.viscous > 0)) return motion;
   motion.position = side.rule.place(c, side.x_old);
-  const ContourFoot before = side.body.closest(side.placement_old, motion.position);
+  const auto before = BodyFoot<T, D>::nearest(side.body, side.placement_old, motion.position);
   motion.gap_old = T(before.gap);
   motion.force_old = T(start.normal_force);
   if (!shears) return motion;
   motion.opened = T(before.gap - start.shift_old);
-  motion.travel = foot.advance + side.body.contour().distance(before, at);
-  motion.shear_old = T(start.shear.shear);
+  foot.start(side, before, at, start.shear.shear, motion);
   motion.slip_old = start.shear.slip;
   motion.slid = start.shear.slides;
   return motion;
 }
 
-/// What a point's response means in forces.
-template <class T>
-void add_forces(const SideContact& side, int c, const BodyFoot<T>& foot, const ContactResponse<T>& now, const T& area,
-                ContactPoint& point, SideForces<T>& to) {
-  const PlaneVector<T> friction = foot.tangent * (now.shear * area),
-                       force = foot.normal * (now.pressure * area) + friction, damping = foot.normal * now.damping;
-  const T moment = cross(foot.arm, force);
-  to.add(c, force, moment, to.end);
-  if (side.law.conserves) {
-    const PointForce& old = side.start[c].force;
-    const T more = now.end_share - (1 - side.law.start_weight), less = now.start_share - side.law.start_weight;
-    to.add(c, force * more, moment * more, to.more);
-    to.add(c, {less * old[0], less * old[1]}, less * old[2], to.more);
-  }
-  if (side.law.viscous > 0) to.add(c, damping, cross(foot.arm, damping), to.more);
-  for (int i = 0; i < 2; ++i) {
-    point.force[i] = plain(force)[i];
-    point.friction[i] = plain(friction)[i];
-    point.damping[i] = plain(damping)[i];
-  }
-  point.moment = value(moment);
+template <class T, int D>
+PointForce plain(const PointAction<T, D>& action) {
+  PointForce result;
+  for (int i = 0; i < D; ++i) result.force[i] = value(action.force[i]);
+  if constexpr (D == 2)
+    result.moment[2] = value(action.moment);
+  else
+    for (int i = 0; i < D; ++i) result.moment[i] = value(action.moment[i]);
+  return result;
 }
 
-template <class T>
-ContactPoint evaluate_point(const SideContact& side, int c, const SideNumbers<T>& x, SideForces<T>& forces) {
-  const PlaneVector<T> at = combine(side.rule.nodes, side.rule.shape[c].data(), x.node);
-  const ContourFoot nearest = side.body.closest(side.placement, plain(at));
-  const BodyFoot<T> foot(nearest, at - x.centre, x.turn);
-  const ContactMotion<T> motion = motion_of_point(side, c, x, nearest, foot);
-  ContactResponse<T> now = respond(side.law, motion);
+/// The forces that a point had at the start of the step.
+template <class T, int D>
+PointAction<T, D> constant_action(const PointForce& was) {
+  PointAction<T, D> result;
+  for (int i = 0; i < D; ++i) result.force[i] = T(was.force[i]);
+  if constexpr (D == 2)
+    result.moment = T(was.moment[2]);
+  else
+    for (int i = 0; i < D; ++i) result.moment[i] = T(was.moment[i]);
+  return result;
+}
+
+/// What a point's response means in forces: at the end of the step, and what comes on top in the mean over it.
+template <class T, int D>
+void act(const SideContact& side, int c, const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot,
+         const ContactResponse<T, D>& now, ContactPoint& point, PointAction<T, D>& end, PointAction<T, D>& more) {
+  const SpatialVector<T, D> friction = foot.traction(now.shear * x.area),
+                            force = foot.normal * (now.pressure * x.area) + friction,
+                            damping = foot.normal * now.damping;
+  const auto moment = cross(x.arm, force);
+  end.add(force, moment);
+  if (side.law.conserves) {
+    const PointAction<T, D> old = constant_action<T, D>(side.start[c].force);
+    const T later = now.end_share - (1 - side.law.start_weight), sooner = now.start_share - side.law.start_weight;
+    more.add(force * later, moment * later);
+    more.add(old.force * sooner, old.moment * sooner);
+  }
+  if (side.law.viscous > 0) more.add(damping, cross(x.arm, damping));
+  point.total = plain(end);
+  for (int i = 0; i < D; ++i) {
+    point.friction[i] = value(friction[i]);
+    point.damping[i] = value(damping[i]);
+  }
+}
+
+/// Adds the actions of point c to the side's forces and tangent.
+template <class T, int D>
+void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, const PointAction<T, D>& end,
+                 const PointAction<T, D>& more, SideForce& out) {
+  using X = PointNumbers<T, D>;
+  const BodyUnknowns& body = side.body.unknowns();
+  const int nodes = side.rule.nodes, pressures = D * nodes, first_body = pressures + side.pressure_nodes;
+  const double weight = 1 / (1 - side.law.start_weight);
+  const auto& shape = side.rule.shape[c];
+  for (int r = 0; r < D + body.count; ++r) {
+    const int direction = r < D ? r : body.direction[r - D];
+    const double sign = r < D ? 1.0 : -body.scale[r - D];
+    const T last = end[direction], above = more[direction];
+    double column[max_side_dofs];
+    if constexpr (!std::is_same_v<T, double>) {
+      const T acting = sign * (last + weight * above);
+      const double* d = acting.d;
+      for (int b = 0; b < nodes; ++b)
+        for (int j = 0; j < D; ++j) column[D * b + j] = shape[b] * d[j] + d[X::of_area] * areas.slope[c][D * b + j];
+      for (int b = 0; b < side.pressure_nodes; ++b)
+        column[pressures + b] = pressure_shape(side, c)[b] * d[X::of_pressure];
+      for (int k = 0; k < body.count; ++k) column[first_body + k] = d[X::of_body + k];
+    }
+    for (int a = 0; a < (r < D ? nodes : 1); ++a) {
+      const int row = r < D ? D * a + r : first_body + r - D;
+      const double share = r < D ? shape[a] : 1.0;
+      out.f[row] += share * sign * value(last);
+      out.correction[row] += share * sign * value(above);
+      if constexpr (!std::is_same_v<T, double>)
+        for (int b = 0; b < out.dofs; ++b) out.k[row * out.dofs + b] += share * column[b];
+    }
+  }
+}
+
+template <class T, int D>
+ContactPoint evaluate_point(const SideContact& side, int c, const SideAreas<D>& areas, SideForce& out) {
+  const Point at = side.rule.place(c, side.x);
+  const PointNumbers<T, D> x(side, at, areas.area[c], pore_pressure(side, c));
+  const auto nearest = BodyFoot<T, D>::nearest(side.body, side.placement, at);
+  const BodyFoot<T, D> foot(nearest, x);
+  const ContactMotion<T, D> motion = motion_of_point(side, c, x, nearest, foot);
+  ContactResponse<T, D> now = respond(side.law, motion);
   const bool reached = !now.presses && nearest.gap < side.reach;
   if (reached) now.pressure = chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
   ContactPoint point{};
   point.gap = nearest.gap;
   point.pressure = value(now.pressure);
-  point.area = value(motion.area);
+  point.area = areas.area[c];
   point.active = now.presses;
-  point.height = side.body.height(side.placement, plain(at));
+  point.height = side.body.height(side.placement, at);
   point.damped = now.damping_heat;
   const ShearState& old = side.start[c].shear;  // slip and heat stay when the shear stress goes
-  point.shear = {value(now.shear), old.slip + now.slip, old.dissipated + now.heat, now.slides};
-  if (now.presses || reached || side.law.conserves || side.law.viscous > 0)
-    add_forces(side, c, foot, now, motion.area, point, forces);
+  point.shear = {BodyFoot<T, D>::plain_shear(now.shear), old.slip + now.slip, old.dissipated + now.heat, now.slides};
+  if (!now.presses && !reached && !side.law.conserves && !(side.law.viscous > 0)) return point;
+  PointAction<T, D> end, more;
+  act(side, c, x, foot, now, point, end, more);
+  add_to_side(side, c, areas, end, more, out);
   return point;
 }
 
-template <class T>
-bool evaluate_side(const SideContact& side, SideForce& out, std::vector<ContactPoint>& points) {
-  SideNumbers<T> x(side);
-  SideForces<T> forces(side);
-  if (!contact_areas(side.rule, x.node, side.geometry, x.area)) return false;
-  for (int c = 0; c < side.rule.points; ++c) points[c] = evaluate_point(side, c, x, forces);
-  forces.write(T(1.0), 1 / (1 - side.law.start_weight), out.f, out.correction, out.k);
+template <int D>
+bool evaluate_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
+  SideAreas<D> areas;
+  if (!areas.measure(side, want_tangent)) return false;
+  for (int c = 0; c < side.rule.points; ++c)
+    points[c] = want_tangent ? evaluate_point<Dual<PointNumbers<double, D>::unknowns>, D>(side, c, areas, out)
+                             : evaluate_point<double, D>(side, c, areas, out);
   return true;
 }
 
 }  // namespace
 
 bool penalty_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
-  out = {};
+  const bool space = side.geometry == Geometry::space;
+  out.dofs = dimension(side.geometry) * side.rule.nodes + side.pressure_nodes + side.body.unknowns().count;
+  out.f.assign(out.dofs, 0.0);
+  out.correction.assign(out.dofs, 0.0);
+  out.k.assign(want_tangent ? out.dofs * out.dofs : 0, 0.0);
   points.assign(side.rule.points, {});
-  return want_tangent ? evaluate_side<Dual<max_side_dofs>>(side, out, points)
-                      : evaluate_side<double>(side, out, points);
+  return space ? evaluate_side<3>(side, want_tangent, out, points) : evaluate_side<2>(side, want_tangent, out, points);
 }
 
 }  // namespace mudline

@@ -8,12 +8,16 @@
 
 namespace mudline {
 
-/// Force [N] on the soil and its moment about the body's centre [N m].
-using PointForce = std::array<double, 3>;
+/// What acts on the soil at a point: force [N] and moment about the body's centre [N m], in the plane about z.
+struct PointForce {
+  Point force{}, moment{};
+};
 
 /// What friction remembers of a contact point.
 struct ShearState {
-  double shear = 0;       // [Pa] on the soil, along the contour's direction of travel; 0 off the body
+  /// [Pa] on the soil; 0 off the body. In the plane one number, along the contour's direction of travel; in space a
+  /// vector.
+  Point shear{};
   double slip = 0;        // [m] path that the point has slid, since it was made
   double dissipated = 0;  // [J] heat, over the point's area
   bool slides = false;
@@ -26,21 +30,20 @@ struct ContactStart {
   bool member = false;              // of the active set
   TouchingSoil soil;                // its pore pressure is that beside what the side's nodes have
   ShearState shear;                 // committed
-  PointForce force{};               // committed
+  PointForce force;                 // committed
   double normal_force = 0;          // [N] committed
 };
 
 /// What happens at one contact point.
 struct ContactPoint {
   double gap, pressure;  // [m] negative: penetration; [Pa] >= 0
-  double force[2];       // [N] on the soil
+  PointForce total;      // on the soil
   double area;           // [m2]
   bool active;           // presses: gap < shift
   ShearState shear;      // with friction
-  double friction[2];    // [N] part of the force that is along the surface
+  Point friction;        // [N] part of the force that is along the surface
   double height;         // [m] in the body's frame above its reference point
-  double moment;         // [N m] of the force about the body's centre
-  double damping[2];     // [N] what damping adds to the mean force over the step
+  Point damping;         // [N] what damping adds to the mean force over the step
   double damped;         // [J] heat that it makes in the step
 };
 
@@ -61,22 +64,20 @@ struct SideContact {
   ContactStart start[max_contact_points] = {};  // (point)
 };
 
-/// Dofs of one side in its element matrix: the nodes' displacements, node after node, component after component; then
-/// (with laws that read them) the pore pressures of the first nodes; then the body's unknowns.
-constexpr int max_side_dofs = 3 * max_side_nodes + body_directions;
-
-/// Forces of one side [N] on the soil and on the body, by dof (none for the pressures), and their derivatives [N/m,
-/// m2].
+/// Forces of one side [N] on the soil and on the body, and their derivatives [N/m, m2]. Dofs: the nodes' displacements,
+/// node after node, component after component; then (with laws that read them) the pore pressures of the first nodes,
+/// which have no force; then the body's unknowns.
 struct SideForce {
-  double f[max_side_dofs];                 // at the end of the step
-  double correction[max_side_dofs];        // to be added at the alpha level: shares of impacts, damping
-  double k[max_side_dofs][max_side_dofs];  // of f + correction / (1 - start_weight)
+  int dofs = 0;
+  std::vector<double> f;           // at the end of the step
+  std::vector<double> correction;  // to be added at the alpha level: shares of impacts, damping
+  std::vector<double> k;           // (dof, dof) of f + correction / (1 - start_weight)
 };
 
-/// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s m) A_c with the pressure t, the shear
-/// stress s, the normal n from the body into the soil and the contour's direction m. The body gets the opposite force
-/// and its moment. The tangent is exact: variation of gap, normal (curvature of the body), travel, length and radius of
-/// the side, place and rotation of the body. `points` receives rule.points results. False for a degenerate side.
+/// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s) A_c with the pressure t, the normal n
+/// from the body into the soil and the shear stress s along the surface. The body gets the opposite force and its
+/// moment. The tangent is exact: variation of gap, normal (curvature of the body), travel, area and radius of the side,
+/// place and rotation of the body. `points` receives rule.points results. False for a degenerate side.
 bool penalty_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points);
 
 }  // namespace mudline

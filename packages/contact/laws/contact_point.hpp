@@ -5,7 +5,7 @@
 #include "contact/laws/friction.hpp"
 #include "contact/laws/impact_share.hpp"
 #include "contact/laws/normal_law.hpp"
-#include "tensor/dual.hpp"
+#include "contact/vector.hpp"
 
 namespace mudline {
 
@@ -30,36 +30,46 @@ struct ContactPointLaw {
   double viscous = 0;                  // [s/m] of damping; 0: none
 };
 
+/// What lies along the surface: a number in the plane, in space a vector of the tangent plane.
+template <class T, int D>
+using Tangential = std::conditional_t<D == 2, T, SpatialVector<T, D>>;
+template <class T, int D>
+Tangential<T, D> no_tangential() {
+  if constexpr (D == 2)
+    return T(0.0);
+  else
+    return SpatialVector<T, D>::zero();
+}
+
 /// A contact point as the geometry of its engine sees it. T is double or a dual number, whose derivatives (by whatever
-/// the engine takes as unknowns) the response carries on. In the plane travel and shear are numbers; in space they are
-/// vectors of the tangent plane.
-template <class T>
+/// the engine takes as unknowns) the response carries on. D: dimension of the model.
+template <class T, int D = 2>
 struct ContactMotion {
-  T gap{0.0};             // [m] at the end of the step; negative: penetration
-  T shift{0.0};           // [m] gap at which the pressure starts: multiplier over penalty
-  bool member = false;    // of the active set
-  T gap_old{0.0};         // [m] at the start of the step, for shares and damping
-  T force_old{0.0};       // [N] normal force there, for damping
-  T area{1.0};            // [m2]
-  T travel{0.0};          // [m] advance along the surface in the step
-  T opened{0.0};          // [m] by which it was open at the start: travel counts from where it touched
-  T shear_old{0.0};       // [Pa] from which the stick spring starts
-  double slip_old = 0;    // [m] path slid before
-  bool slid = false;      // in the step before
-  T pore_pressure{0.0};   // [Pa] of the soil that touches
-  TouchingSoil soil;      // the rest of it
-  PlanePoint position{};  // [m] at the start of the step
+  T gap{0.0};                                       // [m] at the end of the step; negative: penetration
+  T shift{0.0};                                     // [m] gap at which the pressure starts: multiplier over penalty
+  bool member = false;                              // of the active set
+  T gap_old{0.0};                                   // [m] at the start of the step, for shares and damping
+  T force_old{0.0};                                 // [N] normal force there, for damping
+  T area{1.0};                                      // [m2]
+  Tangential<T, D> travel = no_tangential<T, D>();  // [m] advance along the surface in the step
+  T opened{0.0};  // [m] by which it was open at the start: travel counts from where it touched
+  Tangential<T, D> shear_old = no_tangential<T, D>();  // [Pa] from which the stick spring starts
+  double slip_old = 0;                                 // [m] path slid before
+  bool slid = false;                                   // in the step before
+  T pore_pressure{0.0};                                // [Pa] of the soil that touches
+  TouchingSoil soil;                                   // the rest of it
+  Point position{};                                    // [m] at the start of the step
 };
 
-template <class T>
+template <class T, int D = 2>
 struct ContactResponse {
   bool presses = false, slides = false;
-  T pressure{0.0};                     // [Pa] on the soil, compression positive
-  T shear{0.0};                        // [Pa] on the soil, along the surface; resists positive travel
-  T damping{0.0};                      // [N] along the normal, added to the mean force over the step
-  T start_share{0.0}, end_share{0.0};  // [-] of the forces at both ends in that mean
-  double slip = 0;                     // [m] of this step
-  double heat = 0, damping_heat = 0;   // [J] of friction, of damping
+  T pressure{0.0};                                 // [Pa] on the soil, compression positive
+  Tangential<T, D> shear = no_tangential<T, D>();  // [Pa] on the soil, along the surface; resists positive travel
+  T damping{0.0};                                  // [N] along the normal, added to the mean force over the step
+  T start_share{0.0}, end_share{0.0};              // [-] of the forces at both ends in that mean
+  double slip = 0;                                 // [m] of this step
+  double heat = 0, damping_heat = 0;               // [J] of friction, of damping
 };
 
 namespace detail {
@@ -67,6 +77,20 @@ namespace detail {
 template <class T>
 T magnitude(const T& a) {
   return value(a) < 0 ? -1.0 * a : a;
+}
+template <class T, int D>
+T magnitude(const SpatialVector<T, D>& a) {
+  const T square = dot(a, a);
+  return value(square) > 0 ? square_root(square) : T(0.0);
+}
+/// In the direction of `a`, which is not 0, as long as `size`.
+template <class T>
+T along(const T& a, const T& size) {
+  return value(a) > 0 ? size : -1.0 * size;
+}
+template <class T, int D>
+SpatialVector<T, D> along(const SpatialVector<T, D>& a, const T& size) {
+  return a * (size / magnitude(a));
 }
 
 /// slope * a without its value: what a function of a, known by value and slope, has in derivatives.
@@ -77,23 +101,24 @@ T change(const T& a, double slope) {
 
 /// All of the step's travel, or for a point that was open the part after the gap closed at constant speed, which makes
 /// the shear stress start from 0.
-template <class T>
-T touching_travel(const ContactMotion<T>& point) {
+template <class T, int D>
+Tangential<T, D> touching_travel(const ContactMotion<T, D>& point) {
   const T pressed = point.gap - point.shift;
   if (!(value(point.opened) > 0)) return point.travel;
-  if (!(value(pressed) < 0)) return T(0.0);  // held in tension by a fixed active set: it has not touched yet
+  if (!(value(pressed) < 0))
+    return no_tangential<T, D>();  // held in tension by a fixed active set: it has not touched yet
   return point.travel * (pressed / (pressed - point.opened));
 }
 
-template <class T>
-TouchingSoil soil_at(const ContactMotion<T>& point) {
+template <class T, int D>
+TouchingSoil soil_at(const ContactMotion<T, D>& point) {
   TouchingSoil soil = point.soil;
   soil.pore_pressure = value(point.pore_pressure);
   return soil;
 }
 
-template <class T>
-T pressure(const ContactPointLaw& law, const ContactMotion<T>& point) {
+template <class T, int D>
+T pressure(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
   const T penetration = point.shift - point.gap;
   const double depth = law.fixed || value(penetration) > 0 ? value(penetration) : 0.0;
   const NormalPressure normal = law.normal_law->at(depth, law.penalty, soil_at(point));
@@ -103,8 +128,8 @@ T pressure(const ContactPointLaw& law, const ContactMotion<T>& point) {
 /// Viscous resistance: the mean normal force of the step times coefficient * closing speed (K. H. Hunt, F. R. E.
 /// Crossley, J. Appl. Mech. 42, 1975, 440-445, for a linear spring). It sets in and ends without a jump, takes energy
 /// only, and at most cancels the traction of surfaces that part: it never pulls.
-template <class T>
-void add_damping(const ContactPointLaw& law, const ContactMotion<T>& point, ContactResponse<T>& out) {
+template <class T, int D>
+void add_damping(const ContactPointLaw& law, const ContactMotion<T, D>& point, ContactResponse<T, D>& out) {
   const T closing = point.gap_old - point.gap,
           mean = out.start_share * point.force_old + out.end_share * out.pressure * point.area;
   const T factor = law.viscous / law.dt * closing;
@@ -114,11 +139,11 @@ void add_damping(const ContactPointLaw& law, const ContactMotion<T>& point, Cont
 
 /// Return map: a spring along the surface is stretched by the travel; where that exceeds the law's strength the point
 /// slides.
-template <class T>
-void add_friction(const ContactPointLaw& law, const ContactMotion<T>& point, ContactResponse<T>& out) {
+template <class T, int D>
+void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, ContactResponse<T, D>& out) {
   const double stiffness = law.friction->tangential_factor() * law.penalty;
-  const T travel = touching_travel(point);
-  out.shear = point.shear_old - stiffness * travel;
+  const Tangential<T, D> travel = touching_travel(point);
+  out.shear = point.shear_old - travel * stiffness;
   if (law.first_guess) {
     out.slides = point.slid;
     if (point.slid) out.shear = point.shear_old;
@@ -128,28 +153,28 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T>& point, Con
   const T rate = magnitude(travel) / law.dt;
   const ShearStrength strength =
       law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil_at(point)});
-  const double trial = value(out.shear), excess = std::abs(trial) - strength.value;
+  const double excess = value(magnitude(out.shear)) - strength.value;
   out.slides = !(excess <= 0);  // a strength that is no number is not hidden
   if (!out.slides) return;
   const T carried = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope) +
                     change(point.pore_pressure, strength.pore_slope);
-  out.shear = trial > 0 ? carried : -1.0 * carried;
+  out.shear = along(out.shear, carried);
   out.slip = excess / stiffness;
-  out.heat = std::abs(value(out.shear)) * out.slip * value(point.area);
+  out.heat = std::abs(value(carried)) * out.slip * value(point.area);
 }
 
 }  // namespace detail
 
 /// Whether a point presses; the response of one that does not is that of damping alone.
-template <class T>
-bool presses(const ContactPointLaw& law, const ContactMotion<T>& point) {
+template <class T, int D>
+bool presses(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
   return law.fixed ? point.member : value(point.gap) - value(point.shift) < law.touch;
 }
 
 /// The point law of all contacts: gap, travel and old state to pressure and shear stress.
-template <class T>
-ContactResponse<T> respond(const ContactPointLaw& law, const ContactMotion<T>& point) {
-  ContactResponse<T> out;
+template <class T, int D>
+ContactResponse<T, D> respond(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
+  ContactResponse<T, D> out;
   out.start_share = law.conserves ? start_share(point.gap_old, point.gap, law.impact_damping) : T(law.start_weight);
   out.end_share = law.conserves ? end_share(point.gap_old, point.gap, law.impact_damping) : T(1 - law.start_weight);
   out.presses = presses(law, point);

@@ -50,7 +50,7 @@ ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
   }
   if (at.normal > 0) result = {adhesion_ + coefficient * at.normal, coefficient, by_rate * at.normal};
   if (!capped_) return result;
-  const double cap = std::max(0.0, cap_(at.time, {at.position[0], at.position[1], 0}));
+  const double cap = std::max(0.0, cap_(at.time, at.position));
   return result.value > cap ? ShearStrength{cap, 0} : result;
 }
 

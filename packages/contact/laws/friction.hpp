@@ -2,18 +2,17 @@
 
 #include "contact/laws/touching_soil.hpp"
 #include "core/registry.hpp"
-#include "geometry/contour_piece.hpp"
 
 namespace mudline {
 
 /// Where and when a friction law is asked.
 struct FrictionPoint {
-  double normal;        // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
-  PlanePoint position;  // [m] of the contact point at the start of the step
-  double slip;          // [m] path that it has slid so far, at the start of the step; see Friction::reads_slip
-  double time;          // [s] end of the step
-  double rate = 0;      // [m/s] mean speed along the surface in the step, >= 0
-  TouchingSoil soil;    // see Friction::reads
+  double normal;      // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
+  Point position;     // [m] of the contact point at the start of the step
+  double slip;        // [m] path that it has slid so far, at the start of the step; see Friction::reads_slip
+  double time;        // [s] end of the step
+  double rate = 0;    // [m/s] mean speed along the surface in the step, >= 0
+  TouchingSoil soil;  // see Friction::reads
 };
 
 /// Largest shear stress that an interface carries.

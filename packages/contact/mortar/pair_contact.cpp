@@ -119,7 +119,8 @@ PairLaw PairContact::law(const StepView& view, int slave) const {
   const PointView& multipliers = view.trial->arrays[multipliers_];
   for (int a = 0; a < side_multipliers; ++a) {
     result.pressure_old[a] = view.committed->arrays[sides_](side_multipliers * slave + a, column::pressure);
-    result.soil[a] = laws_.soil(*view.committed, slave_->sides()[slave], 2 * a - 1);
+    const double end = 2 * a - 1;
+    result.soil[a] = laws_.soil(*view.committed, slave_->sides()[slave], &end);
     result.normal[a] = multipliers(side_multipliers * slave + a, 0);
     result.shear[a] = multipliers(side_multipliers * slave + a, 1);
   }
@@ -289,7 +290,7 @@ std::array<std::array<double, 2>, 2> PairContact::mass(int slave, const ConstCoo
   std::array<std::array<double, 2>, 2> result{};
   for (std::size_t q = 0; q < rule_.weights.size(); ++q) {
     const double xi = rule_.points[q][0], shape[2] = {0.5 * (1 - xi), 0.5 * (1 + xi)};
-    double N[max_side_nodes], dN[max_side_nodes];
+    double N[max_line_nodes], dN[max_line_nodes];
     evaluate_line(nodes_, xi, N, dN);
     SideMap<2> map;
     map.compute(nodes_, N, dN, [&](int a, int i) { return x(side.node[a], i); });
@@ -310,7 +311,7 @@ Misfit PairContact::misfit(const State& state) const {
       const int row = side_multipliers * static_cast<int>(s) + a;
       sums.spring = std::max(sums.spring, rows(row, column::pressure) / stiffness);
       sums.add(slave_->sides()[s].node[a], whole[a][0] + whole[a][1], stiffness, rows(row, column::misfit),
-               rows(row, column::stretch));
+               {rows(row, column::stretch)});
     }
   }
   return {*slave_, std::move(sums), laws_.tangential_factor()};
@@ -334,7 +335,8 @@ Augmentation PairContact::augment(const StepView& view, int count) {
     }
   };
   const std::vector<double> normal = in_shapes(*slave_, rest.normal, masses);
-  const std::vector<double> shear = laws_.friction() ? in_shapes(*slave_, rest.shear, masses) : rest.shear;
+  const std::vector<double> shear =
+      laws_.friction() ? in_shapes(*slave_, rest.shear[0], masses) : std::vector<double>();
   const PointView& multipliers = trial.arrays[multipliers_];
   for (std::size_t s = 0; s < slave_->sides().size(); ++s)
     for (int a = 0; a < side_multipliers; ++a) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/plane_vector.hpp"
+#include "contact/vector.hpp"
 
 namespace mudline {
 
@@ -13,9 +13,9 @@ namespace {
 template <class T>
 struct Curve {
   int nodes;
-  PlaneVector<T> node[max_side_nodes];
+  PlaneVector<T> node[max_line_nodes];
 
-  void shapes(const T& xi, T (&N)[max_side_nodes]) const {
+  void shapes(const T& xi, T (&N)[max_line_nodes]) const {
     if (nodes == 2) {
       N[0] = 0.5 * (1.0 - xi);
       N[1] = 0.5 * (1.0 + xi);
@@ -27,8 +27,8 @@ struct Curve {
     }
   }
   SideMap<2, T> map(const T& xi) const {
-    T N[max_side_nodes];
-    const T dN[max_side_nodes] = {nodes == 2 ? T(-0.5) : xi - 0.5, nodes == 2 ? T(0.5) : xi + 0.5, -2.0 * xi};
+    T N[max_line_nodes];
+    const T dN[max_line_nodes] = {nodes == 2 ? T(-0.5) : xi - 0.5, nodes == 2 ? T(0.5) : xi + 0.5, -2.0 * xi};
     shapes(xi, N);
     SideMap<2, T> result;
     result.compute(nodes, N, dN, [&](int a, int i) { return node[a][i]; });
@@ -38,7 +38,7 @@ struct Curve {
   PlaneVector<T> slope(const T& xi) const { return vector(map(xi).along[0]); }
   PlaneVector<T> bend() const {
     if (nodes == 2) return {T(0.0), T(0.0)};
-    const T N[max_side_nodes] = {T(1.0), T(1.0), T(-2.0)};
+    const T N[max_line_nodes] = {T(1.0), T(1.0), T(-2.0)};
     return combine(nodes, N, node);
   }
 };
@@ -118,7 +118,7 @@ struct Foot {
 
 template <class T>
 bool find_foot(const Curve<double>& master, const Curve<T>& master_t, const PlaneVector<T>& at, Foot<T>& foot) {
-  const PlaneVector<double> x{value(at.x), value(at.y)};
+  const PlaneVector<double> x{value(at[0]), value(at[1])};
   const PlaneVector<double> chord = master.node[1] - master.node[0];
   const double guess = 2 * dot(x - master.node[0], chord) / dot(chord, chord) - 1;
   const bool found = solve<T>(
@@ -198,7 +198,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
 /// A force on the slave and its opposite on the master.
 template <class T>
 void act(const Sides<T>& sides, const SegmentPoint<T>& point, const PlaneVector<T>& force, T (&to)[pair_dofs]) {
-  T N[max_side_nodes], M[max_side_nodes];
+  T N[max_line_nodes], M[max_line_nodes];
   sides.slave.shapes(point.xi, N);
   sides.master.shapes(point.foot.eta, M);
   spread(sides.slave.nodes, N, force, to);

@@ -6,7 +6,7 @@
 namespace mudline {
 
 /// Nodes of a pair's two sides, the slave's first: displacements node after node, component after component.
-constexpr int pair_dofs = 4 * max_side_nodes;
+constexpr int pair_dofs = 4 * max_line_nodes;
 /// Multipliers of a slave side: linear shapes, one at each corner.
 constexpr int side_multipliers = 2;
 

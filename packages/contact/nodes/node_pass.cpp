@@ -24,7 +24,8 @@ NodePass::NodePass(const NodePassSettings& settings, const std::string& slave, c
       surface_(sides_.sides(), settings.deck->drawing, settings.deck->corner_angle * pi / 180, settings.deck->overhang,
                mesh_.coordinates()),
       displacement_(settings.context->space.find("displacement")) {
-  for (int nodes = 2; nodes <= 3; ++nodes) rules_.emplace_back(ContactPoints::nodes, nodes, quadrature_degree);
+  for (CellShape side : {CellShape::line2, CellShape::line3})
+    rules_.emplace_back(ContactPoints::nodes, side, quadrature_degree);
   for (std::size_t s = 0; s < slave_.sides().size(); ++s)
     for (int a = 0; a < slave_.sides()[s].count; ++a)
       rows_.push_back({static_cast<int>(s), slave_.sides()[s].node[a], a == 2 ? 0.0 : 2.0 * a - 1, 0, 0, {}, {}});
@@ -159,7 +160,7 @@ NodeLaw NodePass::law(const StepView& view, int row) const {
   result.slip = old(row, column::slip);
   result.gap_old = old(row, column::gap);
   result.normal_old = old(row, column::pressure) * old(row, column::area);
-  result.soil = settings_.laws->soil(*view.committed, slave_.sides()[rows_[row].side], rows_[row].xi);
+  result.soil = settings_.laws->soil(*view.committed, slave_.sides()[rows_[row].side], &rows_[row].xi);
   return result;
 }
 
@@ -296,7 +297,7 @@ Misfit NodePass::misfit(const State& state) const {
     const double length = rows_[row].length, stiffness = penalty(state, row);
     sums.spring = std::max(sums.spring, points(row, column::pressure) / stiffness);
     sums.add(rows_[row].node, length, stiffness, length * (points(row, column::pressure) - multipliers(row, 0)),
-             sticks(state, row) ? length * (points(row, column::shear) - multipliers(row, 1)) : 0.0);
+             {sticks(state, row) ? length * (points(row, column::shear) - multipliers(row, 1)) : 0.0});
   }
   return {slave_, std::move(sums), settings_.laws->tangential_factor()};
 }

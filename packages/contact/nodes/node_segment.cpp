@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/plane_vector.hpp"
+#include "contact/vector.hpp"
 
 namespace mudline {
 
@@ -36,7 +36,7 @@ void look_from_corner(const SurfacePiece& piece, const NodeFoot& at, const Posit
     g.gap = value(g.gap) < 0 ? -1.0 * length(way) : length(way);
     g.normal = way / g.gap;
   }
-  g.along = {-1.0 * g.normal.y, g.normal.x};
+  g.along = {-1.0 * g.normal[1], g.normal[0]};
 }
 
 template <class T>
@@ -59,7 +59,7 @@ FootPlace<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Posit
   g.foot = combine(piece.count, g.W, x.master);
   const PlaneVector<T> direction = combine(piece.count, dW, x.master);
   g.along = direction / length(direction);
-  g.normal = {g.along.y, -1.0 * g.along.x};
+  g.normal = {g.along[1], -1.0 * g.along[0]};
   g.gap = dot(x.slave - g.foot, g.normal);
   return g;
 }
@@ -84,15 +84,15 @@ ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, c
   if (law.normal == 0) motion.opened = dot(was - foot_was, g.normal);
   motion.shear_old = T(law.shear);
   motion.slip_old = law.slip;
-  motion.position = old.slave;
+  motion.position = {old.slave[0], old.slave[1], 0};
   return motion;
 }
 
 /// A force on the slave node, the opposite at its foot.
 template <class T>
 void act(const SurfacePiece& piece, const FootPlace<T>& g, const PlaneVector<T>& force, T (&to)[node_dofs]) {
-  to[0] = force.x;
-  to[1] = force.y;
+  to[0] = force[0];
+  to[1] = force[1];
   spread(piece.count, g.W, force * -1.0, to + 2);
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/plane_vector.hpp"
+#include "contact/vector.hpp"
 
 namespace mudline {
 
@@ -23,12 +23,12 @@ CurveValue curve_at(const SurfacePiece& piece, const PieceCoordinates& nodes, do
 }  // namespace
 
 PlanePoint piece_point(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta) {
-  return plain(curve_at(piece, nodes, eta).x);
+  return in_plane(curve_at(piece, nodes, eta).x);
 }
 
 PlanePoint piece_direction(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta) {
   const PlaneVector<double> along = curve_at(piece, nodes, eta).d;
-  return plain(along * (1 / length(along)));
+  return in_plane(along * (1 / length(along)));
 }
 
 PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x, double low,

@@ -54,13 +54,17 @@ inline GlobalMesh strip(Cells cells, int nx, int ny, double x0, double width, do
   return mesh;
 }
 
+/// What a deck in space says of its mesh, so that places have three numbers.
+inline std::string space_xml() { return section_xml("mesh", text_parameter("geometry", geometry_in_space)); }
+
 /// A soil strip, one body and one contact, driven by hand through steps: what a stepper would do. `warm`: with
 /// temperature and effective stress.
 struct ContactModel {
   ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
                std::function<double(int, int)> stiffness = {}, const std::string& type = "frictionless penalty",
                Support pressure = Support::vertices, bool warm = false)
-      : deck(bodies + "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" + text_parameter("type", type) +
+      : deck((geometry == Geometry::space ? space_xml() : std::string()) + bodies +
+             "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" + text_parameter("type", type) +
              contact_parameters + "</ParameterList>\n</ParameterList>\n"),
         bodies_{{"b", deck.body("b", geometry)}},
         mesh(Tpetra::getDefaultComm(), geometry, std::move(global)),
@@ -85,7 +89,7 @@ struct ContactModel {
   }
 
   std::vector<Field> fields(Geometry geometry, Support pressure, bool warm) {
-    std::vector<Field> result{{"displacement", "m", "N", 2, Support::all_nodes, 2},
+    std::vector<Field> result{{"displacement", "m", "N", vector_components, Support::all_nodes, 2},
                               {"pore pressure", "Pa", "m3/s", 1, pressure, 1}};
     if (bodies_["b"]->may_be_free())
       result.push_back({"body motion", "m", "N", RigidBody::unknowns_per_body(geometry), Support::apart, 2, 1});
@@ -187,9 +191,9 @@ inline void deform(ContactModel& model, double size) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int node = 0; node < model.mesh.num_nodes(); ++node)
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < model.mesh.dimension(); ++i) {
       const double change = size * unit(random);
-      if (i == 1 || model.mesh.coordinates()(node, 0) > 0) model.store.trial().coordinates(node, i) += change;
+      if (i > 0 || model.mesh.coordinates()(node, 0) > 0) model.store.trial().coordinates(node, i) += change;
     }
 }
 
@@ -219,7 +223,8 @@ inline double jacobian_error(ContactModel& model, Moved moved = Moved::soil) {
   const auto data = d.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto move = [&](double h) {
     for (int node = 0; node < model.mesh.num_nodes(); ++node)
-      for (int i = 0; i < 2; ++i) model.store.trial().coordinates(node, i) += h * data(model.dof(node, i), 0);
+      for (int i = 0; i < model.mesh.dimension(); ++i)
+        model.store.trial().coordinates(node, i) += h * data(model.dof(node, i), 0);
     for (int i = 0; i < n; ++i)
       if (model.space.dofs()->field_of(i) > 0) model.store.trial().value(i) += h * data(i, 0);
   };

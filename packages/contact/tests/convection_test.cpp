@@ -22,7 +22,7 @@ TEST(Convection, LinearHistoryOfASideStaysWhereItIs) {
   PointView rows("rows", 5, 2);
   for (int row = 0; row < 5; ++row) rows(row, 0) = rows(row, 1) = 100;
   for (int a = 0; a < 3; ++a) rows(1 + a, 1) = field(s[a]);
-  SurfaceSide side{0, 0, 3, {0, 1, 2}, 0, 1};
+  SurfaceSide side{0, 0, 0, CellShape::line3, 3, {0, 1, 2}, 0, 1};
   SideShifts(side, from, to).convect(rows, 1, 1);
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(rows(1 + a, 1), field(s[a] + shift[a]), 1e-12);
   for (int row = 0; row < 5; ++row) EXPECT_EQ(rows(row, 0), 100);
@@ -37,7 +37,7 @@ TEST(Convection, WhatMovesAcrossTheSideChangesNothing) {
   PointView rows("rows", 2, 1);
   rows(0, 0) = 1;
   rows(1, 0) = 4;
-  SideShifts({0, 0, 2, {0, 1, -1}, 0, 1}, from, to).convect(rows, 0, 0);
+  SideShifts({0, 0, 0, CellShape::line2, 2, {0, 1}, 0, 1}, from, to).convect(rows, 0, 0);
   EXPECT_EQ(rows(0, 0), 1);
   EXPECT_EQ(rows(1, 0), 4);
 }

@@ -11,8 +11,8 @@ namespace {
 /// Slave on top, nodes to the right (its body above); master below, nodes to the left. Bent when quadratic.
 PairCoordinates sides(double overlap, double shift, double bend) {
   PairCoordinates x;
-  x.slave = {PlanePoint{0.5, -overlap}, PlanePoint{1.5, -0.7 * overlap}, PlanePoint{1.02, -overlap - bend}};
-  x.master = {PlanePoint{1.9 + shift, 0.02}, PlanePoint{0.9 + shift, -0.01}, PlanePoint{1.42 + shift, 0.005 + bend}};
+  x.slave = {Point{0.5, -overlap}, Point{1.5, -0.7 * overlap}, Point{1.02, -overlap - bend}};
+  x.master = {Point{1.9 + shift, 0.02}, Point{0.9 + shift, -0.01}, Point{1.42 + shift, 0.005 + bend}};
   return x;
 }
 
@@ -123,8 +123,8 @@ TEST(PairSegment, UniformOverlapOfStraightSidesPressesOnWhatTheyShare) {
   law.penalty = 1e6;
   law.capture = 1;
   PairCoordinates x;
-  x.slave = {PlanePoint{0, -0.01}, PlanePoint{1, -0.01}, PlanePoint{0.5, -0.01}};
-  x.master = {PlanePoint{2, 0}, PlanePoint{0.25, 0}, PlanePoint{1.125, 0}};
+  x.slave = {Point{0, -0.01}, Point{1, -0.01}, Point{0.5, -0.01}};
+  x.master = {Point{2, 0}, Point{0.25, 0}, Point{1.125, 0}};
   PairForce force;
   ASSERT_TRUE(pair_segment(law, x, x, false, force));
   EXPECT_NEAR(force.sums.area, 0.75, 1e-14);

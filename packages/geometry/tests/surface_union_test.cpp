@@ -17,20 +17,20 @@ std::shared_ptr<const Surface> ball(double radius) { return box(2 * radius, 2 * 
 
 TEST(PlacedSurface, TurnsAboutItsOrigin) {
   PlacedSurface plate{box(2, 1, 0.2, 0.05), {3, 0, 1}};
-  plate.turn({0, 0, pi / 2});
+  plate.rotation = Rotation::by({0, 0, pi / 2});
   const SurfaceFoot foot = plate.closest({3, 1.5, 1});  // beyond its end in x, which is now in y
   EXPECT_NEAR(foot.gap, 0.5, 1e-14);
   EXPECT_NEAR(foot.normal[1], 1, 1e-14);
   EXPECT_NEAR(foot.foot[1], 1, 1e-14);
   EXPECT_NEAR(plate.bounds().high[1], 1, 1e-12);
   EXPECT_NEAR(plate.bounds().low[0], 2.5, 1e-12);
-  plate.turn({pi / 6, 0, 0});
-  EXPECT_NEAR(plate.rotation[2][1], 0.5, 1e-15);  // right-handed about x: y goes towards z
+  plate.rotation = Rotation::by({pi / 6, 0, 0});
+  EXPECT_NEAR(plate.rotation.matrix[2][1], 0.5, 1e-15);  // right-handed about x: y goes towards z
 }
 
 TEST(SurfaceUnion, DerivativesOfATurnedPart) {
   PlacedSurface plate{box(2, 1, 0.4, 0.1), {0.3, -0.2, 0.1}};
-  plate.turn({0.4, -0.7, 0.9});
+  plate.rotation = Rotation::by({0.4, -0.7, 0.9});
   const SurfaceUnion body({plate});
   const DerivativeErrors errors(body, {{-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}}, 1e-6, 0.01);
   EXPECT_GT(errors.compared, 450);
@@ -63,7 +63,7 @@ TEST(SurfaceUnion, FinsOnAShaftThatGoesOn) {
   for (int i = 0; i < 4; ++i) {
     const double angle = pi / 2 * i;
     PlacedSurface fin{box(1, 0.05, 2, 0.02), {0.8 * std::cos(angle), 0.8 * std::sin(angle), 3}};
-    fin.turn({0, 0, angle});
+    fin.rotation = Rotation::by({0, 0, angle});
     parts.push_back(fin);
   }
   const SurfaceUnion body(parts);
@@ -83,7 +83,7 @@ TEST(SurfaceUnion, MomentsWithoutWhatPartsShare) {
   const SolidMoments aligned = SurfaceUnion({{box(2, 2, 2, 0)}, small}).moments();
   EXPECT_NEAR(aligned.volume, 8.125, 1e-12);
   EXPECT_NEAR(aligned.centroid()[0], 0.125 * 1.25 / 8.125, 1e-12);
-  small.turn({0.5, 0, 0});  // about the axis along which it sticks out
+  small.rotation = Rotation::by({0.5, 0, 0});  // about the axis along which it sticks out
   EXPECT_NEAR(SurfaceUnion({{box(2, 2, 2, 0)}, small}).moments().volume, 8.125, 1e-12);
   // two balls, their centres 1 m apart: a lens of two caps of the height 0.5 m
   const SurfaceUnion balls({{ball(1)}, {ball(1), {0.6, 0, 0.8}}});

@@ -40,20 +40,15 @@ std::map<std::string, xdmf::Field> read_fields(hid_t file, const std::string& gr
 
 /// In the plane the angle [rad], between -pi and pi; in space the matrix, row by row.
 std::vector<double> rotation(const BodyPose& pose, int dimension) {
-  const auto& turn = pose.turn;
-  if (dimension == 2) return {std::atan2(turn[1][0], turn[0][0])};
-  return {&turn[0][0], &turn[0][0] + 9};
+  const auto& m = pose.turn.matrix;
+  if (dimension == 2) return {std::atan2(m[1][0], m[0][0])};
+  return {&m[0][0], &m[0][0] + 9};
 }
 
 Point moved(const Point& point, const BodyPose& pose) {
-  const auto& turn = pose.turn;
-  const BodyPose rest;
+  const Point arm = minus(point, pose.centre), turned = pose.turn(arm);
   // a body that does not turn keeps every bit
-  if (std::equal(&turn[0][0], &turn[0][0] + 9, &rest.turn[0][0])) return plus(point, 1, pose.shift);
-  Point now = plus(pose.centre, 1, pose.shift);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) now[i] += turn[i][j] * (point[j] - pose.centre[j]);
-  return now;
+  return turned == arm ? plus(point, 1, pose.shift) : plus(plus(pose.centre, 1, pose.shift), 1, turned);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/rotation.hpp"
 #include "discretisation/mesh.hpp"
 #include "geometry/surface_triangles.hpp"
 
@@ -23,11 +24,11 @@ struct OutputField {
 /// contour, without facets.
 using BodyOutline = SurfaceTriangles;
 
-/// How a body has moved from its reference position: turned about `centre` (of the reference position) by the matrix
-/// `turn`, then shifted [m].
+/// How a body has moved from its reference position: turned about `centre` (of the reference position) by `turn`,
+/// then shifted [m].
 struct BodyPose {
   Point shift{};
-  double turn[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Rotation turn;
   Point centre{};
 };
 

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "core/function.hpp"
+#include "tensor/dual.hpp"
+
+namespace mudline {
+
+/// A vector of the plane or of space whose components are numbers of kind T: double, or a dual number.
+template <class T, int D>
+struct SpatialVector {
+  T at[D];
+  T& operator[](int i) { return at[i]; }
+  const T& operator[](int i) const { return at[i]; }
+  static SpatialVector zero() {
+    SpatialVector result;
+    for (int i = 0; i < D; ++i) result[i] = T(0.0);
+    return result;
+  }
+  friend SpatialVector operator+(const SpatialVector& a, const SpatialVector& b) {
+    SpatialVector result;
+    for (int i = 0; i < D; ++i) result[i] = a[i] + b[i];
+    return result;
+  }
+  friend SpatialVector operator-(const SpatialVector& a, const SpatialVector& b) {
+    SpatialVector result;
+    for (int i = 0; i < D; ++i) result[i] = a[i] - b[i];
+    return result;
+  }
+  template <class S>
+  friend SpatialVector operator*(const SpatialVector& a, const S& b) {
+    SpatialVector result;
+    for (int i = 0; i < D; ++i) result[i] = a[i] * b;
+    return result;
+  }
+  friend SpatialVector operator/(const SpatialVector& a, const T& b) {
+    SpatialVector result;
+    for (int i = 0; i < D; ++i) result[i] = a[i] / b;
+    return result;
+  }
+};
+template <class T>
+using PlaneVector = SpatialVector<T, 2>;
+template <class T>
+PlaneVector<T> vector(const T (&x)[2]) {
+  return {x[0], x[1]};
+}
+
+template <class T, int D>
+T dot(const SpatialVector<T, D>& a, const SpatialVector<T, D>& b) {
+  T sum = a[0] * b[0];
+  for (int i = 1; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+/// z component of a x b.
+template <class T>
+T cross(const SpatialVector<T, 2>& a, const SpatialVector<T, 2>& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+template <class T>
+SpatialVector<T, 3> cross(const SpatialVector<T, 3>& a, const SpatialVector<T, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class T, int D>
+T length(const SpatialVector<T, D>& a) {
+  return square_root(dot(a, a));
+}
+
+/// The unknown number `direction`: with its derivative, or the plain number.
+template <class T>
+T unknown(double value, int direction) {
+  if constexpr (std::is_same_v<T, double>)
+    return value;
+  else
+    return T(value, direction);
+}
+/// A point of the plane whose coordinates are the unknowns `first` and `first` + 1.
+template <class T, class Place>
+PlaneVector<T> unknown(const Place& x, int first) {
+  return {unknown<T>(x[0], first), unknown<T>(x[1], first + 1)};
+}
+template <class T, class Place>
+PlaneVector<T> constant(const Place& x) {
+  return {T(x[0]), T(x[1])};
+}
+template <class T>
+Point plain(const PlaneVector<T>& a) {
+  return {value(a[0]), value(a[1]), 0};
+}
+
+/// sum_a weight_a x_a.
+template <class T, class W>
+PlaneVector<T> combine(int count, const W* weight, const PlaneVector<T>* x) {
+  PlaneVector<T> sum{T(0.0), T(0.0)};
+  for (int a = 0; a < count; ++a) sum = sum + x[a] * weight[a];
+  return sum;
+}
+/// The transpose: adds weight_a force to node a of `to`, node after node, component after component.
+template <class T, class W>
+void spread(int count, const W* weight, const PlaneVector<T>& force, T* to) {
+  for (int a = 0; a < count; ++a) {
+    to[2 * a] += weight[a] * force[0];
+    to[2 * a + 1] += weight[a] * force[1];
+  }
+}
+
+/// Forces by the N unknowns [N]: at the end of the step, and what comes on top in the mean over it.
+template <class T, int N>
+struct StepForces {
+  StepForces() {
+    for (int a = 0; a < N; ++a) end[a] = more[a] = T(0.0);
+  }
+  /// Their values, and with dual numbers the derivatives of share * end + weight * more.
+  void write(const T& share, double weight, double (&f)[N], double (&on_top)[N], double (&k)[N][N]) const {
+    for (int a = 0; a < N; ++a) {
+      f[a] = value(end[a]);
+      on_top[a] = value(more[a]);
+      if constexpr (!std::is_same_v<T, double>) {
+        const T acting = end[a] * share + weight * more[a];
+        for (int b = 0; b < N; ++b) k[a][b] = acting.d[b];
+      }
+    }
+  }
+  T end[N], more[N];
+};
+
+}  // namespace mudline

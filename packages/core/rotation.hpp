@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/space_vector.hpp"
+
+namespace mudline {
+
+/// A rotation of space by its matrix.
+struct Rotation {
+  double matrix[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+  /// About the direction of the vector, right-handed, by its length [rad].
+  static Rotation by(const Point& vector) {
+    const double angle = length(vector);
+    const Point n = angle > 0 ? scaled(1 / angle, vector) : Point{0, 0, 1};
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double skew[3][3] = {{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}};
+    Rotation result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) result.matrix[i][j] = (i == j ? c : 0.0) + s * skew[i][j] + (1 - c) * n[i] * n[j];
+    return result;
+  }
+
+  /// x turned, and turned back.
+  Point operator()(const Point& x) const {
+    Point result{};
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) result[i] += matrix[i][k] * x[k];
+    return result;
+  }
+  Point back(const Point& x) const {
+    Point result{};
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) result[i] += matrix[k][i] * x[k];
+    return result;
+  }
+
+  /// This rotation after `first`.
+  Rotation operator*(const Rotation& first) const {
+    Rotation result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        result.matrix[i][j] = 0;
+        for (int k = 0; k < 3; ++k) result.matrix[i][j] += matrix[i][k] * first.matrix[k][j];
+      }
+    return result;
+  }
+  Rotation inverse() const {
+    Rotation result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) result.matrix[i][j] = matrix[j][i];
+    return result;
+  }
+
+  /// What by() makes this rotation of, at most pi long.
+  Point vector() const {
+    const auto& m = matrix;
+    // the quaternion's largest component first: it is never small
+    double q[4] = {1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2],
+                   1 - m[0][0] - m[1][1] + m[2][2]};
+    int largest = 0;
+    for (int k = 1; k < 4; ++k)
+      if (q[k] > q[largest]) largest = k;
+    const double products[4][4] = {{q[0], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
+                                   {m[2][1] - m[1][2], q[1], m[1][0] + m[0][1], m[0][2] + m[2][0]},
+                                   {m[0][2] - m[2][0], m[1][0] + m[0][1], q[2], m[2][1] + m[1][2]},
+                                   {m[1][0] - m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2], q[3]}};
+    const double sign = products[largest][0] < 0 ? -1 : 1;
+    const Point axis{sign * products[largest][1], sign * products[largest][2], sign * products[largest][3]};
+    const double sine = length(axis), angle = 2 * std::atan2(sine, sign * products[largest][0]);
+    return sine > 0 ? scaled(angle / sine, axis) : Point{};
+  }
+};
+
+}  // namespace mudline
