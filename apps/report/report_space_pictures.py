@@ -21,7 +21,7 @@ BODY_SHADE = 0.65  # brightness of a body where the lamp does not reach
 IN_FRONT = 1 + 1e-4  # times the nearness of bodies: they are seen where soil is at the same place
 LEVELS = 12  # bands between level lines, as in the sections
 HEIGHT, WIDTH = 4.3, 5.0  # [inch] that the perspective picture may take, and the sections together
-SKY, HIGH_SKY = 0.25, 0.5  # of the model's longest side: bodies end there above the soil, if they are higher than that
+SKY, HIGH_SKY = 0.25, 0.75  # of the model's longest side: bodies end there above the soil, if they are higher than that
 LABELS = 0.58  # [inch] around the perspective picture for the numbers on its axes
 
 
