@@ -130,13 +130,23 @@ def summary(result, history, name):
     return page
 
 
-def contact_reactions(history):
+def contact_reactions(history, up):
     """Vertical reactions of all contacts by name: the resistance that a body meets."""
     reactions = {}
     for group, units in history.groups().items():
-        if group.startswith("contact/") and np.any(units.get("N", {}).get("reaction y", 0)):
-            reactions[group.split("/", 1)[1]] = units["N"]["reaction y"]
+        if group.startswith("contact/") and np.any(units.get("N", {}).get(f"reaction {up}", 0)):
+            reactions[group.split("/", 1)[1]] = units["N"][f"reaction {up}"]
     return reactions
+
+
+def body_resistance(history, units):
+    """(vertical forces by name, penetration or None) of a body's columns. Up is z in space, y in the plane."""
+    newtons, metres = units.get("N", {}), units.get("m", {})
+    up = "z" if "displacement z" in metres or "position z" in metres else "y"
+    forces = {name: values for name, values in newtons.items() if name.endswith(f"force {up}") and np.any(values)}
+    forces.update(contact_reactions(history, up))
+    moved = metres.get(f"displacement {up}", metres.get(f"position {up}"))
+    return forces, None if moved is None else moved[0] - moved
 
 
 def history_section(history, spans, gallery):
@@ -144,16 +154,11 @@ def history_section(history, spans, gallery):
     for group, units in history.groups().items():
         parts.append(f"<h3>{html.escape(group or 'run')}</h3><div class=row>")
         if group.startswith("body/"):
-            newtons = units.get("N", {})
-            forces = {name: values for name, values in newtons.items() if name.endswith("force y") and np.any(values)}
-            forces.update(contact_reactions(history))
-            metres = units.get("m", {})
-            moved = metres.get("displacement y", metres.get("position y"))
-            if forces and moved is not None and np.ptp(moved) > 0:
+            forces, penetration = body_resistance(history, units)
+            if forces and penetration is not None and np.ptp(penetration) > 0:
                 body = group.split("/", 1)[1]
-                parts.append(
-                    gallery.add(pictures.resistance_figure(body, forces, moved[0] - moved), f"resistance {body}", True)
-                )
+                figure = pictures.resistance_figure(body, forces, penetration)
+                parts.append(gallery.add(figure, f"resistance {body}", True))
         parts.append(
             gallery.add(pictures.history_figure(units, history.time, spans), f"history {group or 'run'}", True)
         )

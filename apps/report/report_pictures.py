@@ -202,7 +202,7 @@ def resistance_figure(body, forces, penetration):
         for name, values in forces.items():
             axes.plot(values * factor, penetration * depth_factor, label=name)
         axes.invert_yaxis()
-        axes.set_xlabel(f"{'force y' if len(forces) == 1 else 'vertical force'} on {body} [{unit}]")
+        axes.set_xlabel(f"vertical force on {body} [{unit}]")
         axes.set_ylabel(f"penetration [{depth_unit}]")
         if len(forces) > 1:
             axes.legend(fontsize=8)

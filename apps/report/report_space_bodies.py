@@ -1,7 +1,7 @@
 """Rigid bodies in space, closed surfaces of triangles, cut by planes across the axes. No drawing here.
 
-A plane is (axis, at, inwards): the coordinate along `axis` is `at`, and what lies on the side of `inwards` (1: above, -1:
-below) is kept. Faces of the surface that lie in the plane count as cut by it where the body is on that side.
+A plane is (axis, at, inwards): the coordinate along `axis` is `at`, and what lies on the side of `inwards` (1: above,
+-1: below) is kept. Faces of the surface that lie in the plane count as cut by it where the body is on that side.
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ def section(points, triangles, plane, size):
     triangles, above = triangles[chosen], above[chosen]
     after = np.roll(above, -1, axis=1)
     rows = np.arange(len(triangles))
-    ends = []  # on the side that leads out of the body's inner part, and on that which leads back
+    ends = []  # of each piece: where the way around the triangle goes down through the plane, and where it comes up
     for side, upper, lower in ((np.argmax(above & ~after, axis=1), 0, 1), (np.argmax(~above & after, axis=1), 1, 0)):
         ends.append(np.column_stack([triangles[rows, (side + upper) % 3], triangles[rows, (side + lower) % 3]]))
     ends = np.stack(ends, axis=1)  # (piece, end, upper and lower point)
@@ -62,8 +62,8 @@ def section_loops(points, triangles, plane, size):
 
 
 def filled(places, pairs):
-    """(corners, sides) of triangles that fill what the pieces enclose in the plane: between the lines through all places
-    across the first axis, pieces do not end, so that trapezia lie between them. places: (place, 2)."""
+    """(corners, sides) of triangles that fill what the pieces enclose in the plane: strips across the first axis, in
+    which no piece ends, so that trapezia lie between the pieces. places: (place, 2)."""
     ends = places[pairs]
     forwards = np.where(ends[:, 1, 0] > ends[:, 0, 0], 1, -1)
     ends = np.where(forwards[:, None, None] > 0, ends, ends[:, ::-1])
@@ -92,11 +92,12 @@ def cut_face(points, triangles, plane, size):
     """(corners, sides) of the face that the plane makes, turned outwards."""
     axis, at, inwards = plane
     places, pairs = section(points, triangles, plane, size)
-    others = [(axis + 1) % 3, (axis + 2) % 3]
+    others = [other for other in range(3) if other != axis]  # upright faces in upright strips, the fastest to draw
     flat, sides = filled(places[:, others], pairs)
     corners = np.full((len(flat), 3, 3), float(at))
     corners[..., others] = flat
-    return (corners, sides) if inwards < 0 else (corners[:, ::-1], sides[:, [1, 0, 2]])
+    outwards = -inwards if axis != 1 else inwards  # x, z and y are no right-handed system
+    return (corners, sides) if outwards > 0 else (corners[:, ::-1], sides[:, [1, 0, 2]])
 
 
 def cut_off(corners, sides, plane, size):

@@ -1,4 +1,4 @@
-"""Draws a field in space: a perspective picture of the outer surface, and two upright sections beside it; bodies in both."""
+"""Draws a field in space, with the bodies: a perspective picture of the outer surface, and two upright sections."""
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -18,10 +18,10 @@ STYLE = {**pictures.STYLE, "axes.grid": False, "contour.negative_linestyle": "so
 RESOLUTION = 160  # pixels of the perspective picture per inch
 NARROW = 1 / 12  # a section narrower than this part of the other one is left out
 BODY_SHADE = 0.65  # brightness of a body where the lamp does not reach
-IN_FRONT = 1 + 1e-4  # factor on the nearness of bodies, so that it is the body that is seen where soil is at the same place
+IN_FRONT = 1 + 1e-4  # times the nearness of bodies: they are seen where soil is at the same place
 LEVELS = 12  # bands between level lines, as in the sections
 HEIGHT, WIDTH = 4.3, 5.0  # [inch] that the perspective picture may take, and the sections together
-SKY = 0.25, 0.5  # of the model's longest side: so much of a body above the soil is drawn, if it has more than the second
+SKY, HIGH_SKY = 0.25, 0.75  # of the model's longest side: bodies end there above the soil, if they are higher than that
 LABELS = 0.58  # [inch] around the perspective picture for the numbers on its axes
 
 
@@ -29,9 +29,10 @@ class SpaceModel:
     """What stays the same in all pictures of a result: surface, sections, direction of view.
 
     Each section goes through the middle of the first body (without bodies: of the model), or is a flat side of the
-    model, where the soil moves more there (at least a quarter more than in the middle): a plane of symmetry cuts through what happens. A flat side at x = 0 or y = 0
-    is preferred when it is as good. The viewer stands on the side of the section, else at small x and y,
-    and sees a flat side that is a section from nearer its front.
+    model, where the soil moves more there (at least a quarter more than in the middle): a plane of symmetry cuts
+    through what happens. A flat side at x = 0 or y = 0 that the body reaches is preferred when it is as good. The
+    viewer stands on the side of the section, else at small x and y, and sees a flat side that is a section from nearer
+    its front.
     """
 
     def __init__(self, result, step):
@@ -40,9 +41,9 @@ class SpaceModel:
         moved = np.linalg.norm(result.coordinates(step) - mesh.points, axis=1)
         self.sections, weight = [], [-1.0, -1.0]
         extent = np.ptp(mesh.points, axis=0)
-        middle = middle_of(mesh, result.bodies_in_space(step))
+        spans = spans_of_body(mesh, result.bodies_in_space(step))
         for axis in (1, 0):
-            section, side = choose_section(mesh, self.surface, moved, axis, middle[axis])
+            section, side = choose_section(mesh, self.surface, moved, axis, spans[axis])
             if section is not None and extent[1 - axis] > NARROW * extent[axis]:
                 self.sections.append(section)
             longer = (extent[1 - axis], axis) > (extent[axis], 1 - axis)
@@ -51,26 +52,26 @@ class SpaceModel:
         self.towards = weight
 
 
-def middle_of(mesh, bodies):
-    """Where sections go: through the middle of the first body, to a thousandth of the model's size, where it is within the
-    model; else through that of the model."""
-    low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
-    middle = (low + high) / 2
+def spans_of_body(mesh, bodies):
+    """(axis, 2): from where to where the first body goes; along axes where its middle is not in the model, the model."""
+    spans = np.column_stack([mesh.points.min(axis=0), mesh.points.max(axis=0)])
     for points, _ in list(bodies.values())[:1]:
-        digits = 3 - int(np.floor(np.log10((high - low).max())))
-        body = ((points.min(axis=0) + points.max(axis=0)) / 2).round(digits)
-        middle = np.where((body > low) & (body < high), body, middle)
-    return middle
+        body = np.column_stack([points.min(axis=0), points.max(axis=0)])
+        middle, tolerance = body.mean(axis=1), 1e-6 * np.ptp(spans)
+        inside = (middle > spans[:, 0] + tolerance) & (middle < spans[:, 1] - tolerance)
+        spans = np.where(inside[:, None], body, spans)
+    return spans
 
 
-def choose_section(mesh, surface, moved, axis, middle):
-    """(section, -1 or 1 where it is the lower or upper flat side, 0 in the middle) across x (axis 0) or y (axis 1)."""
+def choose_section(mesh, surface, moved, axis, span):
+    """(section, -1 or 1 where it is the lower or upper flat side, 0 in the middle) across x (axis 0) or y (axis 1).
+    span: of the body or the model, see spans_of_body."""
     coordinate = mesh.points[:, axis]
     low, high = coordinate.min(), coordinate.max()
     size = max(abs(low), abs(high), high - low)
     places = [(at, side) for at, side in ((low, -1), (high, 1)) if is_flat(mesh, surface, axis, at)]
-    at_zero = [place for place in places if abs(place[0]) < 1e-9 * size]
-    places = at_zero + [(middle, 0)] + [place for place in places if place not in at_zero]
+    at_zero = [place for place in places if abs(place[0]) < 1e-9 * size and span[0] <= place[0] <= span[1]]
+    places = at_zero + [((span[0] + span[1]) / 2, 0)] + [place for place in places if place not in at_zero]
     sections = [(Section(mesh, axis, at), side) for at, side in places]
     sections = [(section, side) for section, side in sections if len(section.triangles)]
     peaks = [section.at_places(moved).max() for section, _ in sections]
@@ -105,7 +106,7 @@ class SpacePicture:
         low, high = self.view.low.copy(), self.view.high.copy()
         size = (high - low).max()
         above = max([points[:, 2].max() - high[2] for points, _ in self.bodies], default=0.0)
-        high[2] += SKY[0] * size if above > SKY[1] * size else max(above, 0.0) + 0.02 * size
+        high[2] += SKY * size if above > HIGH_SKY * size else max(above, 0.0) + 0.02 * size
         return low, high
 
     def _look(self):
@@ -127,7 +128,7 @@ class SpacePicture:
         self.count = len(triangles)
 
     def with_bodies(self):
-        """(points, triangles, sides, part): the outer surface, part 1, and after it the bodies, as far as they are drawn."""
+        """(points, triangles, sides, part): the outer surface, part 1, and after it what is drawn of the bodies."""
         surface = self.model.surface
         points, sides = [self.points], [surface.sides]
         part = [np.full(len(surface.triangles), 1)]
@@ -313,7 +314,7 @@ class Panel:
         axes.xaxis.set_major_locator(pictures.ticks(max(1, min(5, int(inches[0] / 0.45)))))
         axes.yaxis.set_major_locator(pictures.ticks(max(1, min(6, int(inches[1] / 0.35)))))
         at = 0.0 if abs(section.at) < 1e-9 * np.abs(places).max() else section.at
-        title = f"{'section at ' if inches[0] > 1.2 else ''}{'xy'[section.axis]} = {at:.8g} m"
+        title = f"{'section at ' if inches[0] > 1.2 else ''}{'xy'[section.axis]} = {at:.5g} m"
         axes.set_title(title, fontsize=9, fontweight="normal", loc="left")
 
     def draw_bodies(self, axes):

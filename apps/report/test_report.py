@@ -107,6 +107,16 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(list(history.time), [0, 1, 2])
         self.assertEqual(list(history.groups()), ["body/cone", "probe/a, b", "balance/water"])
 
+    def test_resistance_is_vertical(self):
+        columns = "time [s],body/ball/displacement y [m],body/ball/displacement z [m],contact/ball/reaction y [N],"
+        columns += "contact/ball/reaction z [N],body/ball/force y [N],body/ball/driving force z [N]"
+        (self.folder / "ball.csv").write_text(columns + "\n0,0,0,0,0,0,0\n1,5,-2,7,3,9,4")
+        for name, forces, last in (("ball", {"ball": 3, "driving force z": 4}, 2.0), ("cone", {"force y": 4000}, 0.1)):
+            history = History(self.folder / f"{name}.csv")
+            found, penetration = mudline_report.body_resistance(history, history.groups()[f"body/{name}"])
+            self.assertEqual({force: values[-1] for force, values in found.items()}, forces)
+            self.assertAlmostEqual(penetration[-1], last)
+
     def test_stress_invariants(self):
         tensor = np.array([[-1.0, 0, 0, -3.0, 0, -2.0], [0, 2.0, 0, 0, 0, 0]])
         fields = stress_invariants("effective stress", "Pa", tensor, True)

@@ -46,9 +46,7 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
   fields_.set_metadata("program", origin.program);
   fields_.set_metadata("geometry", mudline::name(model.mesh().geometry()));
   const double size = model.mesh().bounds().extent();
-  for (const auto& [name, body] : model.bodies()) {
-    fields_.add_body(name, outline_of(*body, 1e-4 * size));
-  }
+  for (const auto& [name, body] : model.bodies()) fields_.add_body(name, outline_of(*body, size));
 }
 
 void Results::take_initial_pressure() { Kokkos::deep_copy(initial_pressure_, model_.store().committed().value); }
