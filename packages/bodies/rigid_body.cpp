@@ -51,7 +51,7 @@ void RigidBody::read_contour(const Section& section, const BodyRegistries& regis
   const Section entry = section.section("contour");
   const auto shape = registries.contours.create(entry);
   contour_ = std::make_unique<Contour>(shape->contour(entry));
-  of_revolution_ = shape->of_revolution();
+  of_revolution_ = shape->named() == ContourShape::Named::of_revolution;
   enclosed_ = std::make_unique<ContourVolume>(contour(), properties_.geometry);
   if (tip_height_ == 0) tip_height_ = shape->tip_height();
   const bool half = contour().extent() == ContourExtent::half;

@@ -29,6 +29,9 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
 }
 
 void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master) {
+  if (mesh.dimension() == 3)
+    section.fail("two deformable surfaces meet in the plane only; allowed in space: penalty, frictionless penalty",
+                 "type");
   require_boundary(mesh, section, "slave", slave);
   require_boundary(mesh, section, "master", master);
   if (slave == master)

@@ -17,8 +17,10 @@ class ContourShape {
   /// Height [m] above the reference point that separates tip from shaft; 0: all is shaft.
   virtual double tip_height() const { return 0; }
 
-  /// A body of revolution by its name, which in plane strain would be a wedge or a wall.
-  virtual bool of_revolution() const { return false; }
+  /// What its name says of it: a body of revolution, which in plane strain would be a wedge or a wall; one that lies
+  /// across the plane, which turned around an axis would be something else; or nothing.
+  enum class Named { nothing, of_revolution, across_plane };
+  virtual Named named() const { return Named::nothing; }
 
  protected:
   /// Declares what all shapes share.
@@ -40,7 +42,7 @@ class ConeShape : public ContourShape {
   void check(const Section& section);
   Contour build() const override;
   double tip_height() const override;
-  bool of_revolution() const override { return true; }
+  Named named() const override { return Named::of_revolution; }
 
  protected:
   void fillet_parameters(Parameters& p);
@@ -77,7 +79,7 @@ class SphereShape : public ContourShape {
   void parameters(Parameters& p);
   Contour build() const override;
   double tip_height() const override { return diameter_; }
-  bool of_revolution() const override { return true; }
+  Named named() const override { return Named::of_revolution; }
 
  private:
   double diameter_ = 0;
@@ -86,7 +88,7 @@ class SphereShape : public ContourShape {
 /// The same circle, meant to lie across the plane.
 class CylinderShape : public SphereShape {
  public:
-  bool of_revolution() const override { return false; }
+  Named named() const override { return Named::across_plane; }
 };
 
 /// Straight lines through given points with rounded corners, in the body's own frame.

@@ -12,7 +12,7 @@ class TorpedoShape : public ContourShape {
   void check(const Section& section);
   Contour build() const override;
   double tip_height() const override { return tip_length_; }
-  bool of_revolution() const override { return true; }
+  Named named() const override { return Named::of_revolution; }
 
  private:
   enum class Tip { ogive, cone };
@@ -29,6 +29,7 @@ class StripShape : public ContourShape {
   void parameters(Parameters& p);
   void check(const Section& section);
   Contour build() const override;
+  Named named() const override { return Named::across_plane; }
 
  private:
   double width_ = 0, thickness_ = 0, corner_radius_ = 0;

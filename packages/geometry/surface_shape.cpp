@@ -64,6 +64,10 @@ void RevolvedShape::check(const Section& section) {
   check_placement(section);
   const Section entry = section.section("contour");
   const auto shape = registries_->contours.create(entry);
+  if (shape->named() == ContourShape::Named::across_plane)
+    entry.fail("'" + entry.text("type") + "' lies across the plane, and turned around an axis it is another body; a " +
+                   "sphere is called so, a disc is a 'flat pile' or a 'polyline', a bar a 'box'",
+               "type");
   Contour contour = shape->contour(entry);
   if (contour.extent() != ContourExtent::half)
     entry.fail("the contour of a surface of revolution is a half one, not a full one", "extent");

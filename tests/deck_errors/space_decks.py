@@ -37,6 +37,25 @@ def with_section(name, inner, *entries):
     return before("boundary conditions", section(name) + section(inner) + "".join(entries) + "</ParameterList></ParameterList>\n  ")
 
 
+SPHERE = parameter("type", "string", "sphere")
+MOTION = section("motion") + parameter("type", "string", "prescribed displacement")
+CONTACT = parameter("type", "string", "penalty")
+BODY = parameter("body", "string", "ball")
+REVOLVED = section("surface") + parameter("type", "string", "revolved") + section("contour") + SPHERE + parameter("diameter", "double", "2.0") + "</ParameterList></ParameterList>"
+
+
+def with_ball(name, changes, message, surface=REVOLVED, more="", **where):
+    """A ball on the ground, with something changed."""
+    lines = [section("bodies"), section("ball"), parameter("position", "Array(double)", "{1.0, 1.0, 2.0}"), surface, more,
+             MOTION, "</ParameterList>", "</ParameterList>", "</ParameterList>", section("contacts"), section("face"), CONTACT, BODY,
+             parameter("surface", "string", "top"), "</ParameterList>", "</ParameterList>"]
+    text = "\n".join(line for line in lines if line)
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new, 1)
+    return wrong(name, before("boundary conditions", text.replace("><", ">\n<") + "\n  "), message, **where)
+
+
 DECKS = [
     wrong("gravity of two numbers", (GRAVITY, parameter("gravity", "Array(double)", "{0.0, -9.81}")),
           "physics/ground/gravity: expected 3 numbers, as the mesh's 'geometry' is 'three-dimensional'; given 2", ranks=BOTH),
@@ -90,10 +109,29 @@ DECKS = [
           "physics/ground/initial state/type: a geostatic start needs gravity: give the physics a 'gravity'", at=parameter("type", "string", "geostatic")),
     wrong("region that no box has", beside(parameter("porosity", "double", "0.4"), parameter("regions", "Array(string)", "{clay}")),
           "materials/soil/regions: unknown mesh region 'clay'; allowed: soil"),
-    wrong("bodies in space", with_section("bodies", "pile", parameter("mass", "double", "1.0")),
-          "bodies: not available in three dimensions yet", ranks=BOTH),
-    wrong("contacts in space", with_section("contacts", "face", parameter("type", "string", "penalty")),
-          "contacts: not available in three dimensions yet"),
+    with_ball("body without a surface", [], "bodies/ball/surface: required parameter 'type' is missing; known surface types: revolved, box, union, triangulation", surface="", at=section("ball"), ranks=BOTH),
+    with_ball("contour in space", [], "bodies/ball/contour: a body in space has a 'surface'; a contour is turned into one by the type 'revolved'",
+              more=section("contour") + parameter("type", "string", "sphere") + parameter("diameter", "double", "1.0") + "</ParameterList>", surface="", at=section("contour")),
+    with_ball("place of a body in the plane", [("{1.0, 1.0, 2.0}", "{1.0, 2.0}")],
+              "bodies/ball/position: expected 3 numbers, as the mesh's 'geometry' is 'three-dimensional'; given 2", at=parameter("position", "Array(double)", "{1.0, 2.0}")),
+    with_ball("cylinder that lies in space", [(SPHERE, parameter("type", "string", "cylinder"))],
+              "bodies/ball/surface/contour/type: 'cylinder' lies across the plane, and turned around an axis it is another body; a sphere is called so, a disc is a 'flat pile' or a 'polyline', a bar a 'box'", at=parameter("type", "string", "cylinder")),
+    with_ball("misspelt surface", [("revolved", "revolfed")], "bodies/ball/surface/type: unknown surface type 'revolfed' (did you mean 'revolved'?); known types: revolved, box, union, triangulation", at=parameter("type", "string", "revolfed")),
+    with_ball("free body in space", [(MOTION, section("motion") + parameter("type", "string", "free"))],
+              "bodies/ball/motion/type: a body in space moves as prescribed; allowed: held, prescribed displacement, prescribed velocity", at=parameter("type", "string", "free")),
+    with_ball("misspelt rotation", [(MOTION, MOTION + parameter("rotation w", "double", "1.0"))],
+              "bodies/ball/motion/rotation w: unknown parameter (did you mean 'rotation x'?)", at=parameter("rotation w", "double", "1.0")),
+    with_ball("body in the ground", [("{1.0, 1.0, 2.0}", "{1.0, 1.0, 1.0}")],
+              "contacts/face/body: body 'ball' overlaps the surface by 1 m at (1, 1, 2) at the start, more than half of its shortest side, 1 m; move its 'position'", at=BODY),
+    with_ball("body under the ground", [("{1.0, 1.0, 2.0}", "{1.0, 1.0, -8.0}")],
+              "contacts/face/body: body 'ball' lies below the surface: its top is at -5.99969 m, the surface reaches down to 2 m; move its 'position'", at=BODY),
+    with_ball("contact at nodes in space", [(BODY, BODY + parameter("method", "string", "nodes"))],
+              "contacts/face/method: nodes has no tributary areas on quadratic triangles; allowed in space: surface quadrature", at=parameter("method", "string", "nodes")),
+    with_ball("quadrature beyond triangles", [(BODY, BODY + parameter("quadrature degree", "int", "9"))],
+              "contacts/face/quadrature degree: on triangles the largest 'quadrature degree' is 8, given 9", at=parameter("quadrature degree", "int", "9")),
+    with_ball("pair in space", [(CONTACT, parameter("type", "string", "mortar")), (BODY, parameter("slave", "string", "top") + parameter("master", "string", "bottom")), (parameter("surface", "string", "top"), "")],
+              "contacts/face/type: two deformable surfaces meet in the plane only; allowed in space: penalty, frictionless penalty", at=parameter("type", "string", "mortar")),
+    with_ball("unknown body in space", [(BODY, parameter("body", "string", "bal"))], "contacts/face/body: unknown body 'bal' (did you mean 'ball'?)", at=parameter("body", "string", "bal")),
     wrong("mesh motion in space", with_section("mesh motion", "interior", parameter("type", "string", "elastic")),
           "mesh motion: not available in three dimensions yet"),
     wrong("shear stress by another name", beside(parameter("type", "string", "geostatic"), parameter("shear stress zx", "double", "1.0")),

@@ -49,10 +49,10 @@ class Hertz(SpaceCase):
         far = {"type": "displacement", "x": f"x*({outwards})", "y": f"y*({outwards})",
                "z": f"-{factor}/{rho}*({2 * (1 - POISSON)!r}+(z/{rho})^2)"}
         conditions = {**SYMMETRY, **{f"far {side}": {**far, "set": side} for side in ("right", "back", "bottom")}}
-        mesh = box(cell, cells, (0, 0, -size), (size, size, 0), grading=[12.0, 12.0, 1 / 12])
+        mesh = box(cell, cells, (0, 0, -size), (size, size, 0), grading=[20.0, 20.0, 0.05])
         touching = {"type": "penalty", "body": "ball", "surface": "top", "penalty factor": 100.0, **contact}
         history = self.run_text("hertz", deck(
-            "hertz", mesh, conditions, {"press": quasi_static(1, 0.25)}, material=STIFF,
+            "hertz", mesh, conditions, {"press": quasi_static(1, 0.5)}, material=STIFF,
             bodies=ball(2, moved(z=f"-{self.APPROACH!r}*t")), contacts={"face": touching}))
         fields = self.fields("hertz")
         on_axis = np.flatnonzero(np.abs(fields.nodes).max(axis=1) < 1e-9)[0]
@@ -64,15 +64,17 @@ class Hertz(SpaceCase):
         self.assert_near(f"{cell}: load", 4 * history["contact/face/reaction z"][-1], load, 0.01)
         gap = history["contact/face/maximum penetration"][-1]
         self.assertLess(gap, 0.01 * self.APPROACH)
-        self.assert_near("touching area", 4 * history["contact/face/contact area"][-1], np.pi * a**2, 0.1)
         pressure = fields.nodal["contact_pressure_face"]
         self.assert_near("largest pressure", pressure[on_axis], largest, 0.03)
+        r = np.linalg.norm(fields.nodes[:, :2], axis=1)
+        outside = (fields.nodes[:, 2] == 0) & (r > 1.3 * a)
+        self.assertEqual(pressure[outside].max(), 0)
 
     def test_hexahedra(self):
-        self.check("hex27", (9, 9, 9))
+        self.check("hex27", (8, 8, 8))
 
     def test_tetrahedra(self):
-        self.check("tet10", (9, 9, 9))
+        self.check("tet10", (8, 8, 8))
 
 
 class Patch(SpaceCase):
@@ -90,8 +92,9 @@ class Patch(SpaceCase):
                     solver={"residual tolerance": 1e-12}))
                 stress = self.fields("patch").cell["effective_stress"]
                 scale = np.abs(stress).max()
-                self.assertLess(np.abs(stress[:, 2] - stress[:, 2].mean()).max(), 1e-9 * scale)
-                self.assertLess(np.abs(stress[:, [0, 1, 3, 4, 5]]).max(), 1e-9 * scale)
+                upright = stress[:, 5]  # xx, xy, xz, yy, yz, zz
+                self.assertLess(np.abs(upright - upright.mean()).max(), 1e-9 * scale)
+                self.assertLess(np.abs(stress[:, :5]).max(), 1e-9 * scale)
 
 
 class Coulomb(SpaceCase):
@@ -122,10 +125,10 @@ class Revolved(SpaceCase):
             mesh = {"type": "revolved", "angle": 90.0, "layers": 5, "plane": self.SECTION}
         sphere = {"type": "sphere", "diameter": 0.8}
         body = {"surface": {"type": "revolved", "contour": sphere}} if space else {"contour": sphere}
-        conditions = {"base": {"type": "fixed", "set": "bottom"}, "far": {"type": "fixed", "set": "right", "components": "xy" if space else "x"}}
+        conditions = {"base": {"type": "fixed", "set": "bottom"}, "far": {"type": "fixed", "set": "right", "components": "x y" if space else "x"}}
         if space:
             conditions.update({"start": {"type": "fixed", "set": "start", "components": "y"}, "end": {"type": "fixed", "set": "end", "components": "x"},
-                               "axis": {"type": "fixed", "set": "left", "components": "xy"}})
+                               "axis": {"type": "fixed", "set": "left", "components": "x y"}})
         else:
             conditions["axis"] = {"type": "fixed", "set": "left", "components": "x"}
         motion = {"type": "prescribed displacement", up: "-0.04*t"}
