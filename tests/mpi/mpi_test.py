@@ -7,6 +7,7 @@ import numpy as np
 from mudline_case import ROOT, MudlineCase, deck_text, program
 
 DECK = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
+BALL = os.path.join(ROOT, "inputs", "space", "ball.xml")
 IN_SPACE = os.path.join(ROOT, "tests", "mpi", "footing_in_space.xml")
 DIRECT = []
 REUSE = ["solver/linear solver/reuse factorisation=true"]
@@ -121,6 +122,22 @@ class Mpi(MudlineCase):
         self.run_deck(IN_SPACE, settings + ["output/name=parts"], extra=("--restart",), name="parts")
         self.assertEqual(self.content("parts"), self.content("whole"))
         self.assertEqual(len(whole.time), 6)
+
+    def test_ranks_contact_in_space(self):
+        """A rough ball pressed into clay and pushed sideways: columns of contact and body over the ranks, and after a restart."""
+        exact = ["solver/newton/largest forcing=0", "solver/linear tolerance=1e-11", "solver/residual tolerance=1e-10", "mesh/cells={6, 3, 2}", "stages/push/duration=1.4",
+                 "stages/push/time step/initial=0.2", "stages/push/time step/maximum=0.2"]
+        one = self.run_deck(BALL, exact)
+        names = [name for name in one.columns if name.startswith("contact/ball on soil/") and "points" not in name]
+        self.assertEqual(len([name for name in names if "friction" in name or "reaction" in name]), 9)
+        self.assertGreater(-one["contact/ball on soil/friction x"][-1], 100)
+        for ranks in (2, 4):
+            many = self.run_deck(BALL, exact, ranks=ranks)
+            self.assert_same_run(one, many, names, f"{ranks} ranks")
+        for ranks in (1, 2):
+            self.run_deck(BALL, exact + ["output/name=parts"], ranks=ranks, extra=("--steps", "7", "--overwrite"), name="parts")
+            again = self.run_deck(BALL, exact + ["output/name=parts"], ranks=ranks, extra=("--restart",), name="parts")
+            self.assert_same_run(one, again, names, f"restart on {ranks} ranks")
 
     def test_restart_direct_2(self):
         self.check_restart(DIRECT, 2)
