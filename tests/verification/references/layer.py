@@ -43,7 +43,8 @@ class Layer:
         zero = np.zeros_like(k)
 
         def functions(z):
-            """e, e', p, p', w, w' at the depth z, of the six constants: exp(-g z), exp(g (z - h)), then of p and of w exp(-k z), exp(k (z - h))."""
+            """e, e', p, p', w, w' at the depth z, of the six constants: exp(-g z), exp(g (z - h)), then of p and of w each
+            exp(-k z), exp(k (z - h))."""
             eg, fg = np.exp(-g * z), np.exp(g * (z - h))
             ek, fk = np.exp(-k * z), np.exp(k * (z - h))
             e = [eg, fg, zero, zero, zero, zero]
