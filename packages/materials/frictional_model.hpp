@@ -29,9 +29,9 @@ struct StrengthProfile {
     p.required(name, value, "Pa", non_negative(), "At the reference elevation, and above it");
     p.add(name + " gradient", gradient, "Pa/m", non_negative(),
           "Increase per metre of depth below the reference elevation");
-    p.add("reference elevation", elevation, "m", any(), "Height y from which the depth of the gradient counts");
+    p.add("reference elevation", elevation, "m", any(), "Height from which the depth of the gradient counts");
   }
-  double at(const Point& position) const { return value + gradient * ::fmax(0.0, elevation - position[1]); }
+  double at(double height) const { return value + gradient * ::fmax(0.0, elevation - height); }
 };
 
 /// How the tip of a cone is closed; part of the laws that have one.

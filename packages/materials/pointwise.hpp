@@ -60,7 +60,7 @@ class CaughtInKernel {
 ///     prepare();                          [optional] computes constants from the parameters, once double k0(double
 ///     ocr) const;             [optional] double void_ratio(const InitialPoint&) const;   [optional]
 ///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;         [optional]
-///     EarthPressures earth_pressures(double vertical, const Point&) const;                              [optional]
+///     EarthPressures earth_pressures(double vertical, double height) const;                            [optional]
 /// into a Skeleton: the only loop over points. Returning false marks the point as failed; the step is then cut.
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -99,11 +99,11 @@ class PointwiseSkeleton : public Skeleton {
     else
       return Skeleton::soil_state(stress, void_ratio, state);
   }
-  std::optional<EarthPressures> earth_pressures(double vertical, const Point& position) const override {
+  std::optional<EarthPressures> earth_pressures(double vertical, double height) const override {
     if constexpr (detail_has_earth_pressures<Law>::value)
-      return law_.earth_pressures(vertical, position);
+      return law_.earth_pressures(vertical, height);
     else
-      return Skeleton::earth_pressures(vertical, position);
+      return Skeleton::earth_pressures(vertical, height);
   }
   int evaluate(const SkeletonWorkset& w) const override {
     const Law law = law_;
@@ -172,8 +172,7 @@ class PointwiseSkeleton : public Skeleton {
   template <class T, class = void>
   struct detail_has_earth_pressures : std::false_type {};
   template <class T>
-  struct detail_has_earth_pressures<
-      T, std::void_t<decltype(std::declval<const T&>().earth_pressures(1.0, std::declval<const Point&>()))>>
+  struct detail_has_earth_pressures<T, std::void_t<decltype(std::declval<const T&>().earth_pressures(1.0, 1.0))>>
       : std::true_type {};
 
   Law law_{};

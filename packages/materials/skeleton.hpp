@@ -68,6 +68,7 @@ struct InitialPoint {
   std::array<double, 6> stress;          // [Pa] effective, tension positive
   double void_ratio;                     // [-]
   double overconsolidation_ratio = 1.0;  // [-] scales the yield surface through the initial stress
+  double height = 0.0;                   // [m] of the position, counted against gravity
 };
 
 /// Effective-stress law of the soil skeleton; works on whole batches of points, pure: old in, new out, no memory.
@@ -91,7 +92,7 @@ class Skeleton {
   virtual SoilState soil_state(const double* stress, double void_ratio, const double* state) const { return {}; }
   /// Beside a vertical effective stress [Pa] (compression positive), the same in all horizontal directions; empty for a
   /// law without strength.
-  virtual std::optional<EarthPressures> earth_pressures(double vertical, const Point& position) const { return {}; }
+  virtual std::optional<EarthPressures> earth_pressures(double vertical, double height) const { return {}; }
   /// Void ratio [-] that the law itself implies for a start with this stress and overconsolidation ratio (the point's
   /// void ratio is not read), or `no_void_ratio`.
   virtual double void_ratio(const InitialPoint&) const { return no_void_ratio; }

@@ -57,8 +57,8 @@ void InitialState::check(const Section& section) const {
 namespace {
 
 /// "" or why the strength of the law does not allow this earth pressure at rest.
-std::string beyond_strength(const SoilMaterial& material, double k0, double vertical, const Point& position) {
-  const auto allowed = material.skeleton->earth_pressures(vertical, position);
+std::string beyond_strength(const SoilMaterial& material, double k0, double vertical, const InitialPoint& point) {
+  const auto allowed = material.skeleton->earth_pressures(vertical, point.height);
   const double rounding = 1e-6;
   if (!allowed || vertical <= 0 ||
       (k0 >= allowed->active / vertical - rounding && k0 <= allowed->passive / vertical * (1 + rounding)))
@@ -96,7 +96,7 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Po
   }
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) point.stress[six(i, j)] = -vertical * ((i == j ? k0 : 0.0) + (1 - k0) * up[i] * up[j]);
-  return beyond_strength(material, k0, vertical, point.position);
+  return beyond_strength(material, k0, vertical, point);
 }
 
 GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& section) const {
@@ -108,6 +108,7 @@ GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& 
     for (int i = 0; i < 3; ++i) point.position[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
     const double rise = y - soil.height(point.position);
     for (int i = 0; i < 3; ++i) point.position[i] += rise * soil.up[i];
+    point.height = y;
     point.overconsolidation_ratio = ocr_(0, point.position);
     std::string problem =
         at_rest(point, total - material.biot_coefficient * column.pore_pressure(y), soil.up, material);
@@ -147,14 +148,14 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
       for (int q = 0; q < b.points; ++q) {
         InitialPoint point;
         point.position = b.place(e, q, state.coordinates);
+        point.height = soil.height(point.position);
         for (int c = 0; c < 6; ++c) point.stress[c] = -stress_[c];
         point.overconsolidation_ratio = ocr_(0, point.position);
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
         std::string rest;
         if (kind_ == Kind::geostatic) {
-          const double y = soil.height(point.position);
-          rest = at_rest(point, ground->total_stress(y) - b.material->biot_coefficient * ground->pore_pressure(y),
-                         soil.up, *b.material);
+          const double pressure = b.material->biot_coefficient * ground->pore_pressure(point.height);
+          rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, *b.material);
         }
         if (rest.empty()) rest = b.material->find_void_ratio(point);
         const int row = e * b.points + q;

@@ -38,7 +38,7 @@ struct DruckerPrager : ConeTip {
   std::string initialise(const InitialPoint& point, double* state) const;
   /// (1 - sin(phi)) R^sin(phi) as for Mohr-Coulomb; none for a cone given directly.
   double k0(double overconsolidation_ratio) const;
-  EarthPressures earth_pressures(double vertical, const Point&) const {
+  EarthPressures earth_pressures(double vertical, double) const {
     return cone_earth_pressures(vertical, slope, intercept);
   }
 

@@ -139,7 +139,7 @@ SoilState ModifiedCamClay::soil_state(const double* stress, double, const double
   return {0.5 * ratio * p * std::pow(0.5 * pc / p, (compression - swelling) / compression), pc / through_stress};
 }
 
-EarthPressures ModifiedCamClay::earth_pressures(double vertical, const Point&) const {
+EarthPressures ModifiedCamClay::earth_pressures(double vertical, double) const {
   const double root3 = std::sqrt(3.0), sine = 3.0 * ratio / (6.0 + ratio);
   const double extension = lode == Lode::sheng ? ratio * (3.0 - sine) / (3.0 + sine) : ratio;
   return {cone_earth_pressures(vertical, ratio / root3, 0.0).active,

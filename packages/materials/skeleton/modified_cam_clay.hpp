@@ -55,7 +55,7 @@ struct ModifiedCamClay {
   /// kappa)/lambda) (Wood 1990, ch. 7).
   SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
   /// Where the stress reaches the critical state.
-  EarthPressures earth_pressures(double vertical, const Point&) const;
+  EarthPressures earth_pressures(double vertical, double) const;
 
   KOKKOS_INLINE_FUNCTION double specific_volume(double void_ratio, const double* state) const {
     return volume == Volume::initial ? state[initial_specific_volume] : 1.0 + void_ratio;

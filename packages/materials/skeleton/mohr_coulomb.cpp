@@ -53,7 +53,7 @@ std::vector<StateVariable> MohrCoulomb::state() {
 }
 
 std::string MohrCoulomb::initialise(const InitialPoint& point, double* state) const {
-  const double c = cohesion.at(point.position);
+  const double c = cohesion.at(point.height);
   if (!(c > 0.0)) return "the cohesion is zero here; the rounded tip of Mohr-Coulomb needs a positive one, e.g. 100 Pa";
   state[cohesion_here] = c;
   state[plastic_shear_strain] = 0.0;

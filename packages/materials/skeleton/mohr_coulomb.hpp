@@ -44,8 +44,8 @@ struct MohrCoulomb : ConeTip {
   SoilState soil_state(const double*, double, const double* state) const {
     return friction > 0.0 ? SoilState{} : SoilState{state[cohesion_here], {}};
   }
-  EarthPressures earth_pressures(double vertical, const Point& position) const {
-    return rankine_earth_pressures(vertical, sine_, cohesion.at(position));
+  EarthPressures earth_pressures(double vertical, double height) const {
+    return rankine_earth_pressures(vertical, sine_, cohesion.at(height));
   }
 
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double* stress, double, const double* state) const {

@@ -47,7 +47,7 @@ std::vector<StateVariable> Tresca::state() {
 }
 
 std::string Tresca::initialise(const InitialPoint& point, double* state) const {
-  const double s = strength.at(point.position);
+  const double s = strength.at(point.height);
   if (!(s > 0.0)) return "the undrained strength is zero here; give a positive one at the reference elevation";
   state[strength_here] = s;
   state[plastic_shear_strain] = 0.0;

@@ -39,8 +39,8 @@ struct Tresca {
   static std::vector<StateVariable> state();
   std::string initialise(const InitialPoint& point, double* state) const;
   SoilState soil_state(const double*, double, const double* state) const { return {state[strength_here], {}}; }
-  EarthPressures earth_pressures(double vertical, const Point& position) const {
-    return rankine_earth_pressures(vertical, 0.0, strength.at(position));
+  EarthPressures earth_pressures(double vertical, double height) const {
+    return rankine_earth_pressures(vertical, 0.0, strength.at(height));
   }
 
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double*, double, const double* state) const {

@@ -30,7 +30,7 @@ struct VonMises {
   }
   /// In simple shear.
   SoilState soil_state(const double*, double, const double*) const { return {yield_stress / std::sqrt(3.0), {}}; }
-  EarthPressures earth_pressures(double vertical, const Point&) const {
+  EarthPressures earth_pressures(double vertical, double) const {
     return cone_earth_pressures(vertical, 0.0, yield_stress / std::sqrt(3.0));
   }
 

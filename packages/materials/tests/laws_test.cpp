@@ -74,7 +74,7 @@ TEST(StrengthProfile, GrowsBelowTheReferenceElevation) {
     const auto law = Registries().skeletons.create(section(*list));
     for (const double y : {5.0, 3.0, -1.0}) {
       std::vector<double> state(law->state_size());
-      EXPECT_EQ(law->initialise({{0, y, 0}, {-1e5, -1e5, -1e5, 0, 0, 0}, 0.8}, state.data()), "");
+      EXPECT_EQ(law->initialise({{0, 7, -y}, {-1e5, -1e5, -1e5, 0, 0, 0}, 0.8, 1.0, y}, state.data()), "");
       EXPECT_EQ(std::count(state.begin(), state.end(), 5e3 + 2e3 * std::max(0.0, 3.0 - y)), 1) << y;
     }
   }

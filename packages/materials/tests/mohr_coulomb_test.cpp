@@ -151,12 +151,13 @@ TEST(MohrCoulomb, CohesionGrowsWithDepthAndStaysWithTheMaterial) {
   InitialPoint point;
   double state[MohrCoulomb::state_size];
   for (const double y : {5.0, 3.0, -1.0}) {
-    point.position = {0, y, 0};
+    point.position = {0, 7, -y};
+    point.height = y;
     EXPECT_EQ(law.initialise(point, state), "");
     EXPECT_DOUBLE_EQ(state[MohrCoulomb::cohesion_here], 10e3 + 2e3 * std::max(0.0, 3.0 - y));
   }
   law.cohesion.value = 0.0;
-  point.position = {0, 3.0, 0};
+  point.height = 3.0;
   EXPECT_NE(law.initialise(point, state).find("cohesion is zero"), std::string::npos);
 }
 

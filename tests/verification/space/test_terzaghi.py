@@ -1,4 +1,5 @@
-"""Terzaghi's column along x, y and z, in hexahedra and tetrahedra, against the series; loads scaled by 1e-3 for small strains."""
+"""Terzaghi's column along x, y and z and along a slanting axis, in hexahedra and tetrahedra, against the series; loads scaled for
+small strains."""
 import re
 import unittest
 
@@ -6,7 +7,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from references import biot
-from space_case import SpaceCase
+from space_case import BoxMesh, SpaceCase, deck, quasi_static, rotation
 
 TIMES = np.array([0.05, 0.1, 0.2, 0.5])
 ENDS = {"x": ("left", "right"), "y": ("front", "back"), "z": ("bottom", "top")}
@@ -33,6 +34,13 @@ def along(axis, text):
     return text.replace('<Parameter name="z" type="double" value="-10.0"/>', f'<Parameter name="{new["z"]}" type="double" value="-10.0"/>')
 
 
+def graded(cells):
+    """Moves even cells along z so that the last is a fifth of the first."""
+    steps = 0.2 ** (np.arange(cells) / (cells - 1))
+    ends = np.concatenate([[0], np.cumsum(steps)]) / steps.sum()
+    return lambda x: np.column_stack([x[:, 0], x[:, 1], np.interp(x[:, 2], np.linspace(0, 1, cells + 1), ends)])
+
+
 class Terzaghi(SpaceCase):
     def test_along_each_axis(self):
         column = biot.Column(biot.INCOMPRESSIBLE, load=10.0)
@@ -50,6 +58,35 @@ class Terzaghi(SpaceCase):
                 self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-12)
                 force = history[f"reaction/base {axis}"][-1]
                 self.assert_near("reaction of the base", force, 10.0 * 0.01, 1e-6)
+
+    def test_along_a_slanting_axis(self):
+        """Rollers on slanting sides are pressures that grow with the way outwards, so stiff that they give way by some 1e-4 of the settlement; the residual has
+        the rounding of places times that stiffness."""
+        load, turn = 1000.0, rotation()
+        column = biot.Column(biot.INCOMPRESSIBLE, load=load)
+        conditions = {
+            "base": {"type": "fixed", "set": "bottom"}, "drained": {"type": "pore pressure", "set": "top"},
+            "load": {"type": "traction", "set": "top", **{c: float(-load * turn[i, 2]) for i, c in enumerate("xyz")}}}
+        stage = quasi_static(column.time(0.5), 0.01, 0.5, 8, growth=1.15, maximum=4.0)
+        for cell, cells, width in (("hex27", 40, 0.2), ("tet10", 60, 0.1)):
+            with self.subTest(cell=cell):
+                for side, axis, way, place in (("left", 0, -1, 0), ("right", 0, 1, width), ("front", 1, -1, 0), ("back", 1, 1, width)):
+                    outwards = " + ".join(f"({way * turn[i, axis]!r})*{c}" for i, c in enumerate("xyz"))
+                    conditions["roller " + side] = {"type": "pressure", "set": side, "position": "present",
+                                                    "value": f"{4e11 / width!r}*({outwards} - ({way * place!r}))"}
+                mesh = BoxMesh(cell, (1, 1, cells), (width, width, 1.0), graded(cells)).turned(turn).write(f"{self.folder}/column.msh")
+                output = {"probes": {"top": turn[:, 2].tolist(), "base": [0.0, 0.0, 0.0]}}
+                history = self.run_text("slanting", deck("slanting", mesh, conditions, {"consolidation": stage}, "biot", output=output,
+                                                         solver={"residual tolerance": 1e-4}))
+                t = column.time(TIMES)
+                moved = np.array([history["probe/top/displacement " + c] for c in "xyz"])
+                p, w = (CubicSpline(history.time, found)(t) for found in (history["probe/base/pore pressure"], turn[:, 2] @ moved))
+                self.assert_near(f"{cell}: p base", p, np.array([column.pressure(1.0, T) for T in TIMES]), 1e-3, load)
+                self.assert_near("settlement", -w, np.array([column.settlement(T) for T in TIMES]), 1e-3)
+                self.assert_near("aside", turn[:, :2].T @ moved, 0.0, 1e-4, column.settlement(0.5))
+                self.assertLess(np.abs(history["balance/water/error"]).max(), 1e-12)
+                force = [history[f"reaction/base {c}"][-1] for c in "xyz"]
+                self.assert_near("reaction of the base", force, load * width ** 2 * turn[:, 2], 1e-4, load * width ** 2)
 
 
 if __name__ == "__main__":
