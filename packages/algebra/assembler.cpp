@@ -1,6 +1,7 @@
 #include "algebra/assembler.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -126,6 +127,30 @@ std::vector<HostElements> on_host(const std::vector<ElementDofs>& groups) {
   return result;
 }
 
+/// Where the rows of a group's nodes have the columns of its nodes.
+template <class T, class Graph>
+Kokkos::View<T***, Kokkos::LayoutRight> find_positions(const HostElements& group,
+                                                       const std::vector<MatrixScatter::Place>& places,
+                                                       const std::vector<int>& column_of, const Graph& graph) {
+  const std::size_t nodes = places.empty() ? 0 : places.back().node + 1;
+  Kokkos::View<T***, Kokkos::LayoutRight> positions("matrix positions", group.extent(0), nodes, nodes);
+  for (std::size_t e = 0; e < group.extent(0); ++e)
+    for (std::size_t a = 0; a < places.size(); ++a) {
+      const auto* first = graph.entries.data() + graph.row_map(group(e, a));
+      const auto* last = graph.entries.data() + graph.row_map(group(e, a) + 1);
+      for (std::size_t b = 0; b < places.size(); ++b) {
+        const int column = column_of[group(e, b)];
+        T& position = positions(e, places[a].node, places[b].node);
+        if (places[a].component == 0 && places[b].component == 0)
+          position = static_cast<T>(std::lower_bound(first, last, column) - first);
+        const auto* const found = first + position + places[b].component;
+        if (found >= last || *found != column)
+          throw std::logic_error("the components of a node are not side by side in the matrix");
+      }
+    }
+  return positions;
+}
+
 }  // namespace
 
 Assembler::Assembler(RCP<const DofMap> dofs) : dofs_(std::move(dofs)) {}
@@ -171,26 +196,20 @@ void Assembler::find_entries() {
     Kokkos::deep_copy(row_begin, local.graph.row_map);
     row_begin_ = row_begin;
 
+    std::size_t longest = 0;
+    for (int d = 0; d < dofs_->num_overlap_dofs(); ++d)
+      longest = std::max<std::size_t>(longest, row_begin(d + 1) - row_begin(d));
     for (const HostElements& group : on_host(groups_)) {
       const std::vector<MatrixScatter::Place> places = find_places(group, bundles);
-      const std::size_t nodes = places.empty() ? 0 : places.back().node + 1;
       Kokkos::View<MatrixScatter::Place*> of_column("places", places.size());
       std::copy(places.begin(), places.end(), of_column.data());
-      Kokkos::View<std::uint32_t***, Kokkos::LayoutRight> positions("matrix positions", group.extent(0), nodes, nodes);
-      for (std::size_t e = 0; e < group.extent(0); ++e)
-        for (std::size_t a = 0; a < places.size(); ++a) {
-          const auto* first = local.graph.entries.data() + local.graph.row_map(group(e, a));
-          const auto* last = local.graph.entries.data() + local.graph.row_map(group(e, a) + 1);
-          for (std::size_t b = 0; b < places.size(); ++b) {
-            const int column = column_of[group(e, b)];
-            std::uint32_t& position = positions(e, places[a].node, places[b].node);
-            if (places[a].component == 0 && places[b].component == 0)
-              position = static_cast<std::uint32_t>(std::lower_bound(first, last, column) - first);
-            if (first + position + places[b].component >= last || first[position + places[b].component] != column)
-              throw std::logic_error("the components of a node are not side by side in the matrix");
-          }
-        }
-      entries_.push_back({positions, of_column});
+      Entries entries;
+      entries.places = of_column;
+      if (longest <= std::numeric_limits<std::uint16_t>::max() + std::size_t(1))
+        entries.positions.narrow = find_positions<std::uint16_t>(group, places, column_of, local.graph);
+      else
+        entries.positions.wide = find_positions<std::uint32_t>(group, places, column_of, local.graph);
+      entries_.push_back(entries);
     }
   }
   matrix_->endAssembly();

@@ -20,7 +20,14 @@ using ElementDofs = Kokkos::View<const int**, Kokkos::LayoutRight>;
 /// nodes. Constrained dofs: off-diagonal entries of their rows and columns are dropped, the diagonal is kept (a
 /// correctly scaled, symmetric, AMG-friendly identity row; the residual is zero there).
 struct MatrixScatter {
-  using Positions = Kokkos::View<const std::uint32_t***, Kokkos::LayoutRight>;
+  /// (element, row node, column node): within the row. Wide only where rows are longer than 65536, as those of a body.
+  struct Positions {
+    Kokkos::View<const std::uint16_t***, Kokkos::LayoutRight> narrow;
+    Kokkos::View<const std::uint32_t***, Kokkos::LayoutRight> wide;
+    KOKKOS_INLINE_FUNCTION std::uint32_t operator()(int e, int row, int column) const {
+      return wide.data() == nullptr ? narrow(e, row, column) : wide(e, row, column);
+    }
+  };
   /// Of one column of a group's dofs: which of its nodes, and which of that node's columns.
   struct Place {
     int node, component;
@@ -28,8 +35,8 @@ struct MatrixScatter {
 
   Kokkos::View<double*> values;
   Kokkos::View<const std::size_t*> row_begin;  // by overlap dof
-  Positions positions;                         // (element, row node, column node): within the row
-  Kokkos::View<const Place*> places;           // by column of `dofs`
+  Positions positions;
+  Kokkos::View<const Place*> places;  // by column of `dofs`
   ElementDofs dofs;
   Kokkos::View<const char*> constrained;  // by overlap dof
 

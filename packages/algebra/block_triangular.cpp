@@ -54,7 +54,7 @@ BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, co
 void BlockTriangular::add_level(const CrsMatrix& matrix, int field, RCP<Operator> inverse) {
   Level level{field, std::move(inverse), {}, rcp(new MultiVector(blocks_.map(field), 1))};
   for (const Level& before : levels_)
-    level.known.emplace_back(before.field, blocks_.block(matrix, field, before.field));
+    level.known.emplace_back(before.field, blocks_.node_block(matrix, field, before.field));
   levels_.push_back(level);
 }
 

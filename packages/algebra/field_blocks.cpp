@@ -76,10 +76,10 @@ FieldBlocks::Columns FieldBlocks::columns_of(int g) const {
   return columns;
 }
 
-RCP<NodeMatrix> FieldBlocks::node_block(const CrsMatrix& matrix, int f) const {
-  const Columns columns = columns_of(f);
-  return rcp(new NodeMatrix(matrix, dofs_->owned_begin(f), columns.place, maps_[f],
-                            make_map(columns.ids, dofs_->comm()), dofs_->field(f).components));
+RCP<NodeMatrix> FieldBlocks::node_block(const CrsMatrix& matrix, int f, int g) const {
+  const Columns columns = columns_of(g);
+  return rcp(new NodeMatrix(matrix, dofs_->owned_begin(f), columns.place, {dofs_->field(f).components, maps_[f]},
+                            {dofs_->field(g).components, maps_[g]}, make_map(columns.ids, dofs_->comm())));
 }
 
 RCP<CrsMatrix> FieldBlocks::block(const CrsMatrix& matrix, int f, int g) const {

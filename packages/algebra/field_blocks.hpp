@@ -19,8 +19,8 @@ class FieldBlocks {
   const RCP<const Map>& map(int f) const { return maps_[f]; }
   /// Rows of field f, columns of field g, with the values of `matrix`.
   RCP<CrsMatrix> block(const CrsMatrix& matrix, int f, int g) const;
-  /// Rows and columns of field f by nodes.
-  RCP<NodeMatrix> node_block(const CrsMatrix& matrix, int f) const;
+  /// The same by nodes, in single precision.
+  RCP<NodeMatrix> node_block(const CrsMatrix& matrix, int f, int g) const;
   /// A copy of a matrix given on dofs.field_map(f), on map(f).
   RCP<CrsMatrix> renumbered(const CrsMatrix& matrix, int f) const;
   /// Marks the owned dofs of field f whose rows of `matrix` hold nothing off the diagonal: the constrained ones.

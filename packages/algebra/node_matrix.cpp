@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "algebra/tpetra_compat.hpp"
@@ -22,23 +23,27 @@ std::vector<LocalOrdinal> all_columns(const CrsMatrix& matrix) {
 }  // namespace
 
 NodeMatrix::NodeMatrix(const CrsMatrix& matrix, LocalOrdinal first_row,
-                       const std::vector<LocalOrdinal>& place_of_column, RCP<const Map> rows, RCP<const Map> columns,
-                       int components)
-    : rows_(std::move(rows)), columns_(std::move(columns)), components_(components) {
-  if (components != 2 && components != 3) throw std::logic_error("a node matrix has two or three unknowns per node");
-  if (!rows_->isSameAs(*columns_)) {
-    import_ = rcp(new Import(rows_, columns_));
+                       const std::vector<LocalOrdinal>& place_of_column, const Unknowns& rows, const Unknowns& domain,
+                       RCP<const Map> columns)
+    : rows_(rows.map),
+      domain_(domain.map),
+      columns_(std::move(columns)),
+      components_(rows.components),
+      column_components_(domain.components) {
+  if (!domain_->isSameAs(*columns_)) {
+    import_ = rcp(new Import(domain_, columns_));
     on_columns_ = rcp(new MultiVector(columns_, 1));
   }
   read(matrix, first_row, place_of_column);
 }
 
 NodeMatrix::NodeMatrix(const CrsMatrix& matrix, int components)
-    : NodeMatrix(matrix, 0, all_columns(matrix), matrix.getRowMap(), matrix.getColMap(), components) {}
+    : NodeMatrix(matrix, 0, all_columns(matrix), {components, matrix.getRowMap()}, {components, matrix.getRowMap()},
+                 matrix.getColMap()) {}
 
 void NodeMatrix::read(const CrsMatrix& matrix, LocalOrdinal first_row,
                       const std::vector<LocalOrdinal>& place_of_column) {
-  const int n = components_, nodes = static_cast<int>(local_size(*rows_)) / n;
+  const int n = components_, m = column_components_, nodes = static_cast<int>(local_size(*rows_)) / n;
   const auto local = matrix.getLocalMatrixHost();
   begin_.assign(nodes + 1, 0);
   for (int node = 0; node < nodes; ++node) {
@@ -46,40 +51,53 @@ void NodeMatrix::read(const CrsMatrix& matrix, LocalOrdinal first_row,
     std::size_t count = 0;
     for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
       if (place_of_column[local.graph.entries(k)] >= 0) ++count;
-    begin_[node + 1] = begin_[node] + count / n;
+    begin_[node + 1] = begin_[node] + count / m;
   }
   column_.resize(begin_.back());
-  values_.resize(begin_.back() * n * n);
+  values_.resize(begin_.back() * n * m);
   for (int node = 0; node < nodes; ++node)
     for (int i = 0; i < n; ++i) {
       const LocalOrdinal row = first_row + n * node + i;
-      std::size_t entry = begin_[node] * n;  // counts the columns of this row
+      std::size_t entry = begin_[node] * m;  // counts the columns of this row
       for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
         const LocalOrdinal place = place_of_column[local.graph.entries(k)];
         if (place < 0) continue;
-        const std::size_t block = entry / n, j = entry % n;
-        if (i == 0 && j == 0 && block < begin_[node + 1]) column_[block] = place / n;
-        if (block >= begin_[node + 1] || place != n * column_[block] + static_cast<LocalOrdinal>(j))
+        const std::size_t block = entry / m, j = entry % m;
+        if (i == 0 && j == 0 && block < begin_[node + 1]) column_[block] = place / m;
+        if (block >= begin_[node + 1] || place != m * column_[block] + static_cast<LocalOrdinal>(j))
           throw std::logic_error("the unknowns of a node do not share their columns");
-        values_[(block * n + i) * n + j] = static_cast<float>(local.values(k));
+        values_[(block * n + i) * m + j] = static_cast<float>(local.values(k));
         ++entry;
       }
     }
 }
 
-template <int N>
+template <int N, int M>
 void NodeMatrix::product(const double* x, double* y, double alpha, double beta) const {
   const float* block = values_.data();
   for (int node = 0; node < nodes(); ++node, y += N) {
     double sum[N] = {};
-    for (std::size_t k = begin_[node]; k < begin_[node + 1]; ++k, block += N * N) {
-      const double* const from = x + static_cast<std::size_t>(N) * column_[k];
+    for (std::size_t k = begin_[node]; k < begin_[node + 1]; ++k, block += N * M) {
+      const double* const from = x + static_cast<std::size_t>(M) * column_[k];
       for (int i = 0; i < N; ++i)
-        for (int j = 0; j < N; ++j) sum[i] += block[N * i + j] * from[j];
+        for (int j = 0; j < M; ++j) sum[i] += block[M * i + j] * from[j];
     }
     for (int i = 0; i < N; ++i) y[i] = (beta == 0 ? 0.0 : beta * y[i]) + alpha * sum[i];
   }
 }
+
+namespace {
+
+/// Calls f(number as a constant) for 1, 2 or 3.
+template <class F>
+void with_components(int count, F&& f) {
+  if (count == 1) return f(std::integral_constant<int, 1>());
+  if (count == 2) return f(std::integral_constant<int, 2>());
+  if (count == 3) return f(std::integral_constant<int, 3>());
+  throw std::logic_error("a node matrix has one to three unknowns per node");
+}
+
+}  // namespace
 
 void NodeMatrix::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode, double alpha, double beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("a node matrix has no transposed product");
@@ -87,10 +105,11 @@ void NodeMatrix::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mo
   const MultiVector& whole = import_.is_null() ? x : *on_columns_;
   const auto from = whole.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto to = y.getLocalViewHost(Tpetra::Access::ReadWrite);
-  if (components_ == 3)
-    product<3>(from.data(), to.data(), alpha, beta);
-  else
-    product<2>(from.data(), to.data(), alpha, beta);
+  with_components(components_, [&](auto n) {
+    with_components(column_components_, [&](auto m) {
+      product<decltype(n)::value, decltype(m)::value>(from.data(), to.data(), alpha, beta);
+    });
+  });
 }
 
 namespace {

@@ -168,7 +168,7 @@ PMultigrid::PMultigrid(const CrsMatrix& matrix, const FieldBlocks& blocks, int f
   RCP<NodeMatrix> fine;
   if (vertices.coarse_dofs->getGlobalNumElements() != map_->getGlobalNumElements()) {
     prolongator = make_prolongator(map_, field, data, vertices, blocks.isolated(matrix, f));
-    fine = blocks.node_block(matrix, f);
+    fine = blocks.node_block(matrix, f, f);
     input.matrix = galerkin_product(*prolongator, *fine);
   } else {
     input.matrix = blocks.block(matrix, f, f);
