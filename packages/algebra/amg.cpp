@@ -2,7 +2,6 @@
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <TpetraExt_MatrixMatrix.hpp>
-#include <TpetraExt_TripleMatrixMultiply.hpp>
 
 #include <cstdlib>
 
@@ -44,12 +43,6 @@ RCP<Operator> amg_cycle(const AmgInput& input) {
   fix_random_start();
   Teuchos::ParameterList list = multigrid_list(input);
   return MueLu::CreateTpetraPreconditioner(RCP<Operator>(input.matrix), list);
-}
-
-RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const CrsMatrix& matrix) {
-  const auto product = rcp(new CrsMatrix(prolongator.getDomainMap(), 0));
-  Tpetra::TripleMatrixMultiply::MultiplyRAP(prolongator, true, matrix, false, prolongator, false, *product);
-  return product;
 }
 
 RCP<CrsMatrix> combination(double alpha, const CrsMatrix& a, double beta, const CrsMatrix& b) {

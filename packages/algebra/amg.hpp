@@ -15,9 +15,6 @@ struct AmgInput {
 /// One V-cycle of smoothed aggregation, a fixed linear operator.
 RCP<Operator> amg_cycle(const AmgInput& input);
 
-/// P^T A P
-RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const CrsMatrix& matrix);
-
 /// alpha A + beta B, on the row map of A.
 RCP<CrsMatrix> combination(double alpha, const CrsMatrix& a, double beta, const CrsMatrix& b);
 

@@ -48,15 +48,13 @@ BlockTriangular::BlockTriangular(const CrsMatrix& matrix, const DofMap& dofs, co
                                    blocks.renumbered(*data.pressure_mass, p),
                                    blocks.renumbered(*data.pressure_laplacian, p), data.pressure_constrained)));
   }
-  if (u >= 0)
-    add_level(matrix, u,
-              rcp(new PMultigrid(blocks.block(matrix, u, u), dofs.field(u), data, blocks.isolated(matrix, u))));
+  if (u >= 0) add_level(matrix, u, rcp(new PMultigrid(matrix, blocks, u, dofs.field(u), data)));
 }
 
 void BlockTriangular::add_level(const CrsMatrix& matrix, int field, RCP<Operator> inverse) {
   Level level{field, std::move(inverse), {}, rcp(new MultiVector(blocks_.map(field), 1))};
   for (const Level& before : levels_)
-    level.known.emplace_back(before.field, blocks_.block(matrix, field, before.field));
+    level.known.emplace_back(before.field, blocks_.node_block(matrix, field, before.field));
   levels_.push_back(level);
 }
 

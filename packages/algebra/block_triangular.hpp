@@ -26,7 +26,7 @@ class BlockTriangular : public Operator {
   struct Level {
     int field;
     RCP<Operator> inverse;
-    std::vector<std::pair<int, RCP<CrsMatrix>>> known;  // fields before it and their coupling
+    std::vector<std::pair<int, RCP<NodeMatrix>>> known;  // fields before it and their coupling
     RCP<MultiVector> right;
   };
   void add_level(const CrsMatrix& matrix, int field, RCP<Operator> inverse);

@@ -65,18 +65,29 @@ FieldBlocks::FieldBlocks(const CrsMatrix& matrix, RCP<const DofMap> dofs)
   column_id_ = on_columns(id, *dofs_->owned(), matrix.getColMap());
 }
 
-RCP<CrsMatrix> FieldBlocks::block(const CrsMatrix& matrix, int f, int g) const {
-  std::vector<LocalOrdinal> block_column(column_field_.size(), -1);
-  std::vector<GlobalOrdinal> column_ids;
+FieldBlocks::Columns FieldBlocks::columns_of(int g) const {
+  Columns columns;
+  columns.place.assign(column_field_.size(), -1);
   for (std::size_t column = 0; column < column_field_.size(); ++column)
     if (column_field_[column] == g) {
-      block_column[column] = static_cast<LocalOrdinal>(column_ids.size());
-      column_ids.push_back(column_id_[column]);
+      columns.place[column] = static_cast<LocalOrdinal>(columns.ids.size());
+      columns.ids.push_back(column_id_[column]);
     }
+  return columns;
+}
+
+RCP<NodeMatrix> FieldBlocks::node_block(const CrsMatrix& matrix, int f, int g) const {
+  const Columns columns = columns_of(g);
+  return rcp(new NodeMatrix(matrix, dofs_->owned_begin(f), columns.place, {dofs_->field(f).components, maps_[f]},
+                            {dofs_->field(g).components, maps_[g]}, make_map(columns.ids, dofs_->comm())));
+}
+
+RCP<CrsMatrix> FieldBlocks::block(const CrsMatrix& matrix, int f, int g) const {
+  const Columns columns = columns_of(g);
   const auto local = matrix.getLocalMatrixHost();
   const auto for_each_entry = [&](int row, auto&& action) {
     for (std::size_t k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
-      if (const LocalOrdinal column = block_column[local.graph.entries(k)]; column >= 0)
+      if (const LocalOrdinal column = columns.place[local.graph.entries(k)]; column >= 0)
         action(column, local.values(k));
   };
   const int first = dofs_->owned_begin(f), end = dofs_->owned_end(f);
@@ -85,7 +96,7 @@ RCP<CrsMatrix> FieldBlocks::block(const CrsMatrix& matrix, int f, int g) const {
     row_begin.push_back(row_begin.back());
     for_each_entry(row, [&](LocalOrdinal, double) { ++row_begin.back(); });
   }
-  return make_matrix(maps_[f], make_map(column_ids, dofs_->comm()), maps_[g], row_begin,
+  return make_matrix(maps_[f], make_map(columns.ids, dofs_->comm()), maps_[g], row_begin,
                      [&](LocalOrdinal* entries, double* values) {
                        for (int row = first; row < end; ++row)
                          for_each_entry(row, [&](LocalOrdinal column, double value) {

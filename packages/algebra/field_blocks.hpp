@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "algebra/dof_map.hpp"
+#include "algebra/node_matrix.hpp"
 
 namespace mudline {
 
@@ -18,6 +19,8 @@ class FieldBlocks {
   const RCP<const Map>& map(int f) const { return maps_[f]; }
   /// Rows of field f, columns of field g, with the values of `matrix`.
   RCP<CrsMatrix> block(const CrsMatrix& matrix, int f, int g) const;
+  /// The same by nodes, in single precision.
+  RCP<NodeMatrix> node_block(const CrsMatrix& matrix, int f, int g) const;
   /// A copy of a matrix given on dofs.field_map(f), on map(f).
   RCP<CrsMatrix> renumbered(const CrsMatrix& matrix, int f) const;
   /// Marks the owned dofs of field f whose rows of `matrix` hold nothing off the diagonal: the constrained ones.
@@ -28,6 +31,14 @@ class FieldBlocks {
   RCP<MultiVector> part(MultiVector& v, int f) const;
 
  private:
+  /// The columns of field g among those of the whole matrix: the place of each in the block, -1 for others, and their
+  /// ids.
+  struct Columns {
+    std::vector<LocalOrdinal> place;
+    std::vector<GlobalOrdinal> ids;
+  };
+  Columns columns_of(int g) const;
+
   RCP<const CrsMatrix::crs_graph_type> graph_;
   RCP<const DofMap> dofs_;
   std::vector<RCP<const Map>> maps_;

@@ -1,12 +1,11 @@
 #include "algebra/krylov.hpp"
 
-#include <BelosBlockGmresSolMgr.hpp>
-#include <BelosLinearProblem.hpp>
-#include <BelosTpetraAdapter.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
+
+#include "algebra/gmres.hpp"
 
 namespace mudline {
 
@@ -49,29 +48,6 @@ class ScaledPreconditioner : public Operator {
   mutable Vector unscaled_;
 };
 
-/// Search directions after which GMRES starts afresh; room for them all is taken from the start.
-constexpr int kept_vectors = 60;
-
-/// GMRES on D A P; the residual D r is brought below `tolerance` in absolute terms. Returns the iterations done.
-int gmres(const RCP<const Operator>& matrix, const RCP<const Operator>& preconditioner, const RCP<Vector>& x,
-          const RCP<const Vector>& b, double tolerance, int max_iterations) {
-  const auto problem = rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, x, b));
-  problem->setRightPrec(preconditioner);
-  problem->setProblem();
-  const auto list = Teuchos::parameterList();
-  list->set("Num Blocks", std::min(max_iterations, kept_vectors));
-  list->set("Maximum Restarts", 40);
-  list->set("Maximum Iterations", max_iterations);
-  list->set("Convergence Tolerance", tolerance);
-  list->set("Implicit Residual Scaling", "None");
-  list->set("Explicit Residual Scaling", "None");
-  list->set("Orthogonalization", "ICGS");
-  list->set("Verbosity", static_cast<int>(Belos::Errors));
-  Belos::BlockGmresSolMgr<double, MultiVector, Operator> solver(problem, list);
-  solver.solve();
-  return solver.getNumIters();
-}
-
 }  // namespace
 
 FieldGmres::FieldGmres(RCP<const DofMap> dofs) : dofs_(dofs), evaluate_(dofs) {}
@@ -107,15 +83,13 @@ KrylovResult FieldGmres::solve(const RCP<const CrsMatrix>& matrix, const RCP<con
   // The references follow x, so a second round may be needed when the first guess misjudged them.
   for (int round = 0; round < 4 && result.iterations < max_iterations; ++round) {
     const RCP<Vector> scale = row_scale(state);
-    const auto correction = rcp(new Vector(dofs_->owned()));
-    const auto right = rcp(new Vector(dofs_->owned()));
-    right->elementWiseMultiply(1, *scale, residual, 0);
+    Vector correction(dofs_->owned()), right(dofs_->owned());
+    right.elementWiseMultiply(1, *scale, residual, 0);
     const double target = 0.9 * tolerance.relative;  // margin for the drift of the implicit residual
-    if (round == 0) result.decades = std::max(0.0, std::log10(right->norm2() / target));
-    result.iterations +=
-        gmres(rcp(new ScaledMatrix(matrix, scale)), rcp(new ScaledPreconditioner(preconditioner, *scale)), correction,
-              right, target, max_iterations - result.iterations);
-    x.update(1, *correction, 1);
+    if (round == 0) result.decades = std::max(0.0, std::log10(right.norm2() / target));
+    result.iterations += gmres(ScaledMatrix(matrix, scale), ScaledPreconditioner(preconditioner, *scale), right,
+                               correction, target, max_iterations - result.iterations);
+    x.update(1, correction, 1);
     if (!evaluate()) return result;
   }
   return result;

@@ -37,8 +37,8 @@ struct BlockData {
   /// p-multigrid.
   std::vector<std::vector<GlobalOrdinal>> parents;
   /// Pressure mass and Laplacian matrices on the pressure field map (no constraints applied):
-  /// Q = int Np^T Np dv, L = int grad(Np)^T grad(Np) dv. Row map dofs.field_map(pressure), whose global ids are those
-  /// of the dof map.
+  /// Q = int M/M_here Np^T Np dv, with M the mean of the constrained modulus M_here, as soft soil takes up more water
+  /// under a pressure; L = int grad(Np)^T grad(Np) dv. Row map dofs.field_map(pressure), ids of the dof map.
   RCP<const CrsMatrix> pressure_mass, pressure_laplacian;
   std::vector<char> pressure_constrained;  // by owned pressure dof
   /// Longest edge over height of the element that is stretched most, against that of the equilateral one [-].

@@ -45,40 +45,31 @@ void invert(double* block, int n) {
 
 }  // namespace
 
-NodalChebyshev::NodalChebyshev(RCP<const CrsMatrix> matrix, int components, const Settings& settings)
-    : matrix_(matrix),
-      components_(components),
-      settings_(settings),
-      residual_(matrix->getRowMap(), 1),
-      step_(matrix->getRowMap(), 1) {
+NodalChebyshev::NodalChebyshev(RCP<const NodeMatrix> matrix, const Settings& settings)
+    : matrix_(matrix), settings_(settings), residual_(matrix->getDomainMap(), 1), step_(matrix->getDomainMap(), 1) {
   invert_blocks();
   largest_ = estimate_largest();
 }
 
 void NodalChebyshev::invert_blocks() {
-  const int n = components_;
-  const Map &rows = *matrix_->getRowMap(), &columns = *matrix_->getColMap();
-  const auto local = matrix_->getLocalMatrixHost();
-  const auto nodes = static_cast<int>(local_rows(*matrix_)) / n;
-  inverse_.assign(static_cast<std::size_t>(nodes) * n * n, 0);
-  for (int node = 0; node < nodes; ++node) {
-    double* const block = &inverse_[static_cast<std::size_t>(node) * n * n];
-    for (int j = 0; j < n; ++j) {
-      const LocalOrdinal column = columns.getLocalElement(rows.getGlobalElement(n * node + j));
-      for (int i = 0; i < n; ++i)
-        for (auto k = local.graph.row_map(n * node + i); k < local.graph.row_map(n * node + i + 1); ++k)
-          if (local.graph.entries(k) == column) block[i * n + j] += local.values(k);
-    }
+  const int n = matrix_->components();
+  inverse_.assign(static_cast<std::size_t>(matrix_->nodes()) * n * n, 0);
+  for (int node = 0; node < matrix_->nodes(); ++node) {
+    double block[9] = {};
+    matrix_->for_each_block(node, [&](int column, const float* values) {
+      if (column == node) std::copy_n(values, n * n, block);  // owned columns come first, in the order of the rows
+    });
     invert(block, n);
+    std::copy_n(block, n * n, &inverse_[static_cast<std::size_t>(node) * n * n]);
   }
 }
 
 double NodalChebyshev::estimate_largest() const {
-  MultiVector x(matrix_->getRowMap(), 1);
+  MultiVector x(matrix_->getDomainMap(), 1);
   {
     const auto values = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t i = 0; i < values.extent(0); ++i)
-      values(i, 0) = scattered(matrix_->getRowMap()->getGlobalElement(static_cast<LocalOrdinal>(i)));
+      values(i, 0) = scattered(matrix_->getDomainMap()->getGlobalElement(static_cast<LocalOrdinal>(i)));
   }
   double norm = x.getVector(0)->norm2();
   for (int iteration = 0; iteration < power_iterations && norm > 0; ++iteration) {
@@ -91,10 +82,10 @@ double NodalChebyshev::estimate_largest() const {
 }
 
 void NodalChebyshev::add_inverse(double factor, const MultiVector& x, double share, MultiVector& y) const {
-  const int n = components_;
+  const int n = matrix_->components();
   const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto to = y.getLocalViewHost(Tpetra::Access::ReadWrite);
-  const double* block = inverse_.data();
+  const float* block = inverse_.data();
   for (std::size_t first = 0; first < from.extent(0); first += n)
     for (int i = 0; i < n; ++i, block += n) {
       double sum = 0;

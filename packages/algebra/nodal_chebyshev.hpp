@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "algebra/types.hpp"
+#include "algebra/node_matrix.hpp"
 
 namespace mudline {
 
@@ -15,11 +15,10 @@ class NodalChebyshev : public Operator {
     int degree = 2;
     double ratio = 10;  // of the largest eigenvalue to the smallest one that is smoothed
   };
-  /// The unknowns of a node are `components` adjacent rows. Keeps the matrix, whose values must not change.
-  NodalChebyshev(RCP<const CrsMatrix> matrix, int components, const Settings& settings);
+  NodalChebyshev(RCP<const NodeMatrix> matrix, const Settings& settings);
 
-  RCP<const Map> getDomainMap() const override { return matrix_->getRowMap(); }
-  RCP<const Map> getRangeMap() const override { return matrix_->getRowMap(); }
+  RCP<const Map> getDomainMap() const override { return matrix_->getDomainMap(); }
+  RCP<const Map> getRangeMap() const override { return matrix_->getDomainMap(); }
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp = Teuchos::NO_TRANS, double = 1,
              double = 0) const override;
 
@@ -33,10 +32,9 @@ class NodalChebyshev : public Operator {
   /// y = share * y + factor * D^-1 x
   void add_inverse(double factor, const MultiVector& x, double share, MultiVector& y) const;
 
-  RCP<const CrsMatrix> matrix_;
-  int components_;
+  RCP<const NodeMatrix> matrix_;
   Settings settings_;
-  std::vector<double> inverse_;  // (node, component, component)
+  std::vector<float> inverse_;  // (node, component, component)
   double largest_ = 1;
   mutable MultiVector residual_, step_;
 };

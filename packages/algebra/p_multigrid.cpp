@@ -5,6 +5,7 @@
 
 #include "algebra/amg.hpp"
 #include "algebra/nodal_chebyshev.hpp"
+#include "algebra/node_matrix.hpp"
 #include "algebra/smoothed_cycle.hpp"
 #include "algebra/tpetra_compat.hpp"
 
@@ -152,26 +153,29 @@ void add_rigid_modes(AmgInput& input, const Vertices& vertices, const BlockData&
 
 }  // namespace
 
-PMultigrid::PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
-                       const std::vector<char>& constrained)
-    : matrix_(matrix) {
-  const Vertices vertices = find_vertices(field, data, matrix->getComm());
-  const auto smoother = [&](const RCP<CrsMatrix>& a) {
-    return rcp(new NodalChebyshev(a, field.components, smoothing(data.aspect_ratio)));
+PMultigrid::PMultigrid(const CrsMatrix& matrix, const FieldBlocks& blocks, int f, const FieldLayout& field,
+                       const BlockData& data)
+    : map_(blocks.map(f)) {
+  const Vertices vertices = find_vertices(field, data, map_->getComm());
+  const auto smoothed = [&](const RCP<NodeMatrix>& a, const RCP<CrsMatrix>& prolongator) {
+    const auto smoother = rcp(new NodalChebyshev(a, smoothing(data.aspect_ratio)));
+    cycle_ = rcp(new SmoothedCycle(a, smoother, cycle_, prolongator));
   };
   AmgInput input;
   input.equations = field.components;
   add_rigid_modes(input, vertices, data);
   RCP<CrsMatrix> prolongator;
-  input.matrix = matrix;
-  if (vertices.coarse_dofs->getGlobalNumElements() != matrix->getGlobalNumRows()) {
-    prolongator = make_prolongator(matrix->getRowMap(), field, data, vertices, constrained);
-    input.matrix = galerkin_product(*prolongator, *matrix);
+  RCP<NodeMatrix> fine;
+  if (vertices.coarse_dofs->getGlobalNumElements() != map_->getGlobalNumElements()) {
+    prolongator = make_prolongator(map_, field, data, vertices, blocks.isolated(matrix, f));
+    fine = blocks.node_block(matrix, f, f);
+    input.matrix = galerkin_product(*prolongator, *fine);
+  } else {
+    input.matrix = blocks.block(matrix, f, f);
   }
   cycle_ = amg_cycle(input);
-  if (field.components == 3)
-    cycle_ = rcp(new SmoothedCycle(input.matrix, smoother(input.matrix), cycle_, Teuchos::null));
-  if (!prolongator.is_null()) cycle_ = rcp(new SmoothedCycle(matrix, smoother(matrix), cycle_, prolongator));
+  if (field.components == 3) smoothed(rcp(new NodeMatrix(*input.matrix, field.components)), Teuchos::null);
+  if (!prolongator.is_null()) smoothed(fine, prolongator);
 }
 
 void PMultigrid::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "algebra/field_blocks.hpp"
 #include "algebra/linear_solver.hpp"
 
 namespace mudline {
@@ -12,18 +13,17 @@ namespace mudline {
 /// multigrid does the rest, in space between two more smoothings, because its own smoother sees single unknowns only.
 class PMultigrid : public Operator {
  public:
-  /// `matrix`: the block on a map with dense ids, the components of a node adjacent; `constrained` marks its isolated
-  /// rows.
-  PMultigrid(RCP<CrsMatrix> matrix, const FieldLayout& field, const BlockData& data,
-             const std::vector<char>& constrained);
+  /// Of the diagonal block of field f, the displacement, of `matrix`, whose values may change afterwards.
+  PMultigrid(const CrsMatrix& matrix, const FieldBlocks& blocks, int f, const FieldLayout& field,
+             const BlockData& data);
 
-  RCP<const Map> getDomainMap() const override { return matrix_->getRowMap(); }
-  RCP<const Map> getRangeMap() const override { return matrix_->getRowMap(); }
+  RCP<const Map> getDomainMap() const override { return map_; }
+  RCP<const Map> getRangeMap() const override { return map_; }
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp = Teuchos::NO_TRANS, double = 1,
              double = 0) const override;
 
  private:
-  RCP<CrsMatrix> matrix_;
+  RCP<const Map> map_;
   RCP<Operator> cycle_;
 };
 

@@ -2,14 +2,14 @@
 
 namespace mudline {
 
-SmoothedCycle::SmoothedCycle(RCP<const CrsMatrix> matrix, RCP<const Operator> smoother, RCP<const Operator> inner,
+SmoothedCycle::SmoothedCycle(RCP<const Operator> matrix, RCP<const Operator> smoother, RCP<const Operator> inner,
                              RCP<const CrsMatrix> prolongator)
-    : matrix_(matrix),
-      prolongator_(prolongator),
+    : prolongator_(prolongator),
+      matrix_(matrix),
       smoother_(smoother),
       inner_(inner),
-      residual_(matrix->getRowMap(), 1),
-      correction_(matrix->getRowMap(), 1) {
+      residual_(matrix->getDomainMap(), 1),
+      correction_(matrix->getDomainMap(), 1) {
   if (prolongator_.is_null()) return;
   inner_residual_ = MultiVector(prolongator_->getDomainMap(), 1);
   inner_correction_ = MultiVector(prolongator_->getDomainMap(), 1);

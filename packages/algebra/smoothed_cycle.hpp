@@ -8,11 +8,11 @@ namespace mudline {
 class SmoothedCycle : public Operator {
  public:
   /// `prolongator`: from the space of `inner` to that of `matrix`; null: they are the same.
-  SmoothedCycle(RCP<const CrsMatrix> matrix, RCP<const Operator> smoother, RCP<const Operator> inner,
+  SmoothedCycle(RCP<const Operator> matrix, RCP<const Operator> smoother, RCP<const Operator> inner,
                 RCP<const CrsMatrix> prolongator);
 
-  RCP<const Map> getDomainMap() const override { return matrix_->getRowMap(); }
-  RCP<const Map> getRangeMap() const override { return matrix_->getRowMap(); }
+  RCP<const Map> getDomainMap() const override { return matrix_->getDomainMap(); }
+  RCP<const Map> getRangeMap() const override { return matrix_->getDomainMap(); }
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp = Teuchos::NO_TRANS, double = 1,
              double = 0) const override;
 
@@ -20,8 +20,8 @@ class SmoothedCycle : public Operator {
   /// residual_ = x - A y
   void find_residual(const MultiVector& x, const MultiVector& y) const;
 
-  RCP<const CrsMatrix> matrix_, prolongator_;
-  RCP<const Operator> smoother_, inner_;
+  RCP<const CrsMatrix> prolongator_;
+  RCP<const Operator> matrix_, smoother_, inner_;
   mutable MultiVector residual_, correction_, inner_residual_, inner_correction_;
 };
 

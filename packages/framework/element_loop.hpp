@@ -487,23 +487,8 @@ struct ElementLoop {
       to_unknowns<Law>(s, A, Y);
       spread<Law>(s, Y, ku, kp);
     }
-    if constexpr (Law::forces || Law::stresses) scatter_rows(to, e, 0, first, ku, weight);
-    if constexpr (Law::storages || Law::fluxes) scatter_rows(to, e, MU, first, kp, weight);
-  }
-
- private:
-  template <int R, int C>
-  KOKKOS_INLINE_FUNCTION static void scatter_rows(const MatrixScatter& to, int e, int row0, int column0,
-                                                  const double (&k)[R][C], double weight) {
-    bool fixed_column[C];
-    for (int c = 0; c < C; ++c) fixed_column[c] = to.constrained(to.dofs(e, column0 + c));
-    for (int r = 0; r < R; ++r) {
-      const bool fixed_row = to.constrained(to.dofs(e, row0 + r));
-      for (int c = 0; c < C; ++c) {
-        if ((fixed_row || fixed_column[c]) && row0 + r != column0 + c) continue;
-        MatrixScatter::accumulate(&to.values(to.offsets(e, row0 + r, column0 + c)), weight * k[r][c]);
-      }
-    }
+    if constexpr (Law::forces || Law::stresses) to.add(e, 0, first, ku, weight);
+    if constexpr (Law::storages || Law::fluxes) to.add(e, MU, first, kp, weight);
   }
 };
 

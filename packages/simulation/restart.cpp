@@ -165,13 +165,14 @@ std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
 void Run::save_checkpoint() {
   const State& state = model_.store().committed();
   CheckpointData data;
+  // first, as a solver that cannot tell forgets what it keeps: the arrays take its room
+  data.arrays["linear solver"] = model_.stepper().solver_memory();
   for (const StateArray& array : arrays_of(model_, results_->initial_pressure())) {
     data.arrays[array.name].assign(array.values, array.values + array.size);
     // an array without rows on this rank may have some on others
     if (max_over_ranks(*model_.mesh().comm(), array.rows.ids.empty() ? 0.0 : 1.0) > 0)
       data.integers[array.rows.name] = array.rows.ids;
   }
-  data.arrays["linear solver"] = model_.stepper().solver_memory();
   data.scalars["time"] = state.time;
   data.scalars["stage"] = progress_.stage;
   data.scalars["step in stage"] = progress_.step_in_stage;

@@ -46,7 +46,7 @@ TEST(NodalChebyshev, SmoothsAsOnTheScalarChain) {
   for (const int n : {2, 3})
     for (const NodalChebyshev::Settings settings : {NodalChebyshev::Settings{2, 10}, NodalChebyshev::Settings{6, 30}}) {
       const RCP<CrsMatrix> matrix = chain(n);
-      const NodalChebyshev smoother(matrix, n, settings);
+      const NodalChebyshev smoother(rcp(new NodeMatrix(*matrix, n)), settings);
       EXPECT_GT(smoother.largest_eigenvalue(), 1.7);
       EXPECT_LE(smoother.largest_eigenvalue(), 2);
       const double largest = 1.1 * smoother.largest_eigenvalue(),
@@ -64,8 +64,8 @@ TEST(NodalChebyshev, SmoothsAsOnTheScalarChain) {
 }
 
 TEST(NodalChebyshev, RepeatsItself) {
-  const RCP<CrsMatrix> matrix = chain(3);
-  EXPECT_EQ(NodalChebyshev(matrix, 3, {}).largest_eigenvalue(), NodalChebyshev(matrix, 3, {}).largest_eigenvalue());
+  const auto matrix = rcp(new NodeMatrix(*chain(3), 3));
+  EXPECT_EQ(NodalChebyshev(matrix, {}).largest_eigenvalue(), NodalChebyshev(matrix, {}).largest_eigenvalue());
 }
 
 TEST(NodalChebyshev, ASingularBlockIsTakenByItsDiagonal) {
@@ -76,7 +76,7 @@ TEST(NodalChebyshev, ASingularBlockIsTakenByItsDiagonal) {
       matrix->insertGlobalValues(row, 1, &one, &column);
     }
   matrix->fillComplete();
-  EXPECT_NEAR(NodalChebyshev(matrix, 2, {}).largest_eigenvalue(), 2, 1e-12);
+  EXPECT_NEAR(NodalChebyshev(rcp(new NodeMatrix(*matrix, 2)), {}).largest_eigenvalue(), 2, 1e-12);
 }
 
 }  // namespace

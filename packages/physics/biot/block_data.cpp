@@ -63,9 +63,10 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
                                 b.material->storage(n),
                                 mobility};
       for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];
+      const double compliance = values[1] > 0 ? 1 / values[1] : 0.0;
       for (int c = 0; c < NP; ++c)
         for (int d = 0; d < NP; ++d) {
-          q_e[c][d] += s.dv * s.Np[c] * s.Np[d];
+          q_e[c][d] += s.dv * compliance * s.Np[c] * s.Np[d];
           for (int i = 0; i < Loop::D; ++i) l_e[c][d] += s.dv * s.gp[c][i] * s.gp[d][i];
         }
     });
@@ -143,17 +144,20 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
       add_block(soil, b, view, loop, means, mass.get(), laplacian.get());
     });
   }
-  if (!mass.is_null()) {
-    mass->fillComplete();
-    laplacian->fillComplete();
-    data.pressure_mass = mass;
-    data.pressure_laplacian = laplacian;
-  }
   Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_MAX, worst_aspect_ratio(soil, view),
                      Teuchos::outArg(data.aspect_ratio));
   double total[6];
   Teuchos::reduceAll(*dofs.comm(), Teuchos::REDUCE_SUM, 6, means.sum, total);
   for (int i = 1; i < 6; ++i) total[i] /= total[0];
+  if (!mass.is_null()) {
+    mass->fillComplete();
+    mass->resumeFill();  // a matrix scales its entries only where it has them all
+    mass->scale(total[1]);
+    mass->fillComplete();
+    laplacian->fillComplete();
+    data.pressure_mass = mass;
+    data.pressure_laplacian = laplacian;
+  }
   // Coefficients of the Jacobian: see StepView; history terms enter with the weight of the new level, which for the
   // integrators here is the sensitivity of the alpha-level displacement.
   const Sensitivity& u = view.sensitivity[soil.displacement];

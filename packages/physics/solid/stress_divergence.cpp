@@ -290,7 +290,8 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
     const SoilBlock& b = soil_->blocks[k];
     PointView& all = tangents_[k];
     const std::size_t points = static_cast<std::size_t>(b.elements) * b.points;
-    if (keeps_ && all.extent(0) != points) all = PointView("tangents", points, 36);
+    if (keeps_ && all.extent(0) != points)
+      all = PointView(Kokkos::view_alloc(Kokkos::WithoutInitializing, "tangents"), points, 36);
     using Tangent = StressUpdate::Tangent;
     StressUpdate update(*soil_, b, view, keeps_ ? Tangent::all : Tangent::none, all);
     for (int first = 0; first < b.elements; first += batch)
@@ -312,6 +313,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
     if (kept_) {
       law.tangent = tangents_[k];
       add_tangent(soil_->geometry, b, end_level(view, b), law, to, weight);
+      law.tangent = tangents_[k] = PointView();  // the linear solve has better use for the room
       continue;
     }
     StressUpdate update(*soil_, b, view, StressUpdate::Tangent::batch);

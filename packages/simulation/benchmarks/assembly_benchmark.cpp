@@ -1,5 +1,6 @@
 // Residual, Jacobian and both, as a Newton iteration wants them, of the u-p model per element, all terms of a dynamic
-// step: linear elastic and Modified Cam Clay on both Taylor-Hood pairs. Run: assembly_benchmark
+// step: linear elastic and Modified Cam Clay on Taylor-Hood pairs in axial symmetry and in space.
+// Run: assembly_benchmark
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -18,10 +19,14 @@ std::string deck(const std::string& cell, bool cam_clay) {
                                       number("Poisson's ratio", 0.3))
                : list("skeleton",
                       text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
+  const bool space = cell == "tet10" || cell == "hex27";
+  const std::string box = space ? text("geometry", "three-dimensional") + par("cells", "Array(double)", "{8, 8, 8}") +
+                                      par("upper", "Array(double)", "{0.8, 0.8, 0.8}")
+                                : text("geometry", "axisymmetric") + par("cells", "Array(double)", "{30, 20}") +
+                                      par("upper", "Array(double)", "{3.0, 2.0}");
   return list(
       "deck",
-      list("mesh", text("type", "box") + text("geometry", "axisymmetric") + text("cell", cell) +
-                       par("cells", "Array(double)", "{30, 20}") + par("upper", "Array(double)", "{3.0, 2.0}")) +
+      list("mesh", text("type", "box") + text("cell", cell) + box) +
           list("materials", list("soil", number("void ratio", 1.3) + skeleton + list("fluid", text("type", "water")) +
                                              list("permeability",
                                                   text("type", "constant") + number("hydraulic conductivity", 1e-8)))) +
@@ -81,7 +86,7 @@ void assemble(benchmark::State& state, const std::string& cell, bool cam_clay, W
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard scope(&argc, &argv);
   benchmark::Initialize(&argc, argv);
-  for (const std::string cell : {"tri6", "quad9"})
+  for (const std::string cell : {"tri6", "quad9", "tet10", "hex27"})
     for (bool clay : {false, true})
       for (const What what : {What::residual, What::jacobian, What::both})
         benchmark::RegisterBenchmark(

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra/types.hpp"
+
+namespace mudline {
+
+/// A matrix by the blocks that couple the unknowns of two nodes, in single precision: what a preconditioner needs of a
+/// block that couples two fields. Of a displacement block it takes a third of the memory of a CrsMatrix.
+class NodeMatrix : public Operator {
+ public:
+  /// Unknowns of a field: how many on a node, which are adjacent, and their map.
+  struct Unknowns {
+    int components;
+    RCP<const Map> map;
+  };
+  /// The rows from `first_row` on of `matrix`, and those of its columns that `place_of_column` has a place in `columns`
+  /// for (-1: none), which hold what the rows need of `domain`. The rows of a node have the same columns.
+  NodeMatrix(const CrsMatrix& matrix, LocalOrdinal first_row, const std::vector<LocalOrdinal>& place_of_column,
+             const Unknowns& rows, const Unknowns& domain, RCP<const Map> columns);
+  /// All of a square matrix.
+  NodeMatrix(const CrsMatrix& matrix, int components);
+
+  RCP<const Map> getDomainMap() const override { return domain_; }
+  RCP<const Map> getRangeMap() const override { return rows_; }
+  /// y = beta y + alpha A x
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
+             double beta = 0) const override;
+
+  /// Unknowns of a row's node; of a square matrix those of a column's too.
+  int components() const { return components_; }
+  int nodes() const { return static_cast<int>(begin_.size()) - 1; }
+  const RCP<const Map>& columns() const { return columns_; }
+  /// From the domain to the columns; null where these are the same.
+  const RCP<const Import>& import() const { return import_; }
+  /// Calls action(column node, block) for the blocks of a row of nodes; a block is row by row.
+  template <class Action>
+  void for_each_block(int node, Action&& action) const {
+    const int size = components_ * column_components_;
+    for (std::size_t k = begin_[node]; k < begin_[node + 1]; ++k) action(column_[k], &values_[k * size]);
+  }
+
+ private:
+  void read(const CrsMatrix& matrix, LocalOrdinal first_row, const std::vector<LocalOrdinal>& place_of_column);
+  template <int N, int M>
+  void product(const double* x, double* y, double alpha, double beta) const;
+
+  RCP<const Map> rows_, domain_, columns_;
+  RCP<const Import> import_;
+  int components_, column_components_;
+  std::vector<std::size_t> begin_;  // by node: its first block
+  std::vector<int> column_;         // by block: its column node
+  std::vector<float> values_;       // (block, row, column)
+  mutable RCP<MultiVector> on_columns_;
+};
+
+/// P^T A P of a square matrix, for a prolongator whose domain map is dense and aligned like the rows of A.
+RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const NodeMatrix& matrix);
+
+}  // namespace mudline

@@ -1,0 +1,9 @@
+#include "algebra/tests/node_matrix_cases.hpp"
+
+namespace mudline {
+namespace {
+
+TEST(NodeMatrixTwoRanks, MultipliesAndProjectsAsItsMatrixDoes) { cases::check_node_matrix(); }
+
+}  // namespace
+}  // namespace mudline
