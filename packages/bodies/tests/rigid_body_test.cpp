@@ -37,6 +37,27 @@ TEST(BodyMotion, VelocityFollowsTheAbsoluteTime) {
   EXPECT_TRUE(shake->moves(0));
 }
 
+TEST(BodyMotion, SpinInSpaceTurnsAboutItsAxis) {
+  const std::string space =
+      "<ParameterList name=\"mesh\">\n" + text_parameter("geometry", geometry_in_space) + "</ParameterList>\n";
+  BodyDeck deck(space + body_xml("b", "",
+                                 text_parameter("type", "prescribed velocity") + number_parameter("velocity z", -0.5) +
+                                     number_parameter("spin x", 0.3) + text_parameter("spin y", "-0.6*t") +
+                                     number_parameter("spin z", 0.2),
+                                 "0, 0, 0"));
+  const auto screw = deck.motions.create(deck.deck.root().section("bodies").section("b").section("motion"));
+  EXPECT_TRUE(screw->turns());
+  EXPECT_TRUE(screw->moves(2));
+  EXPECT_FALSE(screw->moves(0));
+  const BodyState end = screw->advance({}, 0.0, 2.0);
+  EXPECT_NEAR(end.displacement[2], -1.0, 1e-14);
+  const Point turned{0.6, -1.2, 0.4}, spin{0.3, -1.2, 0.2};  // the rotation vector is the integral of the spin
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(end.turn.vector()[i], turned[i], 1e-14);
+    EXPECT_NEAR(end.spin[i], spin[i], 1e-14);
+  }
+}
+
 TEST(BodyMotion, DisplacementCountsChangesOnly) {
   const auto pull = motion(text_parameter("type", "prescribed displacement") + text_parameter("y", "1 + t^2"));
   const BodyState state = pull->advance({{0, 5}, {}, {}, {}, 0}, 1.0, 3.0);
