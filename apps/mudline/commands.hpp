@@ -15,6 +15,7 @@ struct DeckOptions {
 
 struct RunCommand {
   DeckOptions deck;
+  std::string mesh_parts;  // file of `split`; "": the mesh is made
   bool restart = false;
   bool accept_changes = false;
   bool overwrite = false;
@@ -23,7 +24,14 @@ struct RunCommand {
 
 struct CheckCommand {
   DeckOptions deck;
+  std::string mesh_parts;
   bool each = false;  // every file is a deck of its own, not an overlay of the first
+};
+
+struct SplitCommand {
+  DeckOptions deck;
+  int ranks = 0;
+  std::string output;  // "": after the deck
 };
 
 struct PointCommand {
@@ -51,6 +59,7 @@ std::vector<char*> argv_of(std::vector<std::string>& command);
 // Each returns the program's exit code; all collective over MPI_COMM_WORLD.
 int run(const RunCommand& command);
 int check(const CheckCommand& command);
+int split(const SplitCommand& command);
 int point(const PointCommand& command);
 int check_point(const Deck& deck, const std::string& name);
 int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);

@@ -47,6 +47,10 @@ void add_deck_options(CLI::App& command, cli::DeckOptions& deck) {
       ->allow_extra_args(false);
 }
 
+void add_mesh_parts_option(CLI::App& command, std::string& file) {
+  command.add_option("--mesh-parts", file, "take the mesh from this file of `mudline split`, each rank its own part");
+}
+
 /// Commands that read no deck do without MPI, whose start takes most of a second, unless a launcher started several of
 /// them.
 bool needs_mpi(const std::vector<std::string>& words) {
@@ -54,7 +58,7 @@ bool needs_mpi(const std::vector<std::string>& words) {
     if (std::getenv(launched) != nullptr) return true;
   const auto given = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   if (given("--help") || given("-h")) return false;
-  return given("run") || given("check") || given("point");
+  return given("run") || given("check") || given("point") || given("split");
 }
 
 /// Input errors are those of all ranks alike. Foreign code may throw one where the others do not: then they do not come
@@ -101,6 +105,7 @@ int dispatch(int argc, char** argv, bool root) {
   cli::RunCommand run;
   auto* run_command = app.add_subcommand("run", "run a deck");
   add_deck_options(*run_command, run.deck);
+  add_mesh_parts_option(*run_command, run.mesh_parts);
   auto* restart = run_command->add_flag("--restart", run.restart,
                                         "continue from the checkpoint that an earlier run of this deck left");
   run_command
@@ -129,9 +134,22 @@ int dispatch(int argc, char** argv, bool root) {
   cli::CheckCommand check;
   auto* check_command = app.add_subcommand("check", "read a deck and its mesh and report errors, without running");
   add_deck_options(*check_command, check.deck);
-  check_command->add_flag("--each", check.each,
-                          "every file is a deck of its own, and no overlay: one line each on standard output");
+  add_mesh_parts_option(*check_command, check.mesh_parts);
+  check_command
+      ->add_flag("--each", check.each,
+                 "every file is a deck of its own, and no overlay: one line each on standard output")
+      ->excludes("--mesh-parts");
   check_command->footer("example: mudline check deck.xml");
+
+  cli::SplitCommand split;
+  auto* split_command =
+      app.add_subcommand("split", "make a deck's mesh and cut it into a file of parts, one for each rank of a run");
+  add_deck_options(*split_command, split.deck);
+  split_command->add_option("--ranks", split.ranks, "parts to cut it into")->required()->check(CLI::Range(1, 1000000));
+  split_command->add_option("-o,--output", split.output, "the file; by default the deck's name with .RANKS.parts.h5");
+  split_command->footer(
+      "example: mudline split deck.xml --ranks 256\n"
+      "         mpirun -np 256 mudline run deck.xml --mesh-parts deck.256.parts.h5");
 
   std::string kind, plugin;
   bool markdown = false, xsd = false;
@@ -180,6 +198,7 @@ int dispatch(int argc, char** argv, bool root) {
   }
   log::configure(cli::rank(), quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);
   if (*run_command) return cli::run(run);
+  if (*split_command) return cli::split(split);
   if (*point_command) return cli::point(point);
   if (*check_command) return cli::check(check);
   if (*list_command) return cli::list(kind, markdown, xsd, plugin);

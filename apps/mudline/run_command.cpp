@@ -44,7 +44,7 @@ void check_probes(const Loaded& loaded) {
   }
 }
 
-std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name) {
+std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
   loaded->deck = deck;
@@ -59,7 +59,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name) {
   load_plugins(loaded->root->section("plugins"), loaded->registries);
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
-  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries);
+  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, mesh_parts);
   loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
@@ -81,7 +81,7 @@ void describe(const Model& model) {
 }  // namespace
 
 int run(const RunCommand& command) {
-  const auto loaded = load(read_deck(command.deck), result_name(command.deck));
+  const auto loaded = load(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
   describe(*loaded->model);
   loaded->plausibility->print();
   // before the run, so that a wrong place is an error of the deck
@@ -101,10 +101,10 @@ int run(const RunCommand& command) {
 
 namespace {
 
-int check_one(const DeckOptions& options) {
+int check_one(const DeckOptions& options, const std::string& mesh_parts) {
   const Deck deck = read_deck(options);
   if (is_point_deck(deck)) return check_point(deck, result_name(options));
-  const auto loaded = load(deck, result_name(options));
+  const auto loaded = load(deck, result_name(options), mesh_parts);
   describe(*loaded->model);
   loaded->plausibility->print();
   std::string stages;
@@ -121,7 +121,7 @@ int check_each(const DeckOptions& options) {
   for (const std::string& path : options.decks) {
     std::string answer = path + ": the deck is valid";
     try {
-      check_one({{path}, options.settings});
+      check_one({{path}, options.settings}, "");
     } catch (const InputError& error) {
       answer = std::string("error: ") + error.what();
       code = 2;
@@ -133,6 +133,8 @@ int check_each(const DeckOptions& options) {
 
 }  // namespace
 
-int check(const CheckCommand& command) { return command.each ? check_each(command.deck) : check_one(command.deck); }
+int check(const CheckCommand& command) {
+  return command.each ? check_each(command.deck) : check_one(command.deck, command.mesh_parts);
+}
 
 }  // namespace mudline::cli

@@ -236,7 +236,7 @@ def paint(axes, mesh, values, by_triangle, low, high):
         )
     drawn = axes.tripcolor(mesh, values, cmap=COLOUR_MAP, vmin=low, vmax=high, shading="gouraud", rasterized=True)
     levels = np.linspace(low, high, 13)[1:-1]
-    if np.ptp(values) > 0:
+    if np.any((levels > values.min()) & (levels < values.max())):
         axes.tricontour(mesh, values, levels=levels, colors="white", linewidths=0.5, alpha=0.55)
     return drawn
 

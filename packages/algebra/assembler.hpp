@@ -51,7 +51,7 @@ struct MatrixScatter {
   template <int R, int C>
   KOKKOS_INLINE_FUNCTION void add(int e, int row0, int column0, const double (&k)[R][C], double weight) const {
     bool fixed_column[C];
-    std::uint32_t position[C];  // within the rows of the node `at`
+    std::uint32_t position[C] = {};  // within the rows of the node `at`
     for (int c = 0; c < C; ++c) fixed_column[c] = constrained(dofs(e, column0 + c));
     int at = -1;
     for (int r = 0; r < R; ++r) {

@@ -3,35 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tensor/small_lu.hpp"
+
 namespace mudline {
-
-namespace {
-
-bool released(const RigidBody& body, int k) { return body.releases(body.unknowns().direction[k]); }
-
-/// Loads of a released body; values and rates of its unknowns by overlap dof.
-BodyLoad load(const RigidBody& body, double time, const ConstNodalView& value, const ConstNodalView& rate) {
-  BodyInstant at{time, {body.initial_position()[0], body.initial_position()[1], 0}, {}};
-  const BodyUnknowns& unknowns = body.unknowns();
-  for (int k = 0; k < unknowns.count; ++k) {
-    at.position[unknowns.direction[k]] += value(unknowns.dof[k]) * unknowns.scale[k];
-    at.velocity[unknowns.direction[k]] = rate(unknowns.dof[k]) * unknowns.scale[k];
-  }
-  return body.released()->load(body.properties(), at);
-}
-
-BodyLoad load(const RigidBody& body, const StepView& view) {
-  return load(body, view.momentum.time, view.value, view.velocity);
-}
-
-}  // namespace
 
 void BodyPaths::begin(const StepView& view) {
   for (const auto& body : bodies_) body->advance(view);
-}
-
-double moving_mass(const RigidBody& body) {
-  return body.properties().mass + (body.released() ? body.released()->added_mass(body.properties()) : 0.0);
 }
 
 void BodyTerm::sparsity(Assembler& assembler) {
@@ -47,27 +24,38 @@ void BodyTerm::sparsity(Assembler& assembler) {
   group_ = assembler.add_group(dofs);
 }
 
+template <class Forces>
+void BodyTerm::add_slopes(const MatrixScatter& to, double weight, const Forces& forces) const {
+  int row = 0;
+  for (const auto& body : bodies_) {
+    const int count = body->unknowns().count;
+    if (!body->unknowns().owned) continue;
+    BodyNumber force[body_directions];
+    if (forces(*body, force))
+      for (int a = 0; a < count; ++a)
+        for (int b = 0; b < count; ++b) to.add(row, a, b, weight * force[a].d[b]);
+    ++row;
+  }
+}
+
 int BodyInertia::residual(const StepView& view, const ResidualView& f) {
   if (!view.inertia) return 0;
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
-    for (int k = 0; unknowns.owned && k < unknowns.count; ++k)
-      f.add(unknowns.dof[k], moving_mass(*body) * view.acceleration(unknowns.dof[k]));
+    if (!unknowns.owned) continue;
+    const BodyInertiaForce force(*body, BodyLevel(*body, view));
+    for (int k = 0; k < unknowns.count; ++k) f.add(unknowns.dof[k], force[k].v);
   }
   return 0;
 }
 
 void BodyInertia::jacobian(const StepView& view, Assembler& assembler, double weight) {
   if (!view.inertia) return;
-  const MatrixScatter to = assembler.scatter(group_);
-  int row = 0;
-  for (const auto& body : bodies_) {
-    const BodyUnknowns& unknowns = body->unknowns();
-    if (!unknowns.owned) continue;
-    for (int k = 0; k < unknowns.count; ++k)
-      to.add(row, k, k, weight * moving_mass(*body) * view.sensitivity[unknowns.field].acceleration);
-    ++row;
-  }
+  add_slopes(assembler.scatter(group_), weight, [&](const RigidBody& body, BodyNumber* force) {
+    const BodyInertiaForce inertia(body, BodyLevel(body, view));
+    for (int k = 0; k < body.unknowns().count; ++k) force[k] = inertia[k];
+    return true;
+  });
 }
 
 void BodyInertia::histories(const StepView& view, Report& values) {
@@ -75,19 +63,20 @@ void BodyInertia::histories(const StepView& view, Report& values) {
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
     const std::string name = "body/" + body->name() + "/";
-    double kinetic = 0;
+    const int axes = body->dimension();
     for (int k = 0; k < unknowns.count; ++k) {
       const int dof = unknowns.dof[k], direction = unknowns.direction[k];
-      kinetic += 0.5 * moving_mass(*body) * state.rate(dof) * state.rate(dof);
-      const double acceleration = state.acceleration(dof) * unknowns.scale[k];
-      if (direction < 2) {
-        values[name + "acceleration " + (direction == 0 ? "x" : "y")] = {"m/s2", acceleration};
-        continue;
+      if (direction < axes) {
+        values[name + "acceleration " + axis_names[direction]] = {"m/s2", state.acceleration(dof) * unknowns.scale[k]};
+      } else if (axes == 2) {
+        values[name + "rotation"] = {"rad", state.value(dof) * unknowns.scale[k]};
+        values[name + "spin"] = {"rad/s", state.rate(dof) * unknowns.scale[k]};
       }
-      values[name + "rotation"] = {"rad", state.value(dof) * unknowns.scale[k]};
-      values[name + "spin"] = {"rad/s", state.rate(dof) * unknowns.scale[k]};
     }
-    values[name + "kinetic energy"] = {"J", kinetic};
+    const BodyMomentum now = momentum(*body, state);
+    values[name + "kinetic energy"] = {"J", now.kinetic};
+    for (int i = 0; i < 3 && axes == 3; ++i)
+      values[name + "angular momentum " + axis_names[i]] = {"N m s", now.angular[i]};
   }
 }
 
@@ -95,68 +84,95 @@ int BodyLoads::residual(const StepView& view, const ResidualView& f) {
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
     if (!body->released() || !unknowns.owned) continue;
-    const BodyLoad acting = load(*body, view), old = load(*body, view.time_old, view.value_old, view.committed->rate);
+    const BodyLevel now(*body, view);
+    BodyLevel before(*body, *view.committed, view.committed->rate);
+    before.at.time = view.time_old;
+    const BodyLoad acting = load(*body, now), old = load(*body, before);
     for (int k = 0; k < unknowns.count; ++k) {
-      const int direction = unknowns.direction[k];
-      const double force = acting.force[direction] * unknowns.scale[k];
-      f.add(unknowns.dof[k], -force, old.force[direction] * unknowns.scale[k] - force);
+      const double force = generalised(*body, now, acting, k).v;
+      f.add(unknowns.dof[k], -force, generalised(*body, before, old, k).v - force);
     }
   }
   return 0;
 }
 
 void BodyLoads::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  const MatrixScatter to = assembler.scatter(group_);
-  int row = 0;
-  for (const auto& body : bodies_) {
-    const BodyUnknowns& unknowns = body->unknowns();
-    if (!unknowns.owned) continue;
-    if (body->released()) {
-      const BodyLoad acting = load(*body, view);
-      const Sensitivity& by = view.sensitivity[unknowns.field];
-      for (int a = 0; a < unknowns.count; ++a)
-        for (int b = 0; b < unknowns.count; ++b) {
-          const int i = unknowns.direction[a], j = unknowns.direction[b];
-          const double slope = acting.by_position[i][j] * by.value + acting.by_velocity[i][j] * by.velocity;
-          to.add(row, a, b, -weight * slope * unknowns.scale[a] * unknowns.scale[b]);
-        }
-    }
-    ++row;
-  }
+  add_slopes(assembler.scatter(group_), -weight, [&](const RigidBody& body, BodyNumber* force) {
+    if (!body.released()) return false;
+    const BodyLevel now(body, view);
+    const BodyLoad acting = load(body, now);
+    for (int k = 0; k < body.unknowns().count; ++k) force[k] = generalised(body, now, acting, k);
+    return true;
+  });
 }
 
 void BodyLoads::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
-  const char* names[body_directions] = {"load x", "load y", "load moment"};
   for (const auto& body : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
-    const BodyLoad acting = body->released() ? load(*body, state.time, state.value, state.rate) : BodyLoad();
-    for (int k = 0; k < unknowns.count; ++k)
-      values["body/" + body->name() + "/" + names[unknowns.direction[k]]] = {unknowns.direction[k] < 2 ? "N" : "N m",
-                                                                             acting.force[unknowns.direction[k]]};
+    const int axes = body->dimension();
+    const BodyLoad acting = body->released() ? load(*body, BodyLevel(*body, state, state.rate)) : BodyLoad();
+    for (int k = 0; k < unknowns.count; ++k) {
+      const int direction = unknowns.direction[k];
+      const bool turns = direction >= axes;
+      const std::string axis = turns && axes == 2 ? "" : " " + std::string(axis_names[direction % axes]);
+      values["body/" + body->name() + (turns ? "/load moment" : "/load") + axis] = {turns ? "N m" : "N",
+                                                                                    along(acting, axes, direction).v};
+    }
   }
 }
 
+namespace {
+
+/// Solves the equations of motion of the released directions for the accelerations of the state; `force` by unknown.
+void accelerate(const RigidBody& body, State& state, const double* force) {
+  const BodyUnknowns& unknowns = body.unknowns();
+  for (int k = 0; k < unknowns.count; ++k) state.acceleration(unknowns.dof[k]) = 0;
+  // at rest in acceleration what the motion itself takes, and its derivatives the masses
+  const BodyInertiaForce inertia(body, BodyLevel(body, state, state.rate, {0, 0, 0, 1}));
+  SmallLu<body_directions> masses;
+  double right[body_directions] = {};
+  for (int a = 0; a < body_directions; ++a) {
+    const bool moves = a < unknowns.count && body.releases(unknowns.direction[a]);
+    for (int b = 0; b < body_directions; ++b) {
+      const bool both = moves && b < unknowns.count && body.releases(unknowns.direction[b]);
+      masses.a[a][b] = both ? inertia[a].d[b] : (a == b ? 1.0 : 0.0);
+    }
+    if (moves) right[a] = force[a] - inertia[a].v;
+  }
+  if (!masses.factorise()) return;
+  masses.solve(right);
+  for (int k = 0; k < unknowns.count; ++k) state.acceleration(unknowns.dof[k]) = right[k];
+}
+
+}  // namespace
+
 void set_free(const RigidBody& body, State& committed, const NodalView& unbalanced, bool anew) {
   const BodyUnknowns& unknowns = body.unknowns();
-  const ReleasedMotion& motion = *body.released();
-  std::array<double, 2> start{};
-  const bool starts = anew && motion.initial_velocity(start);
+  const int axes = body.dimension();
+  Point start{}, spin{};
+  const bool starts = anew && body.released()->initial_velocity(start, spin);
+  const BodyState now = body.state_of(committed), given = body.prescribed(committed, committed.time, committed.time);
+  const Point started = now.turn.back(spin), turning = now.turn.back(given.spin);
   for (int k = 0; k < unknowns.count; ++k) {
+    const int direction = unknowns.direction[k];
+    const bool turns = direction >= axes, in_plane = axes == 2;
+    const int axis = turns ? axis_of_rotation(axes, direction) : direction;
     double& v = committed.rate(unknowns.dof[k]);
-    if (!released(body, k))
-      v = 0;
+    if (!body.releases(direction))
+      v = (turns ? (in_plane ? 0.0 : turning[axis]) : given.velocity[axis]) / unknowns.scale[k];
     else if (starts)
-      v = unknowns.direction[k] < 2 ? start[unknowns.direction[k]] : 0.0;
+      v = (turns ? started[axis] : start[axis]) / unknowns.scale[k];
   }
   // the residual at rest lacks what the velocity adds to the loads
-  const BodyLoad moving = load(body, committed.time, committed.value, committed.rate);
-  const BodyLoad resting = load(body, committed.time, committed.value, NodalView("rest", committed.rate.extent(0)));
-  for (int k = 0; k < unknowns.count; ++k) {
-    const int dof = unknowns.dof[k], direction = unknowns.direction[k];
-    const double drag = (moving.force[direction] - resting.force[direction]) * unknowns.scale[k];
-    committed.acceleration(dof) = released(body, k) ? (drag - unbalanced(dof)) / moving_mass(body) : 0.0;
-  }
+  const BodyLevel moving(body, committed, committed.rate),
+      resting(body, committed, NodalView("rest", committed.rate.extent(0)));
+  const BodyLoad with = load(body, moving), without = load(body, resting);
+  double force[body_directions] = {};
+  for (int k = 0; k < unknowns.count; ++k)
+    force[k] =
+        generalised(body, moving, with, k).v - generalised(body, resting, without, k).v - unbalanced(unknowns.dof[k]);
+  accelerate(body, committed, force);
 }
 
 }  // namespace mudline

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "bodies/rigid_body.hpp"
+#include "bodies/body_level.hpp"
 #include "framework/term_faces.hpp"
 
 namespace mudline {
@@ -17,6 +17,9 @@ class BodyTerm : public Term, public Reports {
   void sparsity(Assembler& assembler) override;
 
  protected:
+  /// Adds what `forces` gives by unknown, for the bodies of this rank for which it gives something.
+  template <class Forces>
+  void add_slopes(const MatrixScatter& to, double weight, const Forces& forces) const;
   Bodies bodies_;
   int group_ = -1;
 };
@@ -36,7 +39,8 @@ class BodyPaths : public Term {
 };
 
 /// R = m a, with the water that moves along; in a prescribed direction, whose rates are those of the motion, the
-/// momentum that this takes in the step.
+/// momentum that this takes in the step. In space J dw/dt + w x J w along the body's axes, which with spectral radius 1
+/// keeps energy and angular momentum (Simo and Wong 1991).
 class BodyInertia : public BodyTerm {
  public:
   using BodyTerm::BodyTerm;
@@ -56,9 +60,6 @@ class BodyLoads : public BodyTerm {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void histories(const StepView& view, Report& values) override;
 };
-
-/// [kg] that the inertia of a body's unknowns holds in its present motion.
-double moving_mass(const RigidBody& body);
 
 /// Acceleration of a released body at the start of a stage, in the committed state, and where it is `anew` released its
 /// initial velocity. `unbalanced`: the residual of that state at rest by overlap dof, what touches the body included.

@@ -5,136 +5,160 @@
 
 namespace mudline {
 
-namespace {
-const char* const direction_names[body_directions] = {"x", "y", "rotation"};
-}
-
 void ReleasedMotion::common_parameters(Parameters& p) {
-  p.add("freedom", freedom_, "directions in which the body may move: x, y, rotation; the others rest");
+  dimension_ = p.dimension();
+  const bool space = dimension_ == 3;
+  if (space && !p.documenting()) freedom_ = {"x", "y", "z", "rotation x", "rotation y", "rotation z"};
+  p.add("freedom", freedom_,
+        "directions in which the body may move; the others rest, or move as 'prescribed velocity' says. In the plane: "
+        "x, y, rotation; in space: x, y, z, and rotation x, rotation y, rotation z about the body's own axes, by "
+        "default all");
   p.add("gravity", gravity_, "m/s2", "acceleration whose force on the mass is the body's weight");
   p.add("force x", force_[0], "N",
         "horizontal force on the body, a function of time and of the reference point's position");
   p.add("force y", force_[1], "N",
-        "vertical force on the body, upwards positive; a function of time and of the reference point's position");
-  p.add("moment", force_[2], "N m",
-        "moment on the body about its centre of mass, counter-clockwise, a function of time");
+        "force on the body, in the plane vertical, upwards positive; a function of time and of the reference point's "
+        "position");
+  if (space) p.add("force z", force_[2], "N", "in space: vertical force on the body, upwards positive; likewise");
+  if (!space || p.documenting())
+    p.add("moment", moment_[2], "N m",
+          "in the plane: moment on the body about its centre of mass, counter-clockwise, a function of time");
+  for (int i = 0; i < 3 && space; ++i)
+    p.add(std::string("moment ") + axis_names[i], moment_[i], "N m",
+          std::string("in space: moment on the body about the ") + axis_names[i] + " axis through its centre of mass");
+  p.passes_on("loads", "Forces and moments at points of the body (an eye, a line), by name; see the loads of a body");
+  p.section("prescribed velocity", others_, "how the body moves in the directions that its freedom lacks");
   if (p.documenting()) return;
+  read_freedom(p);
+  read_loads(p);
+}
+
+void ReleasedMotion::read_freedom(Parameters& p) {
+  const int count = dimension_ == 2 ? 3 : 6;
+  std::string known;
+  for (int i = 0; i < count; ++i) known += (i > 0 ? ", " : "") + std::string(direction_name(dimension_, i));
   for (const std::string& name : freedom_) {
-    const auto* known = std::find(std::begin(direction_names), std::end(direction_names), name);
-    if (known == std::end(direction_names))
-      p.deck().fail("unknown direction '" + name + "'; known: x, y, rotation", "freedom");
-    released_[known - std::begin(direction_names)] = true;
+    int direction = 0;
+    while (direction < count && name != direction_name(dimension_, direction)) ++direction;
+    if (direction == count) p.deck().fail("unknown direction '" + name + "'; known: " + known, "freedom");
+    released_[direction] = true;
   }
   if (freedom_.empty()) p.deck().fail("a body without a free direction has the motion 'held'", "freedom");
 }
 
+void ReleasedMotion::read_loads(Parameters& p) {
+  const Section entries = p.deck().section("loads");
+  entries.allow_parameters({});
+  for (const std::string& name : entries.section_names()) {
+    Parameters own(entries.section(name));
+    loads_.emplace_back();
+    loads_.back().parameters(own);
+    own.finish();
+  }
+}
+
+bool ReleasedMotion::rotates() const {
+  return std::any_of(released_ + dimension_, released_ + body_directions, [](bool free) { return free; });
+}
+
 BodyState ReleasedMotion::advance(const BodyState& old, double t_old, double t_end) const {
-  BodyState now = old;
-  for (int i = 0; i < 2; ++i)
-    if (!released_[i]) now.velocity[i] = 0;
-  now.moving_time += t_end - t_old;
+  BodyState now = others_.advance(old, t_old, t_end);
+  if (!others_.turns()) now.spin = {};
+  for (int i = 0; i < dimension_; ++i)
+    if (released_[i]) {
+      now.displacement[i] = old.displacement[i];
+      now.velocity[i] = old.velocity[i];
+    }
   return now;
 }
 
-BodyLoad ReleasedMotion::load(const BodyProperties& body, const BodyInstant& at) const {
+BodyLoad ReleasedMotion::load(const BodyProperties& body, const BodyInstant& now) const {
   BodyLoad result;
-  const Point x{at.position[0], at.position[1], 0};
-  for (int i = 0; i < body_directions; ++i) {
-    const Function& function = force_[i];
-    result.force[i] = function(at.time, x);
-    if (i < 2) result.force[i] += body.mass * gravity_[i];
-    if (function.is_constant()) continue;
-    for (int j = 0; j < 2; ++j) {  // an expression has no derivative: differenced
-      const double h = 1e-6 * std::max(1.0, std::abs(x[j]));
-      Point plus = x, minus = x;
-      plus[j] += h;
-      minus[j] -= h;
-      result.by_position[i][j] = (function(at.time, plus) - function(at.time, minus)) / (2 * h);
-    }
+  const auto vector = [&](const Function(&f)[3]) {
+    BodyVector v;
+    for (int i = 0; i < 3; ++i) v[i] = at(f[i], now.time, now.position, dimension_);
+    return v;
+  };
+  result.force = vector(force_) + constant_vector(scaled(body.mass, gravity_));
+  result.moment = vector(moment_);
+  for (const PointLoad& load : loads_) {
+    const BodyVector arm = now.axes.outward(constant_vector(minus(load.point, body.centre)));
+    const BodyVector force = vector(load.force), moment = vector(load.moment);
+    result.add(load.turns ? now.axes.outward(force) : force, arm);
+    result.moment = result.moment + (load.turns ? now.axes.outward(moment) : moment);
   }
   return result;
 }
 
-void ReleasedMotion::check_body(const BodyProperties& body, const Section& section) const {
-  const char* const forces[body_directions] = {"force x", "force y", "moment"};
-  for (int i = 0; i < body_directions; ++i)
-    if (releases(i) && !may_move(body.geometry, i))
-      section.fail("an axisymmetric body moves along its axis only: its freedom is y", "freedom");
-  for (int i = 0; i < body_directions; ++i)
-    if (!releases(i) && !force_[i].is_zero())
-      section.fail(
-          std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")",
-          forces[i]);
-  if (releases(2) && body.mass > 0 && body.moment_of_inertia <= 0)
-    section.fail("a body that may rotate needs a 'moment of inertia'", "freedom");
+void ReleasedMotion::refuse(const Section& section, int direction, const std::string& entry) const {
+  section.fail(std::string("the body does not move in this direction (its 'freedom' lacks ") +
+                   direction_name(dimension_, direction) + ")",
+               entry);
 }
 
-void BodyWater::parameters(Parameters& p) {
-  p.add("density", density, "kg/m3", non_negative(), "of the water around the body; 0: no water");
-  p.add("drag coefficient", drag, "-", non_negative(), "C_d of the drag 1/2 rho C_d A |v| v");
-  p.add("drag area", area, "m2", non_negative(),
-        "A of the drag; 0: the largest section of the contour across the vertical");
-  p.add("added mass coefficient", added_mass, "-", non_negative(),
-        "mass of water accelerated with the body over that of its volume");
-  p.add("mudline", mudline, "m", any(),
-        "height of the seabed: buoyancy and drag act on the volume above it; absent: on all of it");
-  has_mudline = p.given("mudline");
+void ReleasedMotion::check_body(const BodyProperties& body, const Section& section) const {
+  for (int i = 0; i < num_directions(body.geometry); ++i)
+    if (releases(i) && !may_move(body.geometry, i))
+      section.fail("an axisymmetric body moves along its axis only: its freedom is y", "freedom");
+  for (int i = 0; i < dimension_; ++i)
+    if (!releases(i) && !force_[i].is_zero()) refuse(section, i, std::string("force ") + axis_names[i]);
+  // about the model's axes: any rotation of a body in space may answer
+  for (int axis = 0; axis < 3 && !rotates(); ++axis)
+    if (!moment_[axis].is_zero())
+      refuse(section, dimension_ == 2 ? 2 : 3 + axis,
+             dimension_ == 2 ? "moment" : std::string("moment ") + axis_names[axis]);
+  check_others(section);
+  if (!rotates() || body.mass <= 0) return;
+  if (dimension_ == 2 && body.moment_of_inertia <= 0)
+    section.fail("a body that may rotate needs a 'moment of inertia'", "freedom");
+  if (dimension_ == 3 && body.inertia[0][0] + body.inertia[1][1] + body.inertia[2][2] <= 0)
+    section.fail("the body's surface is open: a body that may rotate needs an 'inertia tensor'", "freedom");
+}
+
+void ReleasedMotion::check_others(const Section& section) const {
+  const Section own = section.section("prescribed velocity");
+  for (int i = 0; i < dimension_; ++i)
+    if (releases(i) && others_.moves(i))
+      own.fail("the body moves freely in this direction", std::string("velocity ") + axis_names[i]);
+  if (dimension_ == 2 || !others_.turns()) return;
+  if (releases(3) && releases(4) && releases(5))
+    own.fail("the body rotates freely about all of its axes: it takes no prescribed spin");
 }
 
 void FreeMotion::parameters(Parameters& p) {
+  gravity_[p.dimension() - 1] = -9.81;
   common_parameters(p);
   p.add("initial velocity", initial_velocity_, "m/s",
         "velocity with which the body is set free; absent: the one it has");
   starts_ = p.given("initial velocity");
+  if (p.dimension() == 3) {
+    p.add("initial spin", initial_spin_, "rad/s",
+          "in space: spin about the model's axes with which the body is set free; absent: the one it has");
+    starts_ = starts_ || p.given("initial spin");
+  }
   p.section("water", water_, "buoyancy, drag and added mass");
 }
 
-bool FreeMotion::initial_velocity(std::array<double, 2>& velocity) const {
-  if (starts_) velocity = initial_velocity_;
-  return starts_;
+bool FreeMotion::initial_velocity(Point& velocity, Point& spin) const {
+  if (!starts_) return false;
+  velocity = initial_velocity_;
+  spin = initial_spin_;
+  return true;
 }
 
 BodyLoad FreeMotion::load(const BodyProperties& body, const BodyInstant& at) const {
   BodyLoad result = ReleasedMotion::load(body, at);
-  if (water_.density == 0) return result;
-  double share = 1, slope = 0;  // of the volume above the mudline, and d share / dy
-  if (water_.has_mudline) {
-    const double height = water_.mudline - at.position[1];
-    share = 1 - body.enclosed->below(height) / body.volume;
-    slope = body.enclosed->section(height) / body.volume;
-    if (share <= 0) share = slope = 0;
-  }
-  const double displaced = water_.density * body.volume;
-  const double area = water_.area > 0 ? water_.area : body.enclosed->frontal_area();
-  const double factor = 0.5 * water_.density * water_.drag * area, speed = std::hypot(at.velocity[0], at.velocity[1]);
-  for (int i = 0; i < 2; ++i) {
-    result.force[i] -= share * (displaced * gravity_[i] + factor * speed * at.velocity[i]);
-    result.by_position[i][1] -= slope * (displaced * gravity_[i] + factor * speed * at.velocity[i]);
-    if (speed == 0) continue;
-    result.by_velocity[i][i] -= share * factor * speed;
-    for (int j = 0; j < 2; ++j) result.by_velocity[i][j] -= share * factor * at.velocity[i] * at.velocity[j] / speed;
-  }
+  water_.act(body, gravity_, at, result);
   return result;
 }
 
 void FreeMotion::check_body(const BodyProperties& body, const Section& section) const {
   ReleasedMotion::check_body(body, section);
   if (body.mass <= 0) section.fail("a free body needs a 'mass' greater than 0", "type");
-  for (int i = 0; i < 2; ++i)
-    if (!releases(i) && initial_velocity_[i] != 0)
-      section.fail(
-          std::string("the body does not move in this direction (its 'freedom' lacks ") + direction_names[i] + ")",
-          "initial velocity");
-  const Section water = section.section("water");
-  if (water_.density == 0 && (water_.drag > 0 || water_.added_mass > 0 || water_.has_mudline))
-    water.fail("there is no water: its 'density' is 0 or missing", water_.drag > 0      ? "drag coefficient"
-                                                                   : water_.has_mudline ? "mudline"
-                                                                                        : "added mass coefficient");
-  if (water_.area > 0 && water_.drag == 0) water.fail("without a 'drag coefficient' it does nothing", "drag area");
-  if (water_.density > 0 && body.volume <= 0)
-    water.fail("the body's contour is open: its buoyancy needs a 'volume' of the body", "density");
-  if (water_.has_mudline && releases(2))
-    water.fail("a body that may rotate is wholly in the water: it takes no 'mudline'", "mudline");
+  for (int i = 0; i < dimension_; ++i)
+    if (!releases(i) && initial_velocity_[i] != 0) refuse(section, i, "initial velocity");
+  if (!rotates() && length(initial_spin_) > 0) refuse(section, 3, "initial spin");
+  water_.check(body, rotates(), section.section("water"));
 }
 
 }  // namespace mudline

@@ -12,9 +12,18 @@ void RigidBody::parameters(Parameters& p) {
   p.add(
       "mass", properties_.mass, "kg", non_negative(),
       "Axisymmetric: of the whole body; plane strain: per metre of depth, of the modelled half if the contour is half");
-  p.add("moment of inertia", properties_.moment_of_inertia, "kg m2", non_negative(),
-        "About the centre of mass, per metre of depth; needed by a body that may rotate");
-  p.add("centre of mass", centre_, "m", "In the body's frame, from the reference point");
+  const bool space = p.dimension() == 3;
+  if (!space || p.documenting())
+    p.add("moment of inertia", properties_.moment_of_inertia, "kg m2", non_negative(),
+          "In the plane: about the centre of mass, per metre of depth; needed by a body that may rotate");
+  if (space)
+    p.add("inertia tensor", inertia_, "kg m2", any(),
+          "In space: xx, yy, zz, or xx, yy, zz, yz, xz, xy (those with the sign of the tensor, -int y z dm) about the "
+          "centre of mass, along the body's axes; absent: that of the surface filled evenly with the mass");
+  p.add("centre of mass", centre_, "m",
+        "In the body's frame, from the reference point; absent: there, and of a body in space with mass in the middle "
+        "of its volume");
+  has_centre_ = p.given("centre of mass");
   p.add("volume", properties_.volume, "m3", non_negative(),
         "Volume that displaces water; 0: that of the contour, if it is closed");
   p.add("tip height", tip_height_, "m", non_negative(),
@@ -63,6 +72,7 @@ void RigidBody::read_contour(const Section& section, const BodyRegistries& regis
     section.fail("the centre of mass of a body with a half contour is on its axis: the first value must be 0",
                  "centre of mass");
   properties_.enclosed = enclosed_.get();
+  properties_.centre = centre_;
   if (properties_.volume == 0) properties_.volume = enclosed_->total();
   reach_ = 0.5 * contour().length();
 }
@@ -72,19 +82,50 @@ void RigidBody::read_surface(const Section& section, const BodyRegistries& regis
   const auto shape = registries.surfaces.create(entry, {registries.surfaces, registries.contours});
   surface_ = shape->surface();
   if (tip_height_ == 0) tip_height_ = shape->tip_height();
-  if (properties_.volume == 0) properties_.volume = surface_->moments().volume;
+  fill_evenly(section);
   constexpr double coarse = 0.01;  // of its extent; [m] where it goes on for ever
   const double extent = surface_->bounds().extent();
   for (const Point& x : surface_->triangles(coarse * (std::isfinite(extent) ? extent : 1.0)).points)
     reach_ = std::max(reach_, length(minus(x, centre_)));
 }
 
+void RigidBody::fill_evenly(const Section& section) {
+  const SolidMoments moments = surface_->moments();
+  const bool closed = moments.volume > 0;
+  const double size = closed ? std::cbrt(moments.volume) : 1.0;
+  if (closed && !has_centre_ && properties_.mass > 0) centre_ = moments.centroid();
+  properties_.centre = centre_;
+  if (closed) properties_.middle = minus(moments.centroid(), centre_);
+  if (properties_.volume == 0) properties_.volume = moments.volume;
+  if (closed) {
+    const SurfaceTriangles triangles = surface_->triangles(1e-3 * size);
+    for (std::size_t t = 0; t < triangles.facets.size(); ++t)
+      for (int i = 0; i < 3; ++i)  // of what is convex, each shadow is cast twice, and area vectors are double areas
+        properties_.frontal_areas[i] += 0.25 * std::abs(triangles.area_vector(t)[i]);
+  }
+  auto& tensor = properties_.inertia;
+  if (inertia_.empty()) {
+    const bool elsewhere = length(properties_.middle) > 1e-6 * size;
+    for (int i = 0; i < 3 && closed && !elsewhere; ++i)
+      for (int j = 0; j < 3; ++j) tensor[i][j] = properties_.mass / moments.volume * moments.inertia()[i][j];
+    return;
+  }
+  if (inertia_.size() != 3 && inertia_.size() != 6)
+    section.fail("needs three numbers, xx, yy, zz, or six, xx, yy, zz, yz, xz, xy", "inertia tensor");
+  for (int i = 0; i < 3; ++i) tensor[i][i] = inertia_[i];
+  for (int i = 0; i < 3 && inertia_.size() == 6; ++i)
+    tensor[(i + 1) % 3][(i + 2) % 3] = tensor[(i + 2) % 3][(i + 1) % 3] = inertia_[3 + i];
+  const double minor = tensor[0][0] * tensor[1][1] - tensor[0][1] * tensor[0][1];
+  const double whole =
+      dot(Point{tensor[0][0], tensor[0][1], tensor[0][2]},
+          cross(Point{tensor[1][0], tensor[1][1], tensor[1][2]}, Point{tensor[2][0], tensor[2][1], tensor[2][2]}));
+  if (!(tensor[0][0] > 0 && minor > 0 && whole > 0))
+    section.fail("is not that of a body: it must be positive definite", "inertia tensor");
+}
+
 std::shared_ptr<const BodyMotion> RigidBody::read_motion(const Section& section, const Registry<BodyMotion>& motions) {
   std::shared_ptr<const BodyMotion> motion = motions.create(section);
   if (motion->released()) {
-    if (dimension() == 3)
-      section.fail("a body in space moves as prescribed; allowed: held, prescribed displacement, prescribed velocity",
-                   "type");
     motion->released()->check_body(properties_, section);
     may_be_free_ = true;
   }
@@ -95,17 +136,20 @@ std::shared_ptr<const BodyMotion> RigidBody::read_motion(const Section& section,
 
 int RigidBody::unknowns_per_body(Geometry geometry) {
   int count = 0;
-  for (int direction = 0; direction < body_directions; ++direction) count += may_move(geometry, direction);
+  for (int direction = 0; direction < num_directions(geometry); ++direction) count += may_move(geometry, direction);
   return count;
 }
 
 void RigidBody::bind(const Space& space, int field, int index) {
   unknowns_.field = field;
   unknowns_.count = space.field(field).components;
-  for (int direction = 0, k = 0; direction < body_directions; ++direction)
+  for (int direction = 0, k = 0; direction < num_directions(properties_.geometry); ++direction)
     if (may_move(properties_.geometry, direction)) unknowns_.direction[k++] = direction;
-  if (properties_.mass > 0 && properties_.moment_of_inertia > 0)
-    unknowns_.scale[2] = std::sqrt(properties_.mass / properties_.moment_of_inertia);
+  for (int k = dimension(); k < unknowns_.count; ++k) {
+    const int axis = axis_of_rotation(dimension(), unknowns_.direction[k]);
+    const double inertia = dimension() == 2 ? properties_.moment_of_inertia : properties_.inertia[axis][axis];
+    if (properties_.mass > 0 && inertia > 0) unknowns_.scale[k] = std::sqrt(properties_.mass / inertia);
+  }
   for (int k = 0; k < unknowns_.count; ++k) unknowns_.dof[k] = space.point_dof(field, index) + k;
   unknowns_.owned = unknowns_.dof[0] < space.dofs()->num_owned_dofs();
 }
@@ -121,6 +165,8 @@ void RigidBody::declare_state(StateStore& store) {
     info.variables.push_back({std::string("rotation ") + axis_names[i], 1, "rad"});
   for (int i = 0; i < 3 && dimension() == 3; ++i)
     info.variables.push_back({std::string("spin ") + axis_names[i], 1, "rad/s"});
+  for (int i = 0; i < 3 && dimension() == 3 && may_be_free_; ++i)  // of the unknowns when the rotation was that
+    info.variables.push_back({std::string("arc ") + axis_names[i], 1, "m"});
   array_ = store.find(info.name);
   if (array_ < 0) array_ = store.declare(std::move(info), 1);
 }
@@ -132,6 +178,22 @@ bool RigidBody::set_motion(std::shared_ptr<const BodyMotion> motion) {
 
 void RigidBody::restart_clock(State& committed) const { committed.arrays[array_](0, 2 * dimension()) = 0; }
 
+Rotation RigidBody::turn_of_row(const State& state) const {
+  const PointView& row = state.arrays[array_];
+  return Rotation::by({row(0, 7), row(0, 8), row(0, 9)});
+}
+
+Point RigidBody::increment(const State& state, const ConstNodalView* ahead) const {
+  const PointView& row = state.arrays[array_];
+  Point result{};
+  for (int k = 3; k < unknowns_.count; ++k) {
+    const int dof = unknowns_.dof[k];
+    const double change = state.value(dof) - row(0, 10 + k) + (ahead ? (*ahead)(dof) : 0.0);
+    result[k - 3] = change * unknowns_.scale[k];
+  }
+  return result;
+}
+
 BodyState RigidBody::state_of(const State& state) const {
   const PointView& row = state.arrays[array_];
   const int axes = dimension();
@@ -142,18 +204,24 @@ BodyState RigidBody::state_of(const State& state) const {
     result.velocity[i] = row(0, axes + i);
   }
   if (axes == 3) {
-    result.turn = Rotation::by({row(0, 7), row(0, 8), row(0, 9)});
+    result.turn = turn_of_row(state);
     result.spin = {row(0, 10), row(0, 11), row(0, 12)};
   }
   for (int k = 0; k < unknowns_.count; ++k) {
     const int direction = unknowns_.direction[k], dof = unknowns_.dof[k];
-    if (direction < 2) {
+    if (direction < axes) {
       result.displacement[direction] = state.value(dof);
       result.velocity[direction] = state.rate(dof);
-    } else {
+    } else if (axes == 2) {
       result.turn = Rotation::by({0, 0, state.value(dof) * unknowns_.scale[k]});
       result.spin[2] = state.rate(dof) * unknowns_.scale[k];
+    } else {
+      result.spin[direction - 3] = state.rate(dof) * unknowns_.scale[k];
     }
+  }
+  if (axes == 3 && unknowns_.count > 0) {
+    result.turn = result.turn * Rotation::by_increment(increment(state, nullptr));
+    result.spin = result.turn(result.spin);
   }
   return result;
 }
@@ -167,13 +235,27 @@ BodyState RigidBody::prescribed(const State& committed, double t_old, double t_e
 }
 
 void RigidBody::prescribe(const State& committed, double t_old, double t_end, Constraints& to) const {
+  if (unknowns_.count == 0) return;
   const BodyState end = prescribed(committed, t_old, t_end);
+  const int axes = dimension();
+  Point turned{}, spin{};
+  if (axes == 3) {
+    const Rotation now = state_of(committed).turn;
+    // what rests stays where it is to the last bit
+    const bool rests = std::equal(&now.matrix[0][0], &now.matrix[0][0] + 9, &end.turn.matrix[0][0]);
+    if (!rests) turned = (now.inverse() * end.turn).increment();
+    spin = end.turn.back(end.spin);
+  }
   for (int k = 0; k < unknowns_.count; ++k) {
     const int dof = unknowns_.dof[k], direction = unknowns_.direction[k];
-    const bool turns = direction > 1;
-    if (!releases(direction))
-      to.prescribe(dof, turns ? committed.value(dof) : end.displacement[direction],
-                   turns ? 0 : end.velocity[direction]);
+    if (releases(direction)) continue;
+    if (direction < axes)
+      to.prescribe(dof, end.displacement[direction], end.velocity[direction]);
+    else if (axes == 2)
+      to.prescribe(dof, committed.value(dof), 0);
+    else
+      to.prescribe(dof, committed.value(dof) + turned[direction - 3] / unknowns_.scale[k],
+                   spin[direction - 3] / unknowns_.scale[k]);
   }
 }
 
@@ -182,14 +264,19 @@ void RigidBody::advance(const StepView& view) const {
   const PointView& row = view.trial->arrays[array_];
   const int axes = dimension();
   row(0, 2 * axes) = now.moving_time;
-  if (unknowns_.count > 0) return;
-  const Point turned = now.turn.vector();
+  const bool unknown = unknowns_.count > 0;
+  if (unknown && axes == 2) return;
+  // the unknowns turn the body on from where it is
+  const Point turned = (unknown ? state_of(*view.committed) : now).turn.vector();
   for (int i = 0; i < axes; ++i) {
+    if (axes == 3) row(0, 7 + i) = turned[i];
+    if (unknown) {
+      row(0, 13 + i) = view.committed->value(unknowns_.dof[3 + i]);
+      continue;
+    }
     row(0, i) = now.displacement[i];
     row(0, axes + i) = now.velocity[i];
-    if (axes < 3) continue;
-    row(0, 7 + i) = turned[i];
-    row(0, 10 + i) = now.spin[i];
+    if (axes == 3) row(0, 10 + i) = now.spin[i];
   }
 }
 
@@ -197,19 +284,17 @@ double RigidBody::speed(const State& state, double dt) const {
   if (!active() || !(dt > 0)) return 0;
   if (released()) {
     // where it stands, or at the end of the step with the acceleration it has; a rotation moves the contour's far end
-    double now[2] = {0, 0}, then[2] = {0, 0}, spin = 0;
+    Point now{}, then{}, turning{}, turned{};
     for (int k = 0; k < unknowns_.count; ++k) {
       const int direction = unknowns_.direction[k];
       const double v = state.rate(unknowns_.dof[k]) * unknowns_.scale[k],
                    a = state.acceleration(unknowns_.dof[k]) * unknowns_.scale[k];
-      if (direction == 2) {
-        spin = std::max(std::abs(v), std::abs(v + a * dt));
-        continue;
-      }
-      now[direction] = v;
-      then[direction] = v + a * dt;
+      const bool turns = direction >= dimension();
+      const int axis = turns ? axis_of_rotation(dimension(), direction) : direction;
+      (turns ? turning : now)[axis] = v;
+      (turns ? turned : then)[axis] = v + a * dt;
     }
-    return std::max(std::hypot(now[0], now[1]), std::hypot(then[0], then[1])) + spin * reach_;
+    return std::max(length(now), length(then)) + std::max(length(turning), length(turned)) * reach_;
   }
   constexpr int parts = 8;
   BodyState at = state_of(state);
@@ -229,7 +314,34 @@ BodyPlacement RigidBody::initial_placement() const { return {plus(position_, 1, 
 
 BodyPlacement RigidBody::placement(const State& state) const {
   const BodyState now = state_of(state);
-  return {plus(initial_placement().centre, 1, now.displacement), now.turn};
+  const bool turned_on = dimension() == 3 && unknowns_.count > 0;
+  return {plus(initial_placement().centre, 1, now.displacement), now.turn,
+          turned_on ? increment(state, nullptr) : Point{}};
+}
+
+BodyPlacement RigidBody::placement(const State& state, const ConstNodalView& ahead) const {
+  BodyPlacement result = placement(state);
+  for (int k = 0; k < unknowns_.count; ++k) {
+    const int direction = unknowns_.direction[k];
+    const double moved = ahead(unknowns_.dof[k]) * unknowns_.scale[k];
+    if (direction < dimension())
+      result.centre[direction] += moved;
+    else if (dimension() == 2)
+      result.turn = Rotation::by({0, 0, moved}) * result.turn;
+  }
+  if (dimension() == 2 || unknowns_.count == 0) return result;
+  result.increment = increment(state, &ahead);
+  result.turn = turn_of_row(state) * Rotation::by_increment(result.increment);
+  return result;
+}
+
+Point BodyPlacement::turning(int component) const {
+  // before the increment the body's axes were those that the increment is told by; its own axis stays
+  Point unit{};
+  unit[component] = 1;
+  const Rotation before = turn * Rotation::by_increment(increment).inverse();
+  const Point turned = plus(unit, 0.5, cross(increment, unit));
+  return before(scaled(1 / (1 + 0.25 * dot(increment, increment)), turned));
 }
 
 Point RigidBody::position(const State& state) const {

@@ -24,25 +24,34 @@ struct BodyRegistries {
 struct BodyPlacement {
   Point centre{};
   Rotation turn;
+  /// In space, of a body with unknowns: its increment of rotation in the step, along its axes [rad].
+  Point increment{};
+
+  /// The rotation about the model's axes that comes on top per unit of the increment's component [rad/rad].
+  Point turning(int component) const;
 };
 
 /// The unknowns of a body that may move freely in some stage: components of one point of the field "body motion".
 /// Directions are the axes of the model, then the rotations: about z in the plane.
-/// Translations are those of the centre of mass [m]; the rotation is carried as an arc, the angle times the radius of
+/// Translations are those of the centre of mass [m]; a rotation is carried as an arc, the angle times the radius of
 /// gyration, so that all components have the unit m, the mass as inertia, and one norm.
+///
+/// In space the changes of the rotations over a step are the body's increment of rotation along its own axes, see
+/// Rotation::by_increment, and their rates its spin about those. Their values, the sums of the increments, mean nothing
+/// by themselves: what is turned on from is in the body's state.
 struct BodyUnknowns {
   int count = 0;  // 0: the body's motion is prescribed in every stage
-  int direction[body_directions] = {0, 1, 2};
-  double scale[body_directions] = {1, 1, 1};  // direction's value per unit of the unknown
-  int dof[body_directions] = {-1, -1, -1};    // local (overlap)
-  bool owned = false;                         // by this rank
+  int direction[body_directions] = {0, 1, 2, 3, 4, 5};
+  double scale[body_directions] = {1, 1, 1, 1, 1, 1};   // direction's value per unit of the unknown
+  int dof[body_directions] = {-1, -1, -1, -1, -1, -1};  // local (overlap)
+  bool owned = false;                                   // by this rank
   int field = -1;
 };
 
 /// A rigid body: a contour in the plane or a surface in space, its position, its mass, and the law of motion that holds
 /// in the present stage. A body that is free in some stage has unknowns; its placement is then that of the nodal state.
 /// Of the others displacement and velocity live in the state array "body/<name>/motion" (one row, the same on every
-/// rank), and so does the time in motion of all.
+/// rank), and so do the time in motion of all, and in space the rotation at the start of the last step.
 class RigidBody {
  public:
   /// Reads and validates an entry of "bodies". InputError.
@@ -105,6 +114,8 @@ class RigidBody {
   /// Of the reference point [m].
   Point position(const State& state) const;
   BodyPlacement placement(const State& state) const;
+  /// With the unknowns `ahead` (by overlap dof) of where they are.
+  BodyPlacement placement(const State& state, const ConstNodalView& ahead) const;
   /// Rotation vector [rad] from the orientation at the start, and spin [rad/s].
   Point rotation(const State& state) const { return state_of(state).turn.vector(); }
   Point spin(const State& state) const { return state_of(state).spin; }
@@ -125,11 +136,17 @@ class RigidBody {
   void parameters(Parameters& p);
   void read_contour(const Section& section, const BodyRegistries& registries);
   void read_surface(const Section& section, const BodyRegistries& registries);
+  void fill_evenly(const Section& section);
+  /// In space: the rotation of the unknowns from that of the row, along the body's axes, plus `ahead`.
+  Point increment(const State& state, const ConstNodalView* ahead) const;
+  Rotation turn_of_row(const State& state) const;
   Point in_frame(const BodyPlacement& placement, const Point& x) const;
   /// Of the reference point from the centre of mass, as the body is turned.
   Point arm(const BodyPlacement& placement) const { return scaled(-1, placement.turn(centre_)); }
   std::string name_;
   Point position_{}, centre_{};  // reference point in the mesh; centre of mass in the body's frame
+  std::vector<double> inertia_;
+  bool has_centre_ = false;
   BodyProperties properties_;
   double tip_height_ = 0, reach_ = 0;
   std::unique_ptr<const Contour> contour_;

@@ -6,9 +6,9 @@ namespace mudline {
 
 namespace {
 
-constexpr BoxSearch::Corners empty{PlanePoint{1e300, 1e300}, PlanePoint{-1e300, -1e300}};
+constexpr BoxSearch::Corners empty{Point{1e300, 1e300, 1e300}, Point{-1e300, -1e300, -1e300}};
 
-void enclose(const PlanePoint& x, BoxSearch::Corners& box) {
+void enclose(const Point& x, BoxSearch::Corners& box) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     box[0][i] = std::min(box[0][i], x[i]);
     box[1][i] = std::max(box[1][i], x[i]);
@@ -19,7 +19,7 @@ void enclose(const PlanePoint& x, BoxSearch::Corners& box) {
 
 BoxSearch::Corners side_box(const int* node, int count, const ConstCoordinateView& x) {
   BoxSearch::Corners box = empty;
-  for (int a = 0; a < count; ++a) enclose({x(node[a], 0), x(node[a], 1)}, box);
+  for (int a = 0; a < count; ++a) enclose(place_of(x, node[a]), box);
   return box;
 }
 
@@ -28,10 +28,12 @@ void BoxSearch::sort(const std::vector<Corners>& boxes) {
   Corners whole = empty;
   for (std::size_t s = 0; s < boxes.size(); ++s) {
     boxes_.push_back({boxes[s][0], boxes[s][1], static_cast<int>(s)});
-    for (const PlanePoint& corner : boxes[s]) enclose(corner, whole);
+    for (const Point& corner : boxes[s]) enclose(corner, whole);
   }
   const auto& [low, high] = whole;
-  along_ = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+  along_ = 0;
+  for (int i = 1; i < 3; ++i)
+    if (high[i] - low[i] > high[along_] - low[along_]) along_ = i;
   std::sort(boxes_.begin(), boxes_.end(), [this](const Box& a, const Box& b) {
     return a.low[along_] != b.low[along_] ? a.low[along_] < b.low[along_] : a.number < b.number;
   });

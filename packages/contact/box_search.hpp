@@ -3,22 +3,22 @@
 #include <array>
 #include <vector>
 
+#include "core/space_vector.hpp"
 #include "framework/state.hpp"
-#include "geometry/contour_piece.hpp"
 
 namespace mudline {
 
-/// Boxes in the plane, sorted along the direction in which they spread more: finds those near another one.
+/// Boxes, sorted along the direction in which they spread most: finds those near another one.
 class BoxSearch {
  public:
-  using Corners = std::array<PlanePoint, 2>;  // [m] low, high
+  using Corners = std::array<Point, 2>;  // [m] low, high; in the plane the third numbers are 0
   void sort(const std::vector<Corners>& boxes);
   /// Numbers of the boxes that come within `distance` [m] of the box, in ascending order.
   std::vector<int> near(const Corners& box, double distance) const;
 
  private:
   struct Box {
-    PlanePoint low, high;
+    Point low, high;
     int number;
   };
   std::vector<Box> boxes_;  // by low[along_]

@@ -13,21 +13,12 @@ ConstCoordinateView moved_ahead(const Space& space, const ConstCoordinateView& x
 }
 
 BodyPlacement moved_ahead(const RigidBody& body, const State& state, const ConstNodalView& ahead, double lead) {
+  if (ahead.extent(0) == 0) return body.placement(state);
+  if (body.unknowns().count > 0) return body.placement(state, ahead);
   BodyPlacement result = body.placement(state);
-  if (ahead.extent(0) == 0) return result;
-  const BodyUnknowns& unknowns = body.unknowns();
-  Point turned{};
-  for (int k = 0; k < unknowns.count; ++k) {
-    const int direction = unknowns.direction[k], axes = body.dimension();
-    const double moved = ahead(unknowns.dof[k]) * unknowns.scale[k];
-    (direction < axes ? result.centre[direction] : turned[axes == 2 ? 2 : direction - axes]) += moved;
-  }
-  if (unknowns.count == 0) {
-    const BodyState now = body.state_of(state);
-    result.centre = plus(result.centre, lead, now.velocity);
-    turned = scaled(lead, now.spin);
-  }
-  result.turn = Rotation::by(turned) * result.turn;
+  const BodyState now = body.state_of(state);
+  result.centre = plus(result.centre, lead, now.velocity);
+  result.turn = Rotation::by(scaled(lead, now.spin)) * result.turn;
   return result;
 }
 

@@ -49,7 +49,7 @@ class Contact : public Term, public History, public Unilateral, public Carried, 
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;
 
-/// "penalty", "frictionless penalty", "node to segment", "mortar"; a plain list.
+/// "penalty", "frictionless penalty", "node to segment", "point to face", "mortar"; a plain list.
 void register_contact(ContactRegistry& registry);
 
 }  // namespace mudline

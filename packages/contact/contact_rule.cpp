@@ -51,4 +51,12 @@ bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry g
                                    : contact_areas<3>(rule, x, geometry, area);
 }
 
+double nearness(const ContactRule& rule, int point, int node) {
+  const double half = is_simplex(rule.side) ? 0.5 : 1.0;  // in reference coordinates
+  const auto at = reference_node(rule.side, node);
+  double away = 0;
+  for (int k = 0; k < dimension(rule.side); ++k) away = std::max(away, std::abs(rule.xi[point][k] - at[k]) / half);
+  return std::max(0.0, 1 - away);
+}
+
 }  // namespace mudline

@@ -23,8 +23,7 @@ using SideCoordinates = std::array<Point, max_side_nodes>;
 template <class Side>
 SideCoordinates side_coordinates(const Side& side, const ConstCoordinateView& x) {
   SideCoordinates result{};
-  for (int a = 0; a < side.count; ++a)
-    for (std::size_t i = 0; i < x.extent(1); ++i) result[a][i] = x(side.node[a], i);
+  for (int a = 0; a < side.count; ++a) result[a] = place_of(x, side.node[a]);
   return result;
 }
 /// Largest distance of a node from the origin [m].
@@ -66,5 +65,8 @@ bool contact_areas(const ContactRule& rule, const Nodes& x, Geometry geometry, T
 }
 /// The same by the side's dimension.
 bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area);
+
+/// 1 at a node of a side, falling to 0 at half the side's length: positive weights, unlike the quadratic shapes.
+double nearness(const ContactRule& rule, int point, int node);
 
 }  // namespace mudline

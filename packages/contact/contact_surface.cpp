@@ -46,8 +46,7 @@ std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateVi
   std::pair<double, double> result{1e300, 0};
   const int corners = num_corners(side.shape);
   for (int a = 0; a < corners; ++a) {
-    Point edge{};
-    for (std::size_t i = 0; i < x.extent(1); ++i) edge[i] = x(side.node[(a + 1) % corners], i) - x(side.node[a], i);
+    const Point edge = minus(place_of(x, side.node[(a + 1) % corners]), place_of(x, side.node[a]));
     result = {std::min(result.first, length(edge)), std::max(result.second, length(edge))};
   }
   return result;

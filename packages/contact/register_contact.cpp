@@ -1,5 +1,6 @@
 #include "contact/body/penalty_contact.hpp"
 #include "contact/contact.hpp"
+#include "contact/faces/face_contact.hpp"
 #include "contact/mortar/pair_contact.hpp"
 #include "contact/nodes/node_contact.hpp"
 
@@ -12,6 +13,9 @@ void register_contact(ContactRegistry& registry) {
   registry.add<NodeContact>(
       "node to segment",
       "Two deformable surfaces, nodes of one against the other, straight or smoothed, with or without friction");
+  registry.add<FaceContact>(
+      "point to face",
+      "In space: two deformable surfaces, points of one against the other's smoothed faces, with or without friction");
   registry.add<PairContact>(
       "mortar", "Two deformable surfaces, segment to segment with linear multipliers, with or without friction");
 }

@@ -20,7 +20,7 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
   p.add("reach", reach, "m", non_negative(),
         "Pieces of the surfaces that are farther apart than this at the start never meet: keeps the matrix sparse "
         "where surfaces slide little; "
-        "0: any two may meet");
+        "0: any two may meet; in space 0: three times the slave's longest side");
   p.add("advance limit", advance_limit, "-", positive(),
         "Largest approach of the surfaces in one step, as a fraction of the slave's shortest side; while they are far "
         "apart, half their distance");
@@ -28,9 +28,24 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
   ContactLaws::declare_normal_law(p);
 }
 
-void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master) {
-  if (mesh.dimension() == 3)
-    section.fail("two deformable surfaces meet in the plane only; allowed in space: penalty, frictionless penalty",
+void declare_impact(Parameters& p, PairImpact& impact) {
+  p.choice("impact", impact, {{"conserving", PairImpact::conserving}, {"interpolated", PairImpact::interpolated}},
+           "Dynamic steps, 'enforcement' = penalty: nodes or points exert the share of their force that does the work "
+           "of the penalty spring (no impact adds energy), or what the integrator interpolates");
+}
+
+void declare_corner_angle(Parameters& p, double& angle) {
+  p.add("corner angle [deg]", angle, "deg", Range{0, 180, true, false},
+        "Where straight lines between the master's nodes, in space its faces, turn by more than this at the start, it "
+        "has a corner, which stays one");
+}
+
+void check_two_sets(const Mesh& mesh, int dimension, const Section& section, const std::string& slave,
+                    const std::string& master) {
+  if (mesh.dimension() != dimension)
+    section.fail(dimension == 2
+                     ? "is for the plane; allowed in space for two deformable surfaces: point to face"
+                     : "is for space; allowed in the plane for two deformable surfaces: node to segment, mortar",
                  "type");
   require_boundary(mesh, section, "slave", slave);
   require_boundary(mesh, section, "master", master);
@@ -81,25 +96,27 @@ double closing_limit(const Space& space, const ContactSurface& slave, const Mast
                      const State& committed) {
   const auto& first = space.node_dof(space.find("displacement"));
   const ConstCoordinateView& x = committed.coordinates;
+  const int axes = slave.mesh().dimension();
   const auto velocity = [&](int node) {
-    return PlanePoint{committed.rate(first(node)), committed.rate(first(node) + 1)};
+    Point v{};
+    for (int i = 0; i < axes; ++i) v[i] = committed.rate(first(node) + i);
+    return v;
   };
   // speeds against the master's mean, which is the same on all ranks that have slave sides: they have the whole master
-  PlanePoint mean{0, 0};
+  Point mean{};
   double nodes = 0, fastest[2] = {0, 0}, nearest = 1e300;
   for (const auto& side : master.sides())
-    for (int a = 0; a < side.count; ++a, ++nodes)
-      for (int i = 0; i < 2; ++i) mean[i] += velocity(side.node[a])[i];
-  for (double& m : mean) m /= std::max(1.0, nodes);
-  const auto speed = [&](int node) { return std::hypot(velocity(node)[0] - mean[0], velocity(node)[1] - mean[1]); };
+    for (int a = 0; a < side.count; ++a, ++nodes) mean = plus(mean, 1, velocity(side.node[a]));
+  mean = scaled(1 / std::max(1.0, nodes), mean);
+  const auto speed = [&](int node) { return length(minus(velocity(node), mean)); };
   for (const SurfaceSide& side : slave.sides()) {
     for (int a = 0; a < side.count; ++a) fastest[0] = std::max(fastest[0], speed(side.node[a]));
     const auto box = side_box(side.node, side.count, x);
     for (const auto& other : master.sides()) {
       const auto there = side_box(other.node, other.count, x);
-      double apart[2];
-      for (int i = 0; i < 2; ++i) apart[i] = std::max({0.0, there[0][i] - box[1][i], box[0][i] - there[1][i]});
-      nearest = std::min(nearest, std::hypot(apart[0], apart[1]));
+      Point apart;
+      for (int i = 0; i < 3; ++i) apart[i] = std::max({0.0, there[0][i] - box[1][i], box[0][i] - there[1][i]});
+      nearest = std::min(nearest, length(apart));
     }
   }
   if (!slave.sides().empty())
@@ -122,21 +139,21 @@ std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool he
              : "surfaces of contact '" + name + "' met that were farther apart at the start than its 'reach': raise it";
 }
 
-SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck,
+SlaveSums report_slave(const Comm& comm, int axes, const std::string& contact, const TwoSurfaceParameters& deck,
                        const SlaveSums& here, Report& values) {
-  constexpr int sums = 6;
-  const double local[sums] = {here.force[0], here.force[1], here.area, here.slides, here.heat, here.damped};
+  constexpr int sums = 7;
+  const double local[sums] = {here.force[0], here.force[1], here.force[2], here.area,
+                              here.slides,   here.heat,     here.damped};
   double sum[sums];
   SlaveSums all;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, sums, local, sum);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, here.deepest, Teuchos::outArg(all.deepest));
-  all.force = {sum[0], sum[1]};
-  all.area = sum[2];
-  all.slides = sum[3];
-  all.heat = sum[4];
-  all.damped = sum[5];
-  values[contact + "/force on slave x"] = {"N", all.force[0]};
-  values[contact + "/force on slave y"] = {"N", all.force[1]};
+  all.force = {sum[0], sum[1], sum[2]};
+  all.area = sum[3];
+  all.slides = sum[4];
+  all.heat = sum[5];
+  all.damped = sum[6];
+  for (int i = 0; i < axes; ++i) values[contact + "/force on slave " + axis_names[i]] = {"N", all.force[i]};
   values[contact + "/contact area"] = {"m2", all.area};
   values[contact + "/maximum penetration"] = {"m", all.deepest};
   if (deck.damping > 0) values[contact + "/damping heat"] = {"J", all.damped};

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 
 #include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
-#include "contact/mortar/master_surface.hpp"
+#include "contact/master_surface.hpp"
 #include "contact/uzawa.hpp"
 
 namespace mudline {
@@ -23,9 +22,16 @@ struct TwoSurfaceParameters : EnforcementParameters {
   void parameters(Parameters& p);
 };
 
+/// Whether nodes or points exert the share of their force that does the work of the penalty spring, or what the
+/// integrator interpolates.
+enum class PairImpact { conserving, interpolated };
+void declare_impact(Parameters& p, PairImpact& impact);
+void declare_corner_angle(Parameters& p, double& angle);  // [deg]
+
 /// What all contacts of two deformable surfaces ask of the deck's "slave" and "master": two side sets without a common
-/// node. InputError. Collective.
-void check_two_sets(const Mesh& mesh, const Section& section, const std::string& slave, const std::string& master);
+/// node, of a mesh of the dimension that the contact is for. InputError. Collective.
+void check_two_sets(const Mesh& mesh, int dimension, const Section& section, const std::string& slave,
+                    const std::string& master);
 
 /// The deck's "friction" and "normal law". InputError for laws that read the pore pressure.
 void read_laws_of_two(const ContactContext& context, const Section& section, ContactLaws& laws);
@@ -45,17 +51,17 @@ std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool he
 
 /// Sums over this rank's part of the slave, and its deepest point.
 struct SlaveSums {
-  std::array<double, 2> force{};  // [N]
-  double area = 0;                // [m2]
-  double slides = 0;              // [m] length
-  double heat = 0;                // [J]
-  double damped = 0;              // [J] heat of damping
-  double deepest = 0;             // [m] >= 0
+  Point force{};       // [N]
+  double area = 0;     // [m2]
+  double slides = 0;   // [m] length
+  double heat = 0;     // [J]
+  double damped = 0;   // [J] heat of damping
+  double deepest = 0;  // [m] >= 0
 };
 
 /// Writes the columns that all contacts of two surfaces have under the contact's name; the other sums of all ranks are
 /// returned. Collective.
-SlaveSums report_slave(const Comm& comm, const std::string& contact, const TwoSurfaceParameters& deck,
+SlaveSums report_slave(const Comm& comm, int axes, const std::string& contact, const TwoSurfaceParameters& deck,
                        const SlaveSums& here, Report& values);
 
 }  // namespace mudline

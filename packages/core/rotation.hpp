@@ -22,6 +22,13 @@ struct Rotation {
     return result;
   }
 
+  /// About the direction of the vector by twice the arc tangent of half its length: Cayley's map. Over a step the mean
+  /// of the spins at its ends, along the body's axes, is this vector over the step's length (Simo and Wong 1991).
+  static Rotation by_increment(const Point& vector) {
+    const double half = 0.5 * length(vector);
+    return by(half > 0 ? scaled(std::atan(half) / half, vector) : vector);
+  }
+
   /// x turned, and turned back.
   Point operator()(const Point& x) const {
     Point result{};
@@ -55,6 +62,21 @@ struct Rotation {
 
   /// What by() makes this rotation of, at most pi long.
   Point vector() const {
+    Point axis;
+    const double cosine = half_angle(axis), sine = length(axis);
+    return sine > 0 ? scaled(2 * std::atan2(sine, cosine) / sine, axis) : Point{};
+  }
+  /// What by_increment() makes this rotation of; infinite of half a turn.
+  Point increment() const {
+    Point axis;
+    const double cosine = half_angle(axis);
+    return scaled(2 / cosine, axis);
+  }
+
+ private:
+  /// The rotation's quaternion, up to a positive factor: what goes with the cosine of half the angle, and with its sine
+  /// times the axis.
+  double half_angle(Point& axis) const {
     const auto& m = matrix;
     // the quaternion's largest component first: it is never small
     double q[4] = {1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2],
@@ -67,9 +89,8 @@ struct Rotation {
                                    {m[0][2] - m[2][0], m[1][0] + m[0][1], q[2], m[2][1] + m[1][2]},
                                    {m[1][0] - m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2], q[3]}};
     const double sign = products[largest][0] < 0 ? -1 : 1;
-    const Point axis{sign * products[largest][1], sign * products[largest][2], sign * products[largest][3]};
-    const double sine = length(axis), angle = 2 * std::atan2(sine, sign * products[largest][0]);
-    return sine > 0 ? scaled(angle / sine, axis) : Point{};
+    axis = {sign * products[largest][1], sign * products[largest][2], sign * products[largest][3]};
+    return sign * products[largest][0];
   }
 };
 

@@ -9,8 +9,9 @@
 
 namespace mudline {
 
-/// Values written to bytes, or read back in the same order: a type names its members once, for both directions, in
-/// `void transfer(ByteStream&)`.
+/// Values written to bytes, or read back in the same order: a type lists its members once, for both directions, in
+/// `void transfer(ByteStream&)`. One that is kept in other ways too gives them names in `template <class Archive> void
+/// transfer(Archive&)`, which bytes do without.
 class ByteStream {
  public:
   /// For writing.
@@ -20,6 +21,10 @@ class ByteStream {
 
   const std::vector<char>& bytes() const { return bytes_; }
 
+  template <class T>
+  ByteStream& operator()(const char* /*name*/, T& value) {
+    return (*this)(value);
+  }
   template <class T>
   ByteStream& operator()(T& value) {
     if constexpr (std::is_trivially_copyable_v<T>) {

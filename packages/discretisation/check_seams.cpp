@@ -94,7 +94,7 @@ bool Seams::lies_along(const SeamSide& smaller, const SeamSide& larger) const {
 
 bool Seams::may_touch(const std::set<std::string>& a, const std::set<std::string>& b) const {
   const auto unknown = [&](const std::string& set) { return mesh_.side_sets.count(set) == 0; };
-  return std::any_of(mesh_.pairs.begin(), mesh_.pairs.end(), [&](const auto& pair) {
+  return std::any_of(mesh_.contacts.pairs.begin(), mesh_.contacts.pairs.end(), [&](const auto& pair) {
     // a misspelt set may be one of these; the contact that names it, or one twice, says so
     if (unknown(pair.first) || unknown(pair.second) || pair.first == pair.second) return true;
     return (a.count(pair.first) && b.count(pair.second)) || (a.count(pair.second) && b.count(pair.first));

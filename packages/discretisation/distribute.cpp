@@ -24,7 +24,9 @@ long long count_elements(const GlobalMesh& mesh) {
 
 /// Ranks by METIS, which may leave some empty.
 std::vector<int> metis_partition(const GlobalMesh& mesh, int ranks, long long elements) {
+  constexpr int contact_side_weight = 2;  // elements that cost as much as a side on which contact works
   std::vector<idx_t> start{0}, corners, weights;
+  std::vector<std::size_t> offsets{0};
   for (const auto& block : mesh.blocks) {
     const int per_element = num_nodes(block.shape);
     for (std::size_t first = 0; first < block.nodes.size(); first += per_element) {
@@ -32,6 +34,13 @@ std::vector<int> metis_partition(const GlobalMesh& mesh, int ranks, long long el
       start.push_back(static_cast<idx_t>(corners.size()));
       weights.push_back(per_element);
     }
+    offsets.push_back(weights.size());
+  }
+  for (const std::string& name : mesh.contacts.surfaces) {
+    const auto found = mesh.side_sets.find(name);
+    if (found == mesh.side_sets.end()) continue;
+    for (const auto& side : found->second)
+      weights[offsets[side.block] + side.element] += contact_side_weight * num_nodes(mesh.blocks[side.block].shape);
   }
   idx_t num_elements = static_cast<idx_t>(elements), num_nodes = static_cast<idx_t>(mesh.coordinates.size());
   idx_t common = 4, parts = ranks, cut = 0;  // elements are neighbours across a side: so many common corners
@@ -70,38 +79,21 @@ std::vector<int> node_owners(const std::vector<std::vector<long long>>& nodes_of
   return owners;
 }
 
-/// Cuts the mesh; lives on rank 0.
-class Cutter {
- public:
-  Cutter(const GlobalMesh& mesh, int ranks);
-  MeshPart part(int rank);
+}  // namespace
 
- private:
-  void describe_whole();
-  void number_nodes(int rank, MeshPart& part);
-  void add_elements(int rank, MeshPart& part) const;
-  void add_sets(int rank, MeshPart& part) const;
-  void add_partners();
-  std::vector<int> local(const std::vector<long long>& sorted_nodes, const MeshPart& part) const;
-
-  const GlobalMesh& mesh_;
-  std::vector<long long> offsets_;                     // first element of each block, and the end
-  std::vector<int> rank_of_, place_;                   // (element): its rank, and its number in its block there
-  std::vector<std::vector<long long>> nodes_of_rank_;  // sorted
-  std::vector<int> owners_, local_;                    // (node): owner; number on the rank being cut
-  std::vector<char> is_vertex_;                        // (node)
-  std::map<std::string, std::vector<long long>> set_nodes_;
-  MeshPart whole_;
-};
-
-Cutter::Cutter(const GlobalMesh& mesh, int ranks)
-    : mesh_(mesh), offsets_{0}, rank_of_(partition_elements(mesh, ranks)), nodes_of_rank_(ranks) {
+MeshCutter::MeshCutter(const GlobalMesh& mesh, int ranks)
+    : mesh_(mesh),
+      offsets_{0},
+      rank_of_(partition_elements(mesh, ranks)),
+      elements_of_rank_(ranks),
+      nodes_of_rank_(ranks) {
   place_.reserve(rank_of_.size());
   for (const auto& block : mesh.blocks) {
     const int n = num_nodes(block.shape);
     std::vector<int> count(ranks, 0);
     for (std::size_t first = 0; first < block.nodes.size(); first += n) {
       const int rank = rank_of_[place_.size()];
+      elements_of_rank_[rank].push_back(static_cast<long long>(place_.size()));
       place_.push_back(count[rank]++);
       auto& nodes = nodes_of_rank_[rank];
       nodes.insert(nodes.end(), block.nodes.begin() + first, block.nodes.begin() + first + n);
@@ -136,8 +128,8 @@ Cutter::Cutter(const GlobalMesh& mesh, int ranks)
 }
 
 /// Nodes of the other side of a pair become ghosts where they are missing; their owners stay.
-void Cutter::add_partners() {
-  for (const auto& [first, second] : mesh_.pairs) {
+void MeshCutter::add_partners() {
+  for (const auto& [first, second] : mesh_.contacts.pairs) {
     if (mesh_.side_sets.count(first) == 0 || mesh_.side_sets.count(second) == 0) continue;
     std::vector<char> concerned(nodes_of_rank_.size(), 0);
     for (const auto& side : mesh_.side_sets.at(first)) concerned[rank_of_[offsets_[side.block] + side.element]] = 1;
@@ -152,7 +144,7 @@ void Cutter::add_partners() {
   }
 }
 
-void Cutter::describe_whole() {
+void MeshCutter::describe_whole() {
   whole_.num_global_nodes = static_cast<long long>(mesh_.coordinates.size());
   whole_.num_global_elements = offsets_.back();
   whole_.bounds = Bounds::nothing();
@@ -164,7 +156,7 @@ void Cutter::describe_whole() {
   }
 }
 
-MeshPart Cutter::part(int rank) {
+MeshPart MeshCutter::part(int rank) {
   MeshPart part = whole_;
   number_nodes(rank, part);
   add_elements(rank, part);
@@ -172,7 +164,7 @@ MeshPart Cutter::part(int rank) {
   return part;
 }
 
-void Cutter::number_nodes(int rank, MeshPart& part) {
+void MeshCutter::number_nodes(int rank, MeshPart& part) {
   part.node_ids = nodes_of_rank_[rank];
   const auto ghosts = std::stable_partition(part.node_ids.begin(), part.node_ids.end(),
                                             [&](long long node) { return owners_[node] == rank; });
@@ -185,21 +177,21 @@ void Cutter::number_nodes(int rank, MeshPart& part) {
   }
 }
 
-void Cutter::add_elements(int rank, MeshPart& part) const {
+void MeshCutter::add_elements(int rank, MeshPart& part) const {
   for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
     const auto& block = mesh_.blocks[b];
     const int n = num_nodes(block.shape);
     MeshPart::Block mine{block.region, block.shape, {}, {}};
-    for (long long id = offsets_[b]; id < offsets_[b + 1]; ++id) {
-      if (rank_of_[id] != rank) continue;
-      mine.ids.push_back(id);
+    const auto& all = elements_of_rank_[rank];
+    mine.ids.assign(std::lower_bound(all.begin(), all.end(), offsets_[b]),
+                    std::lower_bound(all.begin(), all.end(), offsets_[b + 1]));
+    for (long long id : mine.ids)
       for (int a = 0; a < n; ++a) mine.nodes.push_back(local_[block.nodes[(id - offsets_[b]) * n + a]]);
-    }
     part.blocks.push_back(std::move(mine));
   }
 }
 
-void Cutter::add_sets(int rank, MeshPart& part) const {
+void MeshCutter::add_sets(int rank, MeshPart& part) const {
   for (const auto& [name, sides] : mesh_.side_sets) {
     auto& mine = part.side_sets[name];
     for (const auto& side : sides) {
@@ -212,7 +204,7 @@ void Cutter::add_sets(int rank, MeshPart& part) const {
 }
 
 /// Those of the nodes that the rank being cut has, by local number.
-std::vector<int> Cutter::local(const std::vector<long long>& sorted_nodes, const MeshPart& part) const {
+std::vector<int> MeshCutter::local(const std::vector<long long>& sorted_nodes, const MeshPart& part) const {
   std::vector<int> mine;
   for (long long node : sorted_nodes) {
     // local_ keeps numbers of ranks cut before: they count only where this rank's list confirms them.
@@ -222,6 +214,8 @@ std::vector<int> Cutter::local(const std::vector<long long>& sorted_nodes, const
   std::sort(mine.begin(), mine.end());
   return mine;
 }
+
+namespace {
 
 /// MPI counts bytes by int, a part may be larger: calls `piece(first, size)` for one stretch after the other.
 template <class Piece>
@@ -271,9 +265,9 @@ std::vector<int> partition_elements(const GlobalMesh& mesh, int ranks) {
 }
 
 MeshPart distribute(const Teuchos::Comm<int>& comm, const GlobalMesh& mesh) {
-  std::unique_ptr<Cutter> cutter;
+  std::unique_ptr<MeshCutter> cutter;
   agree(comm, [&] {
-    if (comm.getRank() == 0) cutter = std::make_unique<Cutter>(mesh, comm.getSize());
+    if (comm.getRank() == 0) cutter = std::make_unique<MeshCutter>(mesh, comm.getSize());
   });
   if (comm.getRank() != 0) return receive_part(comm);
   for (int rank = 1; rank < comm.getSize(); ++rank) send_part(comm, cutter->part(rank), rank);

@@ -17,7 +17,10 @@ struct MeshPart {
     CellShape shape = CellShape::tri3;
     std::vector<long long> ids;
     std::vector<int> nodes;  // (element, node) local
-    void transfer(ByteStream& s) { s(region)(shape)(ids)(nodes); }
+    template <class Archive>
+    void transfer(Archive& to) {
+      to("region", region)("shape", shape)("ids", ids)("nodes", nodes);
+    }
   };
 
   long long num_global_nodes = 0, num_global_elements = 0;
@@ -34,15 +37,45 @@ struct MeshPart {
   std::map<std::string, std::vector<int>> node_sets;
   std::map<std::string, std::vector<int>> set_nodes;  // of side and node sets
 
-  void transfer(ByteStream& s) {
-    s(num_global_nodes)(num_global_elements)(regions)(bounds)(region_bounds);
-    s(num_owned_nodes)(node_ids)(coordinates)(is_vertex)(blocks)(side_sets)(node_sets)(set_nodes);
+  template <class Archive>
+  void transfer(Archive& to) {
+    to("global nodes", num_global_nodes)("global elements", num_global_elements)("regions", regions);
+    to("bounds", bounds)("region bounds", region_bounds)("owned nodes", num_owned_nodes)("node ids", node_ids);
+    to("coordinates", coordinates)("is vertex", is_vertex)("blocks", blocks);
+    to("side sets", side_sets)("node sets", node_sets)("nodes of sets", set_nodes);
   }
 };
 
-/// The rank of every element, elements numbered over all blocks in order. Balanced by METIS on the dual graph; every
-/// rank gets at least one. Throws InputError when there are more ranks than elements.
+/// The rank of every element, elements numbered over all blocks in order. Balanced by METIS on the dual graph, where an
+/// element weighs as many nodes as it has, and a side that contact works on as much as two elements; every rank gets at
+/// least one. Throws InputError when there are more ranks than elements.
 std::vector<int> partition_elements(const GlobalMesh& mesh, int ranks);
+
+/// Cuts a whole mesh into the parts of so many ranks, one at a time.
+class MeshCutter {
+ public:
+  /// `mesh` outlives it.
+  MeshCutter(const GlobalMesh& mesh, int ranks);
+  MeshPart part(int rank);
+
+ private:
+  void describe_whole();
+  void number_nodes(int rank, MeshPart& part);
+  void add_elements(int rank, MeshPart& part) const;
+  void add_sets(int rank, MeshPart& part) const;
+  void add_partners();
+  std::vector<int> local(const std::vector<long long>& sorted_nodes, const MeshPart& part) const;
+
+  const GlobalMesh& mesh_;
+  std::vector<long long> offsets_;                        // first element of each block, and the end
+  std::vector<int> rank_of_, place_;                      // (element): its rank, and its number in its block there
+  std::vector<std::vector<long long>> elements_of_rank_;  // ascending
+  std::vector<std::vector<long long>> nodes_of_rank_;     // sorted
+  std::vector<int> owners_, local_;                       // (node): owner; number on the rank being cut
+  std::vector<char> is_vertex_;                           // (node)
+  std::map<std::string, std::vector<long long>> set_nodes_;
+  MeshPart whole_;
+};
 
 /// Cuts rank 0's mesh into parts and hands each rank its own, one after the other. Collective.
 MeshPart distribute(const Teuchos::Comm<int>& comm, const GlobalMesh& mesh);

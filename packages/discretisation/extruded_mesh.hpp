@@ -13,6 +13,7 @@ class ExtrudedMesh : public MeshSource {
   void parameters(Parameters& p);
   void check(const Section& section);
   GlobalMesh generate() const override;
+  std::vector<std::string> files() const override { return plane_.files(); }
 
  private:
   enum class Along { z, y };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "discretisation/gmsh_session.hpp"
 #include "discretisation/mesh.hpp"
@@ -16,6 +17,7 @@ class GmshMesh : public MeshSource {
   void parameters(Parameters& p);
   void check(const Section& section);
   GlobalMesh generate() const override;
+  std::vector<std::string> files() const override { return {file_.name}; }
 
  private:
   GlobalMesh read_model() const;

@@ -55,14 +55,22 @@ void Bounds::enclose(const Point& place) {
 
 double Bounds::extent() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
 
-Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, GlobalMesh global)
-    : comm_(std::move(comm)), geometry_(geometry) {
-  agree(*comm_, [&] {
-    if (comm_->getRank() == 0) check_mesh(global, geometry_);
-  });
-  MeshPart part = distribute(*comm_, global);
-  global = {};
+namespace {
 
+MeshPart checked_part(const Teuchos::Comm<int>& comm, Geometry geometry, GlobalMesh global) {
+  agree(comm, [&] {
+    if (comm.getRank() == 0) check_mesh(global, geometry);
+  });
+  return distribute(comm, global);
+}
+
+}  // namespace
+
+Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, GlobalMesh global)
+    : Mesh(comm, geometry, checked_part(*comm, geometry, std::move(global))) {}
+
+Mesh::Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, MeshPart part)
+    : comm_(std::move(comm)), geometry_(geometry) {
   num_owned_nodes_ = part.num_owned_nodes;
   num_global_nodes_ = part.num_global_nodes;
   num_global_elements_ = part.num_global_elements;
@@ -158,27 +166,46 @@ Geometry declare_geometry(Parameters& p) {
   return entries.geometry;
 }
 
-std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
-                                const Section& section, const SetPairs& pairs) {
+MeshRecipe::MeshRecipe(const Registry<MeshSource>& sources, const Section& section, ContactSets contacts)
+    : section_(section), contacts_(std::move(contacts)), source_(sources.create(section)) {
   Entries entries;
-  GlobalMesh global;
+  Parameters p(section);
+  entries.parameters(p);
+  geometry_ = entries.geometry;
+  cracks_ = entries.cracks;
+}
+
+GlobalMesh MeshRecipe::make() const {
+  GlobalMesh mesh = source_->generate();
+  mesh.contacts = contacts_;
+  try {
+    check_mesh(mesh, geometry_);
+    check_seams(mesh, cracks_);
+  } catch (const InputError& error) {
+    section_.fail(error.what());  // the mesh itself does not know the deck
+  }
+  return mesh;
+}
+
+std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshRecipe& recipe) {
+  GlobalMesh mesh;
   agree(*comm, [&] {
-    const std::unique_ptr<MeshSource> source = sources.create(section);
-    Parameters p(section);
-    entries.parameters(p);
-    if (comm->getRank() == 0) global = source->generate();
-    global.pairs = pairs;
+    if (comm->getRank() == 0) mesh = recipe.make();
   });
   try {
-    agree(*comm, [&] {
-      if (comm->getRank() != 0) return;
-      check_mesh(global, entries.geometry);
-      check_seams(global, entries.cracks);
-    });
-    return std::make_unique<Mesh>(comm, entries.geometry, std::move(global));
+    MeshPart part = distribute(*comm, mesh);
+    mesh = {};
+    return std::make_unique<Mesh>(comm, recipe.geometry(), std::move(part));
   } catch (const InputError& error) {
-    section.fail(error.what());  // the mesh itself does not know the deck
+    recipe.section().fail(error.what());
   }
+}
+
+std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
+                                const Section& section, const ContactSets& contacts) {
+  std::unique_ptr<MeshRecipe> recipe;
+  agree(*comm, [&] { recipe = std::make_unique<MeshRecipe>(sources, section, contacts); });
+  return make_mesh(comm, *recipe);
 }
 
 }  // namespace mudline

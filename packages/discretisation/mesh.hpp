@@ -36,6 +36,12 @@ struct Bounds {
 /// Pairs of side sets that act on each other (contact): a rank with sides of the first has all nodes of the second.
 using SetPairs = std::vector<std::pair<std::string, std::string>>;
 
+/// What the contacts of a deck ask of the parts of a mesh. Sets that the mesh lacks count for nothing.
+struct ContactSets {
+  SetPairs pairs;
+  std::vector<std::string> surfaces;  // side sets that contact works on: their elements cost more
+};
+
 /// A whole mesh as a source delivers it, on rank 0 only and only until it is distributed.
 struct GlobalMesh {
   struct Block {
@@ -52,7 +58,7 @@ struct GlobalMesh {
   std::vector<Block> blocks;
   std::map<std::string, std::vector<Side>> side_sets;
   std::map<std::string, std::vector<long long>> node_sets;  // nodes of zero-dimensional groups
-  SetPairs pairs;
+  ContactSets contacts;
   /// Of its cells (those of the first block; check_mesh() sees to it that all have the same): 2 or 3.
   int dimension() const { return blocks.empty() ? 2 : mudline::dimension(blocks.front().shape); }
 };
@@ -63,6 +69,8 @@ class MeshSource {
  public:
   virtual ~MeshSource() = default;
   virtual GlobalMesh generate() const = 0;
+  /// The files that it reads.
+  virtual std::vector<std::string> files() const { return {}; }
 };
 
 /// The elements of one region and shape on this rank.
@@ -73,6 +81,8 @@ struct ElementBlock {
   Kokkos::View<int**, Kokkos::LayoutRight> nodes;  // (element, node) local node numbers
   std::vector<long long> global_ids;               // (element) numbering over all blocks, independent of the rank count
 };
+
+struct MeshPart;
 
 /// One side of an element on the boundary.
 struct Side {
@@ -87,6 +97,8 @@ class Mesh {
   /// Jacobians at quadrature points and corners, and on an axisymmetric mesh r >= 0. InputError on every rank alike.
   /// Collective.
   Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, GlobalMesh global);
+  /// From the part that this rank has of a mesh that was checked and cut before.
+  Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, MeshPart part);
 
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
   Geometry geometry() const { return geometry_; }
@@ -155,9 +167,30 @@ void require_region(const Mesh& mesh, const Section& section, const std::string&
 /// "box", "extruded", "revolved" and, when built with Gmsh, "gmsh"; a plain list.
 void register_mesh_sources(Registry<MeshSource>& registry);
 
-/// Reads the deck's "mesh" section: geometry and source; returns the distributed mesh. `pairs` of unknown sets count
-/// for nothing. Collective.
+/// The deck's section "mesh" read: how to make the mesh.
+class MeshRecipe {
+ public:
+  /// InputError on whatever rank the entries are wrong.
+  MeshRecipe(const Registry<MeshSource>& sources, const Section& section, ContactSets contacts);
+  Geometry geometry() const { return geometry_; }
+  const Section& section() const { return section_; }
+  const ContactSets& contacts() const { return contacts_; }
+  const MeshSource& source() const { return *source_; }
+  /// The whole mesh, checked; for one rank to call. InputError.
+  GlobalMesh make() const;
+
+ private:
+  Section section_;
+  ContactSets contacts_;
+  std::unique_ptr<MeshSource> source_;
+  Geometry geometry_ = Geometry::plane_strain;
+  std::vector<std::string> cracks_;
+};
+
+/// Made on rank 0 and distributed. InputError on every rank alike. Collective.
+std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshRecipe& recipe);
+/// The same of the deck's section "mesh".
 std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
-                                const Section& section, const SetPairs& pairs = {});
+                                const Section& section, const ContactSets& contacts = {});
 
 }  // namespace mudline

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 
+#include "algebra/types.hpp"
 #include "discretisation/disjoint_sets.hpp"
 #include "discretisation/side_table.hpp"
 
@@ -22,20 +24,60 @@ std::vector<T> reduced(const Mesh& mesh, Teuchos::EReductionType how, const std:
   return result;
 }
 
-/// The lowest node of the whole mesh that each node hangs together with.
-std::vector<int> leaders(const Mesh& mesh) {
-  DisjointSets sets(mesh.num_global_nodes());
+/// By local node: the lowest node of the whole mesh, by its global number, that it hangs together with. Ranks tell each
+/// other of the nodes that they share, until nothing changes.
+std::vector<long long> leaders(const Mesh& mesh) {
+  using Numbers = Tpetra::Vector<GlobalOrdinal>;
+  const std::vector<long long>& ids = mesh.node_ids();
+  DisjointSets sets(mesh.num_nodes());
   for (const ElementBlock& block : mesh.blocks())
     for (int e = 0; e < block.num_elements; ++e)
-      for (int a = 1; a < num_nodes(block.shape); ++a)
-        sets.join(static_cast<int>(mesh.node_ids()[block.nodes(e, 0)]),
-                  static_cast<int>(mesh.node_ids()[block.nodes(e, a)]));
-  for (;;) {  // what one rank knows is told to the others until nothing changes
-    const std::vector<int> own = sets.leaders(), lowest = reduced(mesh, Teuchos::REDUCE_MIN, own);
-    const std::vector<int> changed{own != lowest};
-    for (std::size_t node = 0; node < own.size(); ++node) sets.join(own[node], lowest[node]);
-    if (reduced(mesh, Teuchos::REDUCE_MAX, changed)[0] == 0) return own;
+      for (int a = 1; a < num_nodes(block.shape); ++a) sets.join(block.nodes(e, 0), block.nodes(e, a));
+  const std::vector<int> piece = sets.leaders();
+  std::vector<long long> lowest(ids.size(), mesh.num_global_nodes());  // by piece
+
+  const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const std::vector<GlobalOrdinal> rows(ids.begin(), ids.end());
+  const auto owned = rcp(new Map(none, Teuchos::arrayView(rows.data(), mesh.num_owned_nodes()), 0, mesh.comm()));
+  const auto all = rcp(new Map(none, Teuchos::arrayView(rows.data(), mesh.num_nodes()), 0, mesh.comm()));
+  const Import import(owned, all);
+  Numbers here(all), whole(owned);
+  std::vector<long long> found = ids;
+  for (;;) {
+    std::vector<int> changed{0};
+    for (std::size_t node = 0; node < ids.size(); ++node) {
+      long long& leader = lowest[piece[node]];
+      if (found[node] >= leader) continue;
+      leader = found[node];
+      changed[0] = 1;
+    }
+    if (reduced(mesh, Teuchos::REDUCE_MAX, changed)[0] == 0) break;
+    {
+      const auto values = here.getLocalViewHost(Tpetra::Access::OverwriteAll);
+      // the lowest number has the largest distance from the end
+      for (std::size_t node = 0; node < ids.size(); ++node)
+        values(node, 0) = mesh.num_global_nodes() - lowest[piece[node]];
+    }
+    whole.putScalar(0);
+    whole.doExport(here, import, Tpetra::ABSMAX);
+    here.doImport(whole, import, Tpetra::INSERT);
+    const auto values = here.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t node = 0; node < ids.size(); ++node) found[node] = mesh.num_global_nodes() - values(node, 0);
   }
+  for (std::size_t node = 0; node < ids.size(); ++node) found[node] = lowest[piece[node]];
+  return found;
+}
+
+/// All ranks' values, one rank's after the other's, on every rank.
+template <class T>
+std::vector<T> joined(const Mesh& mesh, const std::vector<T>& own) {
+  std::vector<int> counts(mesh.comm()->getSize(), 0);
+  const int rank = mesh.comm()->getRank();
+  counts[rank] = static_cast<int>(own.size());
+  counts = reduced(mesh, Teuchos::REDUCE_SUM, counts);
+  std::vector<T> all(std::accumulate(counts.begin(), counts.end(), 0), T(0));
+  std::copy(own.begin(), own.end(), all.begin() + std::accumulate(counts.begin(), counts.begin() + rank, 0));
+  return reduced(mesh, Teuchos::REDUCE_SUM, all);
 }
 
 /// The sides of a set on all ranks, in a common order.
@@ -52,25 +94,20 @@ SideKey key_of(const Mesh& mesh, const ElementBlock& block, int element, const s
 }
 
 SetSides all_sides(const Mesh& mesh, const std::string& set) {
-  const std::vector<Side>& own = mesh.side_sets().at(set);
-  std::vector<int> counts(mesh.comm()->getSize(), 0);
-  counts[mesh.comm()->getRank()] = static_cast<int>(own.size());
-  counts = reduced(mesh, Teuchos::REDUCE_SUM, counts);
-  const int all = std::accumulate(counts.begin(), counts.end(), 0);
-  int row = std::accumulate(counts.begin(), counts.begin() + mesh.comm()->getRank(), 0);
-  SetSides result{std::vector<long long>(4 * all, 0), std::vector<double>(3 * all, 0.0)};
-  for (const Side& side : own) {
+  SetSides own;
+  for (const Side& side : mesh.side_sets().at(set)) {
     const ElementBlock& block = mesh.blocks()[side.block];
     const std::vector<int> local = side_nodes(block.shape, side.side);
     const SideKey key = key_of(mesh, block, side.element, local);
-    std::copy(key.begin(), key.end(), result.keys.begin() + 4 * row);
+    own.keys.insert(own.keys.end(), key.begin(), key.end());
+    double middle[3] = {};
     const int corners = num_corners(side_shape(block.shape));
     for (int c = 0; c < corners; ++c)
       for (int i = 0; i < mesh.dimension(); ++i)
-        result.middles[3 * row + i] += mesh.coordinates()(block.nodes(side.element, local[c]), i) / corners;
-    ++row;
+        middle[i] += mesh.coordinates()(block.nodes(side.element, local[c]), i) / corners;
+    own.middles.insert(own.middles.end(), middle, middle + 3);
   }
-  return {reduced(mesh, Teuchos::REDUCE_SUM, result.keys), reduced(mesh, Teuchos::REDUCE_SUM, result.middles)};
+  return {joined(mesh, own.keys), joined(mesh, own.middles)};
 }
 
 }  // namespace
@@ -137,24 +174,26 @@ ElementMap element_map(const GlobalMesh& mesh, int block, long long element) {
 }
 
 MeshParts mesh_parts(const Mesh& mesh) {
-  const std::vector<int> leader = leaders(mesh);
-  MeshParts result;
-  std::vector<int> number(leader.size(), -1);
+  const std::vector<long long> leader = leaders(mesh);
+  std::vector<long long> firsts;  // the parts' leaders
   std::vector<double> places;
-  for (std::size_t node = 0; node < leader.size(); ++node)
-    if (leader[node] == static_cast<int>(node)) {
-      number[node] = static_cast<int>(result.places.size());
-      result.places.emplace_back();
-    }
-  places.assign(3 * result.places.size(), 0.0);
   for (int node = 0; node < mesh.num_owned_nodes(); ++node) {
-    const int part = number[mesh.node_ids()[node]];
-    for (int i = 0; part >= 0 && i < mesh.dimension(); ++i) places[3 * part + i] = mesh.coordinates()(node, i);
+    if (leader[node] != mesh.node_ids()[node]) continue;
+    firsts.push_back(leader[node]);
+    const Point place = mesh.place(node);
+    places.insert(places.end(), place.begin(), place.end());
   }
-  places = reduced(mesh, Teuchos::REDUCE_SUM, places);
-  for (std::size_t part = 0; part < result.places.size(); ++part)
-    std::copy_n(places.begin() + 3 * part, 3, result.places[part].begin());
-  for (long long id : mesh.node_ids()) result.of_node.push_back(number[leader[id]]);
+  firsts = joined(mesh, firsts);
+  places = joined(mesh, places);
+  std::map<long long, int> number;
+  for (long long first : firsts) number[first] = 0;
+  MeshParts result;
+  for (auto& [first, part] : number) {
+    part = static_cast<int>(result.places.size());
+    const auto row = 3 * (std::find(firsts.begin(), firsts.end(), first) - firsts.begin());
+    result.places.push_back({places[row], places[row + 1], places[row + 2]});
+  }
+  for (long long first : leader) result.of_node.push_back(number.at(first));
   for (const std::string& name : mesh.set_names()) {
     std::vector<int> touched(result.places.size(), 0);
     for (int node : mesh.nodes_of_set(name)) touched[result.of_node[node]] = 1;

@@ -59,11 +59,11 @@ std::string place_text(const Point& point, int dimension);
 
 /// Throws InputError where elements of a whole mesh lie on each other or beside each other without being joined:
 /// hanging nodes, twin nodes, meshes that do not match or lie over one another, holes that no set names. Surfaces that
-/// may touch (mesh.pairs) are let pass, and the side sets `cracks` along cracks that are meant, which must be there.
-/// Sides are looked at in some points, nearer than a fiftieth of their elements' size. In space this does not find
-/// elements that have a face beside a part of another one that is smaller than about a tenth of it, overlaps thinner
-/// than that fiftieth, and a hole whose faces meet those of another void along an edge in such a way that its own do
-/// not close around it.
+/// may touch (mesh.contacts.pairs) are let pass, and the side sets `cracks` along cracks that are meant, which must be
+/// there. Sides are looked at in some points, nearer than a fiftieth of their elements' size. In space this does not
+/// find elements that have a face beside a part of another one that is smaller than about a tenth of it, overlaps
+/// thinner than that fiftieth, and a hole whose faces meet those of another void along an edge in such a way that its
+/// own do not close around it.
 void check_seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks);
 
 /// The parts of a distributed mesh, each of which hangs together by common nodes.

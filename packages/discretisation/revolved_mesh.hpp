@@ -11,6 +11,7 @@ class RevolvedMesh : public MeshSource {
   void parameters(Parameters& p);
   void check(const Section& section);
   GlobalMesh generate() const override;
+  std::vector<std::string> files() const override { return plane_.files(); }
 
  private:
   Geometry geometry_ = Geometry::space;

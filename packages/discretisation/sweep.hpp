@@ -34,6 +34,7 @@ class PlaneMesh {
   void read(const Section& section);
   /// Checked as a mesh of that geometry is.
   GlobalMesh generate(Geometry geometry) const;
+  std::vector<std::string> files() const { return source_->files(); }
   /// Calls what throws an InputError without a position, and adds that of the section "plane".
   GlobalMesh at_section(const std::function<GlobalMesh()>& make) const;
 

@@ -15,6 +15,13 @@ using ConstNodalView = Kokkos::View<const double*>;
 using CoordinateView = Kokkos::View<double**, Kokkos::LayoutRight>;  // (node, dimension) [m]
 using ConstCoordinateView = Kokkos::View<const double**, Kokkos::LayoutRight>;
 
+/// Where a node is [m]; in the plane the third number is 0.
+inline Point place_of(const ConstCoordinateView& x, int node) {
+  Point result{};
+  for (std::size_t i = 0; i < x.extent(1); ++i) result[i] = x(node, i);
+  return result;
+}
+
 /// Everything that makes a restart exact. Two instances live in a StateStore: committed and trial.
 struct State {
   double time = 0;

@@ -43,12 +43,10 @@ Inventory Balances::inventory(const State& state) const {
   Inventory result = take_inventory(*model_.soil(), state);
   std::vector<double> bodies(axis_names.size() + 1, 0.0);  // momentum, kinetic energy: this rank's
   for (const auto& [name, body] : model_.bodies()) {
-    const BodyUnknowns& unknowns = body->unknowns();
-    for (int k = 0; unknowns.owned && k < unknowns.count; ++k) {
-      const double v = state.rate(unknowns.dof[k]);
-      if (unknowns.direction[k] < dimension()) bodies[unknowns.direction[k]] += moving_mass(*body) * v;
-      bodies.back() += 0.5 * moving_mass(*body) * v * v;
-    }
+    if (body->unknowns().count == 0 || !body->unknowns().owned) continue;
+    const BodyMomentum now = mudline::momentum(*body, state);
+    for (std::size_t i = 0; i < axis_names.size(); ++i) bodies[i] += now.linear[i];
+    bodies.back() += now.kinetic;
   }
   bodies = sum_over_ranks(*model_.space().dofs()->comm(), bodies);
   for (std::size_t i = 0; i < axis_names.size(); ++i) result.momentum[i] += bodies[i];

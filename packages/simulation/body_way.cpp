@@ -162,13 +162,15 @@ double BodyWay::largest_speed() const {
 
 std::array<double, 2> BodyWay::start_of_fall() const {
   if (!release()) return {0, 0};
-  Vec velocity{0, 0};
-  release()->initial_velocity(velocity);
-  const double mass = body_.properties().mass + release()->added_mass(body_.properties());
-  const auto& at = body_.initial_position();
-  const BodyLoad load =
-      release()->load(body_.properties(), {places_.back().time, {at[0], at[1], 0}, {velocity[0], velocity[1], 0}});
-  return {velocity[1], mass > 0 ? load.force[1] / mass : 0.0};
+  Point velocity{}, spin{};
+  release()->initial_velocity(velocity, spin);
+  const double mass = body_.properties().mass + release()->added_mass(body_.properties()).mass[1];
+  BodyInstant at;
+  at.time = places_.back().time;
+  at.position = constant_vector(body_.initial_position());
+  at.velocity = constant_vector(velocity);
+  const BodyNumber up = release()->load(body_.properties(), at).force[1];
+  return {velocity[1], mass > 0 ? up.v / mass : 0.0};
 }
 
 std::string BodyWay::crossing() const {

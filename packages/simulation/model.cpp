@@ -11,6 +11,7 @@
 #include "discretisation/agree.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
+#include "simulation/output/mesh_parts_file.hpp"
 #include "simulation/supports.hpp"
 
 namespace mudline {
@@ -37,17 +38,19 @@ std::vector<Section> collection(const Section& section) {
   return result;
 }
 
-/// Surfaces of the deck that may touch each other.
-SetPairs contact_pairs(const Section& deck) {
-  SetPairs pairs;
+/// What the deck's contacts ask of the mesh.
+ContactSets contact_sets(const Section& deck) {
+  ContactSets sets;
   const Section contacts = deck.section("contacts");
   for (const std::string& name : contacts.section_names()) {
     const Section contact = contacts.section(name);
+    if (contact.has_parameter("surface")) sets.surfaces.push_back(contact.text("surface"));
     if (!contact.has_parameter("slave") || !contact.has_parameter("master")) continue;
-    pairs.emplace_back(contact.text("slave"), contact.text("master"));
-    if (contact.has_parameter("two-pass")) pairs.emplace_back(contact.text("master"), contact.text("slave"));
+    sets.pairs.emplace_back(contact.text("slave"), contact.text("master"));
+    if (contact.has_parameter("two-pass")) sets.pairs.emplace_back(contact.text("master"), contact.text("slave"));
   }
-  return pairs;
+  for (const auto& pair : sets.pairs) sets.surfaces.push_back(pair.first);
+  return sets;
 }
 
 /// What a physics throws is an error of its section, where it may be a plugin's.
@@ -58,10 +61,16 @@ void call_physics(const Section& entry, Action&& action) {
 
 }  // namespace
 
-Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& registries) {
+MeshRecipe mesh_recipe(const Section& deck, const Registries& registries) {
+  return {registries.mesh_sources, required_section(deck, "mesh"), contact_sets(deck)};
+}
+
+Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const std::string& parts_file) {
   deck.allow_parameters({});
   deck.allow_sections(deck_sections());
-  mesh_ = make_mesh(comm, registries.mesh_sources, required_section(deck, "mesh"), contact_pairs(deck));
+  std::unique_ptr<MeshRecipe> recipe;
+  agree(*comm, [&] { recipe = std::make_unique<MeshRecipe>(mesh_recipe(deck, registries)); });
+  mesh_ = parts_file.empty() ? make_mesh(comm, *recipe) : read_mesh_parts(comm, *recipe, parts_file);
   if (mesh_->dimension() == 3 && deck.has_section("mesh motion"))
     deck.section("mesh motion").fail("not available in three dimensions yet");
   read_materials(deck, registries);
@@ -237,20 +246,22 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
   p.passes_on(
       "linear solver",
       "solver of the linear systems; see the linear solver types; absent: direct, but block amg in three dimensions "
-      "with more than 5000 unknowns");
+      "with more than 5000 unknowns, and in two with more than 20000 on several ranks");
   p.section("newton", newton_, "nonlinear iterations");
   p.finish();
-  constexpr Tpetra::global_size_t small = 5000;  // unknowns up to which a factorisation in space is as cheap
-  const bool space = mesh_->dimension() == 3;
-  const bool chosen = section.section("linear solver").has_parameter("type");
+  // Unknowns up to which a factorisation is as good. In the plane it is on one rank; of several the others wait for it.
+  const bool space = mesh_->dimension() == 3, alone = mesh_->comm()->getSize() == 1;
+  const Tpetra::global_size_t small = space ? 5000 : 20000;
+  const Section given = section.section("linear solver");
+  const bool chosen = given.has_parameter("type") || (!space && !given.parameter_names().empty());
   const auto take = [&](const std::string& type) {
     const Section linear = section.section_of_type("linear solver", type);
     solver_ = registries.linear_solvers.create(linear);
     const std::string reason = solver_->prepare(space_->dofs());
-    if (reason.empty() && space) log::info("linear solver: " + linear.text("type"));
+    if (reason.empty() && (space || !alone)) log::info("linear solver: " + linear.text("type"));
     return reason;
   };
-  const bool large = space && space_->dofs()->owned()->getGlobalNumElements() > small;
+  const bool large = (space || !alone) && space_->dofs()->owned()->getGlobalNumElements() > small;
   if (!chosen && large && take("block amg").empty()) return;
   if (const std::string reason = take("direct"); !reason.empty()) section.section("linear solver").fail(reason, "type");
 }

@@ -19,8 +19,9 @@ namespace mudline {
 /// The deck turned into objects: mesh, fields, terms, conditions, bodies, contacts, stages, solver; ready to step.
 class Model {
  public:
-  /// Builds and validates everything. InputError on every rank alike. Collective.
-  Model(RCP<const Comm> comm, const Section& deck, const Registries& registries);
+  /// Builds and validates everything. `parts_file`: the file of `mudline split` with the mesh; "": it is made here.
+  /// InputError on every rank alike. Collective.
+  Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const std::string& parts_file = "");
 
   const Mesh& mesh() const { return *mesh_; }
   const Space& space() const { return *space_; }
@@ -94,6 +95,9 @@ class Model {
   NewtonOptions newton_;
   std::set<std::string> active_conditions_;  // of the stage before
 };
+
+/// How the deck's mesh is made. InputError on whatever rank the entries are wrong.
+MeshRecipe mesh_recipe(const Section& deck, const Registries& registries);
 
 /// The deck's top-level sections.
 const std::vector<std::string>& deck_sections();

@@ -200,12 +200,16 @@ Report Run::report_terms() {
   }
   Report shares;
   for (const auto& condition : model_.conditions()) condition->reactions(model_.stepper().reaction(), shares);
-  const char* directions[] = {"driving force x", "driving force y", "driving moment"};
   for (const auto& [name, body] : model_.bodies()) {
     const BodyUnknowns& unknowns = body->unknowns();
-    for (int k = 0; k < unknowns.count; ++k)
-      shares["body/" + name + "/" + directions[unknowns.direction[k]]] = {
-          unknowns.direction[k] < 2 ? "N" : "N m", model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k]};
+    const int axes = body->dimension();
+    for (int k = 0; k < unknowns.count; ++k) {
+      const int direction = unknowns.direction[k];
+      const bool turns = direction >= axes;
+      const std::string axis = turns && axes == 2 ? "" : " " + std::string(axis_names[direction % axes]);
+      shares["body/" + name + (turns ? "/driving moment" : "/driving force") + axis] = {
+          turns ? "N m" : "N", model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k]};
+    }
   }
   for (const auto& [name, share] : shares)
     report[name] = {share.unit, sum_over_ranks(*model_.mesh().comm(), share.value)};

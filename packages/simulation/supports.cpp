@@ -203,11 +203,14 @@ void Supports::Collector::add_body_springs(double time) {
   for (std::size_t k = 0; k < motions_.size(); ++k) {
     const RigidBody* body = movers_[motions_[k].mover].body;
     if (!body) continue;
-    const auto& at = body->initial_position();
     const ReleasedMotion& motion = *supports_.model_.motion_in(stage_, body->name())->released();
-    const BodyLoad load = motion.load(body->properties(), {time, {at[0], at[1], 0}, {}});
+    const int direction = motions_[k].direction;
+    BodyInstant at;
+    at.time = time;
+    at.position = constant_vector(body->initial_position());
+    if (direction < body->dimension()) at.position[direction].d[direction] = 1;
     Row row(motions_.size(), 0.0);
-    row[k] = load.by_position[motions_[k].direction][motions_[k].direction] != 0 ? 1 : 0;
+    row[k] = along(motion.load(body->properties(), at), body->dimension(), direction).d[direction] != 0 ? 1 : 0;
     gram_.add(row);
   }
 }

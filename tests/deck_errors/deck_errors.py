@@ -203,6 +203,31 @@ class CommandLine(Answering):
                     "error: --set output/folder=deck.xml/results: output/folder: the folder 'deck.xml/results' cannot be made: "
                     "Not a directory")
 
+    def test_split(self):
+        split = ["split", "-q", "deck.xml", "--ranks"]
+        self.answer(["split", "deck.xml"], "error: --ranks is required (see mudline --help)")
+        self.answer(split + ["0"], "error: --ranks: Value 0 not in range 1 to 1000000 (see mudline --help)")
+        self.answer(split + ["10"], "error: deck.xml:3: mesh: the mesh has 9 elements, fewer than the 10 ranks; use fewer ranks or a finer mesh")
+        self.answer(split + ["2"], "error: split makes the whole mesh on one process: start it without mpirun", 2)
+        self.answer(split + ["2", "--set", "mesh/celss={4, 4}"],
+                    "error: --set mesh/celss={4, 4}: mesh/celss: unknown parameter (did you mean 'cells'?)")
+        self.assertEqual(os.listdir(self.folder), ["deck.xml"])
+
+    def test_mesh_parts(self):
+        check = ["check", "-q", "deck.xml", "--mesh-parts"]
+        for ranks in (1, 2):
+            self.answer(check + ["none.h5"], "error: none.h5: there is no such file of mesh parts; `mudline split` writes one", ranks)
+            self.answer(check + ["deck.xml"], "error: deck.xml: the mesh parts cannot be read: cannot open 'deck.xml' as an HDF5 file", ranks)
+        self.assertEqual(program(["split", "-q", "deck.xml", "--ranks", "2", "-o", "two.h5"], folder=self.folder).returncode, 0)
+        self.answer(check + ["two.h5"], "error: two.h5: the mesh was split for 2 ranks, but the run has 1; start it on 2, or run "
+                    "`mudline split` again with --ranks 1")
+        self.assertEqual(program(check + ["two.h5"], 2, self.folder).returncode, 0)
+        self.answer(check + ["two.h5", "--set", "mesh/cells={3, 4}"], "error: two.h5: the parts are those of another mesh: mesh/cells: {3, 4}, was "
+                    "{3, 3}; run `mudline split` again", 2)
+        self.assertEqual(program(["run", "-q", "deck.xml", "--steps", "1"], folder=self.folder).returncode, 0)
+        self.answer(["check", "-q", "deck.xml", "--mesh-parts", "results/deck.h5"],
+                    "error: results/deck.h5: no file of mesh parts, as `mudline split` writes it")
+
     def test_unknown_names(self):
         self.answer(["explain", "modified cam"], "error: nothing is called 'modified cam' (did you mean 'modified cam clay'?)")
         self.answer(["template", "bio"], "error: nothing is called 'bio' (did you mean 'biot'?)")

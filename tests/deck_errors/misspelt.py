@@ -64,7 +64,7 @@ DECKS = [
           at='value="value"'),
     Wrong("contact type", ('value="frictionless penalty"', 'value="frictional penalty"'),
           "contacts/ball on clay/type: unknown contact type 'frictional penalty' (did you mean 'frictionless penalty'?); "
-          "known types: penalty, frictionless penalty, node to segment, mortar"),
+          "known types: penalty, frictionless penalty, node to segment, point to face, mortar"),
     Wrong("contact body", ('value="ball"', 'value="bal"'), "contacts/ball on clay/body: unknown body 'bal' (did you mean 'ball'?)", ranks=BOTH),
     Wrong("contact surface", (parameter("surface", "string", "top"), parameter("surface", "string", "tip")),
           "contacts/ball on clay/surface: unknown side set 'tip' (did you mean 'top'?)"),

@@ -56,6 +56,13 @@ def with_ball(name, changes, message, surface=REVOLVED, more="", **where):
     return wrong(name, before("boundary conditions", text.replace("><", ">\n<") + "\n  "), message, **where)
 
 
+def with_pair(name, entry, message):
+    """Top and bottom of the box as two surfaces, with one entry more."""
+    both = parameter("slave", "string", "top") + parameter("master", "string", "bottom")
+    return wrong(name, before("boundary conditions", "\n".join([section("contacts"), section("face"), parameter("type", "string", "point to face"), both, entry,
+                                                                "</ParameterList>", "</ParameterList>"]) + "\n  "), message, at=entry)
+
+
 DECKS = [
     wrong("gravity of two numbers", (GRAVITY, parameter("gravity", "Array(double)", "{0.0, -9.81}")),
           "physics/ground/gravity: expected 3 numbers, as the mesh's 'geometry' is 'three-dimensional'; given 2", ranks=BOTH),
@@ -130,7 +137,11 @@ DECKS = [
     with_ball("quadrature beyond triangles", [(BODY, BODY + parameter("quadrature degree", "int", "9"))],
               "contacts/face/quadrature degree: on triangles the largest 'quadrature degree' is 8, given 9", at=parameter("quadrature degree", "int", "9")),
     with_ball("pair in space", [(CONTACT, parameter("type", "string", "mortar")), (BODY, parameter("slave", "string", "top") + parameter("master", "string", "bottom")), (parameter("surface", "string", "top"), "")],
-              "contacts/face/type: two deformable surfaces meet in the plane only; allowed in space: penalty, frictionless penalty", at=parameter("type", "string", "mortar")),
+              "contacts/face/type: is for the plane; allowed in space for two deformable surfaces: point to face", at=parameter("type", "string", "mortar")),
+    with_pair("pair with multipliers in space", parameter("enforcement", "string", "augmented Lagrangian"),
+              "contacts/face/enforcement: points have more multipliers than the surfaces have freedom; allowed with point to face: penalty"),
+    with_pair("pair of too high a degree", parameter("quadrature degree", "int", "9"), "contacts/face/quadrature degree: 9 is out of range; allowed: [1, 8]"),
+    with_pair("pair without a master", parameter("mster", "string", "bottom"), "contacts/face/mster: unknown parameter (did you mean 'master'?)"),
     with_ball("unknown body in space", [(BODY, parameter("body", "string", "bal"))], "contacts/face/body: unknown body 'bal' (did you mean 'ball'?)", at=parameter("body", "string", "bal")),
     wrong("mesh motion in space", with_section("mesh motion", "interior", parameter("type", "string", "elastic")),
           "mesh motion: not available in three dimensions yet"),

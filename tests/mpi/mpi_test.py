@@ -7,7 +7,9 @@ import numpy as np
 from mudline_case import ROOT, MudlineCase, deck_text, program
 
 DECK = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
+BLOCKS = os.path.join(ROOT, "inputs", "space", "sliding_blocks.xml")
 BALL = os.path.join(ROOT, "inputs", "space", "ball.xml")
+CYLINDERS = os.path.join(ROOT, "inputs", "contact", "cylinders.xml")
 IN_SPACE = os.path.join(ROOT, "tests", "mpi", "footing_in_space.xml")
 DIRECT = []
 REUSE = ["solver/linear solver/reuse factorisation=true"]
@@ -123,21 +125,50 @@ class Mpi(MudlineCase):
         self.assertEqual(self.content("parts"), self.content("whole"))
         self.assertEqual(len(whole.time), 6)
 
-    def test_ranks_contact_in_space(self):
-        """A rough ball pressed into clay and pushed sideways: columns of contact and body over the ranks, and after a restart."""
-        exact = ["solver/newton/largest forcing=0", "solver/linear tolerance=1e-11", "solver/residual tolerance=1e-10", "mesh/cells={6, 3, 2}", "stages/push/duration=1.4",
-                 "stages/push/time step/initial=0.2", "stages/push/time step/maximum=0.2"]
-        one = self.run_deck(BALL, exact)
-        names = [name for name in one.columns if name.startswith("contact/ball on soil/") and "points" not in name]
-        self.assertEqual(len([name for name in names if "friction" in name or "reaction" in name]), 9)
-        self.assertGreater(-one["contact/ball on soil/friction x"][-1], 100)
+    def check_contact_in_space(self, deck, exact, columns, steps):
+        """Columns of a deck's contact over the ranks, and after a restart on one and two."""
+        exact = exact + ["solver/newton/largest forcing=0", "solver/linear tolerance=1e-11"]
+        one = self.run_deck(deck, exact)
+        names = [name for name in one.columns if name.startswith("contact/") and "points" not in name]
+        self.assertEqual(len([name for name in names if "friction" in name or "reaction" in name or "force" in name]), columns)
         for ranks in (2, 4):
-            many = self.run_deck(BALL, exact, ranks=ranks)
+            many = self.run_deck(deck, exact, ranks=ranks)
             self.assert_same_run(one, many, names, f"{ranks} ranks")
         for ranks in (1, 2):
-            self.run_deck(BALL, exact + ["output/name=parts"], ranks=ranks, extra=("--steps", "7", "--overwrite"), name="parts")
-            again = self.run_deck(BALL, exact + ["output/name=parts"], ranks=ranks, extra=("--restart",), name="parts")
+            self.run_deck(deck, exact + ["output/name=parts"], ranks=ranks, extra=("--steps", str(steps), "--overwrite"), name="parts")
+            again = self.run_deck(deck, exact + ["output/name=parts"], ranks=ranks, extra=("--restart",), name="parts")
             self.assert_same_run(one, again, names, f"restart on {ranks} ranks")
+        return one
+
+    def test_ranks_contact_in_space(self):
+        """A rough ball pressed into clay and pushed sideways."""
+        exact = ["solver/residual tolerance=1e-10", "mesh/cells={6, 3, 2}", "stages/push/duration=1.4", "stages/push/time step/initial=0.2",
+                 "stages/push/time step/maximum=0.2"]
+        one = self.check_contact_in_space(BALL, exact, 9, 7)
+        self.assertGreater(-one["contact/ball on soil/friction x"][-1], 100)
+
+    def test_ranks_pair_in_space(self):
+        """A block dragged over another one."""
+        one = self.check_contact_in_space(BLOCKS, ["solver/residual tolerance=1e-10", "mesh/parameters/size=0.4", "stages/drag/duration=1.5"], 4, 12)
+        self.assertGreater(-one["contact/face/force on slave x"][-1], 100)
+
+    def test_split(self):
+        """A run that reads its parts from the file of `mudline split` is the run that cuts its mesh, bit for bit, in the plane and in space, with bodies and
+        with two surfaces in contact; and either may continue the other."""
+        for deck in (DECK, BALL, CYLINDERS):
+            name = os.path.splitext(os.path.basename(deck))[0]
+            for ranks in (2, 3):
+                parts = os.path.join(self.folder, f"{name}.{ranks}.parts.h5")
+                done = program(["split", deck, "--ranks", str(ranks)], 1, self.folder, 300)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertTrue(os.path.isfile(parts), done.stdout)
+                start = ["--overwrite", "--steps"]
+                self.run_deck(deck, ["output/name=plain"], ranks, start + ["3"], name="plain")
+                self.run_deck(deck, ["output/name=parts"], ranks, start + ["3", "--mesh-parts", parts], name="parts")
+                self.assertEqual(self.content("parts"), self.content("plain"), f"{name} on {ranks} ranks")
+            self.run_deck(deck, ["output/name=parts"], ranks, ["--restart", "--steps", "1"], name="parts")
+            self.run_deck(deck, ["output/name=plain"], ranks, ["--restart", "--steps", "1", "--mesh-parts", parts], name="plain")
+            self.assertEqual(self.content("parts"), self.content("plain"), f"{name}, continued")
 
     def test_restart_direct_2(self):
         self.check_restart(DIRECT, 2)

@@ -21,7 +21,7 @@ ARROWS = {
     "materials": ["core", "tensor"],
     "framework": ["core", "tensor", "algebra", "discretisation", "materials"],
     "physics": ["core", "tensor", "algebra", "discretisation", "materials", "framework"],
-    "bodies": ["core", "discretisation", "geometry", "framework"],
+    "bodies": ["core", "tensor", "discretisation", "geometry", "framework"],
     "contact": ["core", "tensor", "discretisation", "materials", "geometry", "framework", "bodies"],
     "ale": ["core", "tensor", "algebra", "discretisation", "materials", "geometry", "framework", "physics", "bodies"],
     "integrator": ["core", "tensor", "algebra", "discretisation", "framework"],

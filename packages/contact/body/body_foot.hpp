@@ -21,7 +21,16 @@ struct PointNumbers {
       if (body.direction[k] < D)
         arm[body.direction[k]] -= moved;
       else
-        turn[body.direction[k] - D] += moved;
+        turn_by(side.placement, body.direction[k] - D, moved);
+    }
+  }
+  /// In space the unknowns turn the body about its own axes.
+  void turn_by(const BodyPlacement& placement, int component, const T& angle) {
+    if constexpr (D == 2) {
+      turn[0] += angle;
+    } else {
+      const Point about = placement.turning(component);
+      for (int i = 0; i < 3; ++i) turn[i] += angle * about[i];
     }
   }
   SpatialVector<T, D> arm;  // [m] from the body's centre
@@ -64,6 +73,9 @@ struct BodyFoot<T, 2> {
     motion.shear_old = T(shear[0]);
   }
   PlaneVector<T> traction(const T& shear) const { return tangent * shear; }
+  /// A moment as the body's rotation feels it, and one of the start of the step.
+  static const T& felt(const T& moment, const BodyPlacement&) { return moment; }
+  static T felt_before(const Point& moment, const BodyPlacement&) { return T(moment[2]); }
   static Point plain_shear(const T& shear) { return {value(shear), 0, 0}; }
 
   T gap, advance;  // [m]; of the foot along the contour: 0, with derivatives
@@ -102,6 +114,19 @@ struct BodyFoot<T, 3> {
     motion.shear_old = transported(turned_on(turned(shear)), from);
   }
   const Vector& traction(const Vector& shear) const { return shear; }
+  /// A moment along the body's axes, which its rotations are about, and one of the start of the step.
+  Vector felt(const Vector& moment, const BodyPlacement& placement) const {
+    Vector result;
+    for (int i = 0; i < 3; ++i) {
+      Point axis;
+      for (int j = 0; j < 3; ++j) axis[j] = placement.turn.matrix[j][i];
+      result[i] = dot(turned_on(axis), moment);
+    }
+    return result;
+  }
+  static Vector felt_before(const Point& moment, const BodyPlacement& placement) {
+    return numbers<T>(placement.turn.back(moment));
+  }
   static Point plain_shear(const Vector& shear) { return {value(shear[0]), value(shear[1]), value(shear[2])}; }
 
   T gap;                // [m]

@@ -11,19 +11,6 @@
 
 namespace mudline {
 
-namespace {
-
-/// 1 at a node of a side, falling to 0 at half the side's length: positive weights, unlike the quadratic shapes.
-double nearness(const ContactRule& rule, int point, int node) {
-  const double half = is_simplex(rule.side) ? 0.5 : 1.0;  // in reference coordinates
-  const auto at = reference_node(rule.side, node);
-  double away = 0;
-  for (int k = 0; k < dimension(rule.side); ++k) away = std::max(away, std::abs(rule.xi[point][k] - at[k]) / half);
-  return std::max(0.0, 1 - away);
-}
-
-}  // namespace
-
 void PenaltyContact::declare_state(StateStore& store) {
   laws_.declare_state(store);
   body_->declare_state(store);

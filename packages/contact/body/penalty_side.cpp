@@ -31,7 +31,7 @@ struct SideAreas {
   }
 };
 
-/// Force on the soil and moment about the body's centre, as numbers.
+/// Force on the soil and moment about the body's centre as the body's unknowns feel it, as numbers.
 template <class T, int D>
 struct PointAction {
   SpatialVector<T, D> force = SpatialVector<T, D>::zero();
@@ -88,26 +88,12 @@ ContactMotion<T, D> motion_of_point(const SideContact& side, int c, const PointN
 }
 
 template <class T, int D>
-PointForce plain(const PointAction<T, D>& action) {
-  PointForce result;
-  for (int i = 0; i < D; ++i) result.force[i] = value(action.force[i]);
+void keep(const SpatialVector<T, D>& force, const Tangential<T, D>& moment, PointForce& to) {
+  for (int i = 0; i < D; ++i) to.force[i] = value(force[i]);
   if constexpr (D == 2)
-    result.moment[2] = value(action.moment);
+    to.moment[2] = value(moment);
   else
-    for (int i = 0; i < D; ++i) result.moment[i] = value(action.moment[i]);
-  return result;
-}
-
-/// The forces that a point had at the start of the step.
-template <class T, int D>
-PointAction<T, D> constant_action(const PointForce& was) {
-  PointAction<T, D> result;
-  for (int i = 0; i < D; ++i) result.force[i] = T(was.force[i]);
-  if constexpr (D == 2)
-    result.moment = T(was.moment[2]);
-  else
-    for (int i = 0; i < D; ++i) result.moment[i] = T(was.moment[i]);
-  return result;
+    for (int i = 0; i < D; ++i) to.moment[i] = value(moment[i]);
 }
 
 /// What a point's response means in forces: at the end of the step, and what comes on top in the mean over it.
@@ -117,16 +103,19 @@ void act(const SideContact& side, int c, const PointNumbers<T, D>& x, const Body
   const SpatialVector<T, D> friction = foot.traction(now.shear * x.area),
                             force = foot.normal * (now.pressure * x.area) + friction,
                             damping = foot.normal * now.damping;
-  const auto moment = cross(x.arm, force);
+  const auto in_space = cross(x.arm, force);
+  const auto moment = foot.felt(in_space, side.placement);
   end.add(force, moment);
   if (side.law.conserves) {
-    const PointAction<T, D> old = constant_action<T, D>(side.start[c].force);
+    PointAction<T, D> old;
+    for (int i = 0; i < D; ++i) old.force[i] = T(side.start[c].force.force[i]);
+    old.moment = BodyFoot<T, D>::felt_before(side.start[c].force.moment, side.placement_old);
     const T later = now.end_share - (1 - side.law.start_weight), sooner = now.start_share - side.law.start_weight;
     more.add(force * later, moment * later);
     more.add(old.force * sooner, old.moment * sooner);
   }
-  if (side.law.viscous > 0) more.add(damping, cross(x.arm, damping));
-  point.total = plain(end);
+  if (side.law.viscous > 0) more.add(damping, foot.felt(cross(x.arm, damping), side.placement));
+  keep<T, D>(force, in_space, point.total);
   for (int i = 0; i < D; ++i) {
     point.friction[i] = value(friction[i]);
     point.damping[i] = value(damping[i]);

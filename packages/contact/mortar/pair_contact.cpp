@@ -246,7 +246,7 @@ void PairContact::check(const Section& section) {
   const Mesh& mesh = space.mesh();
   displacement_ = space.find("displacement");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  check_two_sets(mesh, section, deck_.slave, deck_.master);
+  check_two_sets(mesh, 2, section, deck_.slave, deck_.master);
   deck_.check(section);
   read_laws_of_two(context_, section, laws_);
   laws_.check_linear(section, deck_.augmented(), false);
@@ -365,7 +365,7 @@ void PairContact::histories(const StepView& view, Report& values) {
     here.deepest = std::max(here.deepest, -rows(row, column::deepest));
   }
   const Comm& comm = *context_.space.mesh().comm();
-  const SlaveSums all = report_slave(comm, name(), deck_, here, values);
+  const SlaveSums all = report_slave(comm, 2, name(), deck_, here, values);
   const auto [gap, stretch, spring] = misfit(state).largest(comm);
   if (deck_.augmented()) values[name() + "/weighted gap"] = {"m", gap};
   if (!laws_.friction()) return;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/contact_surface.hpp"
-#include "contact/mortar/master_surface.hpp"
+#include "contact/master_surface.hpp"
 #include "contact/mortar/pair_segment.hpp"
 #include "contact/two_surfaces.hpp"
 

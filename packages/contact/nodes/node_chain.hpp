@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/mortar/master_surface.hpp"
+#include "contact/master_surface.hpp"
 
 namespace mudline {
 

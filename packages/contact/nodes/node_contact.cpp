@@ -19,18 +19,14 @@ void NodeParameters::parameters(Parameters& p) {
            "between two nodes to the "
            "next, with the node as control point; linear: straight from node to node; sides: the elements' own sides, "
            "straight or parabolic");
-  p.add("corner angle [deg]", corner_angle, "deg", Range{0, 180, true, false},
-        "Where straight lines between the master's nodes turn by more than this at the start, it has a corner, which "
-        "stays one");
+  declare_corner_angle(p, corner_angle);
   p.add("overhang", overhang, "-", non_negative(),
         "An open end of the master goes on for this fraction of its last piece");
   active_set.parameters(p);
   p.add(
       "two-pass", two_pass,
       "The master's nodes look for the slave too, and each pass has half of the forces; with 'enforcement' = penalty");
-  p.choice("impact", impact, {{"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
-           "Dynamic steps, 'enforcement' = penalty: nodes exert the share of their force that does the work of "
-           "the penalty spring (no impact adds energy), or what the integrator interpolates");
+  declare_impact(p, impact);
 }
 
 void NodeContact::document(Parameters& p) {
@@ -48,10 +44,10 @@ void NodeContact::check(const Section& section) {
   const Mesh& mesh = context_.space.mesh();
   displacement_ = context_.space.find("displacement");
   if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  check_two_sets(mesh, section, deck_.slave, deck_.master);
+  check_two_sets(mesh, 2, section, deck_.slave, deck_.master);
   deck_.check(section, deck_.active_set.outer());
   deck_.active_set.check(section);
-  if (deck_.active_set.outer() && section.has_parameter("impact") && deck_.impact == NodeParameters::Impact::conserving)
+  if (deck_.active_set.outer() && section.has_parameter("impact") && deck_.impact == PairImpact::conserving)
     section.fail(
         "conserving is for 'active set' = in newton: a node in tension has no share; allowed with outer loop: "
         "interpolated",
@@ -70,8 +66,7 @@ void NodeContact::check(const Section& section) {
     section.fail("has a meaning only with a smooth 'master surface'; allowed with it: hermite, bezier",
                  "corner angle [deg]");
   read_laws_of_two(context_, section, laws_);
-  laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(),
-                     deck_.impact == NodeParameters::Impact::conserving);
+  laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(), deck_.impact == PairImpact::conserving);
   passes_.push_back(
       std::make_unique<NodePass>(NodePassSettings{&context_, &deck_, &laws_, deck_.two_pass ? 0.5 : 1.0, name() + "/"},
                                  deck_.slave, deck_.master));
@@ -148,7 +143,7 @@ void NodeContact::histories(const StepView& view, Report& values) {
     here.deepest = std::max(here.deepest, pass.deepest(state));
   }
   const Comm& comm = *context_.space.mesh().comm();
-  const SlaveSums all = report_slave(comm, name(), deck_, here, values);
+  const SlaveSums all = report_slave(comm, 2, name(), deck_, here, values);
   if (deck_.augmented()) {
     const auto [gap, stretch, spring] = passes_[0]->misfit(state).largest(comm);
     values[name() + "/weighted gap"] = {"m", gap};

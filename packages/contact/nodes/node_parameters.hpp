@@ -9,14 +9,13 @@ namespace mudline {
 /// What the deck says of a node-to-segment contact, besides friction.
 struct NodeParameters : TwoSurfaceParameters {
   NodeParameters() : TwoSurfaceParameters(Enforcement::penalty) {}
-  enum class Impact { conserving, interpolated };
   void parameters(Parameters& p);
 
   Drawing drawing = Drawing::hermite;
   double corner_angle = 45;  // [deg]
   double overhang = 0.1;     // [-] of the last piece
   bool two_pass = false;
-  Impact impact = Impact::conserving;
+  PairImpact impact = PairImpact::conserving;
   ActiveSetParameters active_set;
 };
 

@@ -135,7 +135,7 @@ NodeCoordinates NodePass::coordinates(int row, int piece, const ConstCoordinateV
 
 bool NodePass::conserves(const StepView& view) const {
   return view.inertia && view.kind == StepView::Kind::step && !settings_.deck->augmented() && !active_set_.used() &&
-         settings_.deck->impact == NodeParameters::Impact::conserving;
+         settings_.deck->impact == PairImpact::conserving;
 }
 
 NodePass::Positions NodePass::positions(const StepView& view) const {

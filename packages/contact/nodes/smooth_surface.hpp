@@ -29,7 +29,10 @@ class SmoothSurface {
   /// At the start of a step: coefficients and boxes.
   void update(const ConstCoordinateView& x);
   /// Pieces whose nodes' box comes within `distance` [m] of a point, in ascending order.
-  std::vector<int> near(const PlanePoint& at, double distance) const { return boxes_.near({at, at}, distance); }
+  std::vector<int> near(const PlanePoint& at, double distance) const {
+    const Point x{at[0], at[1], 0};
+    return boxes_.near({x, x}, distance);
+  }
 
   /// The foot of a node on one of `candidates`; false where none of them faces it within `capture` [m]. `facing`: a
   /// direction along the slave surface, its body on the left.

@@ -181,7 +181,7 @@ TEST_P(EveryState, RigidMotionOfAllIsNotSeen) {
 }
 
 TEST(NodeSegment, OpenNodeHasNeitherForceNorStiffness) {
-  const std::vector<MasterSurface::MasterSide> sides{{2, {0, 1, -1}}};
+  const std::vector<MasterSurface::MasterSide> sides{{2, {0, 1}, CellShape::line2}};
   Coordinates x("x", 2, 2);
   x(0, 0) = 1;
   const SmoothSurface surface(sides, Drawing::linear, 1, 0.1, x);

@@ -106,12 +106,12 @@ TEST(CheckMesh, TwinNodesAreACrack) {
   mesh.side_sets["right face"] = {{0, 1, 3}};
   EXPECT_CONTAINS(seams(mesh), "a crack of twin nodes");
   // a contact of a surface with itself is refused where contacts are read, with the deck's line
-  mesh.pairs = {{"left face", "left face"}};
+  mesh.contacts.pairs = {{"left face", "left face"}};
   EXPECT_EQ(seams(mesh), "");
-  mesh.pairs = {{"right face", "left face"}};
+  mesh.contacts.pairs = {{"right face", "left face"}};
   EXPECT_EQ(seams(mesh), "");
   // a crack that is meant
-  mesh.pairs.clear();
+  mesh.contacts.pairs.clear();
   EXPECT_EQ(seams(mesh, {"left face"}), "");
   const MeshParts parts = mesh_parts(Mesh(world(), Geometry::plane_strain, mesh));
   EXPECT_EQ(parts.places.size(), 2u);

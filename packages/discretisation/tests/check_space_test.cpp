@@ -137,9 +137,9 @@ TEST(CheckSpace, TwinNodesAreACrack) {
   mesh.side_sets["left face"] = {{0, 0, 1}};
   mesh.side_sets["right face"] = {{0, 1, 0}};
   EXPECT_CONTAINS(seams(mesh), "a crack of twin nodes");
-  mesh.pairs = {{"right face", "left face"}};
+  mesh.contacts.pairs = {{"right face", "left face"}};
   EXPECT_EQ(seams(mesh), "");
-  mesh.pairs.clear();
+  mesh.contacts.pairs.clear();
   EXPECT_EQ(seams(mesh, {"left face"}), "");
   EXPECT_CONTAINS(seams(whole("hex8", 1, 1, 1), {"top"}), "no side of it lies beside another one");
   const MeshParts parts = mesh_parts(Mesh(world(), Geometry::space, mesh));

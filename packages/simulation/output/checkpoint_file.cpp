@@ -27,26 +27,6 @@ std::vector<long long> row_of(const MeshSignature& mesh) {
           mesh.local_nodes,  mesh.owned_nodes,     mesh.local_elements, mesh.numbering};
 }
 
-/// Array names may hold "/", which HDF5 would take for a group.
-std::string escaped(const std::string& name) {
-  std::string result;
-  for (char c : name) result += c == '/' ? "%2F" : c == '%' ? "%25" : std::string(1, c);
-  return result;
-}
-
-std::string unescaped(const std::string& link) {
-  std::string result;
-  for (std::size_t i = 0; i < link.size(); ++i) {
-    if (link[i] != '%') {
-      result += link[i];
-    } else {
-      result += link.compare(i, 3, "%2F") == 0 ? '/' : '%';
-      i += 2;
-    }
-  }
-  return result;
-}
-
 /// Numbers 0, n_0, n_0 + n_1, ...: where each rank's part begins.
 std::vector<long long> offsets_of(MPI_Comm comm, long long length) {
   int ranks = 1;
@@ -70,9 +50,9 @@ void write_arrays(MPI_Comm comm, hid_t file, const std::string& group,
   const auto values = h5::create_group(file, group), tables = h5::create_group(file, group + " offsets");
   for (const auto& [name, array] : arrays) {
     const std::vector<long long> offsets = offsets_of(comm, static_cast<long long>(array.size()));
-    h5::write(values, escaped(name), array, part(offsets, rank));
+    h5::write(values, h5::escaped(name), array, part(offsets, rank));
     const hsize_t length = offsets.size();
-    h5::write(tables, escaped(name), offsets, {length, 0, 0, rank == 0 ? length : 0});
+    h5::write(tables, h5::escaped(name), offsets, {length, 0, 0, rank == 0 ? length : 0});
   }
 }
 
@@ -82,15 +62,16 @@ std::map<std::string, std::vector<T>> read_arrays(int rank, hid_t file, const st
   std::map<std::string, std::vector<T>> arrays;
   const auto values = h5::open_group(file, group), tables = h5::open_group(file, group + " offsets");
   for (const std::string& link : h5::names(values))
-    arrays[unescaped(link)] = rank < 0 ? h5::read_all<T>(values, link)
-                                       : h5::read<T>(values, link, part(h5::read_all<long long>(tables, link), rank));
+    arrays[h5::unescaped(link)] = rank < 0
+                                      ? h5::read_all<T>(values, link)
+                                      : h5::read<T>(values, link, part(h5::read_all<long long>(tables, link), rank));
   return arrays;
 }
 
 std::map<std::string, std::string> read_texts(hid_t file) {
   std::map<std::string, std::string> texts;
   const auto group = h5::open_group(file, "texts");
-  for (const std::string& link : h5::names(group)) texts[unescaped(link)] = h5::read_text(group, link);
+  for (const std::string& link : h5::names(group)) texts[h5::unescaped(link)] = h5::read_text(group, link);
   return texts;
 }
 
@@ -110,8 +91,8 @@ void write_content(MPI_Comm comm, hid_t file, const MeshSignature& mesh, const C
   write_arrays(comm, file, "integers", data.integers);
   const auto scalars = h5::create_group(file, "scalars"), texts = h5::create_group(file, "texts");
   for (const auto& [name, value] : data.scalars)
-    h5::write(scalars, escaped(name), std::vector<double>{value}, {1, 0, 0, hsize_t(rank == 0)});
-  for (const auto& [name, text] : data.texts) h5::write_text(texts, escaped(name), text, rank);
+    h5::write(scalars, h5::escaped(name), std::vector<double>{value}, {1, 0, 0, hsize_t(rank == 0)});
+  for (const auto& [name, text] : data.texts) h5::write_text(texts, h5::escaped(name), text, rank);
 }
 
 std::string count(long long number, const std::string& thing) {
@@ -241,7 +222,7 @@ CheckpointData CheckpointReader::read(const std::string& path) const {
     data.integers = read_arrays<long long>(same_partition ? rank : -1, file, "integers");
     const auto scalars = h5::open_group(file, "scalars");
     for (const std::string& link : h5::names(scalars))
-      data.scalars[unescaped(link)] = h5::read_all<double>(scalars, link).at(0);
+      data.scalars[h5::unescaped(link)] = h5::read_all<double>(scalars, link).at(0);
     data.texts = read_texts(file);
   });
   return data;

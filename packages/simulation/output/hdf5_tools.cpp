@@ -140,6 +140,25 @@ std::string link_name(const std::string& name) {
   return result;
 }
 
+std::string escaped(const std::string& name) {
+  std::string result;
+  for (char c : name) result += c == '/' ? "%2F" : c == '%' ? "%25" : std::string(1, c);
+  return result;
+}
+
+std::string unescaped(const std::string& link) {
+  std::string result;
+  for (std::size_t i = 0; i < link.size(); ++i) {
+    if (link[i] != '%') {
+      result += link[i];
+    } else {
+      result += link.compare(i, 3, "%2F") == 0 ? '/' : '%';
+      i += 2;
+    }
+  }
+  return result;
+}
+
 template <class T>
 Handle write(hid_t parent, const std::string& name, const std::vector<T>& values, const Slab& slab) {
   const hsize_t dimensions[2] = {slab.rows, slab.columns};

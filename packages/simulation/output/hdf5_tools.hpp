@@ -52,6 +52,10 @@ std::vector<std::string> names(hid_t group);
 /// '_'.
 std::string link_name(const std::string& name);
 
+/// Names as links and back: in a name "/" is a letter, which HDF5 would take for a group.
+std::string escaped(const std::string& name);
+std::string unescaped(const std::string& link);
+
 /// Where this rank's rows lie in a dataset.
 struct Slab {
   hsize_t rows, columns;         // of the whole dataset; columns 0: one-dimensional

@@ -10,6 +10,7 @@ set(simulation_output_sources
   output/hdf5_tools.cpp
   output/history_file.cpp
   output/id_order.cpp
+  output/mesh_parts_file.cpp
   output/result_lock.cpp
   output/seal.cpp
   output/whole_file.cpp

@@ -91,24 +91,33 @@ class BoxMesh:
 
     def write(self, path):
         """Gmsh's format 2.2, with the region "soil" and the six sides."""
-        used, index = np.unique(self.cells, return_inverse=True)
-        index = index.reshape(self.cells.shape)
-        order = GMSH_TET if self.cell.startswith("tet") else GMSH_HEX
-        order = order[:self.cells.shape[1]]
-        with open(path, "w") as file:
-            file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n7\n" +
-                       "".join(f'2 {i + 1} "{name}"\n' for i, name in enumerate(SIDES)) + '3 7 "soil"\n$EndPhysicalNames\n')
-            file.write(f"$Nodes\n{len(used)}\n" + "".join(
-                f"{i + 1} {x!r} {y!r} {z!r}\n" for i, (x, y, z) in enumerate(self.nodes[used].tolist())) + "$EndNodes\n")
-            lines = []
-            for i, name in enumerate(SIDES):
-                for side in np.searchsorted(used, self.sides[name]):
-                    lines.append((GMSH_SIDE[self.cell], i + 1, side))
-            lines += [(GMSH_TYPE[self.cell], 7, cell[order]) for cell in index]
-            file.write(f"$Elements\n{len(lines)}\n" + "".join(
-                f"{k + 1} {kind} 2 {tag} {tag} {' '.join(str(n + 1) for n in cell)}\n" for k, (kind, tag, cell) in enumerate(lines)))
-            file.write("$EndElements\n")
-        return path
+        return write_boxes(path, {"": self})
+
+
+def write_boxes(path, boxes):
+    """Boxes of one kind of cell that share no nodes, by name, in Gmsh's format 2.2: each one a region (the box without a name is
+    "soil") with sides called "name side"."""
+    names, nodes, lines, first = [], [], [], 1
+    for box_name, box in boxes.items():
+        used, index = np.unique(box.cells, return_inverse=True)
+        index = index.reshape(box.cells.shape)
+        order = (GMSH_TET if box.cell.startswith("tet") else GMSH_HEX)[:box.cells.shape[1]]
+        for side_name in SIDES:
+            names.append((2, f"{box_name} {side_name}".strip()))
+            lines += [(GMSH_SIDE[box.cell], len(names), first + side) for side in np.searchsorted(used, box.sides[side_name])]
+        names.append((3, box_name or "soil"))
+        lines += [(GMSH_TYPE[box.cell], len(names), first + cell[order]) for cell in index]
+        nodes += box.nodes[used].tolist()
+        first += len(used)
+    with open(path, "w") as file:
+        file.write(f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{len(names)}\n" +
+                   "".join(f'{d} {i + 1} "{name}"\n' for i, (d, name) in enumerate(names)) + "$EndPhysicalNames\n")
+        file.write(f"$Nodes\n{len(nodes)}\n" + "".join(f"{i + 1} {x!r} {y!r} {z!r}\n" for i, (x, y, z) in enumerate(nodes)) +
+                   "$EndNodes\n")
+        file.write(f"$Elements\n{len(lines)}\n" + "".join(
+            f"{k + 1} {kind} 2 {tag} {tag} {' '.join(str(n) for n in cell)}\n" for k, (kind, tag, cell) in enumerate(lines)))
+        file.write("$EndElements\n")
+    return path
 
 
 def _shapes(shape, xi):

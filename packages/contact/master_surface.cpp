@@ -1,4 +1,4 @@
-#include "contact/mortar/master_surface.hpp"
+#include "contact/master_surface.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -8,12 +8,12 @@
 namespace mudline {
 
 MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
-  constexpr int width = 4;  // count, then global nodes
+  constexpr int width = 10;  // shape, then global nodes
   std::vector<long long> mine;
   for (const Side& side : mesh.side_sets().at(side_set)) {
     const ElementBlock& block = mesh.blocks()[side.block];
     const std::vector<int> nodes = side_nodes(block.shape, side.side);
-    mine.push_back(static_cast<long long>(nodes.size()));
+    mine.push_back(static_cast<long long>(side_shape(block.shape)));
     for (int i = 0; i < width - 1; ++i)
       mine.push_back(i < static_cast<int>(nodes.size()) ? mesh.node_ids()[block.nodes(side.element, nodes[i])] : -1);
   }
@@ -37,7 +37,8 @@ MasterSurface::MasterSurface(const Mesh& mesh, const std::string& side_set) {
   std::unordered_map<long long, int> local;
   for (int node = 0; node < mesh.num_nodes(); ++node) local[mesh.node_ids()[node]] = node;
   for (const auto& row : rows) {
-    MasterSide side{static_cast<int>(row[0]), {-1, -1, -1}};
+    const auto shape = static_cast<CellShape>(row[0]);
+    MasterSide side{num_nodes(shape), {}, shape};
     for (int a = 0; a < side.count; ++a) {
       const auto found = local.find(row[1 + a]);
       if (found == local.end()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/box_search.hpp"
+#include "discretisation/shapes.hpp"
 
 namespace mudline {
 
@@ -15,8 +16,9 @@ class MasterSurface {
   MasterSurface(const Mesh& mesh, const std::string& side_set);
 
   struct MasterSide {
-    int count;    // nodes: 2, or 3 with the middle last
-    int node[3];  // local
+    int count;    // nodes
+    int node[9];  // local, in the order of the shape
+    CellShape shape = CellShape::line2;
   };
   /// In an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
   const std::vector<MasterSide>& sides() const { return sides_; }

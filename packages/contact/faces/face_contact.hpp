@@ -1,0 +1,140 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "contact/faces/master_faces.hpp"
+#include "contact/two_surfaces.hpp"
+
+namespace mudline {
+
+/// What the deck says of a contact of points and faces, besides friction.
+struct FaceParameters : TwoSurfaceParameters {
+  FaceParameters() : TwoSurfaceParameters(Enforcement::penalty) {}
+  void parameters(Parameters& p);
+
+  double corner_angle = 45;   // [deg]
+  int quadrature_degree = 4;  // exact for the pressure of a linear gap on quadratic triangles
+  PairImpact impact = PairImpact::conserving;
+};
+
+/// Contact of two deformable surfaces in space by a penalty: the Gauss points of the slave's sides against the master's
+/// faces, whose normals are smoothed, R_u -= (x - y(xi))_{,u} . (t n + s) A at n+1 with the point's area A, see
+/// face_force(). Forces on both surfaces cancel to rounding, their moments but for the gap times the friction.
+///
+/// Parallel: a rank computes its slave sides against the whole master surface, whose nodes it has as ghosts (SetPairs).
+/// State arrays, prefix "contact/<name>/": "points", see face_column, a row per point; "penalty", a row per slave side,
+/// frozen when the contact first starts a step; "damping" (with damping, one row: its heat so far).
+class FaceContact : public Contact {
+ public:
+  explicit FaceContact(const ContactContext& context) : context_(context) {}
+  static void document(Parameters& p);
+  void parameters(Parameters& p);
+  /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, multipliers, friction on the
+  /// effective traction of surfaces with pore pressure. Collective.
+  void check(const Section& section);
+
+  std::string name() const override { return "contact/" + name_; }
+  ContactPartners partners() const override {
+    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
+  }
+  void declare_state(StateStore& store) override;
+  void sparsity(Assembler& assembler) override;
+  void begin(const StepView& view) override;
+  bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
+  void predicting(bool on) override { predicting_ = on; }
+  int residual(const StepView& view, const ResidualView& f) override;
+  void correction(const StepView& view, const ResidualView& f) override;
+  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+  Augmentation augment(const StepView&, int) override { return {}; }
+  std::string hint(const StepView& view) const override;
+  void histories(const StepView& view, Report& values) override;
+  double step_limit(const State& committed, double dt) const override;
+  /// Meshes in space do not move.
+  void relocate(const ConstCoordinateView&, State&) override {}
+  void adopt(const State& evaluated, State& committed) override;
+  std::vector<double> nodal_pressure(const State& state) const override;
+  std::vector<double> nodal_shear(const State& state) const override;
+
+ private:
+  struct Row {
+    int side, point;  // of the slave; of its rule
+    double area = 0;  // [m2] at the start of the step
+    Point outward{};  // of the slave there
+  };
+  struct Seen {
+    int face = -1, place = -1;  // place: in the dof table, -1: none
+    FaceFoot foot;
+  };
+  /// Where gaps are measured, at both ends of the step.
+  struct Positions {
+    ConstCoordinateView old, end;
+  };
+  /// Slave nodes, then those of the face: d = sum_k weight_k x_k.
+  struct Weights {
+    int count;
+    double at[2 * max_side_nodes];
+  };
+  const ContactRule& rule(int row) const { return rules_.at(slave_->sides()[rows_[row].side].shape); }
+  Point slave_place(int row, const ConstCoordinateView& x) const;
+  Weights weights(int row, int nodes, const double* of_face) const;
+  void measure(const ConstCoordinateView& x);
+  bool look(int row, const ConstCoordinateView& x, Seen& seen) const;
+  int place(int row, int face) const;
+  bool conserves(const StepView& view) const;
+  Positions positions(const StepView& view) const;
+  ContactPointLaw law(const StepView& view, int row) const;
+  void evaluate(const StepView& view, const Positions& at, int row, const Seen& seen, bool want_tangent,
+                FaceForce& out) const;
+  void write(const StepView& view, int row, const Seen& seen, const FaceForce& force) const;
+  void write_away(const StepView& view, int row) const;
+  void remember(int place, const Weights& weights, double factor, const Point& force);
+  /// A point that pressed at the start of the step exerts the share of that force, not what the integrator takes of it.
+  void add_old_share(const StepView& view, int row, double share);
+  void add_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen, const FaceForce& force,
+                   double weight) const;
+  /// Those of the foot where the point pressed at the start of the step.
+  Weights old_weights(const State& committed, int row) const;
+  std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
+
+  ContactContext context_;
+  FaceParameters deck_;
+  ContactLaws laws_;
+  std::string name_;
+  std::unique_ptr<ContactSurface> slave_;
+  std::unique_ptr<MasterFaces> master_;
+  std::map<CellShape, ContactRule> rules_;
+  std::vector<Row> rows_;
+  std::vector<std::vector<int>> candidates_;     // (slave side)
+  std::unordered_map<long long, int> place_of_;  // (slave side, face)
+  ElementDofs dofs_;
+  int group_ = -1, displacement_ = -1;
+  double capture_ = 0;                              // [m]
+  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
+  bool predicting_ = false, beyond_reach_ = false;
+  int points_ = -1, penalties_ = -1, damping_ = -1;  // state handles
+};
+
+/// Columns of the points.
+namespace face_column {
+enum : int {
+  gap,
+  pressure,
+  slides,
+  slip,
+  heat,
+  area,
+  face,
+  xi,
+  shear = xi + 2,
+  normal = shear + 3,
+  force = normal + 3
+};
+}
+
+}  // namespace mudline

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact/faces/face_point.hpp"
+#include "contact/master_surface.hpp"
+
+namespace mudline {
+
+/// The faces of a side set in space as points of another surface see them. The normal at a node is the mean of those of
+/// the faces around, but for faces on the other side of a corner.
+class MasterFaces {
+ public:
+  /// Corners: edges and nodes where faces' normals differ by more than `corner_angle` [rad] at x. Collective.
+  MasterFaces(const Mesh& mesh, const std::string& side_set, double corner_angle);
+
+  const MasterSurface& surface() const { return surface_; }
+  int size() const { return static_cast<int>(surface_.sides().size()); }
+  /// Faces whose boxes come within `distance` [m] of the box, in ascending order.
+  std::vector<int> near(const BoxSearch::Corners& box, double distance) const { return surface_.near(box, distance); }
+
+  /// At the start of a step: normals of nodes and boxes.
+  void update(const ConstCoordinateView& x);
+  /// A face with its nodes at x and the normals of the last update().
+  MasterFace face(int index, const ConstCoordinateView& x) const;
+
+  /// The nearest foot of a point on one of `candidates`; false where none of them faces it within `capture` [m].
+  /// `outward`: of the point's own surface.
+  bool find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
+            const ConstCoordinateView& x, int& index, FaceFoot& foot) const;
+
+ private:
+  struct Corner {
+    int face, node;  // node: of the face, in the order of its shape
+  };
+  Point normal_at(int face, int node, const ConstCoordinateView& x) const;
+
+  MasterSurface surface_;
+  std::vector<std::vector<std::vector<Corner>>> around_;  // (face, node) the faces that share the normal there
+  std::vector<SideCoordinates> normals_;                  // (face, node)
+};
+
+}  // namespace mudline
