@@ -1,6 +1,7 @@
 #include "algebra/amg.hpp"
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <TpetraExt_MatrixMatrix.hpp>
 
 #include <cstdlib>
@@ -14,6 +15,19 @@ namespace {
 // Eigenvalue estimates start from random vectors; a fixed seed makes every set-up, and so a restarted run, repeatable.
 void fix_random_start() { std::srand(1); }
 
+/// True if no unknown depends on another one: all of them are prescribed.
+bool is_diagonal(const CrsMatrix& matrix) {
+  const auto local = matrix.getLocalMatrixHost();
+  int couplings = 0, all = 0;
+  for (LocalOrdinal row = 0; row < local.numRows() && couplings == 0; ++row) {
+    const LocalOrdinal diagonal = matrix.getColMap()->getLocalElement(matrix.getRowMap()->getGlobalElement(row));
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
+      if (local.graph.entries(k) != diagonal && local.values(k) != 0) couplings = 1;
+  }
+  Teuchos::reduceAll(*matrix.getComm(), Teuchos::REDUCE_MAX, 1, &couplings, &all);
+  return all == 0;
+}
+
 Teuchos::ParameterList multigrid_list(const AmgInput& input) {
   Teuchos::ParameterList list;
   list.set("verbosity", "none");
@@ -25,11 +39,17 @@ Teuchos::ParameterList multigrid_list(const AmgInput& input) {
   smoother.set("relaxation: sweeps", 1);
   // One level more or less is worth six outer iterations at 200 000 unknowns, so the coarse size is the same for all.
   list.set("coarse: max size", 1000);
-  if (parallel_klu2_is_wrong && input.matrix->getComm()->getSize() > 1) {
+  const auto relax_coarsest = [&](int sweeps) {
     list.set("coarse: type", "RELAXATION");
     Teuchos::ParameterList& coarse = list.sublist("coarse: params");
     coarse.set("relaxation: type", "Symmetric Gauss-Seidel");
-    coarse.set("relaxation: sweeps", 40);
+    coarse.set("relaxation: sweeps", sweeps);
+  };
+  if (is_diagonal(*input.matrix)) {  // nothing to aggregate; one sweep is the inverse
+    list.set("max levels", 1);
+    relax_coarsest(1);
+  } else if (parallel_klu2_is_wrong && input.matrix->getComm()->getSize() > 1) {
+    relax_coarsest(40);
   }
   Teuchos::ParameterList& user = list.sublist("user data");
   if (!input.null_space.is_null()) user.set("Nullspace", input.null_space);

@@ -12,7 +12,7 @@ namespace mudline {
 struct PlacedSurface {
   std::shared_ptr<const Surface> surface;
   Point position{};  // [m]
-  Rotation rotation;
+  Rotation rotation{};
 
   Point to_frame(const Point& x) const { return rotation.back(minus(x, position)); }
   Point from_frame(const Point& x) const { return plus(position, 1, rotation(x)); }

@@ -56,6 +56,17 @@ def with_ball(name, changes, message, surface=REVOLVED, more="", **where):
     return wrong(name, before("boundary conditions", text.replace("><", ">\n<") + "\n  "), message, **where)
 
 
+FREE = parameter("type", "string", "free")
+MASS = parameter("mass", "double", "1e3")
+INERTIA = parameter("inertia tensor", "Array(double)", "{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}")
+CUP = REVOLVED.replace(SPHERE, parameter("type", "string", "polyline") + parameter("points", "Array(double)", "{0.0, -1.0, 1.0, 0.0}")).replace(parameter("diameter", "double", "2.0"), "")
+
+
+def with_free(name, entries, message, mass=MASS, at=None, **where):
+    """The ball set free, with entries of its motion more."""
+    return with_ball(name, [(MOTION, mass + "\n" + section("motion") + FREE + "".join(entries))], message, at=at or entries[0], **where)
+
+
 def with_pair(name, entry, message):
     """Top and bottom of the box as two surfaces, with one entry more."""
     both = parameter("slave", "string", "top") + parameter("master", "string", "bottom")
@@ -124,8 +135,46 @@ DECKS = [
     with_ball("cylinder that lies in space", [(SPHERE, parameter("type", "string", "cylinder"))],
               "bodies/ball/surface/contour/type: 'cylinder' lies across the plane, and turned around an axis it is another body; a sphere is called so, a disc is a 'flat pile' or a 'polyline', a bar a 'box'", at=parameter("type", "string", "cylinder")),
     with_ball("misspelt surface", [("revolved", "revolfed")], "bodies/ball/surface/type: unknown surface type 'revolfed' (did you mean 'revolved'?); known types: revolved, box, union, triangulation", at=parameter("type", "string", "revolfed")),
-    with_ball("free body in space", [(MOTION, section("motion") + parameter("type", "string", "free"))],
-              "bodies/ball/motion/type: a body in space moves as prescribed; allowed: held, prescribed displacement, prescribed velocity", at=parameter("type", "string", "free")),
+    with_free("free body without a mass", [], "bodies/ball/motion/type: a free body needs a 'mass' greater than 0", at=FREE, mass="", ranks=BOTH),
+    with_free("unknown freedom in space", [parameter("freedom", "Array(string)", "{x, rotation}")],
+              "bodies/ball/motion/freedom: unknown direction 'rotation'; known: x, y, z, rotation x, rotation y, rotation z"),
+    with_free("no freedom in space", [parameter("freedom", "Array(string)", "{}")],
+              "bodies/ball/motion/freedom: a body without a free direction has the motion 'held'"),
+    with_free("moment on a body that does not turn", [parameter("moment y", "double", "1.0"), parameter("freedom", "Array(string)", "{x, y, z}")],
+              "bodies/ball/motion/moment y: the body does not move in this direction (its 'freedom' lacks rotation y)"),
+    with_free("force on a body that does not yield", [parameter("force z", "double", "1.0"), parameter("freedom", "Array(string)", "{x, y}")],
+              "bodies/ball/motion/force z: the body does not move in this direction (its 'freedom' lacks z)"),
+    with_free("moment of the plane in space", [parameter("moment", "double", "1.0")],
+              "bodies/ball/motion/moment: unknown parameter (did you mean 'moment x'?)"),
+    with_free("spin of a body that does not turn", [parameter("initial spin", "Array(double)", "{0.0, 1.0, 0.0}"), parameter("freedom", "Array(string)", "{z}")],
+              "bodies/ball/motion/initial spin: the body does not move in this direction (its 'freedom' lacks rotation x)"),
+    with_free("spin of one number", [parameter("initial spin", "double", "1.0")],
+              "bodies/ball/motion/initial spin: expected an array of numbers (Array(double)), given the number 1"),
+    with_free("initial velocity of the plane", [parameter("initial velocity", "Array(double)", "{0.0, 1.0}")],
+              "bodies/ball/motion/initial velocity: expected 3 numbers, as the mesh's 'geometry' is 'three-dimensional'; given 2"),
+    with_free("prescribed spin of a body that turns freely", [section("prescribed velocity"), parameter("spin y", "double", "1.0"), "</ParameterList>"],
+              "bodies/ball/motion/prescribed velocity: the body rotates freely about all of its axes: it takes no prescribed spin", at=section("prescribed velocity")),
+    with_free("prescribed velocity of a body that moves freely", [section("prescribed velocity"), parameter("velocity z", "double", "1.0"), "</ParameterList>"],
+              "bodies/ball/motion/prescribed velocity/velocity z: the body moves freely in this direction", at=parameter("velocity z", "double", "1.0")),
+    with_free("load without a point", [section("loads"), section("eye"), parameter("force x", "double", "1.0"), "</ParameterList>", "</ParameterList>"],
+              "bodies/ball/motion/loads/eye: required parameter 'point' is missing", at=section("eye")),
+    with_free("load at a point of the plane", [section("loads"), section("eye"), parameter("point", "Array(double)", "{0.0, 1.0}"), "</ParameterList>", "</ParameterList>"],
+              "bodies/ball/motion/loads/eye/point: expected 3 numbers, as the mesh's 'geometry' is 'three-dimensional'; given 2", at=parameter("point", "Array(double)", "{0.0, 1.0}")),
+    with_free("load by a wrong name", [section("loads"), section("eye"), parameter("point", "Array(double)", "{0.0, 0.0, 1.0}"), parameter("forces x", "double", "1.0"), "</ParameterList>", "</ParameterList>"],
+              "bodies/ball/motion/loads/eye/forces x: unknown parameter (did you mean 'force x'?)", at=parameter("forces x", "double", "1.0")),
+    with_free("loads without a name", [section("loads"), parameter("force x", "double", "1.0"), "</ParameterList>"],
+              "bodies/ball/motion/loads/force x: unknown parameter", at=parameter("force x", "double", "1.0")),
+    with_free("drag by axis and for all", [section("water"), parameter("density", "double", "1e3"), parameter("drag coefficient", "double", "1.0"), parameter("drag coefficients", "Array(double)", "{1.0, 1.0, 1.0}"), "</ParameterList>"],
+              "bodies/ball/motion/water/drag coefficients: there is a 'drag coefficient' for all directions", at=parameter("drag coefficients", "Array(double)", "{1.0, 1.0, 1.0}")),
+    with_free("drag along two axes", [section("water"), parameter("density", "double", "1e3"), parameter("drag coefficients", "Array(double)", "{1.0, 1.0}"), "</ParameterList>"],
+              "bodies/ball/motion/water/drag coefficients: needs three numbers, along the body's x, y and z axes", at=parameter("drag coefficients", "Array(double)", "{1.0, 1.0}")),
+    with_free("drag moments without water", [section("water"), parameter("drag moments", "Array(double)", "{1.0, 1.0, 1.0}"), "</ParameterList>"],
+              "bodies/ball/motion/water/drag moments: there is no water: its 'density' is 0 or missing", at=parameter("drag moments", "Array(double)", "{1.0, 1.0, 1.0}")),
+    with_free("mudline in space", [section("water"), parameter("density", "double", "1e3"), parameter("mudline", "double", "2.0"), "</ParameterList>"],
+              "bodies/ball/motion/water/mudline: a body in space is wholly in the water: it takes no 'mudline'", at=parameter("mudline", "double", "2.0")),
+    with_free("water in an open cup", [section("water"), parameter("density", "double", "1e3"), "</ParameterList>"],
+              "bodies/ball/motion/water/density: the body's surface is open: its buoyancy needs a 'volume' of the body", at=parameter("density", "double", "1e3"), surface=CUP, mass=MASS + INERTIA),
+    with_free("open cup without an inertia tensor", [], "bodies/ball/motion/type: the body's surface is open: a body that may rotate needs an 'inertia tensor'", at=FREE, surface=CUP),
     with_ball("misspelt rotation", [(MOTION, MOTION + parameter("rotation w", "double", "1.0"))],
               "bodies/ball/motion/rotation w: unknown parameter (did you mean 'rotation x'?)", at=parameter("rotation w", "double", "1.0")),
     with_ball("body in the ground", [("{1.0, 1.0, 2.0}", "{1.0, 1.0, 1.0}")],

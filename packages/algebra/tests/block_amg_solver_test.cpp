@@ -37,6 +37,11 @@ TEST(BlockAmg, NoDrainedBoundary) {
   EXPECT_LE(cases::check_block_amg(settings), 33);
 }
 
+TEST(BlockAmg, FieldsThatArePrescribedThroughout) {
+  cases::check_prescribed_fields();
+  cases::check_prescribed_fields_in_space();
+}
+
 TEST(BlockAmg, DrySoil) {
   model::Settings settings = at(1e-2);
   settings.fluid = false;

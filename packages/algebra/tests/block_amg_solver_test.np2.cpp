@@ -21,6 +21,11 @@ TEST(BlockAmgTwoRanks, UndrainedAndImpermeable) {
   EXPECT_LE(cases::check_block_amg(settings), 33);
 }
 
+TEST(BlockAmgTwoRanks, FieldsThatArePrescribedThroughout) {
+  cases::check_prescribed_fields();
+  cases::check_prescribed_fields_in_space();
+}
+
 TEST(BlockAmgTwoRanks, DrySoil) {
   model::Settings settings = at(1e-2);
   settings.fluid = false;

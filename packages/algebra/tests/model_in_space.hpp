@@ -298,7 +298,8 @@ inline void ProblemInSpace::number() {
   for (std::size_t a = 0; a < fields[0].node_ids.size(); ++a) {
     const std::array<int, 3> at = position(fields[0].node_ids[a]);
     for (int d = 0; d < 3; ++d)
-      constrained(dofs_->dof(0, static_cast<int>(a)) + d) = at[2] == 0 || (d < 2 && (at[d] == 0 || at[d] == end));
+      constrained(dofs_->dof(0, static_cast<int>(a)) + d) =
+          settings_.soil_held || at[2] == 0 || (d < 2 && (at[d] == 0 || at[d] == end));
     if (static_cast<int>(a) >= fields[0].num_owned) continue;
     for (int d = 0; d < 3; ++d) coordinates_.push_back(half_step(d) * at[d]);
     // Every edge runs from its end of smaller coordinates to that of the larger ones.
@@ -310,7 +311,8 @@ inline void ProblemInSpace::number() {
   }
   if (settings_.fluid && settings_.drained_top)
     for (std::size_t a = 0; a < fields[1].node_ids.size(); ++a)
-      if (position(fields[1].node_ids[a])[2] == end) constrained(dofs_->dof(1, static_cast<int>(a))) = 1;
+      if (settings_.drained_throughout || position(fields[1].node_ids[a])[2] == end)
+        constrained(dofs_->dof(1, static_cast<int>(a))) = 1;
   constrained_ = constrained;
 
   Kokkos::View<int**, Kokkos::LayoutRight> element_dofs("element dofs", elements_.size(), settings_.fluid ? 34 : 30);

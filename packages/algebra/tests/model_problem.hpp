@@ -29,6 +29,7 @@ struct Settings {
   bool inertia = true;
   bool fluid = true;  // false: displacement only
   bool drained_top = true;
+  bool soil_held = false, drained_throughout = false;  // every displacement, every pressure prescribed
   std::function<double(double, double)> stiffness = [](double, double) { return 1.0; };     // factor at (x, y)
   std::function<double(double, double)> permeability = [](double, double) { return 1.0; };  // factor at (x, y)
   double skew = 0;  // an unsymmetric part added to the stress-strain matrix, as a factor of E
@@ -282,8 +283,8 @@ inline void Problem::number() {
   for (std::size_t k = 0; k < displacement.node_ids.size(); ++k) {
     const int i = static_cast<int>(displacement.node_ids[k] % line),
               j = static_cast<int>(displacement.node_ids[k] / line);
-    constrained(dofs_->dof(0, k)) = i == 0 || i == line - 1 || j == 0;
-    constrained(dofs_->dof(0, k) + 1) = j == 0;
+    constrained(dofs_->dof(0, k)) = settings_.soil_held || i == 0 || i == line - 1 || j == 0;
+    constrained(dofs_->dof(0, k) + 1) = settings_.soil_held || j == 0;
     if (static_cast<int>(k) >= displacement.num_owned) continue;
     coordinates_.push_back(0.5 * step() * i);
     coordinates_.push_back(0.5 * step() * j);
@@ -296,7 +297,7 @@ inline void Problem::number() {
   }
   if (settings_.fluid && settings_.drained_top)
     for (std::size_t k = 0; k < pressure.node_ids.size(); ++k)
-      if (pressure.node_ids[k] / line == line - 1) constrained(dofs_->dof(1, k)) = 1;
+      if (settings_.drained_throughout || pressure.node_ids[k] / line == line - 1) constrained(dofs_->dof(1, k)) = 1;
   constrained_ = constrained;
 
   const int size = settings_.fluid ? 15 : 12;
