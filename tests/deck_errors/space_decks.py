@@ -59,7 +59,7 @@ def with_ball(name, changes, message, surface=REVOLVED, more="", **where):
 FREE = parameter("type", "string", "free")
 MASS = parameter("mass", "double", "1e3")
 INERTIA = parameter("inertia tensor", "Array(double)", "{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}")
-CUP = REVOLVED.replace(SPHERE, parameter("type", "string", "polyline") + parameter("points", "Array(double)", "{0.0, -1.0, 1.0, 0.0}")).replace(parameter("diameter", "double", "2.0"), "")
+CUP = REVOLVED.replace(SPHERE, parameter("type", "string", "polyline") + parameter("x", "Array(double)", "{0.0, 1.0}") + parameter("y", "Array(double)", "{0.0, 1.0}")).replace(parameter("diameter", "double", "2.0"), "")
 
 
 def with_free(name, entries, message, mass=MASS, at=None, **where):
@@ -163,18 +163,24 @@ DECKS = [
     with_free("load by a wrong name", [section("loads"), section("eye"), parameter("point", "Array(double)", "{0.0, 0.0, 1.0}"), parameter("forces x", "double", "1.0"), "</ParameterList>", "</ParameterList>"],
               "bodies/ball/motion/loads/eye/forces x: unknown parameter (did you mean 'force x'?)", at=parameter("forces x", "double", "1.0")),
     with_free("loads without a name", [section("loads"), parameter("force x", "double", "1.0"), "</ParameterList>"],
-              "bodies/ball/motion/loads/force x: unknown parameter", at=parameter("force x", "double", "1.0")),
+              "bodies/ball/motion/loads/force x: unknown parameter; none is allowed here", at=parameter("force x", "double", "1.0")),
     with_free("drag by axis and for all", [section("water"), parameter("density", "double", "1e3"), parameter("drag coefficient", "double", "1.0"), parameter("drag coefficients", "Array(double)", "{1.0, 1.0, 1.0}"), "</ParameterList>"],
               "bodies/ball/motion/water/drag coefficients: there is a 'drag coefficient' for all directions", at=parameter("drag coefficients", "Array(double)", "{1.0, 1.0, 1.0}")),
     with_free("drag along two axes", [section("water"), parameter("density", "double", "1e3"), parameter("drag coefficients", "Array(double)", "{1.0, 1.0}"), "</ParameterList>"],
               "bodies/ball/motion/water/drag coefficients: needs three numbers, along the body's x, y and z axes", at=parameter("drag coefficients", "Array(double)", "{1.0, 1.0}")),
+    with_free("drag areas without drag", [section("water"), parameter("density", "double", "1e3"), parameter("drag areas", "Array(double)", "{1.0, 1.0, 1.0}"), "</ParameterList>"],
+              "bodies/ball/motion/water/drag areas: without 'drag coefficients' it does nothing", at=parameter("drag areas", "Array(double)", "{1.0, 1.0, 1.0}")),
+    with_free("added mass along two axes", [section("water"), parameter("density", "double", "1e3"), parameter("added mass coefficients", "Array(double)", "{1.0, 1.0}"), "</ParameterList>"],
+              "bodies/ball/motion/water/added mass coefficients: needs three numbers, along the body's x, y and z axes", at=parameter("added mass coefficients", "Array(double)", "{1.0, 1.0}")),
+    with_free("added inertia without water", [section("water"), parameter("added moments of inertia", "Array(double)", "{1.0, 1.0, 1.0}"), "</ParameterList>"],
+              "bodies/ball/motion/water/added moments of inertia: there is no water: its 'density' is 0 or missing", at=parameter("added moments of inertia", "Array(double)", "{1.0, 1.0, 1.0}")),
     with_free("drag moments without water", [section("water"), parameter("drag moments", "Array(double)", "{1.0, 1.0, 1.0}"), "</ParameterList>"],
               "bodies/ball/motion/water/drag moments: there is no water: its 'density' is 0 or missing", at=parameter("drag moments", "Array(double)", "{1.0, 1.0, 1.0}")),
     with_free("mudline in space", [section("water"), parameter("density", "double", "1e3"), parameter("mudline", "double", "2.0"), "</ParameterList>"],
               "bodies/ball/motion/water/mudline: a body in space is wholly in the water: it takes no 'mudline'", at=parameter("mudline", "double", "2.0")),
     with_free("water in an open cup", [section("water"), parameter("density", "double", "1e3"), "</ParameterList>"],
               "bodies/ball/motion/water/density: the body's surface is open: its buoyancy needs a 'volume' of the body", at=parameter("density", "double", "1e3"), surface=CUP, mass=MASS + INERTIA),
-    with_free("open cup without an inertia tensor", [], "bodies/ball/motion/type: the body's surface is open: a body that may rotate needs an 'inertia tensor'", at=FREE, surface=CUP),
+    with_free("open cup without an inertia tensor", [], "bodies/ball/motion/freedom: the body's surface is open: a body that may rotate needs an 'inertia tensor'", at=section("motion"), surface=CUP),
     with_ball("misspelt rotation", [(MOTION, MOTION + parameter("rotation w", "double", "1.0"))],
               "bodies/ball/motion/rotation w: unknown parameter (did you mean 'rotation x'?)", at=parameter("rotation w", "double", "1.0")),
     with_ball("body in the ground", [("{1.0, 1.0, 2.0}", "{1.0, 1.0, 1.0}")],
