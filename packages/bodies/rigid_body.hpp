@@ -23,7 +23,7 @@ struct BodyRegistries {
 /// Where a body is: its centre of mass [m] and the rotation about it, from the orientation at the start.
 struct BodyPlacement {
   Point centre{};
-  Rotation turn;
+  Rotation turn{};
   /// In space, of a body with unknowns: its increment of rotation in the step, along its axes [rad].
   Point increment{};
 

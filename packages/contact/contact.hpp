@@ -23,6 +23,8 @@ struct ContactContext {
   /// Representative constrained modulus lambda + 2 G [Pa] of the soil in an element (block, element): scale of
   /// penalties.
   std::function<double(int block, int element)> stiffness;
+  /// Weight [N/m3] of the pore water in a block, as far as pore pressures hold it up; absent: none.
+  std::function<Point(int block, double time)> water_weight = {};
 };
 
 /// What a contact presses together: the sides of one surface, and a body or the sides of another surface.

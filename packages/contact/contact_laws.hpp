@@ -29,6 +29,8 @@ class ContactLaws {
   /// Tangential over normal penalty; 0: no friction.
   double tangential_factor() const { return friction_ ? friction_->tangential_factor() : 0.0; }
   bool read_pore_pressure() const { return read_.pore_pressure; }
+  /// The contact itself reads it.
+  void ask_for_pore_pressure() { read_.pore_pressure = true; }
   /// Laws, times and weights of a step; `damping` of the deck [s/m].
   ContactPointLaw in_step(const StepView& view, double damping) const;
   /// At the reference coordinates xi of a side, in the state in which a step starts; without the pore pressure.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/guarded.hpp"
+#include "core/space_vector.hpp"
 #include "core/text.hpp"
 #include "materials/guarded_law.hpp"
 
@@ -132,6 +133,11 @@ double SoilMaterial::storage(double porosity) const {
   if (fluid && std::isfinite(fluid->bulk_modulus())) result += porosity / fluid->bulk_modulus();
   if (grain_bulk_modulus > 0) result += (biot_coefficient - porosity) / grain_bulk_modulus;
   return result;
+}
+
+Point Soil::water_weight(int block, double time) const {
+  const SoilMaterial& material = *blocks[block].material;
+  return material.porous() ? scaled(material.fluid->density(), water_gravity(time)) : Point{};
 }
 
 double Soil::uplift(const SoilMaterial& material) const {

@@ -76,6 +76,9 @@ struct Soil {
   /// in excess of water at rest.
   std::function<Point(double time)> water_gravity = [](double) { return Point{}; };
 
+  /// Weight of the pore water of a block [N/m3] under that.
+  Point water_weight(int block, double time) const;
+
   /// Density of the water whose weight a soil does not feel, alpha rho_f [kg/m3]; zero where pore pressures are total.
   double uplift(const SoilMaterial& material) const;
   void declare_state(StateStore& store);

@@ -206,8 +206,12 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
   const Section section = deck.section("contacts");
   if (!section.section_names().empty() && !soil_) section.fail("contacts need a physics with soil");
   for (const Section& entry : collection(section)) {
-    const ContactContext context{*space_, bodies_, registries.frictions, registries.normal_laws,
-                                 [this](int block, int element) { return constrained_modulus(block, element); }};
+    const ContactContext context{*space_,
+                                 bodies_,
+                                 registries.frictions,
+                                 registries.normal_laws,
+                                 [this](int block, int element) { return constrained_modulus(block, element); },
+                                 [this](int block, double time) { return soil_->water_weight(block, time); }};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
     if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);
   }

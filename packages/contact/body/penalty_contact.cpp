@@ -16,6 +16,7 @@ void PenaltyContact::declare_state(StateStore& store) {
   body_->declare_state(store);
   const auto ids = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
   rows_.declare_state(store, name() + "/", ids, axes(), laws_.friction() != nullptr, deck_.augmented());
+  if (deck_.has_film()) deck_.film.declare_state(store, name() + "/", ids, axes());
   penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
                             surface_->row_ids([](std::size_t) { return 1; }));
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
@@ -32,6 +33,7 @@ void PenaltyContact::sparsity(Assembler& assembler) {
 void PenaltyContact::begin(const StepView& view) {
   deck_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
   start_multipliers(view);
+  if (deck_.has_film()) deck_.film.cover(covered_sides(*view.committed));
   if (leak_) leak_->open(view.flow ? covered_sides(*view.committed) : std::vector<char>());
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet
@@ -53,9 +55,14 @@ double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& co
   return body_->gap(placement, plus(box.low, 0.5, across)) - 0.5 * length(across);
 }
 
+void PenaltyContact::write_point(const State& trial, int row, const ContactPoint& point) const {
+  rows_.write(trial, row, point);
+  if (deck_.has_film()) deck_.film.write(trial, row, point);
+}
+
 void PenaltyContact::write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const {
   for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    rows_.write(trial, row, points[row - first_row_[side]]);
+    write_point(trial, row, points[row - first_row_[side]]);
 }
 
 void PenaltyContact::write_away(const StepView& view, std::size_t side) const {
@@ -65,7 +72,7 @@ void PenaltyContact::write_away(const StepView& view, std::size_t side) const {
     away.shear = rows_.shear(*view.committed, row);
     away.shear.shear = {};
     away.shear.slides = false;
-    rows_.write(*view.trial, row, away);
+    write_point(*view.trial, row, away);
   }
 }
 
@@ -120,18 +127,27 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
   contact.reach = touch_;
   // how far away the touch is in terms of forces is not known: every guess moves the body ten times as far
   contact.reach_share = std::pow(0.1, view.linearisation);
+  if (deck_.has_film()) {
+    const Point weight = context_.water_weight ? context_.water_weight(at.block, view.time_end) : Point{};
+    contact.film = deck_.film.of_side(view, side, weight);
+    contact.law.film = contact.film.acts;
+  }
   contact.pressure_nodes = surface_->pressure_nodes(at.shape);
   for (int a = 0; a < contact.pressure_nodes; ++a)
     contact.pressure[a] = view.value_end(surface_->dofs(at.shape)(at.row, axes() * at.count + a));
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    contact.start[row - first_row_[side]] = point_start(view, side, row);
+  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) {
+    const int c = row - first_row_[side];
+    contact.start[c] = point_start(view, side, row);
+    if (contact.film.acts) deck_.film.start(view, row, contact.rule.place(c, contact.x_old), contact.start[c]);
+  }
   return penalty_side(contact, want_tangent, force, points);
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.kind != StepView::Kind::step) return false;
   if (deck_.impact == PenaltyParameters::Impact::automatic)
-    return !deck_.augmented() && !active_set_.used() && laws_.normal().linear() && body_->unknowns().count > 0;
+    return !deck_.augmented() && !deck_.has_film() && !active_set_.used() && laws_.normal().linear() &&
+           body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -201,7 +217,10 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     const double cancelled =
         view.trial->arrays[penalties_](s, 0) * pressing * farthest(side_coordinates(sides[s], at.x_end));
     for (int a = 0; a < all; ++a) {
-      if (a >= soil && a < all - body_->unknowns().count) continue;  // the fluxes are none of contact's
+      if (a >= soil && a < all - body_->unknowns().count) {  // water into a film, at once
+        if (side_force.f[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), -side_force.f[a]);
+        continue;
+      }
       f.add(dofs(sides[s].row, a), -side_force.f[a]);
       f.cancelled(dofs(sides[s].row, a), cancelled);
       if (side_force.correction[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), side_force.correction[a]);
@@ -239,9 +258,12 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
       if (!candidate_[s] || side.shape != shape || !evaluate(view, at, s, true, force, points)) continue;
       const int soil = axes() * side.count, first_body = soil + surface_->pressure_nodes(shape);
       for (int a = 0; a < force.dofs; ++a) {
-        if (a >= soil && a < first_body) continue;
-        for (int b = 0; b < force.dofs; ++b)
-          to.add(side.row, a, b, -weight * (b >= soil && b < first_body ? 1.0 : moved) * force.k[a * force.dofs + b]);
+        const bool water = a >= soil && a < first_body;
+        if (water && !deck_.has_film()) continue;
+        for (int b = 0; b < force.dofs; ++b) {
+          const double factor = water ? 1.0 : -weight * (b >= soil && b < first_body ? 1.0 : moved);
+          to.add(side.row, a, b, factor * force.k[a * force.dofs + b]);
+        }
       }
     }
   }
@@ -298,8 +320,22 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   const PointView& done = state.arrays[work_];
   const PointForce force = local_force(state);
-  enum : int { reaction, friction = 3, damping = 6, tip = 9, area, active, work, heat, sliding, damping_heat };
-  constexpr int sums = damping_heat + 1;
+  enum : int {
+    reaction,
+    friction = 3,
+    damping = 6,
+    tip = 9,
+    area,
+    active,
+    work,
+    heat,
+    sliding,
+    damping_heat,
+    water,
+    vapour,
+    film
+  };
+  constexpr int sums = film + 3;
   double local[sums] = {}, sum[sums];
   double deepest = 0, deepest_everywhere = 0;
   for (int i = 0; i < axes(); ++i) {
@@ -308,6 +344,12 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   }
   local[work] = done(0, 0);
   local[damping_heat] = done(0, 1);
+  if (deck_.has_film()) {
+    const WaterFilm::Sums between = deck_.film.sums(state);
+    local[water] = between.water;
+    local[vapour] = between.vapour;
+    for (int i = 0; i < axes(); ++i) local[film + i] = -between.force[i];
+  }
   for (int row = 0; row < first_row_.back(); ++row) {
     const ShearState shear = rows_.shear(state, row);
     for (int i = 0; i < axes(); ++i) local[friction + i] -= rows_.friction(state, row)[i];
@@ -333,6 +375,11 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   values[name() + "/active points"] = {"-", sum[active]};
   values[name() + "/maximum penetration"] = {"m", deepest_everywhere};
   values[name() + "/work"] = {"J", sum[work], true};
+  if (deck_.has_film()) {
+    values[name() + "/film water"] = {"m3", sum[water]};
+    values[name() + "/film vapour"] = {"m3", sum[vapour]};
+    add_vector("film force", film);
+  }
   if (deck_.damping > 0) {
     values[name() + "/damping heat"] = {"J", sum[damping_heat]};
     add_vector("damping", damping);
@@ -383,6 +430,7 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
   if (laws_.friction()) convected = {{rows_.frictions(), 0}, {rows_.frictions(), rows_.slip_column()}};
   if (deck_.augmented())
     for (int column = 0; column <= rows_.shears(); ++column) convected.emplace_back(rows_.multipliers(), column);
+  if (deck_.has_film()) convected.emplace_back(deck_.film.array(), WaterFilm::vapour_column);
   if (convected.empty()) return;
   const auto& sides = surface_->sides();
   for (std::size_t s = 0; s < sides.size(); ++s) {

@@ -8,6 +8,7 @@
 #include "contact/active_set.hpp"
 #include "contact/body/leaky_surface.hpp"
 #include "contact/body/point_rows.hpp"
+#include "contact/body/water_film.hpp"
 #include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/uzawa.hpp"
@@ -18,7 +19,7 @@ namespace mudline {
 /// What the deck says of a penalty contact, besides friction.
 struct PenaltyParameters : EnforcementParameters {
   PenaltyParameters() : EnforcementParameters{Enforcement::penalty} {}
-  enum class Drainage { sealed, drained, leaky };
+  enum class Drainage { sealed, drained, leaky, film };
   enum class Impact { automatic, conserving, interpolated };
   void parameters(Parameters& p);
 
@@ -33,6 +34,8 @@ struct PenaltyParameters : EnforcementParameters {
   double sealing_gap = 0.1;  // [-] of the side's length
   double conductance = 0;    // [m/(Pa s)]
   Function outside;          // [Pa] pore pressure on the body's side
+  WaterFilm film;
+  bool has_film() const { return drainage == Drainage::film; }
   ActiveSetParameters active_set;
 };
 
@@ -52,7 +55,7 @@ struct PenaltyParameters : EnforcementParameters {
 ///
 /// Drainage: a side is closed to the pore water (what conditions prescribe on it is off) while more than half of its
 /// points are at the body in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these
-/// sides let water through instead, see LeakySurface.
+/// sides let water through instead, see LeakySurface. Film: water stands between them and the body, see WaterFilm.
 class PenaltyContact : public Contact, public ClosesSides {
  public:
   explicit PenaltyContact(const ContactContext& context) : context_(context) {}
@@ -125,6 +128,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
   void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
+  void write_point(const State& trial, int row, const ContactPoint& point) const;
   /// The rows of a skipped side say that it is at least as far away as the search looked.
   void write_away(const StepView& view, std::size_t side) const;
   /// More than half of the side's points are nearer to the body than the sealing gap, or in it.

@@ -23,9 +23,15 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
   p.choice("drainage", drainage,
-           {{"sealed", Drainage::sealed}, {"drained", Drainage::drained}, {"leaky", Drainage::leaky}},
+           {{"sealed", Drainage::sealed},
+            {"drained", Drainage::drained},
+            {"leaky", Drainage::leaky},
+            {"film", Drainage::film}},
            "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
-           "prescribed; leaky: it is released, and water leaves through the body by 'conductance'");
+           "prescribed; leaky: it is released, and water leaves through the body by 'conductance'; "
+           "film: it is released, and water stands between soil and body, whose pressure acts on both: where the gap "
+           "grows it comes from the soil or from the open end of the gap");
+  film.parameters(p);
   p.add("conductance", conductance, "m/(Pa s)", non_negative(),
         "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
   p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
@@ -79,6 +85,7 @@ void PenaltyContact::check(const Section& section) {
   laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(),
                      deck_.impact == PenaltyParameters::Impact::conserving);
   check_drainage(section);
+  if (deck_.has_film()) laws_.ask_for_pore_pressure();
   surface_ = std::make_unique<ContactSurface>(space, deck_.surface, laws_.read_pore_pressure(), body_->unknowns());
   if (deck_.drainage == PenaltyParameters::Drainage::leaky)
     leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
@@ -95,6 +102,18 @@ void PenaltyContact::check(const Section& section) {
 }
 
 void PenaltyContact::check_drainage(const Section& section) const {
+  if (deck_.has_film()) {
+    if (pressure_ < 0)
+      section.fail("film needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
+    if (deck_.augmented()) section.fail("a film has no multipliers; allowed with it: penalty", "enforcement");
+    if (deck_.active_set.outer())
+      section.fail("a film has no fixed active set; allowed with it: in newton", "active set");
+    if (deck_.impact == PenaltyParameters::Impact::conserving)
+      section.fail("a film takes energy; allowed with it: automatic, interpolated", "impact");
+    if (deck_.damping > 0) section.fail("a film damps by itself; it takes no 'damping'", "damping");
+  } else {
+    WaterFilm::refuse(section);
+  }
   if (deck_.drainage == PenaltyParameters::Drainage::leaky) {
     if (!(deck_.conductance > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
     if (pressure_ < 0)

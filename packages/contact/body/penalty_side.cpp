@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/body/body_foot.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 
@@ -15,8 +16,10 @@ template <int D>
 struct SideAreas {
   static constexpr int places = D * (D == 2 ? max_line_nodes : max_side_nodes);
   double area[max_contact_points], slope[max_contact_points][places];
+  double old[max_contact_points];  // at the start of the step, with a film
 
   bool measure(const SideContact& side, bool want_slopes) {
+    if (side.film.acts && !contact_areas<D>(side.rule, side.x_old, side.geometry, old)) return false;
     if (!want_slopes) return contact_areas<D>(side.rule, side.x, side.geometry, area);
     SpatialVector<Dual<places>, D> node[max_side_nodes];
     for (int a = 0; a < side.rule.nodes; ++a)
@@ -122,13 +125,26 @@ void act(const SideContact& side, int c, const PointNumbers<T, D>& x, const Body
   }
 }
 
+/// Derivatives of a number of point c by the dofs of the side. D: dimension.
+template <class T, int D>
+void spread(const SideContact& side, int c, const SideAreas<D>& areas, const T& number, double* column) {
+  using X = PointNumbers<T, D>;
+  const BodyUnknowns& body = side.body.unknowns();
+  const int nodes = side.rule.nodes, pressures = D * nodes, first_body = pressures + side.pressure_nodes;
+  const double* d = number.d;
+  for (int b = 0; b < nodes; ++b)
+    for (int j = 0; j < D; ++j)
+      column[D * b + j] = side.rule.shape[c][b] * d[j] + d[X::of_area] * areas.slope[c][D * b + j];
+  for (int b = 0; b < side.pressure_nodes; ++b) column[pressures + b] = pressure_shape(side, c)[b] * d[X::of_pressure];
+  for (int k = 0; k < body.count; ++k) column[first_body + k] = d[X::of_body + k];
+}
+
 /// Adds the actions of point c to the side's forces and tangent.
 template <class T, int D>
 void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, const PointAction<T, D>& end,
                  const PointAction<T, D>& more, SideForce& out) {
-  using X = PointNumbers<T, D>;
   const BodyUnknowns& body = side.body.unknowns();
-  const int nodes = side.rule.nodes, pressures = D * nodes, first_body = pressures + side.pressure_nodes;
+  const int nodes = side.rule.nodes, first_body = D * nodes + side.pressure_nodes;
   const double weight = 1 / (1 - side.law.start_weight);
   const auto& shape = side.rule.shape[c];
   for (int r = 0; r < D + body.count; ++r) {
@@ -136,15 +152,7 @@ void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, cons
     const double sign = r < D ? 1.0 : -body.scale[r - D];
     const T last = end[direction], above = more[direction];
     double column[max_side_dofs];
-    if constexpr (!std::is_same_v<T, double>) {
-      const T acting = sign * (last + weight * above);
-      const double* d = acting.d;
-      for (int b = 0; b < nodes; ++b)
-        for (int j = 0; j < D; ++j) column[D * b + j] = shape[b] * d[j] + d[X::of_area] * areas.slope[c][D * b + j];
-      for (int b = 0; b < side.pressure_nodes; ++b)
-        column[pressures + b] = pressure_shape(side, c)[b] * d[X::of_pressure];
-      for (int k = 0; k < body.count; ++k) column[first_body + k] = d[X::of_body + k];
-    }
+    if constexpr (!std::is_same_v<T, double>) spread<T, D>(side, c, areas, sign * (last + weight * above), column);
     for (int a = 0; a < (r < D ? nodes : 1); ++a) {
       const int row = r < D ? D * a + r : first_body + r - D;
       const double share = r < D ? shape[a] : 1.0;
@@ -152,6 +160,74 @@ void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, cons
       out.correction[row] += share * sign * value(above);
       if constexpr (!std::is_same_v<T, double>)
         for (int b = 0; b < out.dofs; ++b) out.k[row * out.dofs + b] += share * column[b];
+    }
+  }
+}
+
+/// Gradients along the side [1/m] of the pore pressure's shapes at point c, as the side was at the start of the step.
+template <int D>
+void pressure_slopes(const SideContact& side, int c, Point* slope) {
+  const ContactRule& rule = side.rule;
+  double N[max_side_nodes], dN[2 * max_side_nodes], dP[2 * max_side_nodes];
+  evaluate_shape(rule.side, rule.xi[c].data(), N, dN);
+  SideMap<D> map;
+  map.compute(rule.nodes, N, dN, [&](int a, int i) { return side.x_old[a][i]; });
+  const bool corners = side.pressure_nodes < rule.nodes;
+  evaluate_shape(corners ? linear_partner(rule.side) : rule.side, rule.xi[c].data(), N, dP);
+  constexpr int K = D - 1;
+  double metric[K][K], inverse[K][K];
+  for (int k = 0; k < K; ++k)
+    for (int l = 0; l < K; ++l) {
+      metric[k][l] = 0;
+      for (int i = 0; i < D; ++i) metric[k][l] += map.along[k][i] * map.along[l][i];
+    }
+  if constexpr (K == 1) {
+    inverse[0][0] = 1 / metric[0][0];
+  } else {
+    const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
+    for (int k = 0; k < K; ++k)
+      for (int l = 0; l < K; ++l) inverse[k][l] = (k == l ? metric[1 - k][1 - k] : -metric[k][l]) / det;
+  }
+  for (int a = 0; a < side.pressure_nodes; ++a) {
+    slope[a] = {};
+    for (int k = 0; k < K; ++k)
+      for (int l = 0; l < K; ++l)
+        for (int i = 0; i < D; ++i) slope[a][i] += inverse[k][l] * dP[K * a + l] * map.along[k][i];
+  }
+}
+
+/// The film's water at point c, which stays where the gap's growth draws it or flows along the side. Its rates go into
+/// the rows of the pore pressures; its water, vapour and force into `point`.
+template <class T, int D>
+void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const PointNumbers<T, D>& x,
+              const BodyFoot<T, D>& foot, ContactPoint& point, SideForce& out) {
+  const SideFilm& film = side.film;
+  const ContactStart& start = side.start[c];
+  const T thickness = value(foot.gap) > 0 ? foot.gap : T(0.0);
+  const T lack = start.cavitation - x.pore_pressure;
+  const T vapour = value(lack) > 0 ? thickness * lack * (1 / film.softness) : T(0.0), water = thickness - vapour;
+  point.water = value(water) * point.area;
+  point.vapour = value(vapour);
+  for (int i = 0; i < D; ++i) point.film[i] = value(foot.normal[i]) * value(x.pore_pressure) * point.area;
+  if (!film.flows) return;
+  const double gap_old = BodyFoot<T, D>::nearest(side.body, side.placement_old, side.rule.place(c, side.x_old)).gap;
+  const double water_old = (std::max(gap_old, 0.0) - start.vapour) * areas.old[c];
+  const T growth = (water * x.area - water_old) * (1 / side.law.dt);  // [m3/s]
+  const T open = value(water) > 0 ? water : T(0.0);
+  const T conduction = open * open * open * (areas.old[c] / (12 * film.viscosity));  // [m5/(Pa s)]
+  Point slope[max_side_nodes], drive = scaled(-1, film.weight);
+  pressure_slopes<D>(side, c, slope);
+  for (int a = 0; a < side.pressure_nodes; ++a) drive = plus(drive, side.pressure[a], slope[a]);
+  const int first = D * side.rule.nodes;
+  for (int a = 0; a < side.pressure_nodes; ++a) {
+    const double share = pressure_shape(side, c)[a];
+    const T flow = growth * share + conduction * dot(slope[a], drive);
+    out.f[first + a] += value(flow);
+    if constexpr (!std::is_same_v<T, double>) {
+      double column[max_side_dofs], *row = &out.k[(first + a) * out.dofs];
+      spread<T, D>(side, c, areas, flow, column);
+      for (int b = 0; b < out.dofs; ++b) row[b] += column[b];
+      for (int b = 0; b < side.pressure_nodes; ++b) row[first + b] += value(conduction) * dot(slope[a], slope[b]);
     }
   }
 }
@@ -165,7 +241,7 @@ ContactPoint evaluate_point(const SideContact& side, int c, const SideAreas<D>& 
   const ContactMotion<T, D> motion = motion_of_point(side, c, x, nearest, foot);
   ContactResponse<T, D> now = respond(side.law, motion);
   const bool reached = !now.presses && nearest.gap < side.reach;
-  if (reached) now.pressure = chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
+  if (reached) now.pressure = now.pressure + chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
   ContactPoint point{};
   point.gap = nearest.gap;
   point.pressure = value(now.pressure);
@@ -175,7 +251,8 @@ ContactPoint evaluate_point(const SideContact& side, int c, const SideAreas<D>& 
   point.damped = now.damping_heat;
   const ShearState& old = side.start[c].shear;  // slip and heat stay when the shear stress goes
   point.shear = {BodyFoot<T, D>::plain_shear(now.shear), old.slip + now.slip, old.dissipated + now.heat, now.slides};
-  if (!now.presses && !reached && !side.law.conserves && !(side.law.viscous > 0)) return point;
+  if (side.film.acts) add_film<T, D>(side, c, areas, x, foot, point, out);
+  if (!now.presses && !reached && !side.law.conserves && !(side.law.viscous > 0) && !side.film.acts) return point;
   PointAction<T, D> end, more;
   act(side, c, x, foot, now, point, end, more);
   add_to_side(side, c, areas, end, more, out);

@@ -23,6 +23,16 @@ struct ShearState {
   bool slides = false;
 };
 
+/// Water between a side and the body in a step. A point's film is as thick as the gap; of it the water is the share
+/// 1 - (p_c - p)/softness where the pore pressure p is below that of cavitation, p_c, and vapour the rest.
+struct SideFilm {
+  bool acts = false;     // its pressure is the pore pressure of the soil's surface
+  bool flows = false;    // water moves: what it takes comes from the soil, or along the film
+  double viscosity = 0;  // [Pa s]
+  double softness = 0;   // [Pa]
+  Point weight{};        // [N/m3] of the water
+};
+
 /// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
 /// tangential multipliers are part of the shear.
 struct ContactStart {
@@ -32,6 +42,8 @@ struct ContactStart {
   ShearState shear;                 // committed
   PointForce force;                 // committed
   double normal_force = 0;          // [N] committed
+  double cavitation = 0;            // [Pa] of the film
+  double vapour = 0;                // [m] of the film's thickness, committed
 };
 
 /// What happens at one contact point.
@@ -45,6 +57,8 @@ struct ContactPoint {
   double height;         // [m] in the body's frame above its reference point
   Point damping;         // [N] what damping adds to the mean force over the step
   double damped;         // [J] heat that it makes in the step
+  double water, vapour;  // [m3] of the film
+  Point film;            // [N] part of the force that is the film's
 };
 
 /// One side of the soil's surface against a body, at both ends of a step.
@@ -58,26 +72,30 @@ struct SideContact {
   /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
   /// touches nothing yet would have no stiffness at all.
   double reach = 0;
-  double reach_share = 1;                       // of the penalty that such points have in the tangent
+  double reach_share = 1;  // of the penalty that such points have in the tangent
+  SideFilm film = {};
   int pressure_nodes = 0;                       // first nodes of the side that carry pore pressure; 0: none counts
   double pressure[max_side_nodes] = {};         // [Pa] there
   ContactStart start[max_contact_points] = {};  // (point)
 };
 
 /// Forces of one side [N] on the soil and on the body, and their derivatives [N/m, m2]. Dofs: the nodes' displacements,
-/// node after node, component after component; then (with laws that read them) the pore pressures of the first nodes,
-/// which have no force; then the body's unknowns.
+/// node after node, component after component; then (with laws that read them, and a film) the pore pressures of the
+/// first nodes, whose rows are the water that leaves the soil [m3/s] into the film; then the body's unknowns.
 struct SideForce {
   int dofs = 0;
   std::vector<double> f;           // at the end of the step
   std::vector<double> correction;  // to be added at the alpha level: shares of impacts, damping
-  std::vector<double> k;           // (dof, dof) of f + correction / (1 - start_weight)
+  std::vector<double> k;           // (dof, dof) of f + correction / (1 - start_weight), in rows of pressures of f
 };
 
 /// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s) A_c with the pressure t, the normal n
-/// from the body into the soil and the shear stress s along the surface. The body gets the opposite force and its
-/// moment. The tangent is exact: variation of gap, normal (curvature of the body), travel, area and radius of the side,
-/// place and rotation of the body. `points` receives rule.points results. False for a degenerate side.
+/// from the body into the soil and the shear stress s along the surface; with a film t is what the normal law gives and
+/// the pore pressure. The body gets the opposite force and its moment. A film takes the rate of its water from the soil
+/// and conducts h^3/(12 viscosity) (its slope of pressure less the water's weight), with slopes along the side as it
+/// was at the start of the step. The tangent is exact: variation of gap, normal (curvature of the body), travel, area
+/// and radius of the side, place and rotation of the body. `points` receives rule.points results. False for a
+/// degenerate side.
 bool penalty_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points);
 
 }  // namespace mudline

@@ -28,6 +28,7 @@ struct ContactPointLaw {
   bool conserves = false;              // points exert the shares of start_share() and end_share() instead
   double impact_damping = 0;           // [-] of those shares
   double viscous = 0;                  // [s/m] of damping; 0: none
+  bool film = false;  // the normal law gives the effective pressure, and water between the surfaces acts beside it
 };
 
 /// What lies along the surface: a number in the plane, in space a vector of the tangent plane.
@@ -64,7 +65,7 @@ struct ContactMotion {
 template <class T, int D = 2>
 struct ContactResponse {
   bool presses = false, slides = false;
-  T pressure{0.0};                                 // [Pa] on the soil, compression positive
+  T pressure{0.0};                                 // [Pa] on the soil, total, compression positive
   Tangential<T, D> shear = no_tangential<T, D>();  // [Pa] on the soil, along the surface; resists positive travel
   T damping{0.0};                                  // [N] along the normal, added to the mean force over the step
   T start_share{0.0}, end_share{0.0};              // [-] of the forces at both ends in that mean
@@ -149,7 +150,9 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, 
     if (point.slid) out.shear = point.shear_old;
     return;
   }
-  const T normal = law.friction->effective() ? out.pressure - point.pore_pressure : out.pressure;
+  T normal = out.pressure;
+  if (law.friction->effective() && !law.film) normal = normal - point.pore_pressure;
+  if (!law.friction->effective() && law.film) normal = normal + point.pore_pressure;
   const T rate = magnitude(travel) / law.dt;
   const ShearStrength strength =
       law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil_at(point)});
@@ -181,6 +184,7 @@ ContactResponse<T, D> respond(const ContactPointLaw& law, const ContactMotion<T,
   if (out.presses) out.pressure = detail::pressure(law, point);
   if (law.viscous > 0) detail::add_damping(law, point, out);
   if (out.presses && law.friction) detail::add_friction(law, point, out);
+  if (law.film) out.pressure = out.pressure + point.pore_pressure;
   return out;
 }
 

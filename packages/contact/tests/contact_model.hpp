@@ -62,7 +62,8 @@ inline std::string space_xml() { return section_xml("mesh", text_parameter("geom
 struct ContactModel {
   ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
                std::function<double(int, int)> stiffness = {}, const std::string& type = "frictionless penalty",
-               Support pressure = Support::vertices, bool warm = false)
+               Support pressure = Support::vertices, bool warm = false,
+               std::function<Point(int, double)> water_weight = {})
       : deck((geometry == Geometry::space ? space_xml() : std::string()) + bodies +
              "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" + text_parameter("type", type) +
              contact_parameters + "</ParameterList>\n</ParameterList>\n"),
@@ -81,7 +82,7 @@ struct ContactModel {
       store.declare({"soil/effective stress", {{"effective stress", 6, "Pa"}}, 0, 2},
                     2 * static_cast<int>(mesh.blocks()[0].nodes.extent(0)));
     contact = registry.create(deck.deck.root().section("contacts").section("c"),
-                              {space, bodies_, frictions, normal_laws, std::move(stiffness)});
+                              {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight)});
     bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);

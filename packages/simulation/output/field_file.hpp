@@ -28,7 +28,7 @@ using BodyOutline = SurfaceTriangles;
 /// then shifted [m].
 struct BodyPose {
   Point shift{};
-  Rotation turn;
+  Rotation turn{};
   Point centre{};
 };
 

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/body/penalty_side.hpp"
+#include "core/function.hpp"
+#include "core/parameters.hpp"
+#include "framework/state.hpp"
+#include "framework/term.hpp"
+
+namespace mudline {
+
+/// The water between the soil's surface and a body: what the deck says of it, which sides have it, and what the state
+/// remembers of a point's film, a row per point in the array "<prefix>film": vapour [m] of its thickness, volumes of
+/// water and vapour [m3], and the force of its pressure on the soil [N].
+class WaterFilm {
+ public:
+  void parameters(Parameters& p);
+  /// InputError where the deck says something of a film and there is none.
+  static void refuse(const Section& section);
+  void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes);
+
+  /// Which sides have a film in the coming step: flags by side.
+  void cover(std::vector<char> flags) { covered_ = std::move(flags); }
+  /// weight: of the water behind the side [N/m3].
+  SideFilm of_side(const StepView& view, std::size_t side, const Point& weight) const;
+  /// Adds what is known of a point's film; `place` [m] at the start of the step.
+  void start(const StepView& view, int row, const Point& place, ContactStart& point) const;
+  void write(const State& trial, int row, const ContactPoint& point) const;
+
+  /// Array and column that are convected when the sides move past the soil.
+  int array() const { return rows_; }
+  static constexpr int vapour_column = 0;
+  /// Water and vapour [m3], force on the soil [N]: this rank's sums.
+  struct Sums {
+    double water = 0, vapour = 0;
+    Point force{};
+  };
+  Sums sums(const State& state) const;
+
+ private:
+  double viscosity_ = 1e-3;
+  Function cavitation_ = Function(-100e3);
+  std::vector<char> covered_;
+  int rows_ = -1, axes_ = 2;
+};
+
+}  // namespace mudline
