@@ -175,7 +175,7 @@ class Water(BodyInSpace):
             line = lambda t, turn: np.array([1, 0.5, 3.0]) * 10 * t if turns else turn.T @ [10 * t, 5 * t, 30 * t]
             settings = self.wet(initial_spin="{0,0,0}", loads__eye__point=numbers(self.EYE), loads__eye__force_x="10*t", loads__eye__force_y="5*t",
                                 loads__eye__force_z="30*t", **{"loads__eye__turns_with_the_body": str(turns).lower()})
-            errors, orders = self.orders(settings, (0.04, 0.02), 2.0, lambda times: self.exact(times, line))
+            errors, orders = self.orders(settings, (0.02, 0.01), 2.0, lambda times: self.exact(times, line))
             self.assertLess(errors[-1].max(), 5e-3)
             self.assertGreater(orders.min(), 1.85)
 
