@@ -212,13 +212,18 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     if (damps(view)) book_damping(*view.trial, points);
     const ElementDofs& dofs = surface_->dofs(sides[s].shape);
     const int soil = axes() * sides[s].count, all = static_cast<int>(dofs.extent(1));
-    double pressing = 0;  // [m2]
-    for (const ContactPoint& point : points) pressing += point.active ? point.area : 0;
-    const double cancelled =
-        view.trial->arrays[penalties_](s, 0) * pressing * farthest(side_coordinates(sides[s], at.x_end));
+    double pressing = 0, whole = 0;  // [m2]
+    for (const ContactPoint& point : points) {
+      pressing += point.active ? point.area : 0;
+      whole += point.area;
+    }
+    const double far = farthest(side_coordinates(sides[s], at.x_end));
+    const double cancelled = view.trial->arrays[penalties_](s, 0) * pressing * far;
     for (int a = 0; a < all; ++a) {
       if (a >= soil && a < all - body_->unknowns().count) {  // water into a film, at once
-        if (side_force.f[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), -side_force.f[a]);
+        if (side_force.f[a] == 0) continue;
+        correction_.emplace_back(dofs(sides[s].row, a), -side_force.f[a]);
+        f.cancelled(dofs(sides[s].row, a), whole * far / view.dt);
         continue;
       }
       f.add(dofs(sides[s].row, a), -side_force.f[a]);

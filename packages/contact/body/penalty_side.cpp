@@ -196,6 +196,13 @@ void pressure_slopes(const SideContact& side, int c, Point* slope) {
   }
 }
 
+/// Thickness of the film [m].
+template <class T>
+T film_thickness(const T& gap, double aperture) {
+  const T root = square_root(gap * gap + 4 * aperture * aperture);
+  return value(gap) > 0 ? 0.5 * (gap + root) : T(2 * aperture * aperture) / (root - gap);
+}
+
 /// The film's water at point c, which stays where the gap's growth draws it or flows along the side. Its rates go into
 /// the rows of the pore pressures; its water, vapour and force into `point`.
 template <class T, int D>
@@ -203,7 +210,7 @@ void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const P
               const BodyFoot<T, D>& foot, ContactPoint& point, SideForce& out) {
   const SideFilm& film = side.film;
   const ContactStart& start = side.start[c];
-  const T thickness = value(foot.gap) > 0 ? foot.gap : T(0.0);
+  const T thickness = film_thickness(foot.gap, film.aperture);
   const T lack = start.cavitation - x.pore_pressure;
   const T vapour = value(lack) > 0 ? thickness * lack * (1 / film.softness) : T(0.0), water = thickness - vapour;
   point.water = value(water) * point.area;
@@ -211,7 +218,7 @@ void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const P
   for (int i = 0; i < D; ++i) point.film[i] = value(foot.normal[i]) * value(x.pore_pressure) * point.area;
   if (!film.flows) return;
   const double gap_old = BodyFoot<T, D>::nearest(side.body, side.placement_old, side.rule.place(c, side.x_old)).gap;
-  const double water_old = (std::max(gap_old, 0.0) - start.vapour) * areas.old[c];
+  const double water_old = (film_thickness(gap_old, film.aperture) - start.vapour) * areas.old[c];
   const T growth = (water * x.area - water_old) * (1 / side.law.dt);  // [m3/s]
   const T open = value(water) > 0 ? water : T(0.0);
   const T conduction = open * open * open * (areas.old[c] / (12 * film.viscosity));  // [m5/(Pa s)]

@@ -15,13 +15,15 @@ constexpr double softness = 500;
 
 void WaterFilm::parameters(Parameters& p) {
   p.add("film viscosity", viscosity_, "Pa s", positive(), "Film: of the water between the surface and the body");
+  p.add("residual aperture", aperture_, "m", positive(),
+        "Film: its thickness where the surfaces just meet, from their roughness; it vanishes where they press");
   p.add("cavitation pressure", cavitation_, "Pa",
         "Film: pore pressure below which its water turns into vapour, a function of time and place: what is missing to "
         "a vacuum, where pore pressures count from the air's");
 }
 
 void WaterFilm::refuse(const Section& section) {
-  for (const char* entry : {"film viscosity", "cavitation pressure"})
+  for (const char* entry : {"film viscosity", "residual aperture", "cavitation pressure"})
     if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = film", entry);
 }
 
@@ -39,6 +41,7 @@ SideFilm WaterFilm::of_side(const StepView& view, std::size_t side, const Point&
   film.flows = view.flow;
   film.viscosity = viscosity_;
   film.softness = softness;
+  film.aperture = aperture_;
   film.weight = weight;
   return film;
 }

@@ -40,7 +40,7 @@ class WaterFilm {
   Sums sums(const State& state) const;
 
  private:
-  double viscosity_ = 1e-3;
+  double viscosity_ = 1e-3, aperture_ = 1e-6;
   Function cavitation_ = Function(-100e3);
   std::vector<char> covered_;
   int rows_ = -1, axes_ = 2;

@@ -13,7 +13,8 @@ constexpr double eps = 1e6, viscosity = 1e-3, pi = 3.14159265358979323846;
 
 std::string film(const std::string& entries = "", const std::string& method = "surface quadrature") {
   return contact_parameters(method, eps) + text_parameter("drainage", "film") + number_parameter("sealing gap", 10) +
-         number_parameter("film viscosity", viscosity) + entries;
+         number_parameter("film viscosity", viscosity) +
+         "<Parameter name=\"residual aperture\" type=\"double\" value=\"1e-9\"/>\n" + entries;
 }
 
 /// The field of flow into the film, by node.

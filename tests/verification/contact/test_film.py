@@ -48,7 +48,7 @@ class PulledOff(ContactCase):
                 "drained base": {"type": "pore pressure", "set": "bottom"},
                 "drained top": {"type": "pore pressure", "set": "top"}},
             "contacts": {"face": {"type": "penalty", "body": "plate", "surface": "top", "drainage": "film",
-                                  "penalty factor": 1e4, **contact}},
+                                  "penalty factor": 1e4, "residual aperture": 1e-11, **contact}},
             "stages": stages})))
         pulled = history.time > (20 * time if stress > 0 else 0) * (1 + 1e-9)
         exact = PulledPlate(HEIGHT, modulus, conductivity / UNIT_WEIGHT, velocity, stress, contact.get("cavitation pressure", -np.inf))
