@@ -15,7 +15,31 @@ def without(text):
     return (text, "")
 
 
+TOUCHED = parameter("surface", "string", "top")
+
+
+def with_film(name, entry, message, **where):
+    """The contact with a film of water, and an entry more."""
+    return Wrong(name, (TOUCHED, TOUCHED + parameter("drainage", "string", "film") + entry), message, at=entry, **where)
+
+
 DECKS = [
+    # a film of water
+    with_film("film with multipliers", parameter("enforcement", "string", "augmented Lagrangian"),
+              "contacts/ball on clay/enforcement: a film has no multipliers; allowed with it: penalty", ranks=BOTH),
+    with_film("film with an outer loop", parameter("active set", "string", "outer loop"),
+              "contacts/ball on clay/active set: a film has no fixed active set; allowed with it: in newton"),
+    with_film("film that conserves energy", parameter("impact", "string", "conserving"),
+              "contacts/ball on clay/impact: a film takes energy; allowed with it: automatic, interpolated"),
+    with_film("film with damping", parameter("damping", "double", "0.1"), "contacts/ball on clay/damping: a film damps by itself; it takes no 'damping'"),
+    with_film("film that is open", parameter("conductance", "double", "1e-9"),
+              "contacts/ball on clay/conductance: has a meaning only with 'drainage' = leaky"),
+    with_film("film without an aperture", parameter("residual aperture", "double", "0"),
+              "contacts/ball on clay/residual aperture: 0 is out of range; allowed: (0, inf)"),
+    with_film("film of nothing", parameter("film viscosity", "double", "-1e-3"),
+              "contacts/ball on clay/film viscosity: -0.001 is out of range; allowed: (0, inf)"),
+    Wrong("cavitation without a film", (TOUCHED, TOUCHED + parameter("cavitation pressure", "double", "-1e5")),
+          "contacts/ball on clay/cavitation pressure: has a meaning only with 'drainage' = film"),
     # wrong types
     Wrong("text for numbers", (parameter("cells", "Array(int)", "{3, 3}"), parameter("cells", "string", "many")),
           "mesh/cells: expected an array of numbers (Array(double)), given the string 'many'"),

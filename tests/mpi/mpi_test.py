@@ -51,10 +51,18 @@ class Mpi(MudlineCase):
     def test_ranks_block_amg(self):
         self.check_ranks(BLOCK_AMG)
 
-    def move_the_mesh(self):
+    def test_ranks_film(self):
+        """Water between ball and clay, the mesh moving."""
+        self.move_the_mesh({"contacts": {"ball on clay": {"drainage": "film"}}})
+        self.check_ranks(DIRECT)
+        one = self.history("one", DIRECT, 1)
+        self.assertGreater(one["contact/ball on clay/film water"][-1], 0)
+        self.check_restart(DIRECT, 2)
+
+    def move_the_mesh(self, also={}):
         """From here on the mesh moves against the clay."""
         self.overlay = self.write("ale.xml", deck_text("ale", {"mesh motion": {"boundary": {
-            "focus": "ball", "size near focus": 0.05, "near distance": 0.1, "growth": 0.2}}}))
+            "focus": "ball", "size near focus": 0.05, "near distance": 0.1, "growth": 0.2}}, **also}))
 
     def test_ranks_ale(self):
         self.move_the_mesh()

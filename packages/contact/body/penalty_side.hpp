@@ -24,8 +24,8 @@ struct ShearState {
 };
 
 /// Water between a side and the body in a step. A point's film is as thick as the gap g where that is wide,
-/// (g + sqrt(g^2 + 4 a^2))/2 with the aperture a that rough surfaces leave where they meet. Of it the water is the share
-/// 1 - (p_c - p)/softness where the pore pressure p is below that of cavitation, p_c, and vapour the rest.
+/// (g + sqrt(g^2 + 4 a^2))/2 with the aperture a that rough surfaces leave where they meet. Of it the water is the
+/// share 1 - (p_c - p)/softness where the pore pressure p is below that of cavitation, p_c, and vapour the rest.
 struct SideFilm {
   bool acts = false;     // its pressure is the pore pressure of the soil's surface
   bool flows = false;    // water moves: what it takes comes from the soil, or along the film

@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 
 from contact_case import ContactCase
-from mudline_case import deck_text
+from mudline_case import deck_text, program
 from references.suction import PulledPlate
 
 HEIGHT, WIDTH, UNIT_WEIGHT = 1.0, 0.1, 1e4
@@ -85,6 +85,20 @@ class PulledOff(ContactCase):
         vapour = np.array([exact.vapour(t) for t in times])
         self.assertGreater(vapour.max(), 0.3 * exact.gap(times[-1]))
         self.assert_within("vapour", history["contact/face/film vapour"] / WIDTH, vapour, 1e-2, scale=vapour.max())
+
+
+    def test_needs_pore_water(self):
+        text = deck_text("dry", {
+            "mesh": {"type": "box", "cell": "quad9", "cells": [1, 1], "upper": [1.0, 1.0]},
+            "materials": {"soil": {"porosity": 0.4, "skeleton": soil(1e7, 1e-6)["soil"]["skeleton"]}},
+            "physics": {"ground": {"type": "solid"}},
+            "bodies": {"plate": {"position": [0.0, HEIGHT], "contour": PLATE, "motion": {"type": "held"}}},
+            "boundary conditions": held(bottom="x y"),
+            "contacts": {"face": {"type": "penalty", "body": "plate", "surface": "top", "drainage": "film"}},
+            "stages": {"rest": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}})
+        done = program(["check", self.write("dry.xml", text)], 1, self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("contacts/face/drainage: film needs a model with the field 'pore pressure'; allowed here: sealed, drained", done.stderr)
 
 
 class Squeezed(ContactCase):
