@@ -1,0 +1,27 @@
+// Ground below z = 0, finest where a body falls on it.
+SetFactory("Built-in");
+DefineConstant[ width = {2.4, Name "width"}, depth = {1.2, Name "depth"}, fine = {0.08, Name "fine"}, coarse = {0.5, Name "coarse"} ];
+Point(1) = {-width/2, -width/2, 0};
+Point(2) = {width/2, -width/2, 0};
+Point(3) = {width/2, width/2, 0};
+Point(4) = {-width/2, width/2, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+out[] = Extrude {0, 0, -depth} { Surface{1}; };
+Field[1] = MathEval;
+Field[1].F = Sprintf("%g + 0.4*max(Sqrt(x^2 + y^2 + z^2) - 0.25, 0)", fine);
+Field[2] = MathEval;
+Field[2].F = Sprintf("%g", coarse);
+Field[3] = Min;
+Field[3].FieldsList = {1, 2};
+Background Field = 3;
+Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.MeshSizeFromPoints = 0;
+Physical Volume("clay") = {out[1]};
+Physical Surface("surface") = {1};
+Physical Surface("base") = {out[0]};
+Physical Surface("sides") = {out[2], out[3], out[4], out[5]};
