@@ -21,12 +21,29 @@ void PrescribedDisplacement::parameters(Parameters& p) {
   p.add("x", along_[0], "m", "Horizontal displacement as a function of time; only its changes count");
   p.add("y", along_[1], "m",
         "Displacement as a function of time, in the plane vertical, upwards positive; only its changes count");
-  if (p.dimension() < 3) return;
+  if (p.dimension() == 3) turning_parameters(p);
+  if (!p.documenting()) refuse_rest(p);
+}
+
+void PrescribedDisplacement::turning_parameters(Parameters& p) {
   p.add("z", along_[2], "m", "In space: vertical displacement, upwards positive; only its changes count");
   p.add("rotation x", about_[0], "rad",
         "In space: component of the rotation vector about the centre of mass; only its changes count");
   p.add("rotation y", about_[1], "rad", "The same about y");
   p.add("rotation z", about_[2], "rad", "The same about z");
+}
+
+void PrescribedDisplacement::refuse_rest(Parameters& p) const {
+  const auto refuse = [&](const std::string& entry) {
+    p.deck().fail("is constant, and only its changes count: give a function of time, such as -0.01*t", entry);
+  };
+  const auto rests = [](const Function& f) { return f.is_constant() && !f.is_zero(); };
+  for (int i = 0; i < 3; ++i)
+    if (rests(along_[i])) refuse(axis_names[i]);
+  // beside one that changes a constant component of a rotation vector has a meaning
+  if (!std::all_of(std::begin(about_), std::end(about_), [](const Function& f) { return f.is_constant(); })) return;
+  for (int i = 0; i < 3; ++i)
+    if (rests(about_[i])) refuse(std::string("rotation ") + axis_names[i]);
 }
 
 BodyState PrescribedDisplacement::advance(const BodyState& old, double t_old, double t_end) const {

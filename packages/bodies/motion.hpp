@@ -49,6 +49,11 @@ class PrescribedDisplacement : public PrescribedMotion {
  public:
   void parameters(Parameters& p);
   BodyState advance(const BodyState& old, double t_old, double t_end) const override;
+
+ private:
+  void turning_parameters(Parameters& p);
+  /// InputError for a displacement that would not move the body.
+  void refuse_rest(Parameters& p) const;
 };
 
 /// Velocity and spin from functions of time, multiplied over the ramp time by 3 s^2 - 2 s^3 (from rest, C1), s counted
