@@ -4,8 +4,10 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <TpetraExt_MatrixMatrix.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 
+#include "algebra/field_blocks.hpp"
 #include "algebra/tpetra_compat.hpp"
 
 namespace mudline {
@@ -17,15 +19,11 @@ void fix_random_start() { std::srand(1); }
 
 /// True if no unknown depends on another one: all of them are prescribed.
 bool is_diagonal(const CrsMatrix& matrix) {
-  const auto local = matrix.getLocalMatrixHost();
-  int couplings = 0, all = 0;
-  for (LocalOrdinal row = 0; row < local.numRows() && couplings == 0; ++row) {
-    const LocalOrdinal diagonal = matrix.getColMap()->getLocalElement(matrix.getRowMap()->getGlobalElement(row));
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
-      if (local.graph.entries(k) != diagonal && local.values(k) != 0) couplings = 1;
-  }
-  Teuchos::reduceAll(*matrix.getComm(), Teuchos::REDUCE_MAX, 1, &couplings, &all);
-  return all == 0;
+  const std::vector<char> alone = isolated_rows(matrix, 0, static_cast<LocalOrdinal>(local_rows(matrix)));
+  const int here = std::find(alone.begin(), alone.end(), 0) == alone.end();
+  int everywhere = 0;
+  Teuchos::reduceAll(*matrix.getComm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(everywhere));
+  return everywhere != 0;
 }
 
 Teuchos::ParameterList multigrid_list(const AmgInput& input) {

@@ -121,16 +121,7 @@ RCP<CrsMatrix> FieldBlocks::renumbered(const CrsMatrix& matrix, int f) const {
 }
 
 std::vector<char> FieldBlocks::isolated(const CrsMatrix& matrix, int f) const {
-  const auto local = matrix.getLocalMatrixHost();
-  std::vector<char> result;
-  for (int row = dofs_->owned_begin(f); row < dofs_->owned_end(f); ++row) {
-    const LocalOrdinal diagonal = matrix.getColMap()->getLocalElement(dofs_->owned()->getGlobalElement(row));
-    char alone = 1;
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1) && alone; ++k)
-      if (local.graph.entries(k) != diagonal && local.values(k) != 0) alone = 0;
-    result.push_back(alone);
-  }
-  return result;
+  return isolated_rows(matrix, dofs_->owned_begin(f), dofs_->owned_end(f));
 }
 
 RCP<const MultiVector> FieldBlocks::part(const MultiVector& v, int f) const {
@@ -139,6 +130,19 @@ RCP<const MultiVector> FieldBlocks::part(const MultiVector& v, int f) const {
 
 RCP<MultiVector> FieldBlocks::part(MultiVector& v, int f) const {
   return v.offsetViewNonConst(maps_[f], dofs_->owned_begin(f));
+}
+
+std::vector<char> isolated_rows(const CrsMatrix& matrix, LocalOrdinal begin, LocalOrdinal end) {
+  const auto local = matrix.getLocalMatrixHost();
+  std::vector<char> result;
+  for (LocalOrdinal row = begin; row < end; ++row) {
+    const LocalOrdinal diagonal = matrix.getColMap()->getLocalElement(matrix.getRowMap()->getGlobalElement(row));
+    char alone = 1;
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1) && alone; ++k)
+      if (local.graph.entries(k) != diagonal && local.values(k) != 0) alone = 0;
+    result.push_back(alone);
+  }
+  return result;
 }
 
 void isolate(CrsMatrix& matrix, const std::vector<char>& marked) {

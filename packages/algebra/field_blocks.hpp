@@ -46,6 +46,9 @@ class FieldBlocks {
   std::vector<GlobalOrdinal> column_id_;  // ... and its dense id within the field
 };
 
+/// Marks those of the owned rows from `begin` to `end` that hold nothing off the diagonal.
+std::vector<char> isolated_rows(const CrsMatrix& matrix, LocalOrdinal begin, LocalOrdinal end);
+
 /// Drops the off-diagonal entries of the marked rows (owned dofs) and of the columns that belong to them.
 void isolate(CrsMatrix& matrix, const std::vector<char>& marked);
 

@@ -23,6 +23,8 @@ ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) : side
   points = nodal ? nodes : samples;
   shape.assign(points, {});
   corner.assign(points, {});
+  shape_slope.assign(points, {});
+  corner_slope.assign(points, {});
   weight.assign(points, std::vector<double>(samples, 0.0));
   for (int c = 0; c < points; ++c) {
     if (nodal) {
@@ -34,8 +36,9 @@ ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) : side
       shape[c] = N[c];
       weight[c][c] = gauss.weights[c];
     }
-    double slope[2 * max_side_nodes];
-    evaluate_shape(linear_partner(side), xi[c].data(), corner[c].data(), slope);
+    double values[max_side_nodes];
+    evaluate_shape(side, xi[c].data(), values, shape_slope[c].data());
+    evaluate_shape(linear_partner(side), xi[c].data(), corner[c].data(), corner_slope[c].data());
   }
 }
 

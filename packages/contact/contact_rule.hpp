@@ -41,6 +41,8 @@ struct ContactRule {
   int nodes, points, samples;
   std::vector<std::array<double, max_side_nodes>> shape;   // (point, node)
   std::vector<std::array<double, max_side_nodes>> corner;  // (point, corner) of the linear shape on the corners
+  // their reference gradients (point, corner or node, reference coordinate)
+  std::vector<std::array<double, 2 * max_side_nodes>> shape_slope, corner_slope;
   std::vector<std::array<double, 3>> xi;                   // (point) reference coordinates
   std::vector<std::vector<double>> weight;                 // (point, sample)
   std::vector<std::array<double, max_side_nodes>> N;       // (sample, node)

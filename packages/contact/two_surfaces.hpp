@@ -49,6 +49,46 @@ double closing_limit(const Space& space, const ContactSurface& slave, const Mast
 /// The advice where surfaces met that the matrix has no place for; `here`: on this rank. Collective.
 std::string beyond_reach_hint(const Comm& comm, const std::string& name, bool here);
 
+/// What the contacts of two deformable surfaces share: deck, laws and name, and what follows from these alone. Deck: of
+/// TwoSurfaceParameters.
+template <class Deck>
+class TwoSurfaceContact : public Contact {
+ public:
+  static void document(Parameters& p) {
+    Deck().parameters(p);
+    declare_friction(p);
+  }
+  void parameters(Parameters& p) {
+    deck_.parameters(p);
+    declare_friction(p);
+  }
+  std::string name() const override { return "contact/" + name_; }
+  ContactPartners partners() const override {
+    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
+  }
+  bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
+  std::string hint(const StepView&) const override {
+    return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
+  }
+
+ protected:
+  explicit TwoSurfaceContact(const ContactContext& context) : context_(context) {}
+  /// With what every check() begins: finds the field, and asks for two sets as check_two_sets() does.
+  void check_surfaces(const Section& section, int dimension) {
+    name_ = section.name();
+    displacement_ = context_.space.find("displacement");
+    if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
+    check_two_sets(context_.space.mesh(), dimension, section, deck_.slave, deck_.master);
+  }
+
+  ContactContext context_;
+  Deck deck_;
+  ContactLaws laws_;
+  std::string name_;
+  int displacement_ = -1;
+  bool beyond_reach_ = false;  // surfaces met in this step that the matrix has no place for
+};
+
 /// Sums over this rank's part of the slave, and its deepest point.
 struct SlaveSums {
   Point force{};       // [N]

@@ -168,12 +168,11 @@ void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, cons
 template <int D>
 void pressure_slopes(const SideContact& side, int c, Point* slope) {
   const ContactRule& rule = side.rule;
-  double N[max_side_nodes], dN[2 * max_side_nodes], dP[2 * max_side_nodes];
-  evaluate_shape(rule.side, rule.xi[c].data(), N, dN);
-  SideMap<D> map;
-  map.compute(rule.nodes, N, dN, [&](int a, int i) { return side.x_old[a][i]; });
   const bool corners = side.pressure_nodes < rule.nodes;
-  evaluate_shape(corners ? linear_partner(rule.side) : rule.side, rule.xi[c].data(), N, dP);
+  const double* dP = (corners ? rule.corner_slope : rule.shape_slope)[c].data();
+  SideMap<D> map;
+  map.compute(rule.nodes, rule.shape[c].data(), rule.shape_slope[c].data(),
+              [&](int a, int i) { return side.x_old[a][i]; });
   constexpr int K = D - 1;
   double metric[K][K], inverse[K][K];
   for (int k = 0; k < K; ++k)

@@ -59,7 +59,7 @@ struct ContactPoint {
   double height;         // [m] in the body's frame above its reference point
   Point damping;         // [N] what damping adds to the mean force over the step
   double damped;         // [J] heat that it makes in the step
-  double water, vapour;  // [m3] of the film
+  double water, vapour;  // [m3]; [m] of the film's thickness
   Point film;            // [N] part of the force that is the film's
 };
 

@@ -33,23 +33,10 @@ void FaceParameters::parameters(Parameters& p) {
   declare_impact(p, impact);
 }
 
-void FaceContact::document(Parameters& p) {
-  FaceParameters().parameters(p);
-  declare_friction(p);
-}
-
-void FaceContact::parameters(Parameters& p) {
-  deck_.parameters(p);
-  declare_friction(p);
-}
-
 void FaceContact::check(const Section& section) {
-  name_ = section.name();
+  check_surfaces(section, 3);
   const Space& space = context_.space;
   const Mesh& mesh = space.mesh();
-  displacement_ = space.find("displacement");
-  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  check_two_sets(mesh, 3, section, deck_.slave, deck_.master);
   if (deck_.augmented())
     section.fail("points have more multipliers than the surfaces have freedom; allowed with point to face: penalty",
                  "enforcement");
@@ -335,10 +322,6 @@ void FaceContact::jacobian(const StepView& view, Assembler& assembler, double we
     evaluate(view, at, row, seen, true, force);
     add_tangent(view, to, row, seen, force, moved * weight);
   }
-}
-
-std::string FaceContact::hint(const StepView&) const {
-  return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
 }
 
 void FaceContact::histories(const StepView& view, Report& values) {

@@ -30,29 +30,21 @@ struct FaceParameters : TwoSurfaceParameters {
 /// Parallel: a rank computes its slave sides against the whole master surface, whose nodes it has as ghosts (SetPairs).
 /// State arrays, prefix "contact/<name>/": "points", see face_column, a row per point; "penalty", a row per slave side,
 /// frozen when the contact first starts a step; "damping" (with damping, one row: its heat so far).
-class FaceContact : public Contact {
+class FaceContact : public TwoSurfaceContact<FaceParameters> {
  public:
-  explicit FaceContact(const ContactContext& context) : context_(context) {}
-  static void document(Parameters& p);
-  void parameters(Parameters& p);
+  explicit FaceContact(const ContactContext& context) : TwoSurfaceContact(context) {}
   /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, multipliers, friction on the
   /// effective traction of surfaces with pore pressure. Collective.
   void check(const Section& section);
 
-  std::string name() const override { return "contact/" + name_; }
-  ContactPartners partners() const override {
-    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
-  }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void predicting(bool on) override { predicting_ = on; }
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView&, int) override { return {}; }
-  std::string hint(const StepView& view) const override;
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
   /// Meshes in space do not move.
@@ -102,10 +94,6 @@ class FaceContact : public Contact {
   Weights old_weights(const State& committed, int row) const;
   std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
 
-  ContactContext context_;
-  FaceParameters deck_;
-  ContactLaws laws_;
-  std::string name_;
   std::unique_ptr<ContactSurface> slave_;
   std::unique_ptr<MasterFaces> master_;
   std::map<CellShape, ContactRule> rules_;
@@ -113,10 +101,10 @@ class FaceContact : public Contact {
   std::vector<std::vector<int>> candidates_;     // (slave side)
   std::unordered_map<long long, int> place_of_;  // (slave side, face)
   ElementDofs dofs_;
-  int group_ = -1, displacement_ = -1;
+  int group_ = -1;
   double capture_ = 0;                              // [m]
   std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
-  bool predicting_ = false, beyond_reach_ = false;
+  bool predicting_ = false;
   int points_ = -1, penalties_ = -1, damping_ = -1;  // state handles
 };
 

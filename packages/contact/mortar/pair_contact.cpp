@@ -230,23 +230,10 @@ void PairParameters::parameters(Parameters& p) {
         "Polynomial degree that the integration over a segment is exact for");
 }
 
-void PairContact::document(Parameters& p) {
-  PairParameters().parameters(p);
-  declare_friction(p);
-}
-
-void PairContact::parameters(Parameters& p) {
-  deck_.parameters(p);
-  declare_friction(p);
-}
-
 void PairContact::check(const Section& section) {
-  name_ = section.name();
+  check_surfaces(section, 2);
   const Space& space = context_.space;
   const Mesh& mesh = space.mesh();
-  displacement_ = space.find("displacement");
-  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  check_two_sets(mesh, 2, section, deck_.slave, deck_.master);
   deck_.check(section);
   read_laws_of_two(context_, section, laws_);
   laws_.check_linear(section, deck_.augmented(), false);
@@ -345,10 +332,6 @@ Augmentation PairContact::augment(const StepView& view, int count) {
       if (laws_.friction()) multipliers(side_multipliers * s + a, 1) += shear[node];
     }
   return {true, ""};
-}
-
-std::string PairContact::hint(const StepView&) const {
-  return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
 }
 
 void PairContact::histories(const StepView& view, Report& values) {

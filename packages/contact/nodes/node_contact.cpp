@@ -29,22 +29,9 @@ void NodeParameters::parameters(Parameters& p) {
   declare_impact(p, impact);
 }
 
-void NodeContact::document(Parameters& p) {
-  NodeParameters().parameters(p);
-  declare_friction(p);
-}
-
-void NodeContact::parameters(Parameters& p) {
-  deck_.parameters(p);
-  declare_friction(p);
-}
-
 void NodeContact::check(const Section& section) {
-  name_ = section.name();
   const Mesh& mesh = context_.space.mesh();
-  displacement_ = context_.space.find("displacement");
-  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
-  check_two_sets(mesh, 2, section, deck_.slave, deck_.master);
+  check_surfaces(section, 2);
   deck_.check(section, deck_.active_set.outer());
   deck_.active_set.check(section);
   if (deck_.active_set.outer() && section.has_parameter("impact") && deck_.impact == PairImpact::conserving)
@@ -123,10 +110,6 @@ Augmentation NodeContact::augment(const StepView& view, int count) {
   if (end) return *end;
   passes_[0]->augment(trial);
   return {true, ""};
-}
-
-std::string NodeContact::hint(const StepView&) const {
-  return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
 }
 
 void NodeContact::histories(const StepView& view, Report& values) {

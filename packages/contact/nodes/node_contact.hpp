@@ -15,29 +15,21 @@ namespace mudline {
 ///
 /// Parallel: as PairContact. State arrays: those of NodePass, with the prefixes "contact/<name>/" and
 /// "contact/<name>/second ".
-class NodeContact : public Contact {
+class NodeContact : public TwoSurfaceContact<NodeParameters> {
  public:
-  explicit NodeContact(const ContactContext& context) : context_(context) {}
-  static void document(Parameters& p);
-  void parameters(Parameters& p);
+  explicit NodeContact(const ContactContext& context) : TwoSurfaceContact(context) {}
   /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, two passes with multipliers,
   /// friction on the effective traction of surfaces with pore pressure. Collective.
   void check(const Section& section);
 
-  std::string name() const override { return "contact/" + name_; }
-  ContactPartners partners() const override {
-    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
-  }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
   void predicting(bool on) override;
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView& view, int count) override;
-  std::string hint(const StepView& view) const override;
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
   void relocate(const ConstCoordinateView& x_old, State& committed) override;
@@ -48,14 +40,8 @@ class NodeContact : public Contact {
  private:
   std::vector<double> nodal_sum(const State& state, int column) const;
 
-  ContactContext context_;
-  NodeParameters deck_;
-  ContactLaws laws_;
-  std::string name_;
   std::vector<std::unique_ptr<NodePass>> passes_;
   double gap_tolerance_ = 0;  // [m]
-  bool beyond_reach_ = false;
-  int displacement_ = -1;
 };
 
 }  // namespace mudline
