@@ -85,6 +85,12 @@ class MudlineCase(unittest.TestCase):
         stem = name or os.path.splitext(os.path.basename(decks[0]))[0]
         return History(os.path.join(self.folder, "results", stem + ".csv"))
 
+    def assert_error(self, what, error, tolerance):
+        """The error is within the tolerance; with MUDLINE_SHOW_ERRORS it is told."""
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})", flush=True)
+        self.assertLessEqual(error, tolerance, what)
+
     def assert_same_run(self, one, other, names, what, rounding=1e-8, steps=2e-2):
         """Two runs of one deck that differ by rounding only, as on other numbers of ranks: the named columns are equal to
         `rounding` of their largest value. Rounding may also decide the size of a step, say by a Newton iteration more;

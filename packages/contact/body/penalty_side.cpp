@@ -77,7 +77,7 @@ ContactMotion<T, D> motion_of_point(const SideContact& side, int c, const PointN
   motion.soil = start.soil;
   motion.pore_pressure = x.pore_pressure;
   const bool shears = side.law.friction && presses(side.law, motion);
-  if (!shears && !side.law.conserves && !(side.law.viscous > 0)) return motion;
+  if (!shears && !side.law.conserves && !(side.law.viscous > 0) && !side.film.flows) return motion;
   motion.position = side.rule.place(c, side.x_old);
   const auto before = BodyFoot<T, D>::nearest(side.body, side.placement_old, motion.position);
   motion.gap_old = T(before.gap);
@@ -206,7 +206,7 @@ T film_thickness(const T& gap, double aperture) {
 /// the rows of the pore pressures; its water, vapour and force into `point`.
 template <class T, int D>
 void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const PointNumbers<T, D>& x,
-              const BodyFoot<T, D>& foot, ContactPoint& point, SideForce& out) {
+              const BodyFoot<T, D>& foot, double gap_old, ContactPoint& point, SideForce& out) {
   const SideFilm& film = side.film;
   const ContactStart& start = side.start[c];
   const T thickness = film_thickness(foot.gap, film.aperture);
@@ -216,7 +216,6 @@ void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const P
   point.vapour = value(vapour);
   for (int i = 0; i < D; ++i) point.film[i] = value(foot.normal[i]) * value(x.pore_pressure) * point.area;
   if (!film.flows) return;
-  const double gap_old = BodyFoot<T, D>::nearest(side.body, side.placement_old, side.rule.place(c, side.x_old)).gap;
   const double water_old = (film_thickness(gap_old, film.aperture) - start.vapour) * areas.old[c];
   const T growth = (water * x.area - water_old) * (1 / side.law.dt);  // [m3/s]
   const T open = value(water) > 0 ? water : T(0.0);
@@ -257,7 +256,7 @@ ContactPoint evaluate_point(const SideContact& side, int c, const SideAreas<D>& 
   point.damped = now.damping_heat;
   const ShearState& old = side.start[c].shear;  // slip and heat stay when the shear stress goes
   point.shear = {BodyFoot<T, D>::plain_shear(now.shear), old.slip + now.slip, old.dissipated + now.heat, now.slides};
-  if (side.film.acts) add_film<T, D>(side, c, areas, x, foot, point, out);
+  if (side.film.acts) add_film<T, D>(side, c, areas, x, foot, value(motion.gap_old), point, out);
   if (!now.presses && !reached && !side.law.conserves && !(side.law.viscous > 0) && !side.film.acts) return point;
   PointAction<T, D> end, more;
   act(side, c, x, foot, now, point, end, more);

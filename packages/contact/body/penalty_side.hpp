@@ -28,7 +28,7 @@ struct ShearState {
 /// share 1 - (p_c - p)/softness where the pore pressure p is below that of cavitation, p_c, and vapour the rest.
 struct SideFilm {
   bool acts = false;     // its pressure is the pore pressure of the soil's surface
-  bool flows = false;    // water moves: what it takes comes from the soil, or along the film
+  bool flows = false;    // and its water moves: what it takes comes from the soil, or along the film
   double viscosity = 0;  // [Pa s]
   double softness = 0;   // [Pa]
   double aperture = 0;   // [m]

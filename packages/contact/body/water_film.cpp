@@ -38,7 +38,7 @@ void WaterFilm::declare_state(StateStore& store, const std::string& prefix, cons
 SideFilm WaterFilm::of_side(const StepView& view, std::size_t side, const Point& weight) const {
   SideFilm film;
   film.acts = covered_[side];
-  film.flows = view.flow;
+  film.flows = film.acts && view.flow;
   film.viscosity = viscosity_;
   film.softness = softness;
   film.aperture = aperture_;

@@ -1,7 +1,6 @@
 """A free ball in contact with a rigid floor in space: it slides and then rolls, spins, and bounces obliquely. The floor is a bed of
 springs (the penalty), so that forces and impacts have closed forms."""
 import math
-import os
 import unittest
 
 import numpy as np
@@ -35,11 +34,6 @@ class FreeBall(MudlineCase):
                                "integrator": {"type": "generalised alpha", "spectral radius": 1.0},
                                "time step": {"initial": step, "maximum": step}}}})))
 
-    def show(self, what, error, tolerance):
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})", flush=True)
-        self.assertLessEqual(error, tolerance, what)
-
     def test_slides_then_rolls(self):
         """Sliding, the ball loses mu g of its speed and gains spin; from 2 v/(7 mu g) on it rolls with 5/7 of its speed."""
         speed = 2.0
@@ -49,13 +43,13 @@ class FreeBall(MudlineCase):
         velocity, spin = history["body/ball/velocity x"], history["body/ball/spin y"]
         centre = velocity + spin * RADIUS * np.cos(history["body/ball/rotation y"])  # that of the reference point turns around it
         sliding = t < 0.95 * rolls
-        self.show("speed while it slides", np.abs(centre - (speed - FRICTION * G * t))[sliding].max() / speed, 3e-3)
-        self.show("spin while it slides", np.abs(spin * RADIUS - 2.5 * FRICTION * G * t)[sliding].max() / speed, 3e-3)
+        self.assert_error("speed while it slides", np.abs(centre - (speed - FRICTION * G * t))[sliding].max() / speed, 3e-3)
+        self.assert_error("spin while it slides", np.abs(spin * RADIUS - 2.5 * FRICTION * G * t)[sliding].max() / speed, 3e-3)
         rolling = t > 1.1 * rolls
-        self.show("speed while it rolls", np.abs(centre[rolling] - 5 / 7 * speed).max() / speed, 3e-3)
+        self.assert_error("speed while it rolls", np.abs(centre[rolling] - 5 / 7 * speed).max() / speed, 3e-3)
         slip = (centre - spin * RADIUS)[rolling]  # swings about 0: the ball sticks to springs
-        self.show("slip while it rolls", np.abs(slip).max() / speed, 1e-2)
-        self.show("its mean", abs(slip.mean()) / speed, 1e-3)
+        self.assert_error("slip while it rolls", np.abs(slip).max() / speed, 1e-2)
+        self.assert_error("its mean", abs(slip.mean()) / speed, 1e-3)
 
     def test_spins(self):
         """Pressed by its weight, the ball that spins about the vertical is braked by 8/15 mu m g a, with the radius a of what touches."""
@@ -67,9 +61,9 @@ class FreeBall(MudlineCase):
         history = self.ball(1.2 * stops, stops / 400, **{"initial spin": [0.0, 0.0, start]})
         spin = history["body/ball/spin z"]
         braked = history.time < 0.9 * stops
-        self.show("spin", np.abs(spin - (start - braking * history.time))[braked].max() / start, 1e-2)
-        self.show("spin at rest", np.abs(spin[history.time > 1.1 * stops]).max() / start, 2e-2)
-        self.show("way", np.abs(history["body/ball/displacement x"]).max(), 1e-6)
+        self.assert_error("spin", np.abs(spin - (start - braking * history.time))[braked].max() / start, 1e-2)
+        self.assert_error("spin at rest", np.abs(spin[history.time > 1.1 * stops]).max() / start, 2e-2)
+        self.assert_error("way", np.abs(history["body/ball/displacement x"]).max(), 1e-6)
 
     def test_smooth_oblique_bounce(self):
         """Without friction the springs give back what they took, to rounding, and what lies along the floor stays."""
@@ -79,10 +73,10 @@ class FreeBall(MudlineCase):
         kinetic = history["body/ball/kinetic energy"]
         self.assertEqual(history["contact/floor/active points"][-1], 0)
         self.assertGreater(history["contact/floor/active points"].max(), 20)
-        self.show("energy", abs(kinetic[-1] / kinetic[0] - 1), 1e-9)
+        self.assert_error("energy", abs(kinetic[-1] / kinetic[0] - 1), 1e-9)
         self.assertGreater(history["body/ball/velocity z"][-1], 0)
         spin = np.array([history[f"body/ball/spin {axis}"] for axis in "xyz"])
-        self.show("spin", np.abs(spin - [[0.3], [0.1], [0.2]]).max(), 1e-9)
+        self.assert_error("spin", np.abs(spin - [[0.3], [0.1], [0.2]]).max(), 1e-9)
 
     def test_gross_slip(self):
         """A flat oblique impact slides throughout: along the floor it loses mu times what the normal impulse is, 2 m v."""
@@ -93,9 +87,9 @@ class FreeBall(MudlineCase):
         rise = history["body/ball/velocity z"][-1]
         self.assertEqual(history["contact/floor/active points"][-1], 0)
         lost = (along - centre) / (down + rise)
-        self.show("rebound", abs(rise / down - 1), 1e-2)
-        self.show("ratio of the impulses", abs(lost / FRICTION - 1), 1e-2)
-        self.show("spin", abs(spin * RADIUS / (2.5 * (along - centre)) - 1), 1e-2)
+        self.assert_error("rebound", abs(rise / down - 1), 1e-2)
+        self.assert_error("ratio of the impulses", abs(lost / FRICTION - 1), 1e-2)
+        self.assert_error("spin", abs(spin * RADIUS / (2.5 * (along - centre)) - 1), 1e-2)
 
 
 if __name__ == "__main__":

@@ -29,10 +29,7 @@ class ConsolidationCase(MudlineCase):
 
     def assert_close(self, what, value, exact, tolerance, scale=None):
         """|value - exact| <= tolerance |scale|, by default relative to the exact value."""
-        error = np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale))
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})")
-        self.assertLessEqual(error, tolerance, what)
+        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale)), tolerance)
 
 
 def between(history, name, times):

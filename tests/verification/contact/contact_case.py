@@ -24,7 +24,4 @@ class ContactCase(MudlineCase):
 
     def assert_within(self, what, value, exact, tolerance, scale=None):
         """Largest |value - exact| within tolerance * |scale|, by default of the exact value."""
-        error = np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale))
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})")
-        self.assertLessEqual(error, tolerance, what)
+        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale)), tolerance)

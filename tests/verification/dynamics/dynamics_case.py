@@ -44,10 +44,7 @@ class DynamicsCase(MudlineCase):
 
     def assert_within(self, what, value, exact, tolerance, scale):
         """Largest |value - exact| within tolerance * scale."""
-        error = np.max(np.abs(np.asarray(value) - exact)) / scale
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})")
-        self.assertLessEqual(error, tolerance, what)
+        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact)) / scale, tolerance)
 
 
 def between(history, name, times):

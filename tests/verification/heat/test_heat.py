@@ -26,10 +26,7 @@ class Heat(MudlineCase):
         return os.path.join(ROOT, "inputs", "heat", name + ".xml")
 
     def assert_near(self, what, value, exact, tolerance, scale):
-        error = np.max(np.abs(np.asarray(value) - exact)) / scale
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})")
-        self.assertLessEqual(error, tolerance, what)
+        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact)) / scale, tolerance)
 
     def test_point_source(self):
         """Booker and Savvidou: at every radius each quantity against the largest it has there."""

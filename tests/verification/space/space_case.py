@@ -237,7 +237,4 @@ class SpaceCase(MudlineCase):
 
     def assert_near(self, what, value, exact, tolerance, scale=None):
         """|value - exact| <= tolerance |scale|, by default relative to the exact value."""
-        error = np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale))
-        if os.environ.get("MUDLINE_SHOW_ERRORS"):
-            print(f"{self.id().split('.')[-1]}: {what}: {error:.2e} (allowed {tolerance:.0e})", flush=True)
-        self.assertLessEqual(error, tolerance, what)
+        self.assert_error(what, np.max(np.abs(np.asarray(value) - exact) / np.abs(exact if scale is None else scale)), tolerance)

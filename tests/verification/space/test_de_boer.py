@@ -5,11 +5,11 @@ import unittest
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from dynamics.dynamics_case import DE_BOER, corner
 from mudline_case import ROOT
 from references import porous_column as reference
 from space_case import SpaceCase
 
-COLUMN = reference.Column(10.0, 8.3750e6 + 2 * 5.5833e6, 0.33, 2000.0, 1e-6)
 TIMES = np.array([0.05, 0.1, 0.2])
 CELLS, RATIO = 60, 0.2  # of the last to the first cell, upwards
 
@@ -30,10 +30,8 @@ class DeBoer(SpaceCase):
         return text.replace('<ParameterList name="drained surface">', sides + '<ParameterList name="drained surface">')
 
     def test_harmonic_load(self):
-        sizes = RATIO ** (np.arange(CELLS) / (CELLS - 1))
-        corners = 10 * np.concatenate([[0], np.cumsum(sizes)]) / sizes.sum()
-        near = 10 - corners[np.argmin(np.abs(corners - 9))]  # the corner nearest to one metre
-        u, p = COLUMN.response([0, near, 10], TIMES, reference.one_minus_cosine(3.0, 75.0))
+        near = corner(10.0, CELLS, RATIO, 1.0)
+        u, p = DE_BOER.response([0, near, 10], TIMES, reference.one_minus_cosine(3.0, 75.0))
         for cell in ("hex27", "tet10"):
             with self.subTest(cell=cell):
                 history = self.run_text("de_boer", self.column(cell), (
