@@ -1,8 +1,31 @@
 #include "algebra/absolute_product.hpp"
 
-#include <cmath>
-
 namespace mudline {
+
+namespace {
+
+template <class Matrix, class From, class To>
+struct AbsoluteRow {
+  Matrix matrix;
+  From x;
+  To product;
+  KOKKOS_FUNCTION void operator()(int row) const {
+    double sum = 0;
+    for (auto k = matrix.graph.row_map(row); k < matrix.graph.row_map(row + 1); ++k) {
+      const double part = matrix.values(k) * x(matrix.graph.entries(k), 0);
+      sum += part < 0 ? -part : part;
+    }
+    product(row, 0) = sum;
+  }
+};
+
+template <class Matrix, class From, class To>
+void multiply(const Matrix& matrix, const From& x, const To& product) {
+  Kokkos::parallel_for("absolute product", Kokkos::RangePolicy<>(0, matrix.numRows()),
+                       AbsoluteRow<Matrix, From, To>{matrix, x, product});
+}
+
+}  // namespace
 
 Vector absolute_product(const CrsMatrix& A, const Vector& x) {
   Vector columns(A.getColMap());
@@ -11,15 +34,8 @@ Vector absolute_product(const CrsMatrix& A, const Vector& x) {
   else
     Tpetra::deep_copy(columns, x);
   Vector product(A.getRowMap());
-  const auto from = columns.getLocalViewHost(Tpetra::Access::ReadOnly);
-  auto to = product.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  const auto local = A.getLocalMatrixHost();
-  for (int row = 0; row < local.numRows(); ++row) {
-    double sum = 0;
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
-      sum += std::abs(local.values(k) * from(local.graph.entries(k), 0));
-    to(row, 0) = sum;
-  }
+  multiply(A.getLocalMatrixDevice(), columns.getLocalViewDevice(Tpetra::Access::ReadOnly),
+           product.getLocalViewDevice(Tpetra::Access::OverwriteAll));
   return product;
 }
 

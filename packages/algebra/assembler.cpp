@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "algebra/tpetra_compat.hpp"
@@ -152,6 +153,13 @@ Kokkos::View<T***, Kokkos::LayoutRight> find_positions(const HostElements& group
 }
 
 }  // namespace
+
+void MatrixScatter::open_buffer(int elements) {
+  const std::size_t columns = dofs.extent(1);
+  const auto quickly = [](const std::string& label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); };
+  buffer.values = decltype(buffer.values)(quickly("element matrices"), elements, columns, columns);
+  spans = decltype(spans)(quickly("spans"), elements, columns);
+}
 
 Assembler::Assembler(RCP<const DofMap> dofs) : dofs_(std::move(dofs)) {}
 

@@ -5,15 +5,12 @@
 
 #include <cstdint>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include "algebra/dof_map.hpp"
+#include "algebra/row_lists.hpp"
 
 namespace mudline {
-
-/// Local overlap dofs of every element of one group: (element, dof). One group per element block and field combination.
-using ElementDofs = Kokkos::View<const int**, Kokkos::LayoutRight>;
 
 /// Writes element matrices into the local values of the matrix. Copied into kernels. Rows and columns of one node's
 /// components lie side by side in the matrix, so that one position serves them all: it is kept per element and pair of
@@ -33,23 +30,32 @@ struct MatrixScatter {
     int node, component;
   };
 
+  /// What of a row of the buffer is filled.
+  struct Span {
+    int first, count;
+  };
+
   Kokkos::View<double*> values;
   Kokkos::View<const std::size_t*> row_begin;  // by overlap dof
   Positions positions;
   Kokkos::View<const Place*> places;  // by column of `dofs`
   ElementDofs dofs;
-  Kokkos::View<const char*> constrained;  // by overlap dof
+  Kokkos::View<const char*> constrained;                 // by overlap dof
+  ElementBuffer buffer = {};                             // of loops on several threads
+  Kokkos::View<Span**, Kokkos::LayoutRight> spans = {};  // (element of the batch, row)
 
-  /// Adds the entry (a, b) of element e's matrix.
+  /// Adds the entry (a, b) of element e's matrix. From one thread only.
   KOKKOS_INLINE_FUNCTION void add(int e, int a, int b, double value) const {
     const int row = dofs(e, a);
     if (a != b && (constrained(row) || constrained(dofs(e, b)))) return;
     const std::size_t first = row_begin(row) + positions(e, places(a).node, places(b).node);
-    accumulate(&values(first + places(b).component), value);
+    values(first + places(b).component) += value;
   }
-  /// Adds weight times k, the rows from row0 and the columns from column0 on of element e's matrix.
+  /// Adds weight times k, the rows from row0 and the columns from column0 on of element e's matrix. From one thread, or
+  /// within in_order().
   template <int R, int C>
   KOKKOS_INLINE_FUNCTION void add(int e, int row0, int column0, const double (&k)[R][C], double weight) const {
+    if (buffer.used()) return keep(e - buffer.first, row0, column0, k, weight);
     bool fixed_column[C];
     std::uint32_t position[C] = {};  // within the rows of the node `at`
     for (int c = 0; c < C; ++c) fixed_column[c] = constrained(dofs(e, column0 + c));
@@ -67,21 +73,50 @@ struct MatrixScatter {
       double* const entries = &values(row_begin(row));
       for (int c = 0; c < C; ++c) {
         if ((fixed_row || fixed_column[c]) && row0 + r != column0 + c) continue;
-        accumulate(entries + position[c], weight * k[r][c]);
+        entries[position[c]] += weight * k[r][c];
       }
     }
   }
-#ifdef KOKKOS_ENABLE_SERIAL
-  static constexpr bool concurrent = !std::is_same_v<Kokkos::DefaultExecutionSpace, Kokkos::Serial>;
-#else
-  static constexpr bool concurrent = true;
-#endif
-  /// Atomic only where the execution space is concurrent.
-  KOKKOS_INLINE_FUNCTION static void accumulate(double* target, double value) {
-    if constexpr (concurrent)
-      Kokkos::atomic_add(target, value);
-    else
-      *target += value;
+
+  /// Adds the rows and columns 0 to n - 1, row after row, of element e's matrix.
+  KOKKOS_INLINE_FUNCTION void add(int e, int n, const double* k) const {
+    for (int a = 0; a < n; ++a) {
+      if (buffer.used()) spans(e - buffer.first, a) = {0, n};
+      for (int b = 0; b < n; ++b)
+        if (buffer.used())
+          buffer.values(e - buffer.first, a, b) = k[n * a + b];
+        else
+          add(e, a, b, k[n * a + b]);
+    }
+  }
+
+  // For in_order().
+  void open_buffer(int elements);
+  /// Before element e adds.
+  KOKKOS_INLINE_FUNCTION void open(int e) const {
+    if (!buffer.used()) return;
+    for (int a = 0; a < static_cast<int>(spans.extent(1)); ++a) spans(e - buffer.first, a).count = 0;
+  }
+  KOKKOS_INLINE_FUNCTION void take(int row, int entry) const {
+    const int i = entry / static_cast<int>(dofs.extent(1)), a = entry % static_cast<int>(dofs.extent(1));
+    const int e = buffer.first + i;
+    const Span span = spans(i, a);
+    const bool fixed_row = constrained(row);
+    double* const entries = &values(row_begin(row));
+    for (int b = span.first; b < span.first + span.count; ++b) {
+      if ((fixed_row || constrained(dofs(e, b))) && a != b) continue;
+      entries[positions(e, places(a).node, places(b).node) + places(b).component] += buffer.values(i, a, b);
+    }
+  }
+
+ private:
+  template <int R, int C>
+  KOKKOS_INLINE_FUNCTION void keep(int i, int row0, int column0, const double (&k)[R][C], double weight) const {
+    for (int r = 0; r < R; ++r) {
+      spans(i, row0 + r) = {column0, C};
+      double* const to = &buffer.values(i, row0 + r, column0);
+      for (int c = 0; c < C; ++c) to[c] = weight * k[r][c];
+    }
   }
 };
 

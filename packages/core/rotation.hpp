@@ -30,13 +30,13 @@ struct Rotation {
   }
 
   /// x turned, and turned back.
-  Point operator()(const Point& x) const {
+  constexpr Point operator()(const Point& x) const {
     Point result{};
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) result[i] += matrix[i][k] * x[k];
     return result;
   }
-  Point back(const Point& x) const {
+  constexpr Point back(const Point& x) const {
     Point result{};
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) result[i] += matrix[k][i] * x[k];
@@ -44,7 +44,7 @@ struct Rotation {
   }
 
   /// This rotation after `first`.
-  Rotation operator*(const Rotation& first) const {
+  constexpr Rotation operator*(const Rotation& first) const {
     Rotation result;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -53,7 +53,7 @@ struct Rotation {
       }
     return result;
   }
-  Rotation inverse() const {
+  constexpr Rotation inverse() const {
     Rotation result;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) result.matrix[i][j] = matrix[j][i];

@@ -6,18 +6,18 @@
 
 namespace mudline {
 
-// Vectors of space, for the sources that work with them.
+// Vectors of space, for the sources that work with them. What is constexpr may run in kernels on a device too.
 
-inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Point cross(const Point& a, const Point& b) {
+constexpr double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+constexpr Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+constexpr Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 /// a + factor b.
-inline Point plus(const Point& a, double factor, const Point& b) {
+constexpr Point plus(const Point& a, double factor, const Point& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
-inline Point scaled(double factor, const Point& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
+constexpr Point scaled(double factor, const Point& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
 inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 }  // namespace mudline

@@ -15,13 +15,13 @@ struct Constraints {
   /// Of so many unknowns, none of them prescribed.
   explicit Constraints(int dofs)
       : mask("prescribed", dofs), value("value", dofs), moves("moves", dofs), rate("rate", dofs) {}
-  void prescribe(int dof, double to) const {
+  KOKKOS_INLINE_FUNCTION void prescribe(int dof, double to) const {
     mask(dof) = 1;
     value(dof) = to;
   }
   /// With the rate of a motion that is known: the integrator's own, found from the values, would ring after every
   /// corner of the motion.
-  void prescribe(int dof, double to, double at_rate) const {
+  KOKKOS_INLINE_FUNCTION void prescribe(int dof, double to, double at_rate) const {
     prescribe(dof, to);
     moves(dof) = 1;
     rate(dof) = at_rate;

@@ -56,8 +56,8 @@ auto with_coordinates(Geometry geometry, F&& f) {
 
 /// The same length where the coordinate system is known at run time only.
 template <class T>
-T measure(Geometry geometry, const T* x) {
-  return with_coordinates(geometry, [&](auto coordinates) { return decltype(coordinates)::measure(x); });
+KOKKOS_INLINE_FUNCTION T measure(Geometry geometry, const T* x) {
+  return geometry == Geometry::axisymmetric ? Axisymmetric::measure(x) : T(1.0);
 }
 
 }  // namespace mudline

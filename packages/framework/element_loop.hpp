@@ -8,7 +8,7 @@
 #include "framework/element_shapes.hpp"
 #include "framework/point_fields.hpp"
 #include "framework/tangent_kernel.hpp"
-#include "framework/term.hpp"
+#include "framework/vector_scatter.hpp"
 #include "tensor/dual.hpp"
 #include "tensor/midpoint_rule.hpp"
 
@@ -200,7 +200,7 @@ struct ElementLoop {
   /// Adds the balance of element e to the residual; returns 1 where the element is folded. What acts in the step is the
   /// size of each kind of contribution by itself: they may cancel, as storage and flow do in consolidation.
   template <class Law>
-  KOKKOS_INLINE_FUNCTION int residual(int e, const Law& law, const ResidualView& to) const {
+  KOKKOS_INLINE_FUNCTION int residual(int e, const Law& law, const VectorScatter& to) const {
     Nodes n;
     gather<Law::rates>(e, n);
     double r[NU][D] = {}, acting[NU][D] = {}, skeleton[NU][D] = {}, fluid[NU][D] = {};
@@ -243,14 +243,14 @@ struct ElementLoop {
       for (int a = 0; a < NU; ++a)
         for (int i = 0; i < D; ++i) {
           const double acts = std::abs(acting[a][i]) + std::abs(skeleton[a][i]) + std::abs(fluid[a][i]);
-          to.add(b.dofs(e, D * a + i), r[a][i], acts);
+          to.add(e, D * a + i, r[a][i], acts, std::abs(r[a][i]));
         }
     if constexpr (Law::storages || Law::fluxes)
       for (int k = 0; k < S; ++k)
         for (int c = 0; c < NS; ++c) {
-          const int dof = b.dofs(e, MU + k * NS + c);
-          to.add(dof, stored[k][c] + flown[k][c], std::abs(stored[k][c]) + std::abs(flown[k][c]));
-          if constexpr (Law::cancels) to.cancelled(dof, cancelled[k][c]);
+          const double sum = stored[k][c] + flown[k][c];
+          to.add(e, MU + k * NS + c, sum, std::abs(stored[k][c]) + std::abs(flown[k][c]),
+                 std::abs(sum) + cancelled[k][c]);
         }
     return 0;
   }
@@ -506,11 +506,14 @@ template <class Loop, class Law>
 struct ElementResidual {
   Loop loop;
   Law law;
-  ResidualView to;
-  KOKKOS_INLINE_FUNCTION void operator()(int e, int& failed) const { failed += loop.residual(e, law, to); }
+  VectorScatter to;
+  KOKKOS_INLINE_FUNCTION void operator()(int e, int& failed) const {
+    to.open(e);
+    failed += loop.residual(e, law, to);
+  }
 };
 template <class Loop, class Law>
-ElementResidual(Loop, Law, ResidualView) -> ElementResidual<Loop, Law>;
+ElementResidual(Loop, Law, VectorScatter) -> ElementResidual<Loop, Law>;
 
 /// Calls f(loop) with the element loop that a law needs on a block.
 template <class Law, class F>
@@ -530,19 +533,23 @@ int add_residual(Geometry geometry, const FieldBlock& block, const LoopLevel& le
                  const ResidualView& f) {
   int failed = 0;
   with_loop<Law>(geometry, block, level, [&](const auto& loop) {
-    Kokkos::parallel_reduce("residual", Kokkos::RangePolicy<>(0, block.elements), ElementResidual{loop, law, f},
-                            failed);
+    in_order("residual rows", block.rows, 0, block.elements, VectorScatter{f, block.dofs},
+             [&](int first, int last, const VectorScatter& to) {
+               int folded = 0;
+               Kokkos::parallel_reduce("residual", Kokkos::RangePolicy<>(first, last), ElementResidual{loop, law, to},
+                                       folded);
+               failed += folded;
+             });
   });
   return failed;
 }
 
-/// Adds weight times its derivative, of elements [first, last).
+/// Adds weight times its derivative, of elements [first, last), which begin a batch.
 template <class Law>
 void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
                  const MatrixScatter& to, double weight, int first, int last) {
-  with_loop<Law>(geometry, block, level, [&](const auto& loop) {
-    Kokkos::parallel_for("tangent", Kokkos::RangePolicy<>(first, last), TangentKernel{loop, law, to, weight});
-  });
+  with_loop<Law>(geometry, block, level,
+                 [&](const auto& loop) { add_tangents("tangent", block.rows, first, last, loop, law, to, weight); });
 }
 template <class Law>
 void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,

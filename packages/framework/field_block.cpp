@@ -23,6 +23,7 @@ FieldBlock::FieldBlock(const Space& space, int block, int displacement_field, co
   }
   scalar_shape = scalars > 0 ? space.shape(scalar_fields[0], block) : shape;
   dofs = space.element_dofs(block, fields);
+  rows = RowLists(dofs);
   *this = with_quadrature(degree);
 }
 

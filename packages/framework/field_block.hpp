@@ -19,6 +19,7 @@ struct FieldBlock {
   ShapeTable u, p;  // of the cell and of the scalar fields, at the same quadrature points; p.nodes == 0 without these
   Kokkos::View<int**, Kokkos::LayoutRight> nodes;
   ElementDofs dofs;
+  RowLists rows;   // of `dofs`
   int group = -1;  // of the assembler
 
   bool moves() const { return displacement >= 0; }

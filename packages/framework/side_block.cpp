@@ -19,6 +19,7 @@ SideBlock::SideBlock(const Space& space, int field_, CellShape side, const std::
     space.write_dofs(field, of_sides[s].data(), carry, &table(s, 0));
   }
   dofs = table;
+  rows = RowLists(dofs);
 }
 
 Point SideBlock::place(int s, int q, const ConstCoordinateView& x) const {

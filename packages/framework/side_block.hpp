@@ -16,6 +16,7 @@ struct SideBlock {
   ShapeTable shape, partner;  // of the side and of the field, at the same quadrature points
   Kokkos::View<int**, Kokkos::LayoutRight> nodes;
   ElementDofs dofs;
+  RowLists rows;  // of `dofs`
   int field = -1;
   int group = -1;  // of the assembler
 

@@ -8,7 +8,7 @@
 #include "framework/coordinates.hpp"
 #include "framework/side_block.hpp"
 #include "framework/tangent_kernel.hpp"
-#include "framework/term.hpp"
+#include "framework/vector_scatter.hpp"
 
 namespace mudline {
 
@@ -103,23 +103,32 @@ struct SideLoop {
     return p;
   }
 
-  /// Adds the load on side s to the residual, point by point: a corner's shape has both signs on a quadratic side, and
-  /// sizes are wanted before they cancel.
+  /// Adds the load on side s to the residual. Sizes are taken point by point: a corner's shape has both signs on a
+  /// quadratic side, and they are wanted before they cancel.
   template <class Law>
-  KOKKOS_INLINE_FUNCTION void residual(int s, const Law& law, const ResidualView& to) const {
+  KOKKOS_INLINE_FUNCTION void residual(int s, const Law& law, const VectorScatter& to) const {
+    constexpr int n = rows<Law>;
+    double sum[n] = {}, acting[n] = {}, whole[n] = {};
     for (int q = 0; q < b.points; ++q) {
       SideBalance<Coordinates, double> out;
       law(s * b.points + q, point<Law, double>(s, q), out);
       const double w = b.shape.weights(q);
-      if constexpr (Law::flows)
-        for (int c = 0; c < NF; ++c) to.add(b.dofs(s, c), w * b.partner.N(q, c) * out.flow);
-      else
-        for (int a = 0; a < NN; ++a)
-          for (int i = 0; i < D; ++i) {
-            const double share = w * b.shape.N(q, a);
-            to.add(b.dofs(s, D * a + i), share * out.force[i], share * (out.force[i] - out.standing[i]));
-          }
+      for (int row = 0; row < n; ++row) {
+        double share, value, standing = 0;
+        if constexpr (Law::flows) {
+          share = w * b.partner.N(q, row);
+          value = out.flow;
+        } else {
+          share = w * b.shape.N(q, row / D);
+          value = out.force[row % D];
+          standing = out.standing[row % D];
+        }
+        sum[row] += share * value;
+        acting[row] += std::abs(share * (value - standing));
+        whole[row] += std::abs(share * value);
+      }
     }
+    for (int row = 0; row < n; ++row) to.add(s, row, sum[row], acting[row], whole[row]);
   }
 
   /// Adds weight times the derivative of residual() to the matrix.
@@ -136,8 +145,7 @@ struct SideLoop {
         for (int column = 0; column < n; ++column)
           k[row][column] += b.shape.weights(q) * entry<Law>(q, row, column, out);
     }
-    for (int a = 0; a < n; ++a)
-      for (int c = 0; c < n; ++c) to.add(s, a, c, weight * k[a][c]);
+    to.add(s, 0, 0, k, weight);
   }
 
  private:
@@ -166,11 +174,14 @@ template <class Loop, class Law>
 struct SideResidual {
   Loop loop;
   Law law;
-  ResidualView to;
-  KOKKOS_INLINE_FUNCTION void operator()(int s) const { loop.residual(s, law, to); }
+  VectorScatter to;
+  KOKKOS_INLINE_FUNCTION void operator()(int s) const {
+    to.open(s);
+    loop.residual(s, law, to);
+  }
 };
 template <class Loop, class Law>
-SideResidual(Loop, Law, ResidualView) -> SideResidual<Loop, Law>;
+SideResidual(Loop, Law, VectorScatter) -> SideResidual<Loop, Law>;
 
 /// Calls f(loop) with the loop that fits a block's sides.
 template <class F>
@@ -205,7 +216,10 @@ template <class Law>
 void add_side_residual(Geometry geometry, const SideBlock& block, const SideLevel& level, const Law& law,
                        const ResidualView& f) {
   with_side_loop(geometry, block, level, [&](const auto& loop) {
-    Kokkos::parallel_for("side residual", Kokkos::RangePolicy<>(0, block.sides), SideResidual{loop, law, f});
+    in_order("residual rows", block.rows, 0, block.sides, VectorScatter{f, block.dofs},
+             [&](int first, int last, const VectorScatter& to) {
+               Kokkos::parallel_for("side residual", Kokkos::RangePolicy<>(first, last), SideResidual{loop, law, to});
+             });
   });
 }
 
@@ -214,7 +228,7 @@ template <class Law>
 void add_side_tangent(Geometry geometry, const SideBlock& block, const SideLevel& level, const Law& law,
                       const MatrixScatter& to, double weight) {
   with_side_loop(geometry, block, level, [&](const auto& loop) {
-    Kokkos::parallel_for("side tangent", Kokkos::RangePolicy<>(0, block.sides), TangentKernel{loop, law, to, weight});
+    add_tangents("side tangent", block.rows, 0, block.sides, loop, law, to, weight);
   });
 }
 

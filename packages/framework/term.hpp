@@ -70,19 +70,23 @@ struct ResidualView {
   ResidualView(const NodalView& to) : sum(to) {}
   ResidualView(const NodalView& to, const NodalView& acts, const NodalView& all) : sum(to), acting(acts), whole(all) {}
 
-  /// A contribution that acts in the step as a whole.
+  /// A contribution that acts in the step as a whole. From one thread only, as all of these; loops use a VectorScatter.
   KOKKOS_INLINE_FUNCTION void add(int dof, double value) const { add(dof, value, value); }
   /// One of which `change`, of either sign, acts in the step.
   KOKKOS_INLINE_FUNCTION void add(int dof, double value, double change) const {
-    MatrixScatter::accumulate(&sum(dof), value);
+    add(dof, value, change < 0 ? -change : change, value < 0 ? -value : value);
+  }
+  /// A sum with both of its sizes.
+  KOKKOS_INLINE_FUNCTION void add(int dof, double value, double acts, double all) const {
+    sum(dof) += value;
     if (acting.extent(0) == 0) return;
-    MatrixScatter::accumulate(&acting(dof), change < 0 ? -change : change);
-    cancelled(dof, value < 0 ? -value : value);
+    acting(dof) += acts;
+    cancelled(dof, all);
   }
   /// The size [of the residual] of what cancelled before a contribution was formed: a gap is the difference of two
   /// positions, so a spring of stiffness k at the position x leaves rounding of k |x|.
   KOKKOS_INLINE_FUNCTION void cancelled(int dof, double size) const {
-    if (whole.extent(0) > 0) MatrixScatter::accumulate(&whole(dof), size);
+    if (whole.extent(0) > 0) whole(dof) += size;
   }
 };
 

@@ -2,7 +2,19 @@
 
 #include <cmath>
 
+#include "algebra/ordered_sum.hpp"
+
 namespace mudline {
+
+namespace {
+
+template <class View>
+struct Squares {
+  View values;
+  KOKKOS_FUNCTION void operator()(int i, double (&sum)[1]) const { sum[0] += values(i) * values(i); }
+};
+
+}  // namespace
 
 std::vector<std::pair<int, int>> overlap_ranges(const DofMap& dofs, int f) {
   const FieldLayout& field = dofs.field(f);
@@ -48,9 +60,8 @@ std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v) {
   {
     const auto data = entries(v, Tpetra::Access::ReadOnly);
     for (int f = 0; f < dofs.num_fields(); ++f)
-      Kokkos::parallel_reduce(
-          "squares", Kokkos::RangePolicy<>(dofs.owned_begin(f), dofs.owned_end(f)),
-          KOKKOS_LAMBDA(int i, double& sum) { sum += data(i) * data(i); }, squares[f]);
+      squares[f] = ordered_sum<1>("squares", dofs.owned_begin(f), dofs.owned_end(f),
+                                  Squares<std::remove_const_t<decltype(data)>>{data})[0];
   }
   squares = sum_over_ranks(*dofs.comm(), squares);
   for (double& s : squares) s = std::sqrt(s);

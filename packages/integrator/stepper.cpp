@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "algebra/absolute_product.hpp"
+#include "algebra/ordered_sum.hpp"
 #include "core/guarded.hpp"
 #include "core/log.hpp"
 #include "discretisation/agree.hpp"
@@ -57,6 +58,14 @@ void start_from(const Constraints& constraints, const NodalView& values, Vector&
       KOKKOS_LAMBDA(int i) { data(i) = given.mask(i) ? given.value(i) : otherwise(i); });
 }
 
+/// Prescribes the unknowns [begin, end) as they are.
+void hold(const Constraints& constraints, const NodalView& values, int begin, int end) {
+  const Constraints to = constraints;
+  const NodalView from = values;
+  Kokkos::parallel_for(
+      "hold", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) { to.prescribe(i, from(i)); });
+}
+
 /// Adds time times rate to the unknowns [begin, end) of x that are not prescribed.
 void move_on(const Constraints& constraints, const NodalView& rates, double time, int begin, int end, Vector& x) {
   const auto data = entries(x, Tpetra::Access::ReadWrite);
@@ -71,9 +80,9 @@ void move_on(const Constraints& constraints, const NodalView& rates, double time
 /// Sums of squares of the change of forces and of the forces before it.
 struct SquaresOfChange {
   NodalView now, old;
-  KOKKOS_FUNCTION void operator()(int i, double& change, double& size) const {
-    change += (now(i) - old(i)) * (now(i) - old(i));
-    size += old(i) * old(i);
+  KOKKOS_FUNCTION void operator()(int i, double (&sums)[2]) const {
+    sums[0] += (now(i) - old(i)) * (now(i) - old(i));
+    sums[1] += old(i) * old(i);
   }
 };
 
@@ -214,7 +223,7 @@ void Stepper::constrain(const StepRequest& request) {
     for (int f = 0; f < space_.num_fields(); ++f)
       if (space_.field(f).time_order == 1)
         for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
-          for (int i = begin; i < end; ++i) constraints_.prescribe(i, store_.committed().value(i));
+          hold(constraints_, store_.committed().value, begin, end);
 }
 
 int Stepper::history_slot(int k) const {
@@ -443,10 +452,8 @@ bool Stepper::rests() const {
     const int slot = history_slot(k);
     if (slot < 0 || !history_[slot]->may_relax()) continue;
     const NodalView now = store_.trial().history_forces[slot], old = store_.committed().history_forces[slot];
-    double change = 0, size = 0;
-    Kokkos::parallel_reduce("rests", Kokkos::RangePolicy<>(0, old.extent(0)), SquaresOfChange{now, old}, change, size);
-    sums[0] += change;
-    sums[1] += size;
+    const auto here = ordered_sum<2>("rests", 0, static_cast<int>(old.extent(0)), SquaresOfChange{now, old});
+    for (int n = 0; n < 2; ++n) sums[n] += here[n];
   }
   const auto total = sum_over_ranks(*space_.dofs()->comm(), std::vector<double>(sums, sums + 2));
   return total[0] <= 1e-6 * total[1];

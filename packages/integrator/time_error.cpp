@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/ordered_sum.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -28,6 +29,27 @@ struct FirstOrderError {
   }
 };
 
+/// Squares of factor (now - old) at the unknowns that are not prescribed.
+struct SquaresOfError {
+  double factor;
+  ConstNodalView now, old;  // an empty `old` is zero
+  Kokkos::View<const char*> constrained;
+  KOKKOS_FUNCTION void operator()(int i, double (&sum)[1]) const {
+    if (constrained(i)) return;
+    const double error = factor * (now(i) - (old.extent(0) > 0 ? old(i) : 0.0));
+    sum[0] += error * error;
+  }
+};
+
+/// Second derivatives from the rates of two instants.
+void differentiate(const NodalView& now, const NodalView& old, double between, int begin, int end,
+                   const NodalView& to) {
+  const NodalView rate = now, rate_old = old, derivative = to;
+  Kokkos::parallel_for(
+      "second derivatives", Kokkos::RangePolicy<>(begin, end),
+      KOKKOS_LAMBDA(int i) { derivative(i) = (rate(i) - rate_old(i)) / between; });
+}
+
 }  // namespace
 
 bool TimeError::has_meaning(const Space& space, const TimeScheme& scheme) {
@@ -48,11 +70,10 @@ LocalError TimeError::measure(const StepView& view, const TimeScheme& scheme, do
   const double rates = scheme.incremental ? scheme.theta * dt + (1 - scheme.theta) * dt_old : dt;
   const double derivatives = 0.5 * (scheme.incremental ? scheme.theta * dt + (2 - scheme.theta) * dt_old : dt + dt_old);
   LocalError result;
-  const auto judge = [&](int field, int order, const auto& error_of) {
-    double sum = 0;
-    for (int i = dofs.owned_begin(field); i < dofs.owned_end(field); ++i)
-      if (!view.constrained(i)) sum += std::pow(error_of(i), 2);
-    const double error = std::sqrt(sum_over_ranks(*dofs.comm(), sum));
+  const auto judge = [&](int field, int order, double factor, const NodalView& of, const NodalView& less) {
+    const double squares = ordered_sum<1>("time error", dofs.owned_begin(field), dofs.owned_end(field),
+                                          SquaresOfError{factor, of, less, view.constrained})[0];
+    const double error = std::sqrt(sum_over_ranks(*dofs.comm(), squares));
     if (sizes[field] > 0) result.add(error / (sizes[field] * tolerance), order);
   };
   for (int f = 0; f < space_.num_fields(); ++f) {
@@ -60,18 +81,19 @@ LocalError TimeError::measure(const StepView& view, const TimeScheme& scheme, do
       if (!scheme.inertia || step < 1) continue;
       const double s = scheme.alpha_m - scheme.alpha_f;
       const double c = std::abs(1.0 / 6 - 0.5 * s - scheme.beta) + std::abs(scheme.gamma + s - 0.5);
-      judge(f, 2, [&](int i) { return c * dt * dt * (now.acceleration(i) - old.acceleration(i)); });
+      judge(f, 2, c * dt * dt, now.acceleration, old.acceleration);
       continue;
     }
     if (!scheme.flow) continue;
-    for (const auto& [begin, end] : overlap_ranges(dofs, f))
-      for (int i = begin; i < end; ++i) now.acceleration(i) = step < 2 ? 0.0 : (now.rate(i) - old.rate(i)) / rates;
+    for (const auto& range : overlap_ranges(dofs, f))
+      if (step < 2)
+        Kokkos::deep_copy(Kokkos::subview(now.acceleration, range), 0.0);
+      else
+        differentiate(now.rate, old.rate, rates, range.first, range.second, now.acceleration);
     if (step < 2) continue;
-    judge(f, 1, [&](int i) { return first.second * dt * dt * now.acceleration(i); });
+    judge(f, 1, first.second * dt * dt, now.acceleration, {});
     if (step < 3) continue;
-    judge(f, 2, [&](int i) {
-      return first.third * std::pow(dt, 3) * (now.acceleration(i) - old.acceleration(i)) / derivatives;
-    });
+    judge(f, 2, first.third * std::pow(dt, 3) / derivatives, now.acceleration, old.acceleration);
   }
   return result;
 }

@@ -36,32 +36,72 @@ void PressureProjection::begin(const StepView& view) {
   }
 }
 
+namespace {
+
+/// One block's matrices as a loop over elements. N: pressures of an element, the last columns of its dofs from `first`.
+template <int N>
+struct ProjectionLoop {
+  ElementDofs dofs;
+  ConstPointView matrices;
+  ConstNodalView rate;
+  int first;
+
+  KOKKOS_INLINE_FUNCTION void residual(int e, const VectorScatter& to) const {
+    for (int c = 0; c < N; ++c) {
+      double sum = 0;
+      for (int d = 0; d < N; ++d) sum += matrices(e, N * c + d) * rate(dofs(e, first + d));
+      const double size = sum < 0 ? -sum : sum;
+      to.add(e, first + c, sum, size, size);
+    }
+  }
+  /// law: the derivative of the rates by the unknowns.
+  KOKKOS_INLINE_FUNCTION void tangent(int e, double law, const MatrixScatter& to, double weight) const {
+    double k[N][N];
+    for (int c = 0; c < N; ++c)
+      for (int d = 0; d < N; ++d) k[c][d] = law * matrices(e, N * c + d);
+    to.add(e, first, first, k, weight);
+  }
+};
+
+template <class Loop>
+struct ProjectionResidual {
+  Loop loop;
+  VectorScatter to;
+  KOKKOS_INLINE_FUNCTION void operator()(int e) const {
+    to.open(e);
+    loop.residual(e, to);
+  }
+};
+
+}  // namespace
+
 template <class F>
-void PressureProjection::for_each_row(F&& f) const {
-  for (std::size_t k = 0; k < matrices_.size(); ++k) {
+void PressureProjection::for_each_block(const StepView& view, F&& f) const {
+  for (std::size_t k = 0; view.flow && k < matrices_.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
-    const int nodes = b.p.nodes, first = static_cast<int>(b.dofs.extent(1)) - nodes;  // the pressures come last
-    for (int e = 0; e < b.elements; ++e)
-      for (int c = 0; c < nodes; ++c) f(b, e, first, c, &matrices_[k](e, nodes * c));
+    with_element(soil_->geometry, b, [&](auto, auto shapes) {
+      constexpr int N = decltype(shapes)::NS;
+      if constexpr (N > 0)
+        f(b, ProjectionLoop<N>{b.dofs, matrices_[k], view.rate, static_cast<int>(b.dofs.extent(1)) - N});
+    });
   }
 }
 
 int PressureProjection::residual(const StepView& view, const ResidualView& f) {
-  if (!view.flow) return 0;
-  for_each_row([&](const SoilBlock& b, int e, int first, int c, const double* row) {
-    double sum = 0;
-    for (int d = 0; d < b.p.nodes; ++d) sum += row[d] * view.rate(b.dofs(e, first + d));
-    f.add(b.dofs(e, first + c), sum);
+  for_each_block(view, [&](const SoilBlock& b, const auto& loop) {
+    using Kernel = ProjectionResidual<std::decay_t<decltype(loop)>>;
+    in_order("residual rows", b.rows, 0, b.elements, VectorScatter{f, b.dofs},
+             [&](int first, int last, const VectorScatter& to) {
+               Kokkos::parallel_for("projection", Kokkos::RangePolicy<>(first, last), Kernel{loop, to});
+             });
   });
   return 0;
 }
 
 void PressureProjection::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  if (!view.flow) return;
-  const double by_rate = weight * view.sensitivity[soil_->pressure].rate;
-  for_each_row([&](const SoilBlock& b, int e, int first, int c, const double* row) {
-    const MatrixScatter to = assembler.scatter(b.group);
-    for (int d = 0; d < b.p.nodes; ++d) to.add(e, first + c, first + d, by_rate * row[d]);
+  const double by_rate = view.sensitivity[soil_->pressure].rate;
+  for_each_block(view, [&](const SoilBlock& b, const auto& loop) {
+    add_tangents("projection", b.rows, 0, b.elements, loop, by_rate, assembler.scatter(b.group), weight);
   });
 }
 

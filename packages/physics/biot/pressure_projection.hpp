@@ -25,12 +25,11 @@ class PressureProjection : public Term {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
  private:
-  /// Calls f(block, element, first, c, row) for the rows c of all elements' matrices [m3/Pa]; the pressures of the
-  /// block's dof table begin in column `first`.
+  /// Calls f(block, loop over its elements); never where nothing flows.
   template <class F>
-  void for_each_row(F&& f) const;
+  void for_each_block(const StepView& view, F&& f) const;
   std::shared_ptr<Soil> soil_;
-  std::vector<PointView> matrices_;  // by block: (element, entry), of the present step
+  std::vector<PointView> matrices_;  // by block: (element, entry), of the present step [m3/Pa]
 };
 
 }  // namespace mudline

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/device_copy.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline {
@@ -13,6 +14,40 @@ void require_component(const Section& section, const std::array<bool, axis_names
   if (std::none_of(given.begin(), given.end(), [](bool g) { return g; }))
     section.fail(section.dimension() == 3 ? "at least one of 'x', 'y' and 'z' must be given"
                                           : "at least one of 'x' and 'y' must be given");
+}
+
+// What runs for every value that is given, and their launch.
+template <class Given>
+struct SetValue {
+  Kokkos::View<const Given*> given;
+  Constraints to;
+  KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, given(i).value); }
+};
+template <class Given>
+struct SetChange {  // over the step
+  Kokkos::View<const Given*> given;
+  Constraints to;
+  ConstNodalView before;
+  KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, before(given(i).dof) + given(i).value); }
+};
+template <class Given>
+struct SetHead {  // given: the water level
+  Kokkos::View<const Given*> given;
+  Constraints to;
+  ConstCoordinateView x;
+  Kokkos::Array<double, 3> up;
+  double unit_weight;
+  KOKKOS_FUNCTION void operator()(int i) const {
+    double height = 0;
+    for (int k = 0; k < static_cast<int>(x.extent(1)); ++k) height += up[k] * x(given(i).node, k);
+    const double pressure = unit_weight * (given(i).value - height);
+    to.prescribe(given(i).dof, pressure > 0 ? pressure : 0.0);
+  }
+};
+template <template <class> class Kernel, class Given, class... More>
+void set_given(const std::vector<Given>& given, const Constraints& to, const More&... more) {
+  Kokkos::parallel_for("given values", Kokkos::RangePolicy<>(0, static_cast<int>(given.size())),
+                       Kernel<Given>{device_copy(given), to, more...});
 }
 
 }  // namespace
@@ -71,10 +106,12 @@ void DisplacementCondition::parameters(Parameters& p) {
 void DisplacementCondition::check(const Section& section) { require_component(section, given_); }
 
 void DisplacementCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  for_each_node([&](int dof, int, const Point& x) {
+  std::vector<Given> given;
+  for_each_node([&](int dof, int node, const Point& x) {
     for (int i = 0; i < space_->mesh().dimension(); ++i)
-      if (given_[i]) to.prescribe(dof + i, component_[i](t_end, x));
+      if (given_[i]) given.push_back({dof + i, node, component_[i](t_end, x)});
   });
+  set_given<SetValue>(given, to);
 }
 
 void VelocityCondition::parameters(Parameters& p) {
@@ -98,19 +135,21 @@ double VelocityCondition::ramp(double time) const {
 
 void VelocityCondition::prescribe(double t_old, double t_end, const State& committed, Constraints& to) const {
   // Three Gauss points integrate the cubic ramp exactly within a step.
-  const double dt = t_end - t_old, node[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)},
+  const double dt = t_end - t_old, place[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)},
                weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  for_each_node([&](int dof, int, const Point& x) {
+  std::vector<Given> given;
+  for_each_node([&](int dof, int node, const Point& x) {
     for (int i = 0; i < space_->mesh().dimension(); ++i) {
       if (!given_[i]) continue;
       double change = 0;
       for (int q = 0; q < 3; ++q) {
-        const double t = t_old + 0.5 * dt * (1 + node[q]);
+        const double t = t_old + 0.5 * dt * (1 + place[q]);
         change += weight[q] * dt * ramp(t) * component_[i](t, x);
       }
-      to.prescribe(dof + i, committed.value(dof + i) + change);
+      given.push_back({dof + i, node, change});
     }
   });
+  set_given<SetChange>(given, to, committed.value);
 }
 
 void FixedCondition::parameters(Parameters& p) {
@@ -125,10 +164,12 @@ void FixedCondition::parameters(Parameters& p) {
 }
 
 void FixedCondition::prescribe(double, double, const State&, Constraints& to) const {
-  for_each_node([&](int dof, int, const Point&) {
+  std::vector<Given> given;
+  for_each_node([&](int dof, int node, const Point&) {
     for (int i = 0; i < space_->mesh().dimension(); ++i)
-      if (static_cast<int>(components_) & 1 << i) to.prescribe(dof + i, 0);
+      if (static_cast<int>(components_) & 1 << i) given.push_back({dof + i, node, 0.0});
   });
+  set_given<SetValue>(given, to);
 }
 
 void PorePressureCondition::parameters(Parameters& p) {
@@ -137,7 +178,9 @@ void PorePressureCondition::parameters(Parameters& p) {
 }
 
 void PorePressureCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  for_each_open_node([&](int dof, int, const Point& x) { to.prescribe(dof, value_(t_end, x)); });
+  std::vector<Given> given;
+  for_each_open_node([&](int dof, int node, const Point& x) { given.push_back({dof, node, value_(t_end, x)}); });
+  set_given<SetValue>(given, to);
 }
 
 void HydrostaticCondition::parameters(Parameters& p) {
@@ -156,11 +199,9 @@ void HydrostaticCondition::bind(const ConditionContext& context, const Section& 
 }
 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
-  for_each_open_node([&](int dof, int node, const Point& x) {
-    double height = 0;
-    for (int i = 0; i < space_->mesh().dimension(); ++i) height += up_[i] * committed.coordinates(node, i);
-    to.prescribe(dof, std::max(0.0, unit_weight_ * (level_(t_end, x) - height)));
-  });
+  std::vector<Given> given;
+  for_each_open_node([&](int dof, int node, const Point& x) { given.push_back({dof, node, level_(t_end, x)}); });
+  set_given<SetHead>(given, to, committed.coordinates, Kokkos::Array<double, 3>{up_[0], up_[1], up_[2]}, unit_weight_);
 }
 
 void ValueCondition::parameters(Parameters& p) {
@@ -179,7 +220,11 @@ void ValueCondition::bind(const ConditionContext& context, const Section& sectio
 }
 
 void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  for_each_open_node([&](int dof, int, const Point& x) { to.prescribe(dof + component_, value_(t_end, x)); });
+  std::vector<Given> given;
+  for_each_open_node([&](int dof, int node, const Point& x) {
+    given.push_back({dof + component_, node, value_(t_end, x)});
+  });
+  set_given<SetValue>(given, to);
 }
 
 }  // namespace mudline

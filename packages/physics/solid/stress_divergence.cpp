@@ -14,9 +14,6 @@ namespace mudline {
 
 namespace {
 
-/// Elements at a time: few enough that the staging arrays stay in the cache of each thread.
-int batch_size() { return 64 * Kokkos::DefaultExecutionSpace().concurrency(); }
-
 /// The midpoint rule of a step from the gradients that a point has in the configuration of the end. False where the
 /// configuration half way is inverted.
 template <class C, int S, class T>
@@ -197,7 +194,7 @@ class StressUpdate {
 StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, Tangent tangent,
                            const PointView& all)
     : soil_(soil), block_(block), view_(view), level_(end_level(view, block)), wanted_(tangent) {
-  const int rows = batch_size() * block.points;
+  const int rows = elements_of_batch() * block.points;
   const int state_size = block.material->skeleton->state_size();
   input_.strain = PointView("strain", rows, 6);
   input_.stress_old = PointView("rotated stress", rows, 6);
@@ -281,7 +278,7 @@ TotalStress total_stress(const SoilBlock& b, const StepView& view) {
 }  // namespace
 
 int StressDivergence::residual(const StepView& view, const ResidualView& f) {
-  const int batch = batch_size();
+  const int batch = elements_of_batch();
   int failures = 0;
   failure_.clear();
   kept_ = false;
@@ -304,7 +301,7 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
 }
 
 void StressDivergence::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  const int batch = batch_size();
+  const int batch = elements_of_batch();
   std::string broken;
   for (std::size_t k = 0; k < soil_->blocks.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];

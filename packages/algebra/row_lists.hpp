@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Kokkos_Core.hpp>
+
+namespace mudline {
+
+/// Local overlap dofs of every element of one group: (element, dof). One group per element block and field combination.
+using ElementDofs = Kokkos::View<const int**, Kokkos::LayoutRight>;
+
+/// Elements at a time: few enough that what is kept of them stays in the cache of each thread.
+int elements_of_batch();
+
+/// The elements of a group in batches, and for each batch the rows that its elements touch. Where several threads work,
+/// the elements of a batch write their vectors or matrices to a buffer, and then each row adds what is its own, element
+/// after element: in the order, and to the bit, as one thread does. Empty where one thread works: it adds at once.
+struct RowLists {
+  int batch = 0;                                          // elements in it; 0: empty
+  Kokkos::View<const int*, Kokkos::HostSpace> first_row;  // by batch: in `rows`; and the end
+  Kokkos::View<const int*> rows;                          // overlap dof
+  Kokkos::View<const int*> begin;                         // by place in `rows`: in `entries`; and the end
+  Kokkos::View<const int*> entries;  // (element - first of its batch) * columns of a group + column
+
+  RowLists() = default;
+  /// For so many threads as there are.
+  explicit RowLists(const ElementDofs& dofs);
+  RowLists(const ElementDofs& dofs, int elements_of_batch);
+};
+
+/// What the elements of a batch add, kept until the rows take it.
+struct ElementBuffer {
+  Kokkos::View<double***, Kokkos::LayoutRight> values;  // (element of the batch, row, column)
+  int first = 0;                                        // element of the batch
+  KOKKOS_INLINE_FUNCTION bool used() const { return values.data() != nullptr; }
+};
+
+/// What runs on every row of a batch: takes its entries from the buffer, in the order of elements.
+template <class Target>
+struct AddRows {
+  Target to;
+  RowLists lists;
+  int entries;  // of the elements that were worked on
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    for (int k = lists.begin(i); k < lists.begin(i + 1) && lists.entries(k) < entries; ++k)
+      to.take(lists.rows(i), lists.entries(k));
+  }
+};
+
+/// Calls work(first, last, to) for the elements [first, last): all at once, or, where several threads work, batch after
+/// batch, where the rows take over from the buffer of `to` after each. `first` begins a batch.
+template <class Target, class Work>
+void in_order(const char* label, const RowLists& lists, int first, int last, Target to, Work&& work) {
+  if (lists.batch == 0) {
+    work(first, last, to);
+    return;
+  }
+  to.open_buffer(last - first < lists.batch ? last - first : lists.batch);
+  for (int begin = first; begin < last; begin += lists.batch) {
+    const int batch = begin / lists.batch, end = begin + lists.batch < last ? begin + lists.batch : last;
+    to.buffer.first = begin;
+    work(begin, end, to);
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<>(lists.first_row(batch), lists.first_row(batch + 1)),
+                         AddRows<Target>{to, lists, (end - begin) * static_cast<int>(to.dofs.extent(1))});
+  }
+}
+
+}  // namespace mudline

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "framework/term.hpp"
+
+namespace mudline {
+
+/// Where the elements or sides of a loop add their vectors.
+struct VectorScatter {
+  ResidualView to;
+  ElementDofs dofs;
+  ElementBuffer buffer = {};  // of loops on several threads: (element of the batch, row, number)
+
+  /// Adds to row a of element e's vector: a sum, and its sizes before what cancels does. Within in_order().
+  KOKKOS_INLINE_FUNCTION void add(int e, int a, double sum, double acting, double whole) const {
+    if (!buffer.used()) return to.add(dofs(e, a), sum, acting, whole);
+    double* const kept = &buffer.values(e - buffer.first, a, 0);
+    kept[0] = sum;
+    kept[1] = acting;
+    kept[2] = whole;
+  }
+
+  // For in_order().
+  void open_buffer(int elements) {
+    buffer.values = decltype(buffer.values)(Kokkos::view_alloc("element vectors", Kokkos::WithoutInitializing),
+                                            elements, dofs.extent(1), 3);
+  }
+  /// Before element e adds.
+  KOKKOS_INLINE_FUNCTION void open(int e) const {
+    if (!buffer.used()) return;
+    for (int a = 0; a < static_cast<int>(dofs.extent(1)); ++a)
+      for (int n = 0; n < 3; ++n) buffer.values(e - buffer.first, a, n) = 0;
+  }
+  KOKKOS_INLINE_FUNCTION void take(int row, int entry) const {
+    const int columns = static_cast<int>(dofs.extent(1));
+    const double* const kept = &buffer.values(entry / columns, entry % columns, 0);
+    to.add(row, kept[0], kept[1], kept[2]);
+  }
+};
+
+}  // namespace mudline
