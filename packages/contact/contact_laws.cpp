@@ -71,6 +71,10 @@ ContactPointLaw ContactLaws::in_step(const StepView& view, double damping) const
   ContactPointLaw law;
   law.normal_law = normal_.get();
   law.friction = friction_.get();
+  if (friction_) {
+    law.tangential_factor = friction_->tangential_factor();
+    law.effective = friction_->effective();
+  }
   law.time = view.time_end;
   law.dt = view.dt;
   law.impact_damping = view.impact.damping;

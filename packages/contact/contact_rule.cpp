@@ -13,40 +13,31 @@ double farthest(const SideCoordinates& x) {
   return result;
 }
 
-ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) : side(side_), nodes(num_nodes(side_)) {
+ContactRule::ContactRule(ContactPoints kind, CellShape side_, int degree) {
+  side = side_;
+  nodes = num_nodes(side);
   const QuadratureRule gauss = cell_quadrature(side, degree);
   samples = static_cast<int>(gauss.weights.size());
-  N.assign(samples, {});
-  dN.assign(samples, {});
-  for (int q = 0; q < samples; ++q) evaluate_shape(side, gauss.points[q].data(), N[q].data(), dN[q].data());
   const bool nodal = kind == ContactPoints::nodes;
   points = nodal ? nodes : samples;
-  shape.assign(points, {});
-  corner.assign(points, {});
-  shape_slope.assign(points, {});
-  corner_slope.assign(points, {});
-  weight.assign(points, std::vector<double>(samples, 0.0));
+  for (Table* of_samples : {&N, &dN}) *of_samples = Table("contact rule", samples, 2 * max_side_nodes);
+  for (Table* of_points : {&shape, &corner, &shape_slope, &corner_slope})
+    *of_points = Table("contact rule", points, 2 * max_side_nodes);
+  weight = Table("contact weights", points, samples);
+  for (int q = 0; q < samples; ++q) evaluate_shape(side, gauss.points[q].data(), &N(q, 0), &dN(q, 0));
   for (int c = 0; c < points; ++c) {
+    xi.push_back(nodal ? reference_node(side, c) : gauss.points[c]);
     if (nodal) {
-      xi.push_back(reference_node(side, c));
-      shape[c][c] = 1;
-      for (int q = 0; q < samples; ++q) weight[c][q] = gauss.weights[q] * N[q][c];
+      shape(c, c) = 1;
+      for (int q = 0; q < samples; ++q) weight(c, q) = gauss.weights[q] * N(q, c);
     } else {
-      xi.push_back(gauss.points[c]);
-      shape[c] = N[c];
-      weight[c][c] = gauss.weights[c];
+      for (int a = 0; a < nodes; ++a) shape(c, a) = N(c, a);
+      weight(c, c) = gauss.weights[c];
     }
     double values[max_side_nodes];
-    evaluate_shape(side, xi[c].data(), values, shape_slope[c].data());
-    evaluate_shape(linear_partner(side), xi[c].data(), corner[c].data(), corner_slope[c].data());
+    evaluate_shape(side, xi[c].data(), values, &shape_slope(c, 0));
+    evaluate_shape(linear_partner(side), xi[c].data(), &corner(c, 0), &corner_slope(c, 0));
   }
-}
-
-Point ContactRule::place(int c, const SideCoordinates& x) const {
-  Point at{};
-  for (int a = 0; a < nodes; ++a)
-    for (int i = 0; i < 3; ++i) at[i] += shape[c][a] * x[a][i];
-  return at;
 }
 
 bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area) {

@@ -29,39 +29,47 @@ SideCoordinates side_coordinates(const Side& side, const ConstCoordinateView& x)
 /// Largest distance of a node from the origin [m].
 double farthest(const SideCoordinates& x);
 
-/// Contact points on a side and their areas. Point c lies at sum_a shape[c][a] X_a, spreads its force to the nodes by
-/// the same shape, and has the area A_c = sum_q weight[c][q] |x'(q)| measure(x(q)) over Gauss points q, with |x'| the
-/// area per reference area. Surface quadrature: the points are the Gauss points. Nodes (in the plane): shape is the
-/// identity and A_c = int N_c ds, the tributary area.
-struct ContactRule {
-  ContactRule(ContactPoints kind, CellShape side, int degree);
-  /// Where point c lies on a side with these nodes [m].
-  Point place(int c, const SideCoordinates& x) const;
+/// Contact points on a side and their areas, as kernels read them. Point c lies at sum_a shape[c][a] X_a, spreads its
+/// force to the nodes by the same shape, and has the area A_c = sum_q weight[c][q] |x'(q)| measure(x(q)) over Gauss
+/// points q, with |x'| the area per reference area. Surface quadrature: the points are the Gauss points. Nodes (in the
+/// plane): shape is the identity and A_c = int N_c ds, the tributary area.
+struct ContactTables {
+  using Table = Kokkos::View<double**, Kokkos::LayoutRight>;
   CellShape side;
   int nodes, points, samples;
-  std::vector<std::array<double, max_side_nodes>> shape;   // (point, node)
-  std::vector<std::array<double, max_side_nodes>> corner;  // (point, corner) of the linear shape on the corners
-  // their reference gradients (point, corner or node, reference coordinate)
-  std::vector<std::array<double, 2 * max_side_nodes>> shape_slope, corner_slope;
-  std::vector<std::array<double, 3>> xi;                   // (point) reference coordinates
-  std::vector<std::vector<double>> weight;                 // (point, sample)
-  std::vector<std::array<double, max_side_nodes>> N;       // (sample, node)
-  std::vector<std::array<double, 2 * max_side_nodes>> dN;  // (sample, node, reference coordinate)
+  Table shape;                      // (point, node)
+  Table corner;                     // (point, corner) of the linear shape on the corners
+  Table shape_slope, corner_slope;  // their reference gradients (point, corner or node and reference coordinate)
+  Table weight;                     // (point, sample)
+  Table N, dN;                      // (sample, node), (sample, node and reference coordinate)
+
+  /// Where point c lies on a side with these nodes [m].
+  KOKKOS_INLINE_FUNCTION Point place(int c, const SideCoordinates& x) const {
+    Point at{};
+    for (int a = 0; a < nodes; ++a)
+      for (int i = 0; i < 3; ++i) at[i] += shape(c, a) * x[a][i];
+    return at;
+  }
+};
+/// The tables of a side's shape, and what is looked up on the host only.
+struct ContactRule : ContactTables {
+  ContactRule(ContactPoints kind, CellShape side, int degree);
+  std::vector<std::array<double, 3>> xi;  // (point) reference coordinates
 };
 
 /// Current areas of the contact points of a side [m2], in plane strain per metre of depth, from the nodes' positions
 /// x[a][i]. D: dimension. False when the side is degenerate: no area, or r < 0.
 template <int D, class T, class Nodes>
-bool contact_areas(const ContactRule& rule, const Nodes& x, Geometry geometry, T* area) {
+KOKKOS_INLINE_FUNCTION bool contact_areas(const ContactTables& rule, const Nodes& x, Geometry geometry, T* area) {
   for (int c = 0; c < rule.points; ++c) area[c] = T(0.0);
   for (int q = 0; q < rule.samples; ++q) {
     SideMap<D, T> map;
-    map.compute(rule.nodes, rule.N[q].data(), rule.dN[q].data(), [&](int a, int i) { return T(x[a][i]); });
+    map.compute(rule.nodes, &rule.N(q, 0), &rule.dN(q, 0), [&](int a, int i) { return T(x[a][i]); });
     const T around = measure(geometry, map.x);
     if (!(value(map.stretch) > 0) || !(value(around) >= 0)) return false;
     const T whole = map.stretch * around;
     for (int c = 0; c < rule.points; ++c)
-      if (rule.weight[c][q] != 0) area[c] += rule.weight[c][q] * whole;
+      if (rule.weight(c, q) != 0) area[c] += rule.weight(c, q) * whole;
   }
   return true;
 }

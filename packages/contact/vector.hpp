@@ -8,13 +8,13 @@ namespace mudline {
 template <class T>
 using PlaneVector = SpatialVector<T, 2>;
 template <class T>
-PlaneVector<T> vector(const T (&x)[2]) {
+KOKKOS_INLINE_FUNCTION PlaneVector<T> vector(const T (&x)[2]) {
   return {x[0], x[1]};
 }
 
 /// The unknown number `direction`: with its derivative, or the plain number.
 template <class T>
-T unknown(double value, int direction) {
+KOKKOS_INLINE_FUNCTION T unknown(double value, int direction) {
   if constexpr (std::is_same_v<T, double>)
     return value;
   else
@@ -22,11 +22,11 @@ T unknown(double value, int direction) {
 }
 /// A point of the plane whose coordinates are the unknowns `first` and `first` + 1.
 template <class T, class Place>
-PlaneVector<T> unknown(const Place& x, int first) {
+KOKKOS_INLINE_FUNCTION PlaneVector<T> unknown(const Place& x, int first) {
   return {unknown<T>(x[0], first), unknown<T>(x[1], first + 1)};
 }
 template <class T, class Place>
-PlaneVector<T> constant(const Place& x) {
+KOKKOS_INLINE_FUNCTION PlaneVector<T> constant(const Place& x) {
   return {T(x[0]), T(x[1])};
 }
 template <class T>
@@ -36,14 +36,14 @@ Point plain(const PlaneVector<T>& a) {
 
 /// sum_a weight_a x_a.
 template <class T, class W>
-PlaneVector<T> combine(int count, const W* weight, const PlaneVector<T>* x) {
+KOKKOS_INLINE_FUNCTION PlaneVector<T> combine(int count, const W* weight, const PlaneVector<T>* x) {
   PlaneVector<T> sum{T(0.0), T(0.0)};
   for (int a = 0; a < count; ++a) sum = sum + x[a] * weight[a];
   return sum;
 }
 /// The transpose: adds weight_a force to node a of `to`, node after node, component after component.
 template <class T, class W>
-void spread(int count, const W* weight, const PlaneVector<T>& force, T* to) {
+KOKKOS_INLINE_FUNCTION void spread(int count, const W* weight, const PlaneVector<T>& force, T* to) {
   for (int a = 0; a < count; ++a) {
     to[2 * a] += weight[a] * force[0];
     to[2 * a + 1] += weight[a] * force[1];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/body/penalty_side.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 
@@ -11,25 +12,26 @@ struct PointNumbers {
   static constexpr int rotations = D == 2 ? 1 : 3;
   static constexpr int of_area = D, of_pressure = D + 1, of_body = D + 2, unknowns = of_body + D + rotations;
 
-  PointNumbers(const SideContact& side, const Point& x, double area_, double pore_pressure_)
+  KOKKOS_INLINE_FUNCTION PointNumbers(const BodyInStep& body, const Point& x, double area_, double pore_pressure_)
       : area(unknown<T>(area_, of_area)), pore_pressure(unknown<T>(pore_pressure_, of_pressure)) {
-    for (int i = 0; i < D; ++i) arm[i] = unknown<T>(x[i] - side.placement.centre[i], i);
+    for (int i = 0; i < D; ++i) arm[i] = unknown<T>(x[i] - body.now.centre[i], i);
     for (T& angle : turn) angle = T(0.0);
-    const BodyUnknowns& body = side.body.unknowns();
-    for (int k = 0; k < body.count; ++k) {
-      const T moved = body.scale[k] * unknown<T>(0.0, of_body + k);
-      if (body.direction[k] < D)
-        arm[body.direction[k]] -= moved;
+    const BodyUnknowns& unknowns_of_body = body.unknowns;
+    for (int k = 0; k < unknowns_of_body.count; ++k) {
+      const T moved = unknowns_of_body.scale[k] * unknown<T>(0.0, of_body + k);
+      const int direction = unknowns_of_body.direction[k];
+      if (direction < D)
+        arm[direction] -= moved;
       else
-        turn_by(side.placement, body.direction[k] - D, moved);
+        turn_by(body, direction - D, moved);
     }
   }
   /// In space the unknowns turn the body about its own axes.
-  void turn_by(const BodyPlacement& placement, int component, const T& angle) {
+  KOKKOS_INLINE_FUNCTION void turn_by(const BodyInStep& body, int component, const T& angle) {
     if constexpr (D == 2) {
       turn[0] += angle;
     } else {
-      const Point about = placement.turning(component);
+      const Point& about = body.turning[component];
       for (int i = 0; i < 3; ++i) turn[i] += angle * about[i];
     }
   }
@@ -39,7 +41,7 @@ struct PointNumbers {
 };
 
 template <class T>
-SpatialVector<T, 3> numbers(const Point& x) {
+KOKKOS_INLINE_FUNCTION SpatialVector<T, 3> numbers(const Point& x) {
   return {T(x[0]), T(x[1]), T(x[2])};
 }
 
@@ -49,17 +51,12 @@ struct BodyFoot;
 
 template <class T>
 struct BodyFoot<T, 2> {
-  using Nearest = ContourFoot;
-  static Nearest nearest(const RigidBody& body, const BodyPlacement& placement, const Point& x) {
-    return body.closest(placement, in_plane(x));
-  }
-
-  BodyFoot(const Nearest& at, const PointNumbers<T, 2>& x) {
+  KOKKOS_INLINE_FUNCTION BodyFoot(const BodyPlace& at, const PointNumbers<T, 2>& x) {
     // how the point moves past the material of the body: 0, with derivatives
     const PlaneVector<T> way{x.arm[0] - value(x.arm[0]) + x.turn[0] * value(x.arm[1]),
                              x.arm[1] - value(x.arm[1]) - x.turn[0] * value(x.arm[0])};
-    const PlaneVector<T> n = constant<T>(at.normal), m = constant<T>(at.tangent);
-    const T along = dot(m, way), turned = at.turning * along + x.turn[0];
+    const PlaneVector<T> n = constant<T>(at.normal), m{T(-at.normal[1]), T(at.normal[0])};
+    const T along = dot(m, way), turned = at.turning[0][0] * along + x.turn[0];
     gap = at.gap + dot(n, way);
     advance = at.travel * along;
     normal = n + m * turned;
@@ -67,16 +64,15 @@ struct BodyFoot<T, 2> {
   }
 
   /// Travel and old shear stress along the surface, from the foot at the start of the step.
-  void start(const SideContact& side, const Nearest& before, const Nearest& now, const Point& shear,
-             ContactMotion<T, 2>& motion) const {
-    motion.travel = advance + side.body.contour().distance(before, now);
-    motion.shear_old = T(shear[0]);
+  KOKKOS_INLINE_FUNCTION void start(const BodyInStep&, const ContactStart& start, ContactMotion<T, 2>& motion) const {
+    motion.travel = advance + start.travelled;
+    motion.shear_old = T(start.shear.shear[0]);
   }
-  PlaneVector<T> traction(const T& shear) const { return tangent * shear; }
+  KOKKOS_INLINE_FUNCTION PlaneVector<T> traction(const T& shear) const { return tangent * shear; }
   /// A moment as the body's rotation feels it, and one of the start of the step.
-  static const T& felt(const T& moment, const BodyPlacement&) { return moment; }
-  static T felt_before(const Point& moment, const BodyPlacement&) { return T(moment[2]); }
-  static Point plain_shear(const T& shear) { return {value(shear), 0, 0}; }
+  KOKKOS_INLINE_FUNCTION static const T& felt(const T& moment, const BodyPlacement&) { return moment; }
+  KOKKOS_INLINE_FUNCTION static T felt_before(const Point& moment, const BodyPlacement&) { return T(moment[2]); }
+  KOKKOS_INLINE_FUNCTION static Point plain_shear(const T& shear) { return {value(shear), 0, 0}; }
 
   T gap, advance;  // [m]; of the foot along the contour: 0, with derivatives
   PlaneVector<T> normal, tangent;
@@ -84,13 +80,10 @@ struct BodyFoot<T, 2> {
 
 template <class T>
 struct BodyFoot<T, 3> {
-  using Nearest = SurfaceFoot;
   using Vector = SpatialVector<T, 3>;
-  static Nearest nearest(const RigidBody& body, const BodyPlacement& placement, const Point& x) {
-    return body.foot(placement, x);
-  }
 
-  BodyFoot(const Nearest& at, const PointNumbers<T, 3>& x) : turn{x.turn[0], x.turn[1], x.turn[2]} {
+  KOKKOS_INLINE_FUNCTION BodyFoot(const BodyPlace& at, const PointNumbers<T, 3>& x)
+      : turn{x.turn[0], x.turn[1], x.turn[2]} {
     const Point plain{value(x.arm[0]), value(x.arm[1]), value(x.arm[2])};
     const Vector n = numbers<T>(at.normal);
     // how the point moves past the material of the body: 0, with derivatives
@@ -104,18 +97,18 @@ struct BodyFoot<T, 3> {
 
   /// The travel is the way of the foot over the body, as a vector of the tangent plane at its end; the old shear stress
   /// turns with the body and then with the normal.
-  void start(const SideContact& side, const Nearest& before, const Nearest&, const Point& shear,
-             ContactMotion<T, 3>& motion) const {
-    const Rotation turned = side.placement.turn * side.placement_old.turn.inverse();
-    const Vector from = turned_on(turned(before.normal));
-    const Vector way = foot - turned_on(turned(minus(before.foot, side.placement_old.centre)));
+  KOKKOS_INLINE_FUNCTION void start(const BodyInStep& body, const ContactStart& start,
+                                    ContactMotion<T, 3>& motion) const {
+    const Rotation turned = body.now.turn * body.old.turn.inverse();
+    const Vector from = turned_on(turned(start.before.normal));
+    const Vector way = foot - turned_on(turned(minus(start.before.foot, body.old.centre)));
     const Vector sum = from + normal, middle = sum / length(sum);
     motion.travel = transported(way - middle * dot(way, middle), middle);
-    motion.shear_old = transported(turned_on(turned(shear)), from);
+    motion.shear_old = transported(turned_on(turned(start.shear.shear)), from);
   }
-  const Vector& traction(const Vector& shear) const { return shear; }
+  KOKKOS_INLINE_FUNCTION const Vector& traction(const Vector& shear) const { return shear; }
   /// A moment along the body's axes, which its rotations are about, and one of the start of the step.
-  Vector felt(const Vector& moment, const BodyPlacement& placement) const {
+  KOKKOS_INLINE_FUNCTION Vector felt(const Vector& moment, const BodyPlacement& placement) const {
     Vector result;
     for (int i = 0; i < 3; ++i) {
       Point axis;
@@ -124,19 +117,21 @@ struct BodyFoot<T, 3> {
     }
     return result;
   }
-  static Vector felt_before(const Point& moment, const BodyPlacement& placement) {
+  KOKKOS_INLINE_FUNCTION static Vector felt_before(const Point& moment, const BodyPlacement& placement) {
     return numbers<T>(placement.turn.back(moment));
   }
-  static Point plain_shear(const Vector& shear) { return {value(shear[0]), value(shear[1]), value(shear[2])}; }
+  KOKKOS_INLINE_FUNCTION static Point plain_shear(const Vector& shear) {
+    return {value(shear[0]), value(shear[1]), value(shear[2])};
+  }
 
   T gap;                // [m]
   Vector normal, foot;  // [-]; [m] from the body's centre
 
  private:
   /// A vector fixed to the body, with the derivatives of its turning.
-  Vector turned_on(const Point& x) const { return numbers<T>(x) + cross(turn, numbers<T>(x)); }
+  KOKKOS_INLINE_FUNCTION Vector turned_on(const Point& x) const { return numbers<T>(x) + cross(turn, numbers<T>(x)); }
   /// A vector of the plane across `from` after the rotation that takes `from` to the normal.
-  Vector transported(const Vector& v, const Vector& from) const {
+  KOKKOS_INLINE_FUNCTION Vector transported(const Vector& v, const Vector& from) const {
     const T both = 1.0 + dot(from, normal);
     constexpr double opposite = 1e-6;  // the point has gone round the body: there is no such rotation
     if (value(both) < opposite) return v - normal * dot(v, normal);

@@ -49,7 +49,7 @@ Misfit PenaltyContact::misfit(const State& state) const {
       const Point shear =
           rows_.sticks(state, row) ? minus(rows_.shear(state, row).shear, rows_.shear_multiplier(state, row)) : Point{};
       for (int a = 0; a < sides[s].count; ++a) {
-        const double weight = r.shape[c][a] * here[c];
+        const double weight = r.shape(c, a) * here[c];
         sums.add(sides[s].node[a], weight, stiffness, weight * normal, scaled(weight, shear));
       }
     }
@@ -101,10 +101,10 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
       if (!contact_areas(r, side_coordinates(sides[s], trial.coordinates), Geometry::plane_strain, here)) continue;
       for (int c = 0; c < r.points; ++c) {
         double value = 0;
-        for (int a = 0; a < r.nodes; ++a) value += r.shape[c][a] * values[sides[s].node[a]];
+        for (int a = 0; a < r.nodes; ++a) value += r.shape(c, a) * values[sides[s].node[a]];
         for (int a = 0; a < r.nodes; ++a) {
-          product[sides[s].node[a]] += r.shape[c][a] * here[c] * value;
-          lengths[sides[s].node[a]] += r.shape[c][a] * here[c];
+          product[sides[s].node[a]] += r.shape(c, a) * here[c] * value;
+          lengths[sides[s].node[a]] += r.shape(c, a) * here[c];
         }
       }
     }
@@ -114,7 +114,7 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
   for (const std::vector<double>& component : rest.shear) tangential.push_back(in_shapes(*surface_, component, masses));
   for (std::size_t s = 0; s < sides.size(); ++s)
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
-      const auto& shape = rule(sides[s]).shape[row - first_row_[s]];
+      const double* const shape = &rule(sides[s]).shape(row - first_row_[s], 0);
       for (int a = 0; a < sides[s].count; ++a)
         rows_.normal_multiplier(trial, row) += shape[a] * normal[sides[s].node[a]];
       if (!laws_.friction()) continue;

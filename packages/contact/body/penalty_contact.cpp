@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/body/body_search.hpp"
 #include "contact/conjugate_position.hpp"
 #include "contact/convection.hpp"
 #include "core/space_vector.hpp"
@@ -26,7 +27,14 @@ void PenaltyContact::declare_state(StateStore& store) {
 }
 
 void PenaltyContact::sparsity(Assembler& assembler) {
-  for (CellShape shape : surface_->shapes()) group_[shape] = assembler.add_group(surface_->dofs(shape));
+  for (CellShape shape : surface_->shapes()) {
+    const ElementDofs& dofs = surface_->dofs(shape);
+    shapes_[shape] = {assembler.add_group(dofs), RowLists(dofs), Kokkos::View<SideContact*>("sides", dofs.extent(0)),
+                      PointView("later", dofs.extent(0), dofs.extent(1))};
+  }
+  starts_ = Kokkos::View<ContactStart*>("starts", first_row_.back());
+  happens_ = Kokkos::View<ContactPoint*>("points", first_row_.back());
+  answers_ = LawStore(first_row_.back());
   if (leak_) leak_->sparsity(assembler);
 }
 
@@ -55,25 +63,13 @@ double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& co
   return body_->gap(placement, plus(box.low, 0.5, across)) - 0.5 * length(across);
 }
 
-void PenaltyContact::write_point(const State& trial, int row, const ContactPoint& point) const {
-  rows_.write(trial, row, point);
-  if (deck_.has_film()) deck_.film.write(trial, row, point);
-}
-
-void PenaltyContact::write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const {
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row)
-    write_point(trial, row, points[row - first_row_[side]]);
-}
-
-void PenaltyContact::write_away(const StepView& view, std::size_t side) const {
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) {
-    ContactPoint away{};
-    away.gap = capture_;
-    away.shear = rows_.shear(*view.committed, row);
-    away.shear.shear = {};
-    away.shear.slides = false;
-    write_point(*view.trial, row, away);
-  }
+ContactPoint PenaltyContact::away(const StepView& view, int row) const {
+  ContactPoint point{};
+  point.gap = capture_;
+  point.shear = rows_.shear(*view.committed, row);
+  point.shear.shear = {};
+  point.shear.slides = false;
+  return point;
 }
 
 ContactStart PenaltyContact::point_start(const StepView& view, std::size_t side, int row) const {
@@ -113,17 +109,15 @@ ContactPointLaw PenaltyContact::law(const StepView& view, std::size_t side) cons
   return result;
 }
 
-bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, std::size_t side, bool want_tangent,
-                              SideForce& force, std::vector<ContactPoint>& points) const {
+SideContact PenaltyContact::side_contact(const StepView& view, const Positions& positions, std::size_t side) const {
   const SurfaceSide& at = surface_->sides()[side];
-  SideContact contact{rule(at),
-                      *body_,
-                      positions.body_old,
-                      positions.body_end,
-                      side_coordinates(at, positions.x_old),
-                      side_coordinates(at, positions.x_end),
-                      context_.space.mesh().geometry(),
-                      law(view, side)};
+  SideContact contact;
+  contact.near = candidate_[side];
+  contact.first = first_row_[side];
+  if (!contact.near) return contact;
+  contact.x_old = side_coordinates(at, positions.x_old);
+  contact.x = side_coordinates(at, positions.x_end);
+  contact.law = law(view, side);
   contact.reach = touch_;
   // how far away the touch is in terms of forces is not known: every guess moves the body ten times as far
   contact.reach_share = std::pow(0.1, view.linearisation);
@@ -135,12 +129,28 @@ bool PenaltyContact::evaluate(const StepView& view, const Positions& positions, 
   contact.pressure_nodes = surface_->pressure_nodes(at.shape);
   for (int a = 0; a < contact.pressure_nodes; ++a)
     contact.pressure[a] = view.value_end(surface_->dofs(at.shape)(at.row, axes() * at.count + a));
-  for (int row = first_row_[side]; row < first_row_[side + 1]; ++row) {
-    const int c = row - first_row_[side];
-    contact.start[c] = point_start(view, side, row);
-    if (contact.film.acts) deck_.film.start(view, row, contact.rule.place(c, contact.x_old), contact.start[c]);
+  return contact;
+}
+
+std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Positions& positions) const {
+  const BodyInStep body = body_in_step(*body_, positions.body_old, positions.body_end);
+  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
+    const SurfaceSide& at = surface_->sides()[s];
+    SideContact& contact = shapes_.at(at.shape).sides(at.row);
+    contact = side_contact(view, positions, s);
+    for (int row = first_row_[s]; contact.near && row < first_row_[s + 1]; ++row) {
+      const int c = row - first_row_[s];
+      starts_(row) = point_start(view, s, row);
+      if (contact.film.acts) deck_.film.start(view, row, rule(at).place(c, contact.x_old), starts_(row));
+      search(*body_, body, rule(at), contact, c, starts_(row));
+    }
   }
-  return penalty_side(contact, want_tangent, force, points);
+  std::vector<ContactSides> result;
+  for (const auto& [shape, of_shape] : shapes_)
+    result.push_back(
+        {rules_.at(shape), context_.space.mesh().geometry(), body, of_shape.sides, starts_, happens_, answers_});
+  ask_laws(result, laws_.normal(), laws_.friction());
+  return result;
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
@@ -151,16 +161,48 @@ bool PenaltyContact::conserves(const StepView& view) const {
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
-void PenaltyContact::book_damping(const State& trial, const std::vector<ContactPoint>& points) const {
+void PenaltyContact::book_damping(const State& trial) const {
   const PointView& sums = trial.arrays[work_];
-  for (const ContactPoint& point : points) {
-    sums(0, 1) += point.damped;
-    for (int i = 0; i < axes(); ++i) sums(0, 2 + i) += point.damping[i];
+  for (int row = 0; row < first_row_.back(); ++row) {
+    sums(0, 1) += happens_(row).damped;
+    for (int i = 0; i < axes(); ++i) sums(0, 2 + i) += happens_(row).damping[i];
   }
 }
 
+namespace {
+
+// What runs on every side, and on every point.
+struct AddLater {
+  PointView later;
+  VectorScatter to;
+  KOKKOS_FUNCTION void operator()(int s) const {
+    to.open(s);
+    for (std::size_t a = 0; a < later.extent(1); ++a) {
+      const double size = ::fabs(later(s, a));
+      if (size != 0) to.add(s, static_cast<int>(a), -later(s, a), size, size);
+    }
+  }
+};
+struct WritePoint {
+  Kokkos::View<const ContactPoint*> points;
+  PointRows::Writer rows;
+  WaterFilm::Writer film;
+  KOKKOS_FUNCTION void operator()(int row) const {
+    rows.write(row, points(row));
+    film.write(row, points(row));
+  }
+};
+
+}  // namespace
+
 void PenaltyContact::correction(const StepView& view, const ResidualView& f) {
-  for (const auto& [dof, share] : correction_) f.add(dof, -share);
+  for (const auto& [shape, of_shape] : shapes_) {
+    const PointView later = of_shape.later;
+    in_order("contact rows", of_shape.rows, 0, static_cast<int>(later.extent(0)),
+             VectorScatter{f, surface_->dofs(shape)}, [&](int first, int last, const VectorScatter& to) {
+               Kokkos::parallel_for("later", Kokkos::RangePolicy<>(first, last), AddLater{later, to});
+             });
+  }
   if (leak_) leak_->add(view, f);
   if (laws_.friction() && temperature_ >= 0 && view.flow) add_heat(view, f);
 }
@@ -171,7 +213,7 @@ void PenaltyContact::add_heat(const StepView& view, const ResidualView& f) const
     const SurfaceSide& side = surface_->sides()[s];
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const double heat = rows_.shear(*view.trial, row).dissipated - rows_.shear(*view.committed, row).dissipated;
-      const auto& share = rule(side).corner[row - first_row_[s]];
+      const double* const share = &rule(side).corner(row - first_row_[s], 0);
       for (int a = 0; a < num_corners(side.shape); ++a) f.add(dofs(side.node[a]), -share[a] * (heat / view.dt));
     }
   }
@@ -193,44 +235,19 @@ double PenaltyContact::work(const PointForce& before, const PointForce& now, con
 }
 
 int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
-  const auto& sides = surface_->sides();
-  int failures = 0;
-  correction_.clear();
-  std::vector<ContactPoint> points;
-  SideForce side_force;
-  const Positions at = positions(view);
   const PointView& done = view.trial->arrays[work_];
   done(0, 1) = view.committed->arrays[work_](0, 1);
   for (int i = 0; i < axes(); ++i) done(0, 2 + i) = 0;
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    if (!candidate_[s]) {
-      write_away(view, s);
-      continue;
-    }
-    if (!evaluate(view, at, s, false, side_force, points)) ++failures;
-    write_points(*view.trial, s, points);
-    if (damps(view)) book_damping(*view.trial, points);
-    const ElementDofs& dofs = surface_->dofs(sides[s].shape);
-    const int soil = axes() * sides[s].count, all = static_cast<int>(dofs.extent(1));
-    double pressing = 0, whole = 0;  // [m2]
-    for (const ContactPoint& point : points) {
-      pressing += point.active ? point.area : 0;
-      whole += point.area;
-    }
-    const double far = farthest(side_coordinates(sides[s], at.x_end));
-    const double cancelled = view.trial->arrays[penalties_](s, 0) * pressing * far;
-    for (int a = 0; a < all; ++a) {
-      if (a >= soil && a < all - body_->unknowns().count) {  // water into a film, at once
-        if (side_force.f[a] == 0) continue;
-        correction_.emplace_back(dofs(sides[s].row, a), -side_force.f[a]);
-        f.cancelled(dofs(sides[s].row, a), whole * far / view.dt);
-        continue;
-      }
-      f.add(dofs(sides[s].row, a), -side_force.f[a]);
-      f.cancelled(dofs(sides[s].row, a), cancelled);
-      if (side_force.correction[a] != 0) correction_.emplace_back(dofs(sides[s].row, a), side_force.correction[a]);
-    }
-  }
+  for (std::size_t s = 0; s < surface_->sides().size(); ++s)
+    for (int row = first_row_[s]; !candidate_[s] && row < first_row_[s + 1]; ++row) happens_(row) = away(view, row);
+  int failures = 0;
+  const std::vector<ContactSides> sides = look(view, positions(view));
+  std::size_t k = 0;
+  for (const auto& [shape, of_shape] : shapes_)
+    failures += add_side_forces(sides[k++], of_shape.rows, {f, surface_->dofs(shape)}, of_shape.later);
+  Kokkos::parallel_for("contact points", Kokkos::RangePolicy<>(0, first_row_.back()),
+                       WritePoint{happens_, rows_.writer(*view.trial), deck_.film.writer(*view.trial)});
+  if (damps(view)) book_damping(*view.trial);
   done(0, 0) =
       view.committed->arrays[work_](0, 0) + work(local_force(*view.committed), local_force(*view.trial),
                                                  body_->placement(*view.committed), body_->placement(*view.trial));
@@ -251,27 +268,11 @@ void PenaltyContact::look_for_touch(const StepView& view) {
 }
 
 void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  const auto& sides = surface_->sides();
-  std::vector<ContactPoint> points;
-  SideForce force;
-  const Positions at = positions(view);
-  const double moved = conserves(view) ? view.impact.conjugate : 1.0;
-  for (CellShape shape : surface_->shapes()) {
-    const MatrixScatter to = assembler.scatter(group_.at(shape));
-    for (std::size_t s = 0; s < sides.size(); ++s) {
-      const SurfaceSide& side = sides[s];
-      if (!candidate_[s] || side.shape != shape || !evaluate(view, at, s, true, force, points)) continue;
-      const int soil = axes() * side.count, first_body = soil + surface_->pressure_nodes(shape);
-      for (int a = 0; a < force.dofs; ++a) {
-        const bool water = a >= soil && a < first_body;
-        if (water && !deck_.has_film()) continue;
-        for (int b = 0; b < force.dofs; ++b) {
-          const double factor = water ? 1.0 : -weight * (b >= soil && b < first_body ? 1.0 : moved);
-          to.add(side.row, a, b, factor * force.k[a * force.dofs + b]);
-        }
-      }
-    }
-  }
+  const SideWeights weights{weight, conserves(view) ? view.impact.conjugate : 1.0, deck_.has_film()};
+  const std::vector<ContactSides> sides = look(view, positions(view));
+  std::size_t k = 0;
+  for (const auto& [shape, of_shape] : shapes_)
+    add_side_tangents(sides[k++], of_shape.rows, assembler.scatter(of_shape.group), weights);
   if (leak_) leak_->jacobian(view, assembler);
 }
 

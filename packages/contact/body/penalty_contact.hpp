@@ -100,8 +100,8 @@ class PenaltyContact : public Contact, public ClosesSides {
   bool damps(const StepView& view) const { return deck_.damping > 0 && view.kind == StepView::Kind::step; }
   /// The heat of friction goes into the soil: the body takes none. Without derivatives, for it changes forces slowly.
   void add_heat(const StepView& view, const ResidualView& f) const;
-  /// Adds the damping of one side's points to the rows of the trial state.
-  void book_damping(const State& trial, const std::vector<ContactPoint>& points) const;
+  /// Adds the damping of the points to the sums of the trial state.
+  void book_damping(const State& trial) const;
   /// What is known of a point of a side; the multiplier of its shear stress counts by what it has changed in this step.
   ContactStart point_start(const StepView& view, std::size_t side, int row) const;
   ContactPointLaw law(const StepView& view, std::size_t side) const;
@@ -112,9 +112,9 @@ class PenaltyContact : public Contact, public ClosesSides {
   void start_active_set(const StepView& view, const BodyPlacement& placement) const;
   std::optional<Augmentation> update_active_set(const State& trial) const;
   Misfit misfit(const State& state) const;
-  /// Force of one side at the linearisation point. False for a degenerate side.
-  bool evaluate(const StepView& view, const Positions& at, std::size_t side, bool want_tangent, SideForce& force,
-                std::vector<ContactPoint>& points) const;
+  /// What kernels need to know of the sides at the linearisation point, the answers of the laws included.
+  std::vector<ContactSides> look(const StepView& view, const Positions& at) const;
+  SideContact side_contact(const StepView& view, const Positions& at, std::size_t side) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
   /// Collective.
   void look_for_touch(const StepView& view);
@@ -127,10 +127,8 @@ class PenaltyContact : public Contact, public ClosesSides {
   void check_quadrature(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
-  void write_points(const State& trial, std::size_t side, const std::vector<ContactPoint>& points) const;
-  void write_point(const State& trial, int row, const ContactPoint& point) const;
-  /// The rows of a skipped side say that it is at least as far away as the search looked.
-  void write_away(const StepView& view, std::size_t side) const;
+  /// A point of a skipped side says that it is at least as far away as the search looked.
+  ContactPoint away(const StepView& view, int row) const;
   /// More than half of the side's points are nearer to the body than the sealing gap, or in it.
   bool covered(std::size_t side, const State& committed, const BodyPlacement& placement) const;
   std::vector<char> covered_sides(const State& committed) const;  // (side)
@@ -146,20 +144,29 @@ class PenaltyContact : public Contact, public ClosesSides {
   std::string name_;
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;
-  std::unique_ptr<LeakySurface> leak_;              // null unless leaky
-  ActiveSet active_set_;                            // used with the outer loop only
-  std::map<CellShape, ContactRule> rules_;          // of the sides
-  std::vector<int> first_row_;                      // (side) in the points array; one more: number of rows
-  std::vector<char> candidate_;                     // (side) near enough to be evaluated in this step
-  double capture_ = 0;                              // [m] of this step
-  double gap_tolerance_ = 0;                        // [m]
-  double touch_ = 0;                                // see SideContact::reach
-  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
+  std::unique_ptr<LeakySurface> leak_;      // null unless leaky
+  ActiveSet active_set_;                    // used with the outer loop only
+  std::map<CellShape, ContactRule> rules_;  // of the sides
+  std::vector<int> first_row_;              // (side) in the points array; one more: number of rows
+  std::vector<char> candidate_;             // (side) near enough to be evaluated in this step
+  double capture_ = 0;                      // [m] of this step
+  double gap_tolerance_ = 0;                // [m]
+  double touch_ = 0;                        // see SideContact::reach
   bool predicting_ = false;
   int pressure_ = -1, temperature_ = -1;
   PointRows rows_;
   int penalties_ = -1, work_ = -1;  // state handles
-  std::map<CellShape, int> group_;  // of the assembler
+  /// The sides of a shape on this rank, by row of their dofs.
+  struct ShapeSides {
+    int group = -1;  // of the assembler
+    RowLists rows;
+    Kokkos::View<SideContact*> sides;
+    PointView later;  // (side, dof) of the last residual call: what is added at the alpha level
+  };
+  std::map<CellShape, ShapeSides> shapes_;
+  Kokkos::View<ContactStart*> starts_;  // by row of points, as the next
+  Kokkos::View<ContactPoint*> happens_;
+  LawStore answers_;
 };
 
 /// The same without friction, by its own name.

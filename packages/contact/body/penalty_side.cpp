@@ -1,6 +1,8 @@
 #include "contact/body/penalty_side.hpp"
 
-#include <algorithm>
+#include <math.h>  // unqualified functions, as in tensor/dual.hpp
+
+#include <type_traits>
 
 #include "contact/body/body_foot.hpp"
 #include "core/space_vector.hpp"
@@ -9,7 +11,24 @@ namespace mudline {
 
 namespace {
 
-constexpr int max_side_dofs = 4 * max_side_nodes + 6;
+template <int D>
+constexpr int max_side_dofs = D == 2 ? 3 * max_line_nodes + 3 : 4 * max_side_nodes + 6;
+
+/// Forces of one side [N] on the soil and on the body, and their derivatives [N/m, m2].
+template <class T, int D>
+struct SideForce {
+  static constexpr bool tangent = !std::is_same_v<T, double>;
+  int dofs;
+  double f[max_side_dofs<D>];           // at the end of the step
+  double correction[max_side_dofs<D>];  // to be added at the alpha level: shares of impacts, damping
+  double k[tangent ? max_side_dofs<D> * max_side_dofs<D>
+                   : 1];  // (dof, dof) of f + correction / (1 - start_weight), in rows of pressures of f
+
+  KOKKOS_INLINE_FUNCTION explicit SideForce(int dofs_) : dofs(dofs_) {
+    for (int a = 0; a < dofs; ++a) f[a] = correction[a] = 0;
+    for (int i = 0; tangent && i < dofs * dofs; ++i) k[i] = 0;
+  }
+};
 
 /// Areas of the contact points [m2] and their derivatives by the nodes' places [m] (node, axis).
 template <int D>
@@ -18,17 +37,17 @@ struct SideAreas {
   double area[max_contact_points], slope[max_contact_points][places];
   double old[max_contact_points];  // at the start of the step, with a film
 
-  bool measure(const SideContact& side, bool want_slopes) {
-    if (side.film.acts && !contact_areas<D>(side.rule, side.x_old, side.geometry, old)) return false;
-    if (!want_slopes) return contact_areas<D>(side.rule, side.x, side.geometry, area);
+  KOKKOS_INLINE_FUNCTION bool measure(const ContactSides& on, const SideContact& side, bool want_slopes) {
+    if (side.film.acts && !contact_areas<D>(on.rule, side.x_old, on.geometry, old)) return false;
+    if (!want_slopes) return contact_areas<D>(on.rule, side.x, on.geometry, area);
     SpatialVector<Dual<places>, D> node[max_side_nodes];
-    for (int a = 0; a < side.rule.nodes; ++a)
+    for (int a = 0; a < on.rule.nodes; ++a)
       for (int i = 0; i < D; ++i) node[a][i] = Dual<places>(side.x[a][i], D * a + i);
     Dual<places> numbers[max_contact_points];
-    if (!contact_areas<D>(side.rule, node, side.geometry, numbers)) return false;
-    for (int c = 0; c < side.rule.points; ++c) {
+    if (!contact_areas<D>(on.rule, node, on.geometry, numbers)) return false;
+    for (int c = 0; c < on.rule.points; ++c) {
       area[c] = numbers[c].v;
-      std::copy_n(numbers[c].d, places, slope[c]);
+      for (int i = 0; i < places; ++i) slope[c][i] = numbers[c].d[i];
     }
     return true;
   }
@@ -39,12 +58,12 @@ template <class T, int D>
 struct PointAction {
   SpatialVector<T, D> force = SpatialVector<T, D>::zero();
   Tangential<T, D> moment = no_tangential<T, D>();
-  void add(const SpatialVector<T, D>& more, const Tangential<T, D>& turning) {
+  KOKKOS_INLINE_FUNCTION void add(const SpatialVector<T, D>& more, const Tangential<T, D>& turning) {
     force = force + more;
     moment = moment + turning;
   }
   /// By direction of the body.
-  T operator[](int direction) const {
+  KOKKOS_INLINE_FUNCTION T operator[](int direction) const {
     if (direction < D) return force[direction];
     if constexpr (D == 2)
       return moment;
@@ -54,21 +73,21 @@ struct PointAction {
 };
 
 /// Pore pressure's shapes at point c: those of the nodes that carry it.
-const double* pressure_shape(const SideContact& side, int c) {
-  const bool corners = side.pressure_nodes < side.rule.nodes;
-  return corners ? side.rule.corner[c].data() : side.rule.shape[c].data();
+KOKKOS_INLINE_FUNCTION const double* pressure_shape(const ContactSides& on, const SideContact& side, int c) {
+  const bool corners = side.pressure_nodes < on.rule.nodes;
+  return corners ? &on.rule.corner(c, 0) : &on.rule.shape(c, 0);
 }
 
-double pore_pressure(const SideContact& side, int c) {
-  double result = side.start[c].soil.pore_pressure;
-  for (int a = 0; a < side.pressure_nodes; ++a) result += pressure_shape(side, c)[a] * side.pressure[a];
+KOKKOS_INLINE_FUNCTION double pore_pressure(const ContactSides& on, const SideContact& side, int c) {
+  double result = on.starts(side.first + c).soil.pore_pressure;
+  for (int a = 0; a < side.pressure_nodes; ++a) result += pressure_shape(on, side, c)[a] * side.pressure[a];
   return result;
 }
 
 template <class T, int D>
-ContactMotion<T, D> motion_of_point(const SideContact& side, int c, const PointNumbers<T, D>& x,
-                                    const typename BodyFoot<T, D>::Nearest& at, const BodyFoot<T, D>& foot) {
-  const ContactStart& start = side.start[c];
+KOKKOS_INLINE_FUNCTION ContactMotion<T, D> motion_of_point(const ContactSides& on, const SideContact& side, int c,
+                                                           const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot) {
+  const ContactStart& start = on.starts(side.first + c);
   ContactMotion<T, D> motion;
   motion.gap = foot.gap;
   motion.area = x.area;
@@ -76,22 +95,20 @@ ContactMotion<T, D> motion_of_point(const SideContact& side, int c, const PointN
   motion.member = start.member;
   motion.soil = start.soil;
   motion.pore_pressure = x.pore_pressure;
-  const bool shears = side.law.friction && presses(side.law, motion);
-  if (!shears && !side.law.conserves && !(side.law.viscous > 0) && !side.film.flows) return motion;
-  motion.position = side.rule.place(c, side.x_old);
-  const auto before = BodyFoot<T, D>::nearest(side.body, side.placement_old, motion.position);
-  motion.gap_old = T(before.gap);
+  if (!looks_back(side, start.shift, start.member, value(foot.gap))) return motion;
+  motion.position = on.rule.place(c, side.x_old);
+  motion.gap_old = T(start.before.gap);
   motion.force_old = T(start.normal_force);
-  if (!shears) return motion;
-  motion.opened = T(before.gap - start.shift_old);
-  foot.start(side, before, at, start.shear.shear, motion);
+  if (!side.law.friction || !presses(side.law, motion)) return motion;
+  motion.opened = T(start.before.gap - start.shift_old);
+  foot.start(on.body, start, motion);
   motion.slip_old = start.shear.slip;
   motion.slid = start.shear.slides;
   return motion;
 }
 
 template <class T, int D>
-void keep(const SpatialVector<T, D>& force, const Tangential<T, D>& moment, PointForce& to) {
+KOKKOS_INLINE_FUNCTION void keep(const SpatialVector<T, D>& force, const Tangential<T, D>& moment, PointForce& to) {
   for (int i = 0; i < D; ++i) to.force[i] = value(force[i]);
   if constexpr (D == 2)
     to.moment[2] = value(moment);
@@ -101,23 +118,25 @@ void keep(const SpatialVector<T, D>& force, const Tangential<T, D>& moment, Poin
 
 /// What a point's response means in forces: at the end of the step, and what comes on top in the mean over it.
 template <class T, int D>
-void act(const SideContact& side, int c, const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot,
-         const ContactResponse<T, D>& now, ContactPoint& point, PointAction<T, D>& end, PointAction<T, D>& more) {
+KOKKOS_INLINE_FUNCTION void act(const ContactSides& on, const SideContact& side, int c, const PointNumbers<T, D>& x,
+                                const BodyFoot<T, D>& foot, const ContactResponse<T, D>& now, ContactPoint& point,
+                                PointAction<T, D>& end, PointAction<T, D>& more) {
+  const PointForce& before = on.starts(side.first + c).force;
   const SpatialVector<T, D> friction = foot.traction(now.shear * x.area),
                             force = foot.normal * (now.pressure * x.area) + friction,
                             damping = foot.normal * now.damping;
   const auto in_space = cross(x.arm, force);
-  const auto moment = foot.felt(in_space, side.placement);
+  const auto moment = foot.felt(in_space, on.body.now);
   end.add(force, moment);
   if (side.law.conserves) {
     PointAction<T, D> old;
-    for (int i = 0; i < D; ++i) old.force[i] = T(side.start[c].force.force[i]);
-    old.moment = BodyFoot<T, D>::felt_before(side.start[c].force.moment, side.placement_old);
+    for (int i = 0; i < D; ++i) old.force[i] = T(before.force[i]);
+    old.moment = BodyFoot<T, D>::felt_before(before.moment, on.body.old);
     const T later = now.end_share - (1 - side.law.start_weight), sooner = now.start_share - side.law.start_weight;
     more.add(force * later, moment * later);
     more.add(old.force * sooner, old.moment * sooner);
   }
-  if (side.law.viscous > 0) more.add(damping, foot.felt(cross(x.arm, damping), side.placement));
+  if (side.law.viscous > 0) more.add(damping, foot.felt(cross(x.arm, damping), on.body.now));
   keep<T, D>(force, in_space, point.total);
   for (int i = 0; i < D; ++i) {
     point.friction[i] = value(friction[i]);
@@ -127,35 +146,37 @@ void act(const SideContact& side, int c, const PointNumbers<T, D>& x, const Body
 
 /// Derivatives of a number of point c by the dofs of the side. D: dimension.
 template <class T, int D>
-void spread(const SideContact& side, int c, const SideAreas<D>& areas, const T& number, double* column) {
+KOKKOS_INLINE_FUNCTION void spread(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
+                                   const T& number, double* column) {
   using X = PointNumbers<T, D>;
-  const BodyUnknowns& body = side.body.unknowns();
-  const int nodes = side.rule.nodes, pressures = D * nodes, first_body = pressures + side.pressure_nodes;
+  const BodyUnknowns& body = on.body.unknowns;
+  const int nodes = on.rule.nodes, pressures = D * nodes, first_body = pressures + side.pressure_nodes;
   const double* d = number.d;
   for (int b = 0; b < nodes; ++b)
     for (int j = 0; j < D; ++j)
-      column[D * b + j] = side.rule.shape[c][b] * d[j] + d[X::of_area] * areas.slope[c][D * b + j];
-  for (int b = 0; b < side.pressure_nodes; ++b) column[pressures + b] = pressure_shape(side, c)[b] * d[X::of_pressure];
+      column[D * b + j] = on.rule.shape(c, b) * d[j] + d[X::of_area] * areas.slope[c][D * b + j];
+  for (int b = 0; b < side.pressure_nodes; ++b)
+    column[pressures + b] = pressure_shape(on, side, c)[b] * d[X::of_pressure];
   for (int k = 0; k < body.count; ++k) column[first_body + k] = d[X::of_body + k];
 }
 
 /// Adds the actions of point c to the side's forces and tangent.
 template <class T, int D>
-void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, const PointAction<T, D>& end,
-                 const PointAction<T, D>& more, SideForce& out) {
-  const BodyUnknowns& body = side.body.unknowns();
-  const int nodes = side.rule.nodes, first_body = D * nodes + side.pressure_nodes;
+KOKKOS_INLINE_FUNCTION void add_to_side(const ContactSides& on, const SideContact& side, int c,
+                                        const SideAreas<D>& areas, const PointAction<T, D>& end,
+                                        const PointAction<T, D>& more, SideForce<T, D>& out) {
+  const BodyUnknowns& body = on.body.unknowns;
+  const int nodes = on.rule.nodes, first_body = D * nodes + side.pressure_nodes;
   const double weight = 1 / (1 - side.law.start_weight);
-  const auto& shape = side.rule.shape[c];
   for (int r = 0; r < D + body.count; ++r) {
     const int direction = r < D ? r : body.direction[r - D];
     const double sign = r < D ? 1.0 : -body.scale[r - D];
     const T last = end[direction], above = more[direction];
-    double column[max_side_dofs];
-    if constexpr (!std::is_same_v<T, double>) spread<T, D>(side, c, areas, sign * (last + weight * above), column);
+    double column[max_side_dofs<D>];
+    if constexpr (!std::is_same_v<T, double>) spread<T, D>(on, side, c, areas, sign * (last + weight * above), column);
     for (int a = 0; a < (r < D ? nodes : 1); ++a) {
       const int row = r < D ? D * a + r : first_body + r - D;
-      const double share = r < D ? shape[a] : 1.0;
+      const double share = r < D ? on.rule.shape(c, a) : 1.0;
       out.f[row] += share * sign * value(last);
       out.correction[row] += share * sign * value(above);
       if constexpr (!std::is_same_v<T, double>)
@@ -166,13 +187,11 @@ void add_to_side(const SideContact& side, int c, const SideAreas<D>& areas, cons
 
 /// Gradients along the side [1/m] of the pore pressure's shapes at point c, as the side was at the start of the step.
 template <int D>
-void pressure_slopes(const SideContact& side, int c, Point* slope) {
-  const ContactRule& rule = side.rule;
+KOKKOS_INLINE_FUNCTION void pressure_slopes(const ContactTables& rule, const SideContact& side, int c, Point* slope) {
   const bool corners = side.pressure_nodes < rule.nodes;
-  const double* dP = (corners ? rule.corner_slope : rule.shape_slope)[c].data();
+  const double* dP = corners ? &rule.corner_slope(c, 0) : &rule.shape_slope(c, 0);
   SideMap<D> map;
-  map.compute(rule.nodes, rule.shape[c].data(), rule.shape_slope[c].data(),
-              [&](int a, int i) { return side.x_old[a][i]; });
+  map.compute(rule.nodes, &rule.shape(c, 0), &rule.shape_slope(c, 0), [&](int a, int i) { return side.x_old[a][i]; });
   constexpr int K = D - 1;
   double metric[K][K], inverse[K][K];
   for (int k = 0; k < K; ++k)
@@ -197,7 +216,7 @@ void pressure_slopes(const SideContact& side, int c, Point* slope) {
 
 /// Thickness of the film [m].
 template <class T>
-T film_thickness(const T& gap, double aperture) {
+KOKKOS_INLINE_FUNCTION T film_thickness(const T& gap, double aperture) {
   const T root = square_root(gap * gap + 4 * aperture * aperture);
   return value(gap) > 0 ? 0.5 * (gap + root) : T(2 * aperture * aperture) / (root - gap);
 }
@@ -205,10 +224,11 @@ T film_thickness(const T& gap, double aperture) {
 /// The film's water at point c, which stays where the gap's growth draws it or flows along the side. Its rates go into
 /// the rows of the pore pressures; its water, vapour and force into `point`.
 template <class T, int D>
-void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const PointNumbers<T, D>& x,
-              const BodyFoot<T, D>& foot, double gap_old, ContactPoint& point, SideForce& out) {
+KOKKOS_INLINE_FUNCTION void add_film(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
+                                     const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot, double gap_old,
+                                     ContactPoint& point, SideForce<T, D>& out) {
   const SideFilm& film = side.film;
-  const ContactStart& start = side.start[c];
+  const ContactStart& start = on.starts(side.first + c);
   const T thickness = film_thickness(foot.gap, film.aperture);
   const T lack = start.cavitation - x.pore_pressure;
   const T vapour = value(lack) > 0 ? thickness * lack * (1 / film.softness) : T(0.0), water = thickness - vapour;
@@ -221,16 +241,16 @@ void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const P
   const T open = value(water) > 0 ? water : T(0.0);
   const T conduction = open * open * open * (areas.old[c] / (12 * film.viscosity));  // [m5/(Pa s)]
   Point slope[max_side_nodes], drive = scaled(-1, film.weight);
-  pressure_slopes<D>(side, c, slope);
+  pressure_slopes<D>(on.rule, side, c, slope);
   for (int a = 0; a < side.pressure_nodes; ++a) drive = plus(drive, side.pressure[a], slope[a]);
-  const int first = D * side.rule.nodes;
+  const int first = D * on.rule.nodes;
   for (int a = 0; a < side.pressure_nodes; ++a) {
-    const double share = pressure_shape(side, c)[a];
+    const double share = pressure_shape(on, side, c)[a];
     const T flow = growth * share + conduction * dot(slope[a], drive);
     out.f[first + a] += value(flow);
     if constexpr (!std::is_same_v<T, double>) {
-      double column[max_side_dofs], *row = &out.k[(first + a) * out.dofs];
-      spread<T, D>(side, c, areas, flow, column);
+      double column[max_side_dofs<D>], *row = &out.k[(first + a) * out.dofs];
+      spread<T, D>(on, side, c, areas, flow, column);
       for (int b = 0; b < out.dofs; ++b) row[b] += column[b];
       for (int b = 0; b < side.pressure_nodes; ++b) row[first + b] += value(conduction) * dot(slope[a], slope[b]);
     }
@@ -238,52 +258,196 @@ void add_film(const SideContact& side, int c, const SideAreas<D>& areas, const P
 }
 
 template <class T, int D>
-ContactPoint evaluate_point(const SideContact& side, int c, const SideAreas<D>& areas, SideForce& out) {
-  const Point at = side.rule.place(c, side.x);
-  const PointNumbers<T, D> x(side, at, areas.area[c], pore_pressure(side, c));
-  const auto nearest = BodyFoot<T, D>::nearest(side.body, side.placement, at);
-  const BodyFoot<T, D> foot(nearest, x);
-  const ContactMotion<T, D> motion = motion_of_point(side, c, x, nearest, foot);
-  ContactResponse<T, D> now = respond(side.law, motion);
-  const bool reached = !now.presses && nearest.gap < side.reach;
+KOKKOS_INLINE_FUNCTION ContactPoint evaluate_point(const ContactSides& on, const SideContact& side, int c,
+                                                   const SideAreas<D>& areas, SideForce<T, D>& out) {
+  const int row = side.first + c;
+  const ContactStart& start = on.starts(row);
+  const PointNumbers<T, D> x(on.body, on.rule.place(c, side.x), areas.area[c], pore_pressure(on, side, c));
+  const BodyFoot<T, D> foot(start.now, x);
+  const ContactMotion<T, D> motion = motion_of_point(on, side, c, x, foot);
+  const LawAnswers known{on.laws.pressure(row), on.laws.strength(row)};
+  LawQuestions asked;
+  ContactResponse<T, D> now = respond(side.law, motion, KnownAnswers{known, asked});
+  const bool reached = !now.presses && start.now.gap < side.reach;
   if (reached) now.pressure = now.pressure + chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
   ContactPoint point{};
-  point.gap = nearest.gap;
+  point.gap = start.now.gap;
   point.pressure = value(now.pressure);
   point.area = areas.area[c];
   point.active = now.presses;
-  point.height = side.body.height(side.placement, at);
+  point.height = start.height;
   point.damped = now.damping_heat;
-  const ShearState& old = side.start[c].shear;  // slip and heat stay when the shear stress goes
+  const ShearState& old = start.shear;  // slip and heat stay when the shear stress goes
   point.shear = {BodyFoot<T, D>::plain_shear(now.shear), old.slip + now.slip, old.dissipated + now.heat, now.slides};
-  if (side.film.acts) add_film<T, D>(side, c, areas, x, foot, value(motion.gap_old), point, out);
+  if (side.film.acts) add_film<T, D>(on, side, c, areas, x, foot, value(motion.gap_old), point, out);
   if (!now.presses && !reached && !side.law.conserves && !(side.law.viscous > 0) && !side.film.acts) return point;
   PointAction<T, D> end, more;
-  act(side, c, x, foot, now, point, end, more);
-  add_to_side(side, c, areas, end, more, out);
+  act(on, side, c, x, foot, now, point, end, more);
+  add_to_side(on, side, c, areas, end, more, out);
   return point;
 }
 
 template <int D>
-bool evaluate_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
-  SideAreas<D> areas;
-  if (!areas.measure(side, want_tangent)) return false;
-  for (int c = 0; c < side.rule.points; ++c)
-    points[c] = want_tangent ? evaluate_point<Dual<PointNumbers<double, D>::unknowns>, D>(side, c, areas, out)
-                             : evaluate_point<double, D>(side, c, areas, out);
-  return true;
+KOKKOS_INLINE_FUNCTION int dofs_of(const ContactSides& on, const SideContact& side) {
+  return D * on.rule.nodes + side.pressure_nodes + on.body.unknowns.count;
+}
+
+// What runs on every side of a shape.
+
+/// Writes down what its points ask, with the answers that are known so far.
+template <int D>
+struct AskLaws {
+  ContactSides on;
+  bool first;  // nothing is known
+
+  KOKKOS_FUNCTION void operator()(int s) const {
+    const SideContact& side = on.sides(s);
+    for (int c = 0; c < on.rule.points && side.near; ++c) {
+      const int row = side.first + c;
+      const PointNumbers<double, D> x(on.body, on.rule.place(c, side.x), 0.0, pore_pressure(on, side, c));
+      const BodyFoot<double, D> foot(on.starts(row).now, x);
+      LawAnswers known;
+      if (!first) known.normal = on.laws.pressure(row);
+      LawQuestions asked;
+      respond(side.law, motion_of_point(on, side, c, x, foot), KnownAnswers{known, asked});
+      on.laws.presses(row) = asked.presses;
+      on.laws.normal(row) = asked.normal;
+      on.laws.rubs(row) = asked.rubs;
+      on.laws.friction(row) = asked.friction;
+    }
+  }
+};
+
+template <int D>
+struct SideForces {
+  ContactSides on;
+  VectorScatter to;
+  PointView later;
+
+  /// Counts degenerate sides.
+  KOKKOS_FUNCTION void operator()(int s, int& failed) const {
+    to.open(s);
+    for (std::size_t a = 0; a < later.extent(1); ++a) later(s, a) = 0;
+    const SideContact& side = on.sides(s);
+    if (!side.near) return;
+    SideForce<double, D> force(dofs_of<D>(on, side));
+    SideAreas<D> areas;
+    const bool sound = areas.measure(on, side, false);
+    if (!sound) ++failed;
+    double pressing = 0, whole = 0;  // [m2]
+    for (int c = 0; c < on.rule.points; ++c) {
+      const ContactPoint point = sound ? evaluate_point<double, D>(on, side, c, areas, force) : ContactPoint{};
+      on.points(side.first + c) = point;
+      pressing += point.active ? point.area : 0;
+      whole += point.area;
+    }
+    add(s, side, force, pressing, whole);
+  }
+
+  KOKKOS_FUNCTION void add(int s, const SideContact& side, const SideForce<double, D>& force, double pressing,
+                           double whole) const {
+    double far = 0;  // [m] of a node from the origin
+    for (int a = 0; a < on.rule.nodes; ++a) {
+      const double distance = ::sqrt(dot(side.x[a], side.x[a]));
+      if (distance > far) far = distance;
+    }
+    const double cancelled = side.law.penalty * pressing * far;
+    const int soil = D * on.rule.nodes, first_body = soil + side.pressure_nodes;
+    for (int a = 0; a < force.dofs; ++a) {
+      if (a >= soil && a < first_body) {  // water into a film, at once
+        later(s, a) = -force.f[a];
+        if (force.f[a] != 0) to.add(s, a, 0.0, 0.0, whole * far / side.law.dt);
+        continue;
+      }
+      const double size = ::fabs(force.f[a]);
+      to.add(s, a, -force.f[a], size, size + cancelled);
+      later(s, a) = force.correction[a];
+    }
+  }
+};
+
+template <int D>
+struct SideTangents {
+  ContactSides on;
+  MatrixScatter to;
+  SideWeights weights;
+
+  KOKKOS_FUNCTION void operator()(int s) const {
+    using T = Dual<PointNumbers<double, D>::unknowns>;
+    to.open(s);
+    const SideContact& side = on.sides(s);
+    if (!side.near) return;
+    SideAreas<D> areas;
+    if (!areas.measure(on, side, true)) return;
+    SideForce<T, D> force(dofs_of<D>(on, side));
+    for (int c = 0; c < on.rule.points; ++c) evaluate_point<T, D>(on, side, c, areas, force);
+    const int soil = D * on.rule.nodes, first_body = soil + side.pressure_nodes;
+    for (int a = 0; a < force.dofs; ++a)
+      for (int b = 0; b < force.dofs; ++b) {
+        double& entry = force.k[a * force.dofs + b];
+        if (a >= soil && a < first_body)
+          entry = weights.film ? entry : 0.0;
+        else
+          entry *= -weights.weight * (b >= soil && b < first_body ? 1.0 : weights.moved);
+      }
+    to.add(s, force.dofs, force.k);
+  }
+};
+
+template <template <int> class Kernel, class... More>
+void run_on_sides(const char* label, const ContactSides& on, int first, int last, const More&... more) {
+  const Kokkos::RangePolicy<> range(first, last);
+  if (on.geometry == Geometry::space)
+    Kokkos::parallel_for(label, range, Kernel<3>{on, more...});
+  else
+    Kokkos::parallel_for(label, range, Kernel<2>{on, more...});
 }
 
 }  // namespace
 
-bool penalty_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points) {
-  const bool space = side.geometry == Geometry::space;
-  out.dofs = dimension(side.geometry) * side.rule.nodes + side.pressure_nodes + side.body.unknowns().count;
-  out.f.assign(out.dofs, 0.0);
-  out.correction.assign(out.dofs, 0.0);
-  out.k.assign(want_tangent ? out.dofs * out.dofs : 0, 0.0);
-  points.assign(side.rule.points, {});
-  return space ? evaluate_side<3>(side, want_tangent, out, points) : evaluate_side<2>(side, want_tangent, out, points);
+LawStore::LawStore(int rows)
+    : presses("presses", rows),
+      rubs("rubs", rows),
+      normal("asked of the normal law", rows),
+      friction("asked of friction", rows),
+      pressure("pressure", rows),
+      strength("strength", rows) {}
+
+void ask_laws(const std::vector<ContactSides>& shapes, const NormalLaw& normal, const Friction* friction) {
+  if (shapes.empty()) return;
+  const LawStore& laws = shapes.front().laws;
+  Kokkos::deep_copy(laws.presses, char(0));
+  Kokkos::deep_copy(laws.rubs, char(0));
+  for (const ContactSides& on : shapes)
+    run_on_sides<AskLaws>("contact pressures", on, 0, static_cast<int>(on.sides.extent(0)), true);
+  normal.pressures({laws.presses, laws.normal, laws.pressure});
+  if (!friction) return;
+  for (const ContactSides& on : shapes)
+    run_on_sides<AskLaws>("contact strengths", on, 0, static_cast<int>(on.sides.extent(0)), false);
+  friction->strengths({laws.rubs, laws.friction, laws.strength});
+}
+
+int add_side_forces(const ContactSides& on, const RowLists& rows, const VectorScatter& to, const PointView& later) {
+  int degenerate = 0;
+  in_order("contact rows", rows, 0, static_cast<int>(on.sides.extent(0)), to,
+           [&](int first, int last, const VectorScatter& target) {
+             const Kokkos::RangePolicy<> range(first, last);
+             int here = 0;
+             if (on.geometry == Geometry::space)
+               Kokkos::parallel_reduce("contact", range, SideForces<3>{on, target, later}, here);
+             else
+               Kokkos::parallel_reduce("contact", range, SideForces<2>{on, target, later}, here);
+             degenerate += here;
+           });
+  return degenerate;
+}
+
+void add_side_tangents(const ContactSides& on, const RowLists& rows, const MatrixScatter& to,
+                       const SideWeights& weights) {
+  in_order("contact matrix rows", rows, 0, static_cast<int>(on.sides.extent(0)), to,
+           [&](int first, int last, const MatrixScatter& target) {
+             run_on_sides<SideTangents>("contact tangent", on, first, last, target, weights);
+           });
 }
 
 }  // namespace mudline

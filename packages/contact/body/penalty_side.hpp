@@ -5,6 +5,7 @@
 #include "bodies/rigid_body.hpp"
 #include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
+#include "framework/vector_scatter.hpp"
 
 namespace mudline {
 
@@ -35,6 +36,21 @@ struct SideFilm {
   Point weight{};        // [N/m3] of the water
 };
 
+/// The body in a step, as kernels see it.
+struct BodyInStep {
+  BodyUnknowns unknowns;
+  BodyPlacement old, now;
+  Point turning[3] = {};  // BodyPlacement::turning of `now`
+};
+
+/// Where a point is beside the body, as the search on the host found it: ContourFoot or SurfaceFoot.
+struct BodyPlace {
+  double gap = 0;             // [m]
+  Point normal{}, foot{};     // [-], [m]
+  double turning[3][3] = {};  // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
+  double travel = 0;          // in the plane: of the foot along the contour, per way of the point
+};
+
 /// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
 /// tangential multipliers are part of the shear.
 struct ContactStart {
@@ -46,6 +62,9 @@ struct ContactStart {
   double normal_force = 0;          // [N] committed
   double cavitation = 0;            // [Pa] of the film
   double vapour = 0;                // [m] of the film's thickness, committed
+  BodyPlace now, before;            // at the ends of the step; `before` where it is looked at
+  double travelled = 0;             // [m] in the plane: from foot to foot along the contour
+  double height = 0;                // [m] in the body's frame above its reference point
 };
 
 /// What happens at one contact point.
@@ -65,39 +84,77 @@ struct ContactPoint {
 
 /// One side of the soil's surface against a body, at both ends of a step.
 struct SideContact {
-  const ContactRule& rule;
-  const RigidBody& body;
-  BodyPlacement placement_old, placement;
-  SideCoordinates x_old, x;  // [m]
-  Geometry geometry;
+  bool near = false;             // else it is not evaluated
+  int first = 0;                 // row of its first point
+  SideCoordinates x_old{}, x{};  // [m]
   ContactPointLaw law;
   /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
   /// touches nothing yet would have no stiffness at all.
   double reach = 0;
   double reach_share = 1;  // of the penalty that such points have in the tangent
-  SideFilm film = {};
-  int pressure_nodes = 0;                       // first nodes of the side that carry pore pressure; 0: none counts
-  double pressure[max_side_nodes] = {};         // [Pa] there
-  ContactStart start[max_contact_points] = {};  // (point)
+  SideFilm film;
+  int pressure_nodes = 0;                // first nodes of the side that carry pore pressure; 0: none counts
+  double pressure[max_side_nodes] = {};  // [Pa] there
 };
 
-/// Forces of one side [N] on the soil and on the body, and their derivatives [N/m, m2]. Dofs: the nodes' displacements,
-/// node after node, component after component; then (with laws that read them, and a film) the pore pressures of the
-/// first nodes, whose rows are the water that leaves the soil [m3/s] into the film; then the body's unknowns.
-struct SideForce {
-  int dofs = 0;
-  std::vector<double> f;           // at the end of the step
-  std::vector<double> correction;  // to be added at the alpha level: shares of impacts, damping
-  std::vector<double> k;           // (dof, dof) of f + correction / (1 - start_weight), in rows of pressures of f
+/// Whether the start of the step counts at a point with this gap.
+KOKKOS_INLINE_FUNCTION bool looks_back(const SideContact& side, double shift, bool member, double gap) {
+  if (side.law.conserves || side.law.viscous > 0 || side.film.flows) return true;
+  ContactMotion<double> motion;
+  motion.gap = gap;
+  motion.shift = shift;
+  motion.member = member;
+  return side.law.friction && presses(side.law, motion);
+}
+
+/// What the points of a contact ask its laws, and the answers, by row.
+struct LawStore {
+  LawStore() = default;
+  explicit LawStore(int rows);
+  Kokkos::View<char*> presses, rubs;  // which law is asked
+  Kokkos::View<NormalPoint*> normal;
+  Kokkos::View<FrictionPoint*> friction;
+  Kokkos::View<NormalPressure*> pressure;
+  Kokkos::View<ShearStrength*> strength;
 };
 
-/// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s) A_c with the pressure t, the normal n
-/// from the body into the soil and the shear stress s along the surface; with a film t is what the normal law gives and
-/// the pore pressure. The body gets the opposite force and its moment. A film takes the rate of its water from the soil
-/// and conducts h^3/(12 viscosity) (its slope of pressure less the water's weight), with slopes along the side as it
-/// was at the start of the step. The tangent is exact: variation of gap, normal (curvature of the body), travel, area
-/// and radius of the side, place and rotation of the body. `points` receives rule.points results. False for a
-/// degenerate side.
-bool penalty_side(const SideContact& side, bool want_tangent, SideForce& out, std::vector<ContactPoint>& points);
+/// The sides of one shape, with rows of their points that all shapes share.
+struct ContactSides {
+  ContactTables rule;
+  Geometry geometry;
+  BodyInStep body;
+  Kokkos::View<SideContact*> sides;    // by row of the shape's dofs
+  Kokkos::View<ContactStart*> starts;  // by row of points
+  Kokkos::View<ContactPoint*> points;  // what happens there, written by add_side_forces()
+  LawStore laws;
+};
+
+/// Lets the points of all shapes ask the laws, friction after it knows the pressures; null: smooth.
+void ask_laws(const std::vector<ContactSides>& shapes, const NormalLaw& normal, const Friction* friction);
+
+/// The point law at the contact points of a side, whose answers are known: f_a = sum_c shape_ca (t n + s) A_c with the
+/// pressure t, the normal n from the body into the soil and the shear stress s along the surface; with a film t is what
+/// the normal law gives and the pore pressure. The body gets the opposite force and its moment. A film takes the rate
+/// of its water from the soil and conducts h^3/(12 viscosity) (its slope of pressure less the water's weight), with
+/// slopes along the side as it was at the start of the step.
+///
+/// Dofs of a side: the nodes' displacements, node after node, component after component; then (with laws that read
+/// them, and a film) the pore pressures of the first nodes, whose rows are the water that leaves the soil [m3/s] into
+/// the film; then the body's unknowns.
+///
+/// Adds the forces on soil and body at the end of the step to the residual, R -= f; what is to be added at the alpha
+/// level (shares of impacts, damping, and the water) goes to `later` (side, dof), with the sign of -R. Returns the
+/// number of degenerate sides.
+int add_side_forces(const ContactSides& sides, const RowLists& rows, const VectorScatter& to, const PointView& later);
+
+/// Adds the exact derivatives of f and of what is added later: by gap, normal (curvature of the body), travel, area and
+/// radius of the side, place and rotation of the body. `weight`: of forces; `moved`: of places for the unknowns; water
+/// is added only with a `film`, with weight 1.
+struct SideWeights {
+  double weight, moved;
+  bool film;
+};
+void add_side_tangents(const ContactSides& sides, const RowLists& rows, const MatrixScatter& to,
+                       const SideWeights& weights);
 
 }  // namespace mudline

@@ -13,10 +13,6 @@ void add_components(Columns& to, const std::string& name, int components, const 
   for (int i = 0; i < components; ++i) to.push_back({components == 1 ? name : name + axes[i], 1, unit});
 }
 
-void put(const PointView& rows, int row, int first, int components, const Point& values) {
-  for (int i = 0; i < components; ++i) rows(row, first + i) = values[i];
-}
-
 }  // namespace
 
 void PointRows::declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes,
@@ -48,23 +44,8 @@ Point PointRows::vector(const PointView& rows, int row, int first, int component
   return result;
 }
 
-void PointRows::write(const State& trial, int row, const ContactPoint& point) const {
-  const PointView& rows = trial.arrays[points_];
-  rows(row, 0) = point.gap;
-  rows(row, 1) = point.pressure;
-  rows(row, 2) = point.active;
-  put(rows, row, 3, axes_, point.total.force);
-  rows(row, area_) = point.area;
-  rows(row, area_ + 1) = point.height;
-  const Point& moment = point.total.moment;
-  put(rows, row, area_ + 2, shears_, axes_ == 2 ? Point{moment[2], 0, 0} : moment);
-  if (frictions_ < 0) return;
-  const PointView& shear = trial.arrays[frictions_];
-  put(shear, row, 0, shears_, point.shear.shear);
-  shear(row, shears_) = point.shear.slip;
-  shear(row, shears_ + 1) = point.shear.dissipated;
-  shear(row, shears_ + 2) = point.shear.slides;
-  put(shear, row, shears_ + 3, axes_, point.friction);
+PointRows::Writer PointRows::writer(const State& trial) const {
+  return {trial.arrays[points_], frictions_ < 0 ? PointView() : trial.arrays[frictions_], axes_, shears_, area_};
 }
 
 void PointRows::copy(const State& from, const State& to) const {
@@ -93,7 +74,7 @@ Point PointRows::friction(const State& state, int row) const {
 }
 
 void PointRows::set_shear_multiplier(const State& state, int row, const Point& stress) const {
-  put(state.arrays[multipliers_], row, 1, shears_, stress);
+  Writer::put(state.arrays[multipliers_], row, 1, shears_, stress);
 }
 
 }  // namespace mudline

@@ -19,7 +19,32 @@ class PointRows {
   void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes,
                      bool friction, bool multipliers);
 
-  void write(const State& trial, int row, const ContactPoint& point) const;
+  /// Writes points in kernels.
+  struct Writer {
+    PointView points, frictions;  // the latter may be empty
+    int axes, shears, area;
+    KOKKOS_INLINE_FUNCTION void write(int row, const ContactPoint& point) const {
+      points(row, 0) = point.gap;
+      points(row, 1) = point.pressure;
+      points(row, 2) = point.active;
+      put(points, row, 3, axes, point.total.force);
+      points(row, area) = point.area;
+      points(row, area + 1) = point.height;
+      const Point& moment = point.total.moment;
+      put(points, row, area + 2, shears, axes == 2 ? Point{moment[2], 0, 0} : moment);
+      if (frictions.data() == nullptr) return;
+      put(frictions, row, 0, shears, point.shear.shear);
+      frictions(row, shears) = point.shear.slip;
+      frictions(row, shears + 1) = point.shear.dissipated;
+      frictions(row, shears + 2) = point.shear.slides;
+      put(frictions, row, shears + 3, axes, point.friction);
+    }
+    KOKKOS_INLINE_FUNCTION static void put(const PointView& rows, int row, int first, int components,
+                                           const Point& values) {
+      for (int i = 0; i < components; ++i) rows(row, first + i) = values[i];
+    }
+  };
+  Writer writer(const State& trial) const;
   /// Takes the points over from an evaluation, without their multipliers.
   void copy(const State& from, const State& to) const;
 

@@ -51,14 +51,6 @@ void WaterFilm::start(const StepView& view, int row, const Point& place, Contact
   point.vapour = std::max(0.0, view.committed->arrays[rows_](row, vapour_column));
 }
 
-void WaterFilm::write(const State& trial, int row, const ContactPoint& point) const {
-  const PointView& rows = trial.arrays[rows_];
-  rows(row, vapour_column) = point.vapour;
-  rows(row, 1) = point.water;
-  rows(row, 2) = point.vapour * point.area;
-  for (int i = 0; i < axes_; ++i) rows(row, 3 + i) = point.film[i];
-}
-
 WaterFilm::Sums WaterFilm::sums(const State& state) const {
   const PointView& rows = state.arrays[rows_];
   Sums result;

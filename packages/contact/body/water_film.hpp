@@ -27,7 +27,19 @@ class WaterFilm {
   SideFilm of_side(const StepView& view, std::size_t side, const Point& weight) const;
   /// Adds what is known of a point's film; `place` [m] at the start of the step.
   void start(const StepView& view, int row, const Point& place, ContactStart& point) const;
-  void write(const State& trial, int row, const ContactPoint& point) const;
+  /// Writes points in kernels.
+  struct Writer {
+    PointView rows;  // empty: there is no film
+    int axes;
+    KOKKOS_INLINE_FUNCTION void write(int row, const ContactPoint& point) const {
+      if (rows.data() == nullptr) return;
+      rows(row, vapour_column) = point.vapour;
+      rows(row, 1) = point.water;
+      rows(row, 2) = point.vapour * point.area;
+      for (int i = 0; i < axes; ++i) rows(row, 3 + i) = point.film[i];
+    }
+  };
+  Writer writer(const State& trial) const { return {rows_ < 0 ? PointView() : trial.arrays[rows_], axes_}; }
 
   /// Array and column that are convected when the sides move past the soil.
   int array() const { return rows_; }

@@ -121,7 +121,7 @@ Point FaceContact::slave_place(int row, const ConstCoordinateView& x) const {
 FaceContact::Weights FaceContact::weights(int row, int nodes, const double* of_face) const {
   const int own = slave_->sides()[rows_[row].side].count;
   Weights result{own + nodes, {}};
-  std::copy_n(rule(row).shape[rows_[row].point].data(), own, result.at);
+  std::copy_n(&rule(row).shape(rows_[row].point, 0), own, result.at);
   for (int a = 0; a < nodes; ++a) result.at[own + a] = -of_face[a];
   return result;
 }

@@ -1,7 +1,6 @@
 #include "contact/laws/friction.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <math.h>  // unqualified functions, as in tensor/dual.hpp
 
 namespace mudline {
 
@@ -19,39 +18,53 @@ void declare_friction(Parameters& p) {
 }
 
 void CoulombFriction::parameters(Parameters& p) {
-  p.required("coefficient", coefficient_, "-", non_negative(),
+  p.required("coefficient", law_.coefficient, "-", non_negative(),
              "Friction coefficient: tangent of the interface's angle");
-  p.add("kinetic coefficient", kinetic_, "-", non_negative(),
+  p.add("kinetic coefficient", law_.kinetic, "-", non_negative(),
         "Friction coefficient at high speed, approached exponentially by 'decay speed'; absent: the coefficient at all "
         "speeds");
-  p.add("decay speed", decay_speed_, "m/s", non_negative(),
+  p.add("decay speed", law_.decay_speed, "m/s", non_negative(),
         "Speed along the surface at which 1/e of the difference between coefficient and kinetic coefficient is left");
-  p.add("adhesion", adhesion_, "Pa", non_negative(), "Shear strength of a touching surface without normal traction");
+  p.add("adhesion", law_.adhesion, "Pa", non_negative(),
+        "Shear strength of a touching surface without normal traction");
   p.add("cap", cap_, "Pa",
         "Shear stress limit, a function of time and place, e.g. alpha times the undrained strength; absent: none");
-  capped_ = p.given("cap");
+  law_.capped = p.given("cap");
   interface_parameters(p);
 }
 
 void CoulombFriction::check(const Section& section) const {
   const bool kinetic = section.has_parameter("kinetic coefficient"), speed = section.has_parameter("decay speed");
-  if (kinetic && !(decay_speed_ > 0))
+  if (kinetic && !(law_.decay_speed > 0))
     section.fail("a kinetic coefficient needs a decay speed greater than 0 m/s", "decay speed");
   if (speed && !kinetic) section.fail("has a meaning only together with a 'kinetic coefficient'", "decay speed");
 }
 
-ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
-  ShearStrength result{adhesion_, 0};
-  double coefficient = coefficient_, by_rate = 0;
-  if (decay_speed_ > 0) {
-    const double rest = (coefficient_ - kinetic_) * std::exp(-at.rate / decay_speed_);
-    coefficient = kinetic_ + rest;
-    by_rate = -rest / decay_speed_;
+KOKKOS_FUNCTION ShearStrength CoulombStrength::operator()(const FrictionPoint& at) const {
+  ShearStrength result{adhesion, 0};
+  double now = coefficient, by_rate = 0;
+  if (decay_speed > 0) {
+    const double rest = (coefficient - kinetic) * ::exp(-at.rate / decay_speed);
+    now = kinetic + rest;
+    by_rate = -rest / decay_speed;
   }
-  if (at.normal > 0) result = {adhesion_ + coefficient * at.normal, coefficient, by_rate * at.normal};
-  if (!capped_) return result;
-  const double cap = std::max(0.0, cap_(at.time, at.position));
-  return result.value > cap ? ShearStrength{cap, 0} : result;
+  if (at.normal > 0) result = {adhesion + now * at.normal, now, by_rate * at.normal};
+  if (!capped) return result;
+  const double limit = cap > 0 ? cap : 0.0;
+  return result.value > limit ? ShearStrength{limit, 0} : result;
+}
+
+ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
+  CoulombStrength law = law_;
+  if (law.capped) law.cap = cap_(at.time, at.position);
+  return law(at);
+}
+
+void CoulombFriction::strengths(const LawList<FrictionPoint, ShearStrength>& list) const {
+  if (law_.capped && !cap_.is_constant()) return Friction::strengths(list);
+  CoulombStrength law = law_;
+  if (law.capped) law.cap = cap_(0, {});
+  ask_in_kernel(law, list);
 }
 
 void register_friction(Registry<Friction>& registry) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/laws/pointwise_law.hpp"
 #include "contact/laws/touching_soil.hpp"
 #include "core/registry.hpp"
 
@@ -7,10 +8,10 @@ namespace mudline {
 
 /// Where and when a friction law is asked.
 struct FrictionPoint {
-  double normal;      // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
-  Point position;     // [m] of the contact point at the start of the step
-  double slip;        // [m] path that it has slid so far, at the start of the step; see Friction::reads_slip
-  double time;        // [s] end of the step
+  double normal = 0;  // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
+  Point position{};   // [m] of the contact point at the start of the step
+  double slip = 0;    // [m] path that it has slid so far, at the start of the step; see Friction::reads_slip
+  double time = 0;    // [s] end of the step
   double rate = 0;    // [m/s] mean speed along the surface in the step, >= 0
   TouchingSoil soil;  // see Friction::reads
 };
@@ -29,6 +30,11 @@ class Friction {
  public:
   virtual ~Friction() = default;
   virtual ShearStrength strength(const FrictionPoint& at) const = 0;
+  /// The same at many points: on the host, one after the other, unless the law says otherwise as PointwiseFriction
+  /// does.
+  virtual void strengths(const LawList<FrictionPoint, ShearStrength>& list) const {
+    ask_on_host([this](const FrictionPoint& at) { return strength(at); }, list);
+  }
   /// What the strength reads of the soil that touches, besides `normal`, and whether it reads the path slid. What a law
   /// does not ask for may be no number; a contact that cannot tell it refuses the law.
   virtual SoilQuantities reads() const { return {}; }
@@ -48,19 +54,68 @@ class Friction {
   Traction traction_ = Traction::effective;
 };
 
+/// Turns a trivially copyable law with
+///     void parameters(Parameters&);
+///     KOKKOS_FUNCTION ShearStrength operator()(const FrictionPoint&) const;
+///     void check(const Section&) const;        [optional] rules across parameters
+///     static constexpr SoilQuantities reads;   [optional]
+///     static constexpr bool reads_slip = true; [optional]
+/// into a Friction that is asked in kernels.
+template <class Law>
+class PointwiseFriction : public Friction {
+ public:
+  void parameters(Parameters& p) {
+    law_.parameters(p);
+    interface_parameters(p);
+  }
+  void check(const Section& section) const {
+    if constexpr (detail::has_check<const Law>::value) law_.check(section);
+  }
+  ShearStrength strength(const FrictionPoint& at) const override { return law_(at); }
+  void strengths(const LawList<FrictionPoint, ShearStrength>& list) const override { ask_in_kernel(law_, list); }
+  SoilQuantities reads() const override { return reads_of<Law>(0); }
+  bool reads_slip() const override { return reads_slip_of<Law>(0); }
+
+ private:
+  template <class L>
+  static auto reads_of(int) -> decltype(SoilQuantities(L::reads)) {
+    return L::reads;
+  }
+  template <class L>
+  static SoilQuantities reads_of(...) {
+    return {};
+  }
+  template <class L>
+  static auto reads_slip_of(int) -> decltype(bool(L::reads_slip)) {
+    return L::reads_slip;
+  }
+  template <class L>
+  static bool reads_slip_of(...) {
+    return false;
+  }
+  Law law_;
+};
+
 /// strength = adhesion + coefficient <normal>, at most the cap. With a kinetic coefficient the coefficient follows the
 /// speed, kinetic + (coefficient - kinetic) exp(-rate / decay speed).
+struct CoulombStrength {
+  double coefficient = 0, adhesion = 0, kinetic = 0;
+  double decay_speed = 0;  // [m/s] 0: one coefficient at all speeds
+  double cap = 0;          // [Pa] one for all points
+  bool capped = false;
+  KOKKOS_FUNCTION ShearStrength operator()(const FrictionPoint& at) const;
+};
 class CoulombFriction : public Friction {
  public:
   void parameters(Parameters& p);
   void check(const Section& section) const;
   ShearStrength strength(const FrictionPoint& at) const override;
+  /// In a kernel, unless the cap is a function that has to be evaluated.
+  void strengths(const LawList<FrictionPoint, ShearStrength>& list) const override;
 
  private:
-  double coefficient_ = 0, adhesion_ = 0, kinetic_ = 0;
-  double decay_speed_ = 0;  // [m/s] 0: one coefficient at all speeds
+  CoulombStrength law_;
   Function cap_;
-  bool capped_ = false;
 };
 
 /// The entry "friction" of a contact.

@@ -3,12 +3,7 @@
 namespace mudline {
 
 void SmoothedNormalLaw::parameters(Parameters& p) {
-  p.required("depth", depth_, "m", positive(), "penetration over which the stiffness grows to the penalty");
-}
-
-NormalPressure SmoothedNormalLaw::at(double penetration, double stiffness, const TouchingSoil&) const {
-  if (penetration >= depth_) return {stiffness * (penetration - 0.5 * depth_), stiffness};
-  return {0.5 * stiffness * penetration * penetration / depth_, stiffness * penetration / depth_};
+  p.required("depth", law_.depth, "m", positive(), "penetration over which the stiffness grows to the penalty");
 }
 
 void register_normal_laws(Registry<NormalLaw>& registry) {
