@@ -38,8 +38,10 @@ template <class Target>
 struct AddRows {
   Target to;
   RowLists lists;
+  int entries;  // of the elements that were worked on
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    for (int k = lists.begin(i); k < lists.begin(i + 1); ++k) to.take(lists.rows(i), lists.entries(k));
+    for (int k = lists.begin(i); k < lists.begin(i + 1) && lists.entries(k) < entries; ++k)
+      to.take(lists.rows(i), lists.entries(k));
   }
 };
 
@@ -57,7 +59,7 @@ void in_order(const char* label, const RowLists& lists, int first, int last, Tar
     to.buffer.first = begin;
     work(begin, end, to);
     Kokkos::parallel_for(label, Kokkos::RangePolicy<>(lists.first_row(batch), lists.first_row(batch + 1)),
-                         AddRows<Target>{to, lists});
+                         AddRows<Target>{to, lists, (end - begin) * static_cast<int>(to.dofs.extent(1))});
   }
 }
 

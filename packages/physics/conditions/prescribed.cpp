@@ -17,22 +17,19 @@ void require_component(const Section& section, const std::array<bool, axis_names
 }
 
 // What runs for every value that is given, and their launch.
-template <class Given>
 struct SetValue {
-  Kokkos::View<const Given*> given;
+  Kokkos::View<const GivenValue*> given;
   Constraints to;
   KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, given(i).value); }
 };
-template <class Given>
 struct SetChange {  // over the step
-  Kokkos::View<const Given*> given;
+  Kokkos::View<const GivenValue*> given;
   Constraints to;
   ConstNodalView before;
   KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, before(given(i).dof) + given(i).value); }
 };
-template <class Given>
 struct SetHead {  // given: the water level
-  Kokkos::View<const Given*> given;
+  Kokkos::View<const GivenValue*> given;
   Constraints to;
   ConstCoordinateView x;
   Kokkos::Array<double, 3> up;
@@ -44,10 +41,10 @@ struct SetHead {  // given: the water level
     to.prescribe(given(i).dof, pressure > 0 ? pressure : 0.0);
   }
 };
-template <template <class> class Kernel, class Given, class... More>
-void set_given(const std::vector<Given>& given, const Constraints& to, const More&... more) {
+template <class Kernel, class... More>
+void set_given(const std::vector<GivenValue>& given, const Constraints& to, const More&... more) {
   Kokkos::parallel_for("given values", Kokkos::RangePolicy<>(0, static_cast<int>(given.size())),
-                       Kernel<Given>{device_copy(given), to, more...});
+                       Kernel{device_copy(given), to, more...});
 }
 
 }  // namespace
@@ -106,7 +103,7 @@ void DisplacementCondition::parameters(Parameters& p) {
 void DisplacementCondition::check(const Section& section) { require_component(section, given_); }
 
 void DisplacementCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<Given> given;
+  std::vector<GivenValue> given;
   for_each_node([&](int dof, int node, const Point& x) {
     for (int i = 0; i < space_->mesh().dimension(); ++i)
       if (given_[i]) given.push_back({dof + i, node, component_[i](t_end, x)});
@@ -137,7 +134,7 @@ void VelocityCondition::prescribe(double t_old, double t_end, const State& commi
   // Three Gauss points integrate the cubic ramp exactly within a step.
   const double dt = t_end - t_old, place[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)},
                weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  std::vector<Given> given;
+  std::vector<GivenValue> given;
   for_each_node([&](int dof, int node, const Point& x) {
     for (int i = 0; i < space_->mesh().dimension(); ++i) {
       if (!given_[i]) continue;
@@ -164,7 +161,7 @@ void FixedCondition::parameters(Parameters& p) {
 }
 
 void FixedCondition::prescribe(double, double, const State&, Constraints& to) const {
-  std::vector<Given> given;
+  std::vector<GivenValue> given;
   for_each_node([&](int dof, int node, const Point&) {
     for (int i = 0; i < space_->mesh().dimension(); ++i)
       if (static_cast<int>(components_) & 1 << i) given.push_back({dof + i, node, 0.0});
@@ -178,7 +175,7 @@ void PorePressureCondition::parameters(Parameters& p) {
 }
 
 void PorePressureCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<Given> given;
+  std::vector<GivenValue> given;
   for_each_open_node([&](int dof, int node, const Point& x) { given.push_back({dof, node, value_(t_end, x)}); });
   set_given<SetValue>(given, to);
 }
@@ -199,7 +196,7 @@ void HydrostaticCondition::bind(const ConditionContext& context, const Section& 
 }
 
 void HydrostaticCondition::prescribe(double, double t_end, const State& committed, Constraints& to) const {
-  std::vector<Given> given;
+  std::vector<GivenValue> given;
   for_each_open_node([&](int dof, int node, const Point& x) { given.push_back({dof, node, level_(t_end, x)}); });
   set_given<SetHead>(given, to, committed.coordinates, Kokkos::Array<double, 3>{up_[0], up_[1], up_[2]}, unit_weight_);
 }
@@ -220,7 +217,7 @@ void ValueCondition::bind(const ConditionContext& context, const Section& sectio
 }
 
 void ValueCondition::prescribe(double, double t_end, const State&, Constraints& to) const {
-  std::vector<Given> given;
+  std::vector<GivenValue> given;
   for_each_open_node([&](int dof, int node, const Point& x) {
     given.push_back({dof + component_, node, value_(t_end, x)});
   });

@@ -10,6 +10,12 @@
 
 namespace mudline {
 
+/// What the functions of the deck give for an unknown; they are evaluated on the host, and set by a kernel.
+struct GivenValue {
+  int dof, node;
+  double value;
+};
+
 /// Conditions that prescribe nodal unknowns on a set.
 class Prescribed : public Condition, public HoldsOnOpenSides {
  public:
@@ -40,11 +46,6 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
       if (open_.empty() || open_[node]) f(dof, node, x);
     });
   }
-  /// What the functions of the deck give for an unknown; they are evaluated on the host, and set by a kernel.
-  struct Given {
-    int dof, node;
-    double value;
-  };
   std::string set_;
   const Space* space_ = nullptr;
   int field_ = -1;
