@@ -103,32 +103,25 @@ struct SideLoop {
     return p;
   }
 
-  /// Adds the load on side s to the residual. Sizes are taken point by point: a corner's shape has both signs on a
-  /// quadratic side, and they are wanted before they cancel.
+  /// Adds the load on side s to the residual, point by point: a corner's shape has both signs on a quadratic side, and
+  /// sizes are wanted before they cancel.
   template <class Law>
   KOKKOS_INLINE_FUNCTION void residual(int s, const Law& law, const VectorScatter& to) const {
-    constexpr int n = rows<Law>;
-    double sum[n] = {}, acting[n] = {}, whole[n] = {};
     for (int q = 0; q < b.points; ++q) {
       SideBalance<Coordinates, double> out;
       law(s * b.points + q, point<Law, double>(s, q), out);
-      const double w = b.shape.weights(q);
-      for (int row = 0; row < n; ++row) {
-        double share, value, standing = 0;
+      for (int row = 0; row < rows<Law>; ++row) {
+        double value, change;
         if constexpr (Law::flows) {
-          share = w * b.partner.N(q, row);
-          value = out.flow;
+          value = change = b.shape.weights(q) * b.partner.N(q, row) * out.flow;
         } else {
-          share = w * b.shape.N(q, row / D);
-          value = out.force[row % D];
-          standing = out.standing[row % D];
+          const double share = b.shape.weights(q) * b.shape.N(q, row / D);
+          value = share * out.force[row % D];
+          change = share * (out.force[row % D] - out.standing[row % D]);
         }
-        sum[row] += share * value;
-        acting[row] += std::abs(share * (value - standing));
-        whole[row] += std::abs(share * value);
+        to.add(s, row, value, std::abs(change), std::abs(value), q);
       }
     }
-    for (int row = 0; row < n; ++row) to.add(s, row, sum[row], acting[row], whole[row]);
   }
 
   /// Adds weight times the derivative of residual() to the matrix.
@@ -216,7 +209,7 @@ template <class Law>
 void add_side_residual(Geometry geometry, const SideBlock& block, const SideLevel& level, const Law& law,
                        const ResidualView& f) {
   with_side_loop(geometry, block, level, [&](const auto& loop) {
-    in_order("residual rows", block.rows, 0, block.sides, VectorScatter{f, block.dofs},
+    in_order("residual rows", block.rows, 0, block.sides, VectorScatter{f, block.dofs, block.points},
              [&](int first, int last, const VectorScatter& to) {
                Kokkos::parallel_for("side residual", Kokkos::RangePolicy<>(first, last), SideResidual{loop, law, to});
              });

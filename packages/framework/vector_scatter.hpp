@@ -8,12 +8,13 @@ namespace mudline {
 struct VectorScatter {
   ResidualView to;
   ElementDofs dofs;
-  ElementBuffer buffer = {};  // of loops on several threads: (element of the batch, row, number)
+  int pieces = 1;             // in which an element adds to a row, one after the other
+  ElementBuffer buffer = {};  // of loops on several threads: (element of the batch, row, three numbers of each piece)
 
   /// Adds to row a of element e's vector: a sum, and its sizes before what cancels does. Within in_order().
-  KOKKOS_INLINE_FUNCTION void add(int e, int a, double sum, double acting, double whole) const {
+  KOKKOS_INLINE_FUNCTION void add(int e, int a, double sum, double acting, double whole, int piece = 0) const {
     if (!buffer.used()) return to.add(dofs(e, a), sum, acting, whole);
-    double* const kept = &buffer.values(e - buffer.first, a, 0);
+    double* const kept = &buffer.values(e - buffer.first, a, 3 * piece);
     kept[0] = sum;
     kept[1] = acting;
     kept[2] = whole;
@@ -22,18 +23,18 @@ struct VectorScatter {
   // For in_order().
   void open_buffer(int elements) {
     buffer.values = decltype(buffer.values)(Kokkos::view_alloc("element vectors", Kokkos::WithoutInitializing),
-                                            elements, dofs.extent(1), 3);
+                                            elements, dofs.extent(1), 3 * pieces);
   }
   /// Before element e adds.
   KOKKOS_INLINE_FUNCTION void open(int e) const {
     if (!buffer.used()) return;
     for (int a = 0; a < static_cast<int>(dofs.extent(1)); ++a)
-      for (int n = 0; n < 3; ++n) buffer.values(e - buffer.first, a, n) = 0;
+      for (int n = 0; n < 3 * pieces; ++n) buffer.values(e - buffer.first, a, n) = 0;
   }
   KOKKOS_INLINE_FUNCTION void take(int row, int entry) const {
     const int columns = static_cast<int>(dofs.extent(1));
     const double* const kept = &buffer.values(entry / columns, entry % columns, 0);
-    to.add(row, kept[0], kept[1], kept[2]);
+    for (int piece = 0; piece < pieces; ++piece) to.add(row, kept[3 * piece], kept[3 * piece + 1], kept[3 * piece + 2]);
   }
 };
 
