@@ -1,5 +1,7 @@
 #include "algebra/absolute_product.hpp"
 
+#include <math.h>  // the unqualified functions exist on every device
+
 namespace mudline {
 
 namespace {
@@ -11,10 +13,8 @@ struct AbsoluteRow {
   To product;
   KOKKOS_FUNCTION void operator()(int row) const {
     double sum = 0;
-    for (auto k = matrix.graph.row_map(row); k < matrix.graph.row_map(row + 1); ++k) {
-      const double part = matrix.values(k) * x(matrix.graph.entries(k), 0);
-      sum += part < 0 ? -part : part;
-    }
+    for (auto k = matrix.graph.row_map(row); k < matrix.graph.row_map(row + 1); ++k)
+      sum += ::fabs(matrix.values(k) * x(matrix.graph.entries(k), 0));
     product(row, 0) = sum;
   }
 };
