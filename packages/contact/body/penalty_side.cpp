@@ -80,10 +80,10 @@ ContactMotion<T, D> motion_of_point(const SideContact& side, int c, const PointN
   if (!shears && !side.law.conserves && !(side.law.viscous > 0) && !side.film.flows) return motion;
   motion.position = side.rule.place(c, side.x_old);
   const auto before = BodyFoot<T, D>::nearest(side.body, side.placement_old, motion.position);
-  motion.gap_old = T(before.gap);
+  motion.gap_old = T(before.gap - start.offset);
   motion.force_old = T(start.normal_force);
   if (!shears) return motion;
-  motion.opened = T(before.gap - start.shift_old);
+  motion.opened = T(before.gap - start.offset - start.shift_old);
   foot.start(side, before, at, start.shear.shear, motion);
   motion.slip_old = start.shear.slip;
   motion.slid = start.shear.slides;
@@ -242,13 +242,14 @@ ContactPoint evaluate_point(const SideContact& side, int c, const SideAreas<D>& 
   const Point at = side.rule.place(c, side.x);
   const PointNumbers<T, D> x(side, at, areas.area[c], pore_pressure(side, c));
   const auto nearest = BodyFoot<T, D>::nearest(side.body, side.placement, at);
-  const BodyFoot<T, D> foot(nearest, x);
+  BodyFoot<T, D> foot(nearest, x);
+  foot.gap = foot.gap - side.start[c].offset;  // from here on only what counts
   const ContactMotion<T, D> motion = motion_of_point(side, c, x, nearest, foot);
   ContactResponse<T, D> now = respond(side.law, motion);
-  const bool reached = !now.presses && nearest.gap < side.reach;
+  const bool reached = !now.presses && value(foot.gap) < side.reach;
   if (reached) now.pressure = now.pressure + chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
   ContactPoint point{};
-  point.gap = nearest.gap;
+  point.gap = value(foot.gap);
   point.pressure = value(now.pressure);
   point.area = areas.area[c];
   point.active = now.presses;
