@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -25,6 +26,9 @@ struct ContactContext {
   std::function<double(int block, int element)> stiffness;
   /// Weight [N/m3] of the pore water in a block, as far as pore pressures hold it up; absent: none.
   std::function<Point(int block, double time)> water_weight = {};
+  /// Total stress [Pa, tension positive, as sym6 numbers it] of a state in an element of a block, at a place on its
+  /// surface; absent: none.
+  std::function<std::array<double, 6>(const State& state, int block, int element, const Point& at)> stress = {};
 };
 
 /// What a contact presses together: the sides of one surface, and a body or the sides of another surface.

@@ -9,8 +9,10 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
+#include "framework/first_act.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
+#include "physics/soil_stress.hpp"
 #include "simulation/output/mesh_parts_file.hpp"
 #include "simulation/supports.hpp"
 
@@ -211,7 +213,10 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
                                  registries.frictions,
                                  registries.normal_laws,
                                  [this](int block, int element) { return constrained_modulus(block, element); },
-                                 [this](int block, double time) { return soil_->water_weight(block, time); }};
+                                 [this](int block, double time) { return soil_->water_weight(block, time); },
+                                 [this](const State& state, int block, int element, const Point& at) {
+                                   return total_stress(*soil_, state, block, element, at);
+                                 }};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
     if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);
   }
@@ -273,9 +278,11 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
 void Model::activate(const Stage& stage, bool fresh) {
   std::vector<Term*> active;
   for (const auto& term : terms_) active.push_back(term.get());
-  for (auto& [name, contact] : contacts_)
-    if (std::find(stage.contacts.begin(), stage.contacts.end(), name) != stage.contacts.end())
-      active.push_back(contact.get());
+  for (auto& [name, contact] : contacts_) {
+    if (std::find(stage.contacts.begin(), stage.contacts.end(), name) == stage.contacts.end()) continue;
+    active.push_back(contact.get());
+    if (auto* first = face<FirstActs>(*contact); first && fresh) first->first_act(store_->committed());
+  }
   moved_anew_.clear();
   for (auto& [name, body] : bodies_)
     if (body->set_motion(motion_in(stage, name))) moved_anew_.insert(name);

@@ -40,6 +40,13 @@ DECKS = [
               "contacts/ball on clay/film viscosity: -0.001 is out of range; allowed: (0, inf)"),
     Wrong("cavitation without a film", (TOUCHED, TOUCHED + parameter("cavitation pressure", "double", "-1e5")),
           "contacts/ball on clay/cavitation pressure: has a meaning only with 'drainage' = film"),
+    # gaps at the start
+    Wrong("closing distance without closing", (TOUCHED, TOUCHED + parameter("closing distance", "double", "1e-3")),
+          "contacts/ball on clay/closing distance: has a meaning only with 'initial gap' = closed or in-situ stress; here it is as placed", ranks=BOTH),
+    Wrong("closing distance below nothing", (TOUCHED, TOUCHED + parameter("initial gap", "string", "closed") + parameter("closing distance", "double", "-1e-3")),
+          "contacts/ball on clay/closing distance: -0.001 is out of range; allowed: [0, inf)"),
+    Wrong("initial gap by another name", (TOUCHED, TOUCHED + parameter("initial gap", "string", "in situ stress")),
+          "contacts/ball on clay/initial gap: 'in situ stress' is not a choice (did you mean 'in-situ stress'?)"),
     # wrong types
     Wrong("text for numbers", (parameter("cells", "Array(int)", "{3, 3}"), parameter("cells", "string", "many")),
           "mesh/cells: expected an array of numbers (Array(double)), given the string 'many'"),

@@ -65,8 +65,9 @@ void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement&
     const SurfaceSide& side = surface_->sides()[s];
     const SideCoordinates x = side_coordinates(side, view.x_end);
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
-      presses[row] = rows_.active(*view.committed, row) ||
-                     body_->gap(placement, rule(side).place(row - first_row_[s], x)) <= 1e-3 * gap_tolerance_;
+      presses[row] =
+          rows_.active(*view.committed, row) ||
+          gap(*view.trial, row, placement, rule(side).place(row - first_row_[s], x)) <= 1e-3 * gap_tolerance_;
   }
   active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
 }

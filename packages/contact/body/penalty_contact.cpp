@@ -18,6 +18,7 @@ void PenaltyContact::declare_state(StateStore& store) {
   const auto ids = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
   rows_.declare_state(store, name() + "/", ids, axes(), laws_.friction() != nullptr, deck_.augmented());
   if (deck_.has_film()) deck_.film.declare_state(store, name() + "/", ids, axes());
+  deck_.initial_gap.declare_state(store, name() + "/", ids);
   penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
                             surface_->row_ids([](std::size_t) { return 1; }));
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
@@ -76,6 +77,7 @@ ContactStart PenaltyContact::point_start(const StepView& view, std::size_t side,
   const State &committed = *view.committed, &trial = *view.trial;
   const SurfaceSide& at = surface_->sides()[side];
   ContactStart start;
+  start.offset = deck_.initial_gap.offset(trial, row);
   start.shear = rows_.shear(committed, row);
   start.force = rows_.total(committed, row);
   start.normal_force = rows_.pressure(committed, row) * rows_.area(committed, row);
@@ -284,7 +286,8 @@ bool PenaltyContact::covered(std::size_t side, const State& committed, const Bod
   if (least_gap(side, committed.coordinates, placement) >= near) return false;
   const ContactRule& points = rule(surface_->sides()[side]);
   int count = 0;
-  for (int c = 0; c < points.points; ++c) count += body_->gap(placement, points.place(c, x)) < near;
+  for (int c = 0; c < points.points; ++c)
+    count += gap(committed, first_row_[side] + c, placement, points.place(c, x)) < near;
   return 2 * count > points.points;
 }
 
@@ -430,13 +433,14 @@ std::vector<double> PenaltyContact::nodal_shear(const State& state) const {
 }
 
 void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid and multipliers are
-  // history and are convected along the side, f + (s_new - s_old) df/ds
+  // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid, multipliers and
+  // initial gaps are history and are convected along the side, f + (s_new - s_old) df/ds
   std::vector<std::pair<int, int>> convected;  // (array, column)
   if (laws_.friction()) convected = {{rows_.frictions(), 0}, {rows_.frictions(), rows_.slip_column()}};
   if (deck_.augmented())
     for (int column = 0; column <= rows_.shears(); ++column) convected.emplace_back(rows_.multipliers(), column);
   if (deck_.has_film()) convected.emplace_back(deck_.film.array(), WaterFilm::vapour_column);
+  if (deck_.initial_gap.adjusts()) convected.emplace_back(deck_.initial_gap.array(), 0);
   if (convected.empty()) return;
   const auto& sides = surface_->sides();
   for (std::size_t s = 0; s < sides.size(); ++s) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/active_set.hpp"
+#include "contact/body/initial_gap.hpp"
 #include "contact/body/leaky_surface.hpp"
 #include "contact/body/point_rows.hpp"
 #include "contact/body/water_film.hpp"
@@ -13,6 +14,7 @@
 #include "contact/contact_surface.hpp"
 #include "contact/uzawa.hpp"
 #include "framework/closed_sides.hpp"
+#include "framework/first_act.hpp"
 
 namespace mudline {
 
@@ -35,6 +37,7 @@ struct PenaltyParameters : EnforcementParameters {
   double conductance = 0;    // [m/(Pa s)]
   Function outside;          // [Pa] pore pressure on the body's side
   WaterFilm film;
+  InitialGap initial_gap;
   bool has_film() const { return drainage == Drainage::film; }
   ActiveSetParameters active_set;
 };
@@ -48,6 +51,8 @@ struct PenaltyParameters : EnforcementParameters {
 /// shapes: a side has more contact points than nodes, and cannot follow a body at all of them. Until the gap weighted
 /// by the shapes, and the stretch of what sticks, are within the gap tolerance at all nodes.
 ///
+/// Initial gap: a point's gap may be counted from that of the state in which the contact first acts (see InitialGap).
+///
 /// State arrays: those of the points (see PointRows), "contact/<name>/penalty" (a row per side, frozen when the contact
 /// first starts a step), "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the
 /// work done on the soil, trapezoidal in the body's motion; of damping the heat so far and its force on the soil in
@@ -56,7 +61,7 @@ struct PenaltyParameters : EnforcementParameters {
 /// Drainage: a side is closed to the pore water (what conditions prescribe on it is off) while more than half of its
 /// points are at the body in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these
 /// sides let water through instead, see LeakySurface. Film: water stands between them and the body, see WaterFilm.
-class PenaltyContact : public Contact, public ClosesSides {
+class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
  public:
   explicit PenaltyContact(const ContactContext& context) : context_(context) {}
   static void document(Parameters& p);
@@ -68,6 +73,7 @@ class PenaltyContact : public Contact, public ClosesSides {
   ContactPartners partners() const override { return {deck_.surface, "", body_.get(), laws_.friction() != nullptr}; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
+  void first_act(State& committed) override;
   void begin(const StepView& view) override;
   bool asks_for_prediction() const override { return laws_.friction() != nullptr && body_->active(); }
   void predicting(bool on) override { predicting_ = on; }
@@ -120,7 +126,20 @@ class PenaltyContact : public Contact, public ClosesSides {
   void look_for_touch(const StepView& view);
   /// By local node, of a quantity of the rows.
   std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
-  /// Lower bound of the gap of a side's points [m].
+  /// Closes the initial gaps of one side's points, and presses them.
+  void touch_first(std::size_t side, const State& committed, const BodyPlacement& placement, FirstTouch& found) const;
+  /// What presses at a point of a side that touches the body with this normal [Pa]: the soil's stress on its surface.
+  double standing_pressure(std::size_t side, int point, const State& committed, const Point& at, const Point& outward,
+                           const Point& normal) const;
+  /// Penetration [m] at which a point presses so.
+  double standing_depth(std::size_t side, int point, const State& committed, double pressure) const;
+  /// Pore pressure at a point of a side [Pa]; 0 where the contact does not read it.
+  double pore_pressure(std::size_t side, int point, const State& state) const;
+  /// Counted gap of a point that is at this place [m].
+  double gap(const State& state, int row, const BodyPlacement& placement, const Point& at) const {
+    return body_->gap(placement, at) - deck_.initial_gap.offset(state, row);
+  }
+  /// Lower bound of the gap of a side's points [m], as the geometry has it.
   double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_.at(side.shape); }
   void check_drainage(const Section& section) const;

@@ -32,6 +32,7 @@ void PenaltyParameters::parameters(Parameters& p) {
            "film: it is released, and water stands between soil and body, whose pressure acts on both: where the gap "
            "grows it comes from the soil or from the open end of the gap");
   film.parameters(p);
+  initial_gap.parameters(p);
   p.add("conductance", conductance, "m/(Pa s)", non_negative(),
         "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
   p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
@@ -81,6 +82,7 @@ void PenaltyContact::check(const Section& section) {
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);
   check_quadrature(section);
+  deck_.initial_gap.check(section);
   laws_.read(context_, section);
   laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(),
                      deck_.impact == PenaltyParameters::Impact::conserving);

@@ -84,6 +84,14 @@ KOKKOS_INLINE_FUNCTION double pore_pressure(const ContactSides& on, const SideCo
   return result;
 }
 
+/// The foot of a point, with the gap that counts.
+template <class T, int D>
+KOKKOS_INLINE_FUNCTION BodyFoot<T, D> counted_foot(const ContactStart& start, const PointNumbers<T, D>& x) {
+  BodyFoot<T, D> foot(start.now, x);
+  foot.gap = foot.gap - start.offset;
+  return foot;
+}
+
 template <class T, int D>
 KOKKOS_INLINE_FUNCTION ContactMotion<T, D> motion_of_point(const ContactSides& on, const SideContact& side, int c,
                                                            const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot) {
@@ -97,10 +105,10 @@ KOKKOS_INLINE_FUNCTION ContactMotion<T, D> motion_of_point(const ContactSides& o
   motion.pore_pressure = x.pore_pressure;
   if (!looks_back(side, start.shift, start.member, value(foot.gap))) return motion;
   motion.position = on.rule.place(c, side.x_old);
-  motion.gap_old = T(start.before.gap);
+  motion.gap_old = T(start.before.gap - start.offset);
   motion.force_old = T(start.normal_force);
   if (!side.law.friction || !presses(side.law, motion)) return motion;
-  motion.opened = T(start.before.gap - start.shift_old);
+  motion.opened = T(start.before.gap - start.offset - start.shift_old);
   foot.start(on.body, start, motion);
   motion.slip_old = start.shear.slip;
   motion.slid = start.shear.slides;
@@ -263,15 +271,15 @@ KOKKOS_INLINE_FUNCTION ContactPoint evaluate_point(const ContactSides& on, const
   const int row = side.first + c;
   const ContactStart& start = on.starts(row);
   const PointNumbers<T, D> x(on.body, on.rule.place(c, side.x), areas.area[c], pore_pressure(on, side, c));
-  const BodyFoot<T, D> foot(start.now, x);
+  const BodyFoot<T, D> foot = counted_foot(start, x);
   const ContactMotion<T, D> motion = motion_of_point(on, side, c, x, foot);
   const LawAnswers known{on.laws.pressure(row), on.laws.strength(row)};
   LawQuestions asked;
   ContactResponse<T, D> now = respond(side.law, motion, KnownAnswers{known, asked});
-  const bool reached = !now.presses && start.now.gap < side.reach;
+  const bool reached = !now.presses && value(foot.gap) < side.reach;
   if (reached) now.pressure = now.pressure + chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
   ContactPoint point{};
-  point.gap = start.now.gap;
+  point.gap = value(foot.gap);
   point.pressure = value(now.pressure);
   point.area = areas.area[c];
   point.active = now.presses;
@@ -305,7 +313,7 @@ struct AskLaws {
     for (int c = 0; c < on.rule.points && side.near; ++c) {
       const int row = side.first + c;
       const PointNumbers<double, D> x(on.body, on.rule.place(c, side.x), 0.0, pore_pressure(on, side, c));
-      const BodyFoot<double, D> foot(on.starts(row).now, x);
+      const BodyFoot<double, D> foot = counted_foot(on.starts(row), x);
       LawAnswers known;
       if (!first) known.normal = on.laws.pressure(row);
       LawQuestions asked;

@@ -54,6 +54,7 @@ struct BodyPlace {
 /// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
 /// tangential multipliers are part of the shear.
 struct ContactStart {
+  double offset = 0;                // [m] by which the gap that counts is smaller than that of the geometry
   double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
   bool member = false;              // of the active set
   TouchingSoil soil;                // its pore pressure is that beside what the side's nodes have
@@ -69,7 +70,7 @@ struct ContactStart {
 
 /// What happens at one contact point.
 struct ContactPoint {
-  double gap, pressure;  // [m] negative: penetration; [Pa] >= 0
+  double gap, pressure;  // [m] counted, negative: penetration; [Pa] >= 0
   PointForce total;      // on the soil
   double area;           // [m2]
   bool active;           // presses: gap < shift

@@ -76,6 +76,10 @@ class SmoothedNormalLaw : public NormalLaw {
   SmoothedPressure law_;
 };
 
+/// Penetration [m] at which the law gives a pressure [Pa], 0 or more, that it grows to; infinite where it does not
+/// reach it.
+double penetration_under(const NormalLaw& law, double pressure, double stiffness, const TouchingSoil& soil);
+
 /// "linear", "smoothed"; a plain list.
 void register_normal_laws(Registry<NormalLaw>& registry);
 

@@ -11,6 +11,7 @@
 #include "bodies/tests/rigid_body_deck.hpp"
 #include "contact/contact.hpp"
 #include "framework/closed_sides.hpp"
+#include "framework/first_act.hpp"
 #include "physics/register.hpp"
 #include "reading_laws.hpp"
 
@@ -63,7 +64,8 @@ struct ContactModel {
   ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
                std::function<double(int, int)> stiffness = {}, const std::string& type = "frictionless penalty",
                Support pressure = Support::vertices, bool warm = false,
-               std::function<Point(int, double)> water_weight = {})
+               std::function<Point(int, double)> water_weight = {},
+               std::function<std::array<double, 6>(const Point&)> stress = {})
       : deck((geometry == Geometry::space ? space_xml() : std::string()) + bodies +
              "<ParameterList name=\"contacts\">\n<ParameterList name=\"c\">\n" + text_parameter("type", type) +
              contact_parameters + "</ParameterList>\n</ParameterList>\n"),
@@ -82,7 +84,8 @@ struct ContactModel {
       store.declare({"soil/effective stress", {{"effective stress", 6, "Pa"}}, 0, 2},
                     2 * static_cast<int>(mesh.blocks()[0].nodes.extent(0)));
     contact = registry.create(deck.deck.root().section("contacts").section("c"),
-                              {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight)});
+                              {space, bodies_, frictions, normal_laws, std::move(stiffness), std::move(water_weight),
+                               [stress](const State&, int, int, const Point& at) { return stress(at); }});
     bodies_["b"]->declare_state(store);
     contact->declare_state(store);
     contact->sparsity(assembler);
@@ -134,6 +137,8 @@ struct ContactModel {
     view.inertia = true;
     view.end_weight = 1 - alpha_f;
   }
+  /// What a stage's start does: the contact takes what it needs of the committed state.
+  void first_act() { dynamic_cast<FirstActs&>(*contact).first_act(store.committed()); }
   Report step(double dt) {
     begin(dt);
     residual();

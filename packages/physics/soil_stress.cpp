@@ -1,0 +1,63 @@
+#include "physics/soil_stress.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "core/space_vector.hpp"
+#include "tensor/small_lu.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// By which the values at points are weighted in that of their linear fit at a place.
+std::vector<double> fit_weights(const std::vector<Point>& points, int dimension, const Point& at) {
+  const double count = static_cast<double>(points.size());
+  std::vector<double> weights(points.size(), 1 / count);
+  Point mean{};
+  for (const Point& x : points) mean = plus(mean, 1 / count, x);
+  double spread[3][3] = {}, size = 0;
+  for (const Point& x : points)
+    for (int i = 0; i < dimension; ++i)
+      for (int j = 0; j < dimension; ++j) spread[i][j] += (x[i] - mean[i]) * (x[j] - mean[j]);
+  for (int i = 0; i < dimension; ++i) size += spread[i][i] / dimension;
+  if (size == 0) return weights;
+  SmallLu<3> lu{};
+  double slope[3] = {};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) lu.a[i][j] = spread[i][j] / size;
+    if (i >= dimension) lu.a[i][i] = 1;
+    slope[i] = i < dimension ? (at[i] - mean[i]) / size : 0.0;
+  }
+  constexpr double flat = 1e-8;  // pivots of points that lie in a plane or on a line
+  if (!lu.factorise()) return weights;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(lu.a[i][i]) < flat) return weights;
+  lu.solve(slope);
+  for (std::size_t q = 0; q < points.size(); ++q)
+    weights[q] += dot({slope[0], slope[1], slope[2]}, minus(points[q], mean));
+  return weights;
+}
+
+}  // namespace
+
+std::array<double, 6> total_stress(const Soil& soil, const State& state, int block, int element, const Point& at) {
+  const SoilBlock& b = soil.blocks[block];
+  const int dimension = soil.space->mesh().dimension();
+  std::vector<Point> places;
+  for (int q = 0; q < b.points; ++q) places.push_back(b.place(element, q, state.coordinates));
+  const std::vector<double> weights = fit_weights(places, dimension, at);
+  const int first = dimension * b.u.nodes;  // column of the pore pressures
+  std::array<double, 6> result{};
+  for (int q = 0; q < b.points; ++q) {
+    double pressure = 0;
+    for (int a = 0; b.porous() && a < b.p.nodes; ++a) pressure += b.p.N(q, a) * state.value(b.dofs(element, first + a));
+    for (int c = 0; c < 6; ++c) {
+      const double pores = c < 3 ? b.material->biot_coefficient * pressure : 0.0;
+      result[c] += weights[q] * (state.arrays[b.stress](element * b.points + q, c) - pores);
+    }
+  }
+  return result;
+}
+
+}  // namespace mudline
