@@ -17,7 +17,7 @@ namespace {
 template <int D>
 Point outward_normal(const ContactRule& rule, int c, const SideCoordinates& x) {
   SideMap<D> map;
-  map.compute(rule.nodes, rule.shape[c].data(), rule.shape_slope[c].data(), [&](int a, int i) { return x[a][i]; });
+  map.compute(rule.nodes, &rule.shape(c, 0), &rule.shape_slope(c, 0), [&](int a, int i) { return x[a][i]; });
   Point result{};
   for (int i = 0; i < D; ++i) result[i] = map.normal[i] / map.stretch;
   return result;
@@ -117,7 +117,7 @@ double PenaltyContact::pore_pressure(std::size_t side, int point, const State& s
   const SurfaceSide& at = surface_->sides()[side];
   const ContactRule& points = rule(at);
   const int nodes = surface_->pressure_nodes(at.shape);
-  const auto& shape = nodes < points.nodes ? points.corner[point] : points.shape[point];
+  const double* shape = nodes < points.nodes ? &points.corner(point, 0) : &points.shape(point, 0);
   double result = 0;
   for (int a = 0; a < nodes; ++a)
     result += shape[a] * state.value(surface_->dofs(at.shape)(at.row, axes() * at.count + a));
