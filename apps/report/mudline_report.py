@@ -179,7 +179,7 @@ def error_table(history):
         title = f"{group} {name.removesuffix(' error')}"
         share = np.abs(values[-1]) if base is None else np.abs(values[-1]) / max(np.abs(base[-1]), 1e-300)
         found = "" if base is None else f"{base[-1]:.6g}"
-        error = "" if base is None else f"{values[-1]:.2g}"
+        error = "" if base is None else f"{values[-1]:.3g}"
         percent = f"{100 * share:.2g} %" if share <= 10 else "more than it"
         rows.append((html.escape(title), found, error, html.escape(unit) if base is not None else "", percent))
     if not rows:

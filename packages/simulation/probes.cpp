@@ -42,7 +42,7 @@ Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings) :
 Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
   const Space& space = model_.space();
   const auto& comm = *model_.mesh().comm();
-  NodeProbe probe{settings.name, {}};
+  NodeProbe probe{settings.name, {}, {}};
   for (int f = 0; f < space.num_fields(); ++f) {
     double best = 1e300;
     int dof = -1;

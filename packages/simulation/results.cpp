@@ -221,7 +221,6 @@ void Results::write_fields(int step, const std::string& stage) {
 
 void Results::write_history(const Balances& balances, const Report& terms, double dt, int iterations) {
   const State& state = model_.store().committed();
-  const Space& space = model_.space();
   std::vector<HistoryValue> row{{"step/dt", "s", dt}, {"step/newton iterations", "-", static_cast<double>(iterations)}};
   for (const auto& [name, body] : model_.bodies()) {
     const auto add = [&, name = name, axes = body->dimension()](const char* what, const char* unit, const Point& x) {
