@@ -98,8 +98,19 @@ int PatchRecovery::solve(const double* moments, double* coefficients) const {
   }
 }
 
+void PatchRecovery::sum_shared(std::vector<double>& rows, int width) const {
+  if (mesh_.comm()->getSize() == 1) return;
+  std::vector<double> column;
+  for (int c = 0; c < width; ++c) {
+    column.assign(mesh_.num_nodes(), 0.0);
+    for (std::size_t v = 0; v < node_.size(); ++v) column[node_[v]] = rows[v * width + c];
+    exchange_.sum_shared(column);
+    for (std::size_t v = 0; v < node_.size(); ++v) rows[v * width + c] = column[node_[v]];
+  }
+}
+
 void PatchRecovery::fit() {
-  exchange_.sum_shared(moments_, width_);
+  sum_shared(moments_, width_);
   polynomials_.assign(node_.size() * terms_ * columns_, 0.0);
   std::vector<int> resolved(node_.size(), 0);
   int mine[2] = {}, most[2];  // terms resolved, samples
@@ -151,7 +162,7 @@ void PatchRecovery::spread(std::vector<char>& fitted) {
           to[0] += 1;
           for (int k = 0; k < size; ++k) to[1 + k] += own[k];
         }
-    exchange_.sum_shared(sums, size + 1);
+    sum_shared(sums, size + 1);
     for (std::size_t v = 0; v < node_.size(); ++v) {
       const double* sum = &sums[v * (size + 1)];
       if (fitted[v] || sum[0] == 0) continue;

@@ -15,7 +15,7 @@ namespace mudline {
 /// elements.
 class PatchRecovery {
  public:
-  /// x: where the nodes are; degree: 1 or 2; columns: values of a sample; exchange: of the mesh's vertices.
+  /// x: where the nodes are; degree: 1 or 2; columns: values of a sample.
   PatchRecovery(const Mesh& mesh, const NodalExchange& exchange, const ConstCoordinateView& x, int degree, int columns);
 
   /// The element, by its corners' local nodes, to which the samples added next belong.
@@ -39,6 +39,8 @@ class PatchRecovery {
   int solve(const double* moments, double* coefficients) const;
   template <int n>
   int solve_terms(const double* moments, double* coefficients) const;
+  /// Adds up rows of `width` values by vertex over the ranks that share it. Collective.
+  void sum_shared(std::vector<double>& rows, int width) const;
   /// Vertices without a good fit of their own take those of their neighbours, no farther than two elements.
   void spread(std::vector<char>& fitted);
   double* polynomial(int vertex) { return &polynomials_[static_cast<std::size_t>(vertex) * terms_ * columns_]; }

@@ -112,7 +112,7 @@ struct ErrorEstimator::Sums {
 };
 
 ErrorEstimator::ErrorEstimator(const Soil& soil, StateStore& store)
-    : soil_(soil), mesh_(soil.space->mesh()), exchange_(mesh_, NodalExchange::Nodes::vertices) {
+    : soil_(soil), mesh_(soil.space->mesh()), exchange_(mesh_) {
   std::map<std::string, Region> regions;
   for (std::size_t k = 0; k < soil.blocks.size(); ++k) {
     const SoilBlock& b = soil.blocks[k];
