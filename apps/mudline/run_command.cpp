@@ -44,6 +44,12 @@ void check_probes(const Loaded& loaded) {
   }
 }
 
+/// What the estimate looks at are the stresses of soil.
+void check_error_estimate(const Loaded& loaded) {
+  if (loaded.output.error_estimate && !loaded.model->soil())
+    loaded.root->section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
+}
+
 std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
   auto loaded = std::make_unique<Loaded>();
@@ -65,6 +71,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
   refuse_unused_functions(*loaded->root);
   check_probes(*loaded);
+  check_error_estimate(*loaded);
   return loaded;
 }
 

@@ -135,7 +135,10 @@ def contact_reactions(history, up):
     reactions = {}
     for group, units in history.groups().items():
         if group.startswith("contact/") and np.any(units.get("N", {}).get(f"reaction {up}", 0)):
-            reactions[group.split("/", 1)[1]] = units["N"][f"reaction {up}"]
+            contact, newtons = group.split("/", 1)[1], units["N"]
+            reactions[contact] = newtons[f"reaction {up}"]
+            if f"reaction {up} error" in newtons:
+                reactions[f"{contact} error"] = newtons[f"reaction {up} error"]
     return reactions
 
 
@@ -164,6 +167,24 @@ def history_section(history, spans, gallery):
         )
         parts.append("</div>")
     return "".join(parts)
+
+
+def error_table(history):
+    """What is estimated of the error that the mesh makes: shares, and the error of each quantity that has one."""
+    rows = []
+    for (group, name, unit), values in history.columns.items():
+        base = history.columns.get((group, name.removesuffix(" error"), unit))
+        if not name.endswith(" error") or not len(values) or (base is None and group != "mesh"):
+            continue
+        title = f"{group} {name.removesuffix(' error')}"
+        share = np.abs(values[-1]) if base is None else np.abs(values[-1]) / max(np.abs(base[-1]), 1e-300)
+        found = "" if base is None else f"{base[-1]:.6g}"
+        error = "" if base is None else f"{values[-1]:.3g}"
+        percent = f"{100 * share:.2g} %" if share <= 10 else "more than it"
+        rows.append((html.escape(title), found, error, html.escape(unit) if base is not None else "", percent))
+    if not rows:
+        return ""
+    return table(rows, ("quantity", "at the end", "estimated error", "unit", "share"), (1, 2, 4))
 
 
 def balance_table(history):
@@ -267,6 +288,7 @@ def build(options, gallery):
             figure = report_point.point_figure({stem.name: history})
             sections.append(("Test", f"<div class=row>{gallery.add(figure, 'material point', True)}</div>"))
         sections.append(("Histories", history_section(history, spans, gallery)))
+        sections.append(("Discretisation", error_table(history)))
         sections.append(("Balances", balance_table(history)))
     long_texts = {key: value for key, value in metadata.items() if "\n" in value or len(value) >= 200}
     sections.append(

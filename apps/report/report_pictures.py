@@ -120,11 +120,26 @@ def mark_stages(axes, parts, factor):
             )
 
 
+def split_errors(curves):
+    """(curves, {name: error}): a curve "<name> error" beside "<name>" is the estimated error of that."""
+    errors = {name: curves[f"{name} error"] for name in curves if f"{name} error" in curves}
+    return {name: values for name, values in curves.items() if name.removesuffix(" error") not in errors or name in errors}, errors
+
+
+def shade_error(axes, along, x, y, error):
+    """The band of the estimated error about the curve drawn last; along: "x" or "y", whichever has the error."""
+    fill, base, middle = (axes.fill_betweenx, y, x) if along == "x" else (axes.fill_between, x, y)
+    fill(base, middle - error, middle + error, color=axes.lines[-1].get_color(), alpha=0.22, linewidth=0)
+
+
 def draw_curves(axes, since, curves, rows, factor, decades=False):
-    """The curves over a time that belongs to `rows`; returns the factor of the time axis."""
+    """The curves over a time that belongs to `rows`, with the bands of their errors; returns the factor of the time axis."""
     time_factor, unit = (1.0, "s") if decades or not len(since) else years("s", since.max())
+    curves, errors = split_errors(curves)
     for name, values in curves.items():
         axes.plot(*thinned(since * time_factor, values[rows] * factor), label=name, solid_joinstyle="round")
+        if name in errors:
+            shade_error(axes, "y", since * time_factor, values[rows] * factor, errors[name][rows] * factor)
     axes.margins(x=0.01)
     axes.xaxis.set_major_locator(ticks(6))
     axes.yaxis.set_major_locator(ticks(6))
@@ -134,6 +149,7 @@ def draw_curves(axes, since, curves, rows, factor, decades=False):
 
 
 def label_curves(axes, curves, unit):
+    curves, _ = split_errors(curves)
     if len(curves) == 1:
         axes.set_ylabel(f"{next(iter(curves))} [{unit}]")
     else:
@@ -194,13 +210,16 @@ def staged_figure(units, time, parts):
 
 
 def resistance_figure(body, forces, penetration):
-    """Resistance over depth, depth downwards, as a cone penetration test is drawn."""
+    """Resistance over depth, depth downwards, as a cone penetration test is drawn, with the bands of estimated errors."""
+    forces, errors = split_errors(forces)
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(4.6, 4.2), layout="constrained")
         factor, unit = scaled("N", max(np.abs(values).max() for values in forces.values()))
         depth_factor, depth_unit = scaled("m", np.abs(penetration).max())
         for name, values in forces.items():
             axes.plot(values * factor, penetration * depth_factor, label=name)
+            if name in errors:
+                shade_error(axes, "x", values * factor, penetration * depth_factor, errors[name] * factor)
         axes.invert_yaxis()
         axes.set_xlabel(f"vertical force on {body} [{unit}]")
         axes.set_ylabel(f"penetration [{depth_unit}]")

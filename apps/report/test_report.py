@@ -107,6 +107,30 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(list(history.time), [0, 1, 2])
         self.assertEqual(list(history.groups()), ["body/cone", "probe/a, b", "balance/water"])
 
+    def test_estimated_errors_are_bands_and_a_table(self):
+        path = self.folder / "errors.csv"
+        path.write_text(
+            "time [s],mesh/stress error [-],body/cone/displacement y [m],contact/face/reaction y [N],contact/face/reaction y error [N]\n"
+            "0,0,0,0,0\n1,0.1,-0.05,1500,150\n2,0.2,-0.1,2000,100\n"
+        )
+        history = History(path)
+        groups = history.groups()
+        figure = report_pictures.history_figure(groups["contact/face"], history.time, [])
+        axes = figure.axes[0]
+        self.assertEqual(len(axes.lines), 1)
+        band = axes.collections[0].get_paths()[0].vertices
+        self.assertAlmostEqual(band[:, 1].max(), 2.1)  # kN
+        self.assertTrue(np.any(np.isclose(band, [1, 1.35]).all(axis=1)))
+        self.assertEqual(len(report_pictures.history_figure(groups["mesh"], history.time, []).axes[0].lines), 1)
+        forces, penetration = mudline_report.body_resistance(history, groups["body/cone"])
+        axes = report_pictures.resistance_figure("cone", forces, penetration).axes[0]
+        self.assertEqual((len(axes.lines), len(axes.collections)), (1, 1))
+        self.assertTrue(np.any(np.isclose(axes.collections[0].get_paths()[0].vertices, [1.65, 50]).all(axis=1)))
+        found = mudline_report.error_table(history)
+        for text in ("<td>mesh stress</td>", ">20 %<", "contact/face reaction y", ">100<", ">5 %<"):
+            self.assertIn(text, found)
+        self.assertEqual(mudline_report.error_table(History(self.folder / "cone.csv")), "")
+
     def test_resistance_is_vertical(self):
         columns = "time [s],body/ball/displacement y [m],body/ball/displacement z [m],contact/ball/reaction y [N],"
         columns += "contact/ball/reaction z [N],body/ball/force y [N],body/ball/driving force z [N]"

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "framework/normal_equations.hpp"
+
 namespace mudline {
 
 namespace {
@@ -29,29 +31,6 @@ struct Polynomial {
     return sum;
   }
 };
-
-/// Solves the normal equations for all columns. A direction that the points do not resolve (they lie on a conic) is
-/// left out: its coefficient is zero.
-void solve_normal(double (&a)[terms][terms], std::vector<double>& b) {
-  double diagonal[terms];
-  for (int k = 0; k < terms; ++k) diagonal[k] = a[k][k];
-  bool out[terms];
-  for (int k = 0; k < terms; ++k) {
-    out[k] = a[k][k] <= 1e-8 * diagonal[k];
-    for (std::size_t c = 0; out[k] && c < b.size(); c += terms) b[c + k] = 0;
-    for (int i = k + 1; !out[k] && i < terms; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (int j = k; j < terms; ++j) a[i][j] -= factor * a[k][j];
-      for (std::size_t c = 0; c < b.size(); c += terms) b[c + i] -= factor * b[c + k];
-    }
-  }
-  for (std::size_t c = 0; c < b.size(); c += terms)
-    for (int k = terms - 1; k >= 0; --k) {
-      if (out[k]) continue;
-      for (int j = k + 1; j < terms; ++j) b[c + k] -= out[j] ? 0.0 : a[k][j] * b[c + j];
-      b[c + k] /= a[k][k];
-    }
-}
 
 }  // namespace
 

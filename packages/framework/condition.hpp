@@ -33,6 +33,8 @@ class Condition {
   virtual bool may_hold() { return term() != nullptr; }
   /// The mesh set that it keeps from moving away, by prescribed displacements or by resistance; "": none.
   virtual std::string holds() const { return ""; }
+  /// Whether it moves what it prescribes: its reaction is then a resistance.
+  virtual bool drives() const { return false; }
   /// Called when a stage begins in which the condition is newly active. `unbalanced`: residual of the committed state
   /// under what stays active, by overlap dof; zero where the stage prescribes the unknown. A condition that takes over
   /// a force sets it to zero there (owned dofs are enough), so that no other takes it too.

@@ -25,6 +25,13 @@ void OutputSettings::parameters(Parameters& p) {
   p.add("history steps", history_steps, "-", closed(1, 1e9), "a row of the history file every so many steps");
   p.add("checkpoint steps", checkpoint_steps, "-", closed(0, 1e9),
         "a checkpoint every so many steps; 0: at the end of stages only");
+  p.add("error estimate", error_estimate,
+        "estimates of the discretisation error: fields 'error/...', 'mesh/stress error' and an error beside every "
+        "resistance and every pore pressure of a probe in the history");
+  p.add("target error", target_error, "-", open(0, 1),
+        "share of the energy of the stress's change that 'error/wanted size' aims at (with 'error estimate')");
+  if (!p.documenting() && p.given("target error") && !error_estimate)
+    p.deck().fail("has no effect without 'error estimate' = true", "target error");
   p.passes_on("probes",
               "named points: Array(double) of its coordinates for the nearest node that carries a field (pore "
               "pressure: the nearest cell corner), wherever it goes, with the soil or with the mesh; or a section with "

@@ -24,7 +24,9 @@ class OutputSettings {
   double field_interval = 0;  // [s] 0: every stage's end only
   int field_steps = 0;        // every so many steps; 0: off
   int history_steps = 1;
-  int checkpoint_steps = 100;  // 0: only at the end of stages
+  int checkpoint_steps = 100;   // 0: only at the end of stages
+  bool error_estimate = false;  // of the discretisation, in fields and histories
+  double target_error = 0.05;   // [-] of the stress, for the wanted size of elements
   std::vector<ProbeSettings> probes;
 
   /// Makes the folder for the results. `section`: the deck's "output". InputError.

@@ -42,7 +42,7 @@ Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings) :
 Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
   const Space& space = model_.space();
   const auto& comm = *model_.mesh().comm();
-  NodeProbe probe{settings.name, {}};
+  NodeProbe probe{settings.name, {}, {}};
   for (int f = 0; f < space.num_fields(); ++f) {
     double best = 1e300;
     int dof = -1;
@@ -61,8 +61,31 @@ Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
     int owner = 0;
     Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &owner);
     probe.dof.push_back(owner == comm.getRank() ? dof : -1);
+    if (space.field(f).name != "pore pressure") continue;
+    long long mine_is = -1, nearest_node = -1;
+    for (int node = 0; owner == comm.getRank() && node < model_.mesh().num_owned_nodes(); ++node)
+      if (space.node_dof(f)(node) == dof) mine_is = model_.mesh().node_ids()[node];
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 1, &mine_is, &nearest_node);
+    probe.around = elements_at(nearest_node);
   }
   return probe;
+}
+
+std::vector<int> Probes::elements_at(long long node) const {
+  std::vector<int> found;
+  int element = 0;
+  for (const ElementBlock& block : model_.mesh().blocks())
+    for (int e = 0; e < block.num_elements; ++e, ++element)
+      for (int a = 0; a < num_corners(block.shape); ++a)
+        if (model_.mesh().node_ids()[block.nodes(e, a)] == node) found.push_back(element);
+  return found;
+}
+
+double Probes::mean_error(const std::vector<int>& elements, const std::vector<double>& error) const {
+  std::vector<double> sums{0, static_cast<double>(elements.size())};
+  for (int e : elements) sums[0] += error[e];
+  sums = sum_over_ranks(*model_.mesh().comm(), sums);
+  return sums[0] / std::max(1.0, sums[1]);
 }
 
 Point Probes::place(const ProbeSettings& probe, const State& state) const {
@@ -73,7 +96,7 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
 }
 
 void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
-                          const Positions& x, std::vector<HistoryValue>& row) const {
+                          const Positions& x, const std::vector<double>* error, std::vector<HistoryValue>& row) const {
   const Point there = place(probe, state);
   const std::array<double, 2> at{there[0], there[1]};
   const PointLocator locator(*mesh_, x);
@@ -98,8 +121,16 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
   const auto& element = mesh_->elements()[best.element];
   row.push_back({"probe/" + probe.name + "/position x", "m", at[0]});
   row.push_back({"probe/" + probe.name + "/position y", "m", at[1]});
+  std::vector<int> element_here;
+  int number = 0;
+  for (const ElementBlock& block : model_.mesh().blocks())
+    for (long long id : block.global_ids) {
+      if (id == best.element) element_here.push_back(number);
+      ++number;
+    }
   for (const Values& values : fields) {
     const Field& field = model_.space().field(values.field);
+    const bool pressure = model_.space().find("pore pressure") == values.field;
     const CellShape shape = field.support == Support::vertices ? linear_partner(element.shape) : element.shape;
     evaluate_shape(shape, best.xi, N, dN);
     for (int c = 0; c < field.components; ++c) {
@@ -108,10 +139,13 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
         sum += N[a] * values.of_nodes[static_cast<std::size_t>(field.components) * element.nodes[a] + c];
       row.push_back({column(probe.name, values.name, field.components, c), field.unit, sum});
     }
+    if (pressure && error != nullptr)
+      row.push_back({column(probe.name, values.name + " error", 1, 0), field.unit, mean_error(element_here, *error)});
   }
 }
 
-std::vector<HistoryValue> Probes::values(const State& state, const std::function<NodalView()>& excess) const {
+std::vector<HistoryValue> Probes::values(const State& state, const std::function<NodalView()>& excess,
+                                         const std::vector<double>* error) const {
   const Space& space = model_.space();
   std::vector<HistoryValue> row;
   for (const NodeProbe& probe : nodes_)
@@ -123,6 +157,8 @@ std::vector<HistoryValue> Probes::values(const State& state, const std::function
         row.push_back({column(probe.name, field.name, field.components, c), field.unit,
                        sum_over_ranks(*space.dofs()->comm(), mine)});
       }
+      if (field.name == "pore pressure" && error != nullptr)
+        row.push_back({column(probe.name, "pore pressure error", 1, 0), field.unit, mean_error(probe.around, *error)});
     }
   if (moving_.empty()) return row;
   const Positions x = mesh_->gather(state.coordinates);
@@ -133,7 +169,7 @@ std::vector<HistoryValue> Probes::values(const State& state, const std::function
     fields.push_back({field.name, f, mesh_->gather(space, f, state.value)});
     if (field.name == "pore pressure") fields.push_back({"excess pore pressure", f, mesh_->gather(space, f, excess())});
   }
-  for (const ProbeSettings& probe : moving_) interpolated(probe, state, fields, x, row);
+  for (const ProbeSettings& probe : moving_) interpolated(probe, state, fields, x, error, row);
   return row;
 }
 

@@ -20,14 +20,20 @@ class Probes {
   /// Collective.
   Probes(const Model& model, const std::vector<ProbeSettings>& settings);
   /// `excess`: gives the excess pore pressure by overlap dof; called where there is pore fluid and a probe that shows
-  /// it. Collective.
-  std::vector<HistoryValue> values(const State& state, const std::function<NodalView()>& excess) const;
+  /// it. `error`: of the pore pressure [Pa], by element of this rank; null: not asked for. Collective.
+  std::vector<HistoryValue> values(const State& state, const std::function<NodalView()>& excess,
+                                   const std::vector<double>* error) const;
 
  private:
   struct NodeProbe {
     std::string name;
-    std::vector<int> dof;  // by field: component 0 of the nearest node where this rank owns it, -1
+    std::vector<int> dof;     // by field: component 0 of the nearest node where this rank owns it, -1
+    std::vector<int> around;  // elements of this rank at the nearest node with pore pressure
   };
+  /// Of the pore pressure at a node: the mean of the elements around; at an element. Collective.
+  double mean_error(const std::vector<int>& elements, const std::vector<double>& error) const;
+  /// Of this rank, block after block, in which a node lies.
+  std::vector<int> elements_at(long long node) const;
   NodeProbe nearest_node(const ProbeSettings& settings) const;
   Point place(const ProbeSettings& probe, const State& state) const;
   /// One field of the whole mesh, as the histories name it.
@@ -37,7 +43,7 @@ class Probes {
     std::vector<double> of_nodes;  // (node, component)
   };
   void interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
-                    const Positions& x, std::vector<HistoryValue>& row) const;
+                    const Positions& x, const std::vector<double>* error, std::vector<HistoryValue>& row) const;
 
   const Model& model_;
   std::vector<NodeProbe> nodes_;

@@ -33,9 +33,10 @@ BodyPose pose_of(const RigidBody& body, const State& state) {
 
 }  // namespace
 
-Results::Results(Model& model, const OutputSettings& settings, const Origin& origin,
+Results::Results(Model& model, const OutputSettings& settings, const Origin& origin, DiscretisationError* error,
                  const std::optional<ResultsRestart>& restart)
     : model_(model),
+      error_(error),
       fields_(model.mesh(), settings.stem(), restart ? std::optional(restart->fields) : std::nullopt),
       history_(model.mesh().comm(), settings.stem() + ".csv", restart ? std::optional(restart->history) : std::nullopt),
       initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()),
@@ -68,7 +69,8 @@ NodalView Results::fluid_density() const {
   return density;
 }
 
-NodalView Results::excess_pressure(int field) const {
+NodalView Results::excess_pressure() const {
+  const int field = model_.space().find("pore pressure");
   const State& state = model_.store().committed();
   NodalView excess("excess", state.value.extent(0));
   const auto gravity = model_.soil()->water_gravity(state.time);
@@ -125,7 +127,7 @@ std::vector<OutputField> Results::nodal_fields() const {
       result.push_back({"acceleration", "m/s2", field.components, on_all_nodes(f, state.acceleration)});
     }
     if (field.name == "pore pressure") {
-      result.push_back({"excess pore pressure", "Pa", 1, on_all_nodes(f, excess_pressure(f))});
+      result.push_back({"excess pore pressure", "Pa", 1, on_all_nodes(f, excess_pressure())});
     }
   }
   for (const auto& [name, contact] : model_.contacts()) {
@@ -197,7 +199,13 @@ std::vector<OutputField> Results::cell_fields() const {
   }
   std::vector<OutputField> result{stress, mean, deviator, ratio};
   for (OutputField& field : point_means(done)) result.push_back(std::move(field));
+  if (error_ != nullptr)
+    for (OutputField& field : error_->fields()) result.push_back(std::move(field));
   return result;
+}
+
+void Results::estimate_error() {
+  if (error_ != nullptr) error_->evaluate(model_.soil()->pressure >= 0 ? excess_pressure() : NodalView());
 }
 
 void Results::write_fields(int step, const std::string& stage) {
@@ -207,12 +215,12 @@ void Results::write_fields(int step, const std::string& stage) {
     for (int i = 0; i < model_.mesh().dimension(); ++i) coordinates.push_back(state.coordinates(node, i));
   std::map<std::string, BodyPose> bodies;
   for (const auto& [name, body] : model_.bodies()) bodies[name] = pose_of(*body, state);
+  estimate_error();
   fields_.write(state.time, step, stage, coordinates, nodal_fields(), cell_fields(), bodies);
 }
 
 void Results::write_history(const Balances& balances, const Report& terms, double dt, int iterations) {
   const State& state = model_.store().committed();
-  const Space& space = model_.space();
   std::vector<HistoryValue> row{{"step/dt", "s", dt}, {"step/newton iterations", "-", static_cast<double>(iterations)}};
   for (const auto& [name, body] : model_.bodies()) {
     const auto add = [&, name = name, axes = body->dimension()](const char* what, const char* unit, const Point& x) {
@@ -226,8 +234,12 @@ void Results::write_history(const Balances& balances, const Report& terms, doubl
     add("/spin ", "rad/s", body->spin(state));
   }
   for (const auto& [name, quantity] : terms) row.push_back({name, quantity.unit, quantity.value});
-  const auto excess = [&] { return excess_pressure(space.find("pore pressure")); };
-  for (const HistoryValue& value : probes_.values(state, excess)) row.push_back(value);
+  const auto excess = [&] { return excess_pressure(); };
+  estimate_error();
+  if (error_ != nullptr)
+    for (const HistoryValue& value : error_->values(terms)) row.push_back(value);
+  for (const HistoryValue& value : probes_.values(state, excess, error_ != nullptr ? &error_->pressure() : nullptr))
+    row.push_back(value);
   for (const HistoryValue& value : balances.values()) row.push_back(value);
   history_.write(state.time, row);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simulation/balances.hpp"
+#include "simulation/discretisation_error.hpp"
 #include "simulation/model.hpp"
 #include "simulation/old_results.hpp"
 #include "simulation/output/field_file.hpp"
@@ -25,8 +26,8 @@ struct ResultsRestart {
 /// Writes the committed state of a model: fields for ParaView, histories for plots.
 class Results {
  public:
-  /// Opens the files; `restart`: continues old ones. Collective.
-  Results(Model& model, const OutputSettings& settings, const Origin& origin,
+  /// Opens the files; `error`: null where no estimate is asked for; `restart`: continues old ones. Collective.
+  Results(Model& model, const OutputSettings& settings, const Origin& origin, DiscretisationError* error,
           const std::optional<ResultsRestart>& restart);
 
   /// How far the files have come, for a checkpoint.
@@ -39,6 +40,8 @@ class Results {
   /// Pore pressures from which the excess is counted, by overlap dof. Set when the run starts, part of the checkpoint.
   NodalView initial_pressure() const { return initial_pressure_; }
   void take_initial_pressure();
+  /// Pore pressure less that of the start at the same place, by overlap dof; only with pore fluid.
+  NodalView excess_pressure() const;
 
  private:
   std::vector<OutputField> nodal_fields() const;
@@ -49,11 +52,13 @@ class Results {
   /// A field on all owned nodes; a linear field's missing middle nodes are interpolated.
   std::vector<double> on_all_nodes(int field, const ConstNodalView& values) const;
 
+  /// Of the committed state, where it is asked for.
+  void estimate_error();
+
   Model& model_;
+  DiscretisationError* error_;
   FieldFile fields_;
   HistoryFile history_;
-  /// Pore pressure less that of the start at the same place, by overlap dof.
-  NodalView excess_pressure(int field) const;
   /// Density of the pore fluid [kg/m3] by overlap dof of the pore pressure, the mean of the elements around.
   /// Collective.
   NodalView fluid_density() const;

@@ -49,19 +49,19 @@ void catch_signals() {
 }
 
 Run::Run(Model& model, const OutputSettings& settings, const Origin& origin, const RunOptions& options)
-    : model_(model), settings_(settings), origin_(origin), options_(options), balances_(model) {
+    : model_(model), settings_(settings), origin_(origin), options_(options), balances_(model), walls_(model) {
+  if (settings_.error_estimate) error_estimate_ = std::make_unique<DiscretisationError>(model_, settings_.target_error);
   std::filesystem::create_directories(settings_.folder);
   lock_ = std::make_unique<ResultLock>(model_.mesh().comm(), settings_.stem());
   if (options_.restart) {
     load_checkpoint();
-    results_ = std::make_unique<Results>(model_, settings_, origin_, results_restart());
+    results_ = std::make_unique<Results>(model_, settings_, origin_, error_estimate_.get(), results_restart());
     restore_initial_pressure();
     return;
   }
   make_room(model_.mesh().comm(), settings_.stem(), origin_, options_.overwrite);
-  results_ = std::make_unique<Results>(model_, settings_, origin_, std::nullopt);
-  results_->take_initial_pressure();
-  balances_.start();
+  results_ = std::make_unique<Results>(model_, settings_, origin_, error_estimate_.get(), std::nullopt);
+  take_start();
 }
 
 StepRequest Run::request(const Stage& stage, double dt) const {
@@ -88,6 +88,7 @@ bool Run::begin_stage(const Stage& stage) {
   }
   log::info("stage '" + stage.name + "'");
   progress_.stage_open = true;
+  if (error_estimate_) error_estimate_->begin_stage();
   progress_.step_in_stage = 0;
   progress_.stage_start = model_.store().committed().time;
   progress_.next_dt = stage.control.initial;
@@ -109,6 +110,7 @@ bool Run::begin_stage(const Stage& stage) {
     Kokkos::deep_copy(state.acceleration, 0.0);
   }
   balances_.jump([&] { model_.start_bodies(stage); });
+  if (model_.soil() && model_.soil()->pressure >= 0) walls_.begin(results_->excess_pressure());
   return true;
 }
 
@@ -155,10 +157,15 @@ bool Run::run_geostatic(const Stage& stage) {
   terms["mesh/quality"] = {"-", quality_.lowest};
   ++progress_.step;
   reset_displacements();
-  balances_.start();
-  results_->take_initial_pressure();
+  take_start();
   results_->write_history(balances_, terms, 0.0, report.newton_iterations);
   return true;
+}
+
+void Run::take_start() {
+  balances_.start();
+  results_->take_initial_pressure();
+  if (error_estimate_) error_estimate_->start();
 }
 
 void Run::reset_displacements() {
@@ -315,6 +322,12 @@ bool Run::ends_folded(const Stage& stage) const {
   return true;
 }
 
+void Run::tell_dissipation(const Stage& stage) {
+  if (!model_.soil() || model_.soil()->pressure < 0) return;
+  for (const WallDissipation::Line& line : walls_.end(results_->excess_pressure(), stage.duration))
+    line.doubtful ? log::warn(line.text) : log::info("  " + line.text);
+}
+
 double Run::next_field_time(double time) const {
   const double interval = settings_.field_interval;
   if (interval <= 0) return time;
@@ -403,6 +416,7 @@ ExitCode Run::execute() {
       const ExitCode exit = run_stage(stage);
       const bool complete = model_.store().committed().time >= progress_.stage_start + stage.duration * (1 - 2e-9);
       if (exit != ExitCode::done || !complete) return exit;
+      tell_dissipation(stage);
       if (stage.reset_displacements) reset_displacements();
     }
     const bool last = progress_.stage + 1 == static_cast<int>(stages.size());

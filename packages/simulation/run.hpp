@@ -10,6 +10,7 @@
 #include "simulation/output/checkpoint_file.hpp"
 #include "simulation/output/result_lock.hpp"
 #include "simulation/results.hpp"
+#include "simulation/wall_dissipation.hpp"
 
 namespace mudline {
 
@@ -52,6 +53,8 @@ class Run {
   void look_at_mesh();
   /// Whether the run must end because elements are folded; says so then.
   bool ends_folded(const Stage& stage) const;
+  /// Says how far the stage has dissipated the excess pore pressures on the walls of bodies at rest.
+  void tell_dissipation(const Stage& stage);
   void after_step(const Stage& stage, double dt, const StepReport& report);
   /// The first multiple of the field interval, from the stage's start, after `time`.
   double next_field_time(double time) const;
@@ -59,6 +62,8 @@ class Run {
   LocalError local_error(const Stage& stage) const;
   StepRequest request(const Stage& stage, double dt) const;
   void reset_displacements();
+  /// Balances, excess pressures and errors are counted from the committed state.
+  void take_start();
   /// What terms, contacts that do not act, and conditions report. Collective.
   Report report_terms();
   void log_step(const Stage& stage, double dt, const StepReport& report) const;
@@ -83,7 +88,9 @@ class Run {
   RunOptions options_;
   std::unique_ptr<ResultLock> lock_;
   Balances balances_;
+  std::unique_ptr<DiscretisationError> error_estimate_;  // null: not asked for
   std::unique_ptr<Results> results_;
+  WallDissipation walls_;
   Progress progress_;
   CheckpointData checkpoint_;  // that a restart began from
   LocalError error_;           // of the step last tried

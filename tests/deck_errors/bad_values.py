@@ -92,6 +92,13 @@ DECKS = [
           "solver/newton/maximum iterations: 0 is out of range; allowed: [1, 1000]"),
     Wrong("history never", (parameter("history steps", "int", "1"), parameter("history steps", "int", "0")),
           "output/history steps: 0 is out of range; allowed: [1, 1e+09]"),
+    Wrong("target of no estimate", (parameter("history steps", "int", "1"), parameter("target error", "double", "0.1")),
+          "output/target error: has no effect without 'error estimate' = true"),
+    Wrong("target beyond all", (parameter("history steps", "int", "1"), parameter("error estimate", "bool", "true") + "\n" +
+                                parameter("target error", "double", "1.5")),
+          "output/target error: 1.5 is out of range; allowed: (0, 1)", at='name="target error"'),
+    Wrong("estimate that is no truth value", (parameter("history steps", "int", "1"), parameter("error estimate", "string", "stress")),
+          "output/error estimate: expected true or false (bool), given the string 'stress'"),
     Wrong("probe outside", (parameter("tip", "Array(double)", "{0.0, 0.3}"), parameter("tip", "Array(double)", "{0.0, 0.4}")),
           "output/probes/tip: y = 0.4 lies outside the mesh, which reaches from 0 to 0.3", ranks=BOTH),
     Wrong("component", ('value="x"', 'value="z"'), "boundary conditions/axis/components: 'z' is not a choice; allowed: x, y, x y"),

@@ -221,6 +221,8 @@ class Plugins(MudlineCase):
         history = self.run_deck(self.example("heat_conduction/warm_bar.xml"))
         self.assertFalse([name for name in history.columns if "displacement" in name])
         self.check_series(history, 1e-6, (1e5, 2e5, 5e5, 1e6))
+        error = self.refused(["check", self.example("heat_conduction/warm_bar.xml"), "--set", "output/error estimate=true"])
+        self.assertIn("output/error estimate: the model has no soil whose stresses could be looked at", error)
 
     def test_heat_at_rest_off_zero(self):
         """What flows in equilibrium at 10 K is rounding: each step is taken at once."""

@@ -62,6 +62,7 @@ class DisplacementCondition : public Prescribed {
   void parameters(Parameters& p);
   void check(const Section& section);
   void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+  bool drives() const override { return true; }
 
  protected:
   std::string field_name() const override { return "displacement"; }
@@ -77,6 +78,7 @@ class VelocityCondition : public Prescribed {
   void parameters(Parameters& p);
   void check(const Section& section);
   void prescribe(double t_old, double t_end, const State& committed, Constraints& to) const override;
+  bool drives() const override { return true; }
 
  protected:
   std::string field_name() const override { return "displacement"; }

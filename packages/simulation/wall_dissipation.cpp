@@ -1,0 +1,142 @@
+#include "simulation/wall_dissipation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/space_vector.hpp"
+#include "discretisation/side_map.hpp"
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Largest thickness of an element at the wall over the body's half width, and over the way that pore pressures
+/// diffuse: with linear pressures the curvature of a profile as wide costs some per cent.
+constexpr double finest = 0.5;
+
+double half_width(const RigidBody& body) {
+  double radius = 0;
+  if (body.surface()) {
+    for (const Point& p : body.surface()->triangles(1e-2).points) radius = std::max(radius, std::hypot(p[0], p[1]));
+  } else {
+    for (const PlanePoint& p : body.contour().sample(1e-3 * body.contour().length()))
+      radius = std::max(radius, std::abs(p[0]));
+  }
+  return radius;
+}
+
+/// Area of the side and volume of its element [m2, m3], both without the length out of the plane.
+template <int Dim>
+std::array<double, 2> extents(const ElementBlock& block, const SoilBlock& b, const Side& side,
+                              const ConstCoordinateView& x) {
+  const std::vector<int> nodes = side_nodes(block.shape, side.side);
+  const QuadratureRule rule =
+      Dim == 2 ? line_quadrature(3) : cell_quadrature(side_shape(block.shape), is_simplex(block.shape) ? 2 : 3);
+  std::array<double, 2> result{};
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    double N[9], dN[18];
+    evaluate_shape(side_shape(block.shape), rule.points[q].data(), N, dN);
+    SideMap<Dim> map;
+    map.compute(static_cast<int>(nodes.size()), N, dN,
+                [&](int a, int i) { return x(block.nodes(side.element, nodes[a]), i); });
+    result[0] += rule.weights[q] * map.stretch;
+  }
+  for (int q = 0; q < b.points; ++q) {
+    double slope[Dim][Dim] = {};
+    for (int a = 0; a < b.u.nodes; ++a)
+      for (int i = 0; i < Dim; ++i)
+        for (int k = 0; k < Dim; ++k) slope[i][k] += x(block.nodes(side.element, a), i) * b.u.dN(q, a, k);
+    result[1] += b.u.weights(q) * determinant(slope);
+  }
+  return result;
+}
+
+}  // namespace
+
+void WallDissipation::add_side(const Side& side, const NodalView& excess, Wall& to) const {
+  const ElementBlock& block = model_.mesh().blocks()[side.block];
+  const State& state = model_.store().committed();
+  const auto own = std::find_if(model_.soil()->blocks.begin(), model_.soil()->blocks.end(),
+                                [&](const SoilBlock& b) { return b.block == side.block; });
+  if (own == model_.soil()->blocks.end() || !own->porous()) return;
+  const auto [area, volume] = model_.mesh().dimension() == 2 ? extents<2>(block, *own, side, state.coordinates)
+                                                             : extents<3>(block, *own, side, state.coordinates);
+  double pressure = 0;
+  const int corners = num_corners(side_shape(block.shape));
+  for (int a = 0; a < corners; ++a) {
+    const int node = block.nodes(side.element, side_nodes(block.shape, side.side)[a]);
+    pressure += excess(model_.space().node_dof(model_.soil()->pressure)(node)) / corners;
+  }
+  const int row = side.element * own->points;
+  const PointView ratio = state.arrays[own->void_ratio], law = state.arrays[own->law];
+  const SoilMaterial& soil = *own->material;
+  const ElasticModuli moduli = soil.skeleton->moduli(&state.arrays[own->stress](row, 0), ratio(row, 0),
+                                                     law.extent(1) > 0 ? &law(row, 0) : nullptr);
+  const double mobility = soil.permeability->conductivity(ratio(row, 0), ratio(row, 1)).k / soil.fluid->unit_weight();
+  const double share = is_simplex(block.shape) ? model_.mesh().dimension() : 1;  // a simplex is a part of a box
+  to.pressure += area * pressure;
+  to.thickness += share * volume;
+  to.diffusivity += area * mobility * (moduli.bulk + 4 * moduli.shear / 3);
+  to.area += area;
+}
+
+WallDissipation::Wall WallDissipation::look(const Contact& contact, const NodalView& excess) const {
+  Wall wall;
+  const std::vector<double> pressed = contact.nodal_pressure(model_.store().committed());
+  for (const Side& side : model_.mesh().side_sets().at(contact.partners().surface)) {
+    const ElementBlock& block = model_.mesh().blocks()[side.block];
+    const std::vector<int> nodes = side_nodes(block.shape, side.side);
+    if (std::all_of(nodes.begin(), nodes.end(), [&](int a) { return pressed[block.nodes(side.element, a)] > 0; }))
+      add_side(side, excess, wall);
+  }
+  const std::vector<double> sum =
+      sum_over_ranks(*model_.mesh().comm(), {wall.pressure, wall.thickness, wall.diffusivity, wall.area});
+  if (!(sum[3] > 0)) return {};
+  return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]};
+}
+
+void WallDissipation::begin(const NodalView& excess) {
+  start_.clear();
+  for (const auto& [name, contact] : model_.contacts()) {
+    const RigidBody* body = contact->partners().body;
+    if (body == nullptr) continue;
+    const Wall wall = look(*contact, excess);
+    if (wall.area > 0) start_[name] = {wall.pressure, body->position(model_.store().committed())};
+  }
+}
+
+std::vector<WallDissipation::Line> WallDissipation::end(const NodalView& excess, double duration) {
+  std::vector<Line> lines;
+  for (const auto& [name, contact] : model_.contacts()) {
+    const auto start = start_.find(name);
+    if (start == start_.end()) continue;
+    const RigidBody& body = *contact->partners().body;
+    const double width = half_width(body);
+    const Wall now = look(*contact, excess);
+    // the set-up of a body that rests
+    const bool rested = length(minus(body.position(model_.store().committed()), start->second.position)) < 0.01 * width;
+    if (!rested || !(now.area > 0) || !(start->second.pressure > 0) || now.pressure >= start->second.pressure) continue;
+    char text[300];
+    const double way = std::sqrt(now.diffusivity * duration);
+    const bool coarse = now.thickness > finest * std::min(width, way);
+    if (coarse)
+      std::snprintf(
+          text, sizeof text,
+          "contact '%s': excess pore pressure on the wall %.3g -> %.3g kPa, but the mesh does not resolve its "
+          "dissipation: elements there are %.2g m thick, more than half of %s %.2g m",
+          name.c_str(), start->second.pressure / 1e3, now.pressure / 1e3, now.thickness,
+          width < way ? "the body's half width," : "the way that pressures diffuse in the stage,",
+          std::min(width, way));
+    else
+      std::snprintf(text, sizeof text,
+                    "contact '%s': excess pore pressure on the wall %.3g -> %.3g kPa, %.0f %% dissipated", name.c_str(),
+                    start->second.pressure / 1e3, now.pressure / 1e3,
+                    100 * (1 - now.pressure / start->second.pressure));
+    lines.push_back({text, coarse});
+  }
+  return lines;
+}
+
+}  // namespace mudline
