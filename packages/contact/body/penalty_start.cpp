@@ -90,7 +90,8 @@ void PenaltyContact::touch_first(std::size_t side, const State& committed, const
     point.pressure = deck_.has_film() ? pressure + pore_pressure(side, c, committed) : pressure;
     point.total.force = scaled(point.pressure * area[c], normal);
     point.total.moment = cross(minus(place, placement.centre), point.total.force);
-    write_point(committed, row, point);
+    rows_.writer(committed).write(row, point);
+    deck_.film.writer(committed).write(row, point);
   }
 }
 
