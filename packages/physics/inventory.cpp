@@ -10,15 +10,15 @@
 namespace mudline {
 
 Inventory take_inventory(const Soil& soil, const State& state) {
-  constexpr int count = 8;  // momentum (3), then the others of an Inventory in their order
-  double local[count] = {}, total[count];
+  constexpr int shared = 8;  // momentum (3), then the others of an Inventory in their order; then grains by material
+  std::vector<double> local(shared + soil.materials.size(), 0.0), total(local);
   LoopLevel level;
   level.x = state.coordinates;
   level.value = level.value_old = level.value_end = state.value;
   level.rate = state.rate;
   level.acceleration = state.acceleration;
   for (const SoilBlock& b : soil.blocks) {
-    const Mixture mixture(soil, b);
+    const Mixtures mixtures(soil, b, state);
     const PointView void_ratio = state.arrays[b.void_ratio];
     with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
@@ -26,14 +26,18 @@ Inventory take_inventory(const Soil& soil, const State& state) {
       for (int e = 0; e < b.elements; ++e)
         loop.template for_each_point<true>(
             e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
-              const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio);
+              const int row = e * b.points + q;
+              const Mixture& mixture = mixtures(row);
+              const double ratio = void_ratio(row, 0), n = ratio / (1 + ratio);
               const double mass = mixture.density(n, at) * s.dv;
               for (int i = 0; i < Loop::D; ++i) {
                 local[i] += mass * at.velocity[i];
                 local[3] += 0.5 * mass * at.velocity[i] * at.velocity[i];
               }
               const double warmth = Loop::S > 1 ? at.value[Loop::SQ - 1] : mixture.reference;
-              local[4] += (1 - n) * mixture.grain_density_at(warmth) * s.dv;
+              const double grains = (1 - n) * mixture.grain_density_at(warmth) * s.dv;
+              local[4] += grains;
+              local[shared + static_cast<int>(mixtures.which(row, 0))] += grains;
               if constexpr (Loop::S > 0) {
                 const double squeezed = Loop::S > 1 ? std::expm1(at.value[0] * mixture.fluid_compliance -
                                                                  mixture.fluid_expansion * (warmth - mixture.reference))
@@ -45,8 +49,10 @@ Inventory take_inventory(const Soil& soil, const State& state) {
             });
     });
   }
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, count, local, total);
-  return {{total[0], total[1], total[2]}, total[3], total[4], total[5], total[6], total[7]};
+  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(),
+                     total.data());
+  return {{total[0], total[1], total[2]},        total[3], total[4], total[5], total[6],
+          {total.begin() + shared, total.end()}, total[7]};
 }
 
 }  // namespace mudline
