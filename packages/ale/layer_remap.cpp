@@ -12,8 +12,10 @@ namespace mudline {
 
 namespace {
 
-constexpr int rings = 2;         // of elements around those of a material, onto which its fields are continued
-constexpr double reach = 3;      // how far beyond the range of its values a plane may go, in widths of the range
+constexpr int rings = 2;     // of elements around those of a material, onto which its fields are continued
+constexpr double reach = 3;  // how far beyond the range of its values a plane may go, in widths of the range
+constexpr double known_to =
+    1;  // an interface is known no better than to this times the size of a point's part of the soil
 constexpr double narrow = 1e-2;  // a direction in which points spread by less than the root of this has no slope
 
 /// A plane for each column, fitted to rows of a table.
@@ -69,6 +71,17 @@ class Planes {
   std::array<double, place_size> centre_{};
   std::vector<double> mean_, slope_, low_, high_;
 };
+
+/// Root of the area of a point's part of its element [m].
+double size_of_point(const WholeMesh::Element& element, const SoilBlock& block, const Positions& x) {
+  double twice = 0;
+  const int corners = num_corners(element.shape);
+  for (int a = 0; a < corners; ++a) {
+    const auto &p = x[element.nodes[a]], &q = x[element.nodes[(a + 1) % corners]];
+    twice += p[0] * q[1] - p[1] * q[0];
+  }
+  return std::sqrt(0.5 * std::abs(twice) / block.points);
+}
 
 }  // namespace
 
@@ -218,6 +231,10 @@ void LayerRemap::balance(const PointTransfer& t, const SoilTable& table, const s
   const std::vector<double> before = point_volumes(t, soil_.geometry, t.x_old),
                             after = point_volumes(t, soil_.geometry, t.x_new);
   const std::size_t rows = layers.was.size();
+  std::vector<double> sizes(rows);
+  for (int e : t.mesh.block_elements(t.block.block))
+    std::fill_n(&sizes[t.mesh.first_row(e, t.block.points)], t.block.points,
+                size_of_point(t.mesh.elements()[e], t.block, t.x_new));
   const auto grains = [&](std::size_t row, int material) {
     return after[row] / (1 + versions.at(material).now[row * t.columns + table.void_ratio]);
   };
@@ -236,19 +253,21 @@ void LayerRemap::balance(const PointTransfer& t, const SoilTable& table, const s
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
     const int material = order[i];
     const bool gains = missing[material] > 0;
-    std::vector<std::tuple<double, std::size_t, int>> points;  // distance from the interface, row, new material
+    std::vector<std::tuple<double, std::size_t, int>> points;  // distance in sizes of the point, row, new material
     for (std::size_t row = 0; row < rows; ++row) {
       if (before[row] == after[row] && layers.was[row] == layers.is[row]) continue;  // as good as at rest
       Point start{};
       for (int d = 0; d < place_size; ++d) start[d] = t.now[row * t.columns + table.origin + 1 + d];
       const auto [other, distance] = across(t.block, start, layers.is[row]);
       if (other < 0 || done[other] || done[static_cast<int>(layers.is[row])] || !versions.at(other).near[row]) continue;
-      if (gains ? other == material : layers.is[row] == material) points.emplace_back(distance, row, other);
+      const double far = distance / sizes[row];
+      if (far < known_to && (gains ? other == material : layers.is[row] == material))
+        points.emplace_back(far, row, other);
     }
     std::sort(points.begin(), points.end());
-    for (const auto& [distance, row, other] : points) {
+    for (const auto& [far, row, other] : points) {
       const double change = gains ? grains(row, material) : -grains(row, material);
-      if (std::abs(missing[material] - change) >= std::abs(missing[material])) break;
+      if (std::abs(missing[material] - change) >= std::abs(missing[material])) continue;
       missing[layers.is[row]] += grains(row, layers.is[row]);
       layers.is[row] = static_cast<char>(other);
       missing[other] -= grains(row, other);

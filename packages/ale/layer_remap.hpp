@@ -29,7 +29,8 @@ struct LayerChanges {
 /// for each material the fields of its own points are continued beyond them, and its points take what is remapped from
 /// those alone. A point that changes its material so takes over stress, void ratio and law from the soil around it
 /// that has come to it; where there is none, the law starts from the stress and void ratio that the point has. Points
-/// nearest to an interface go to the one layer or the other such that each keeps its grains, to about half a point.
+/// so near to an interface that it is not known on which side they are (their own size) go to the one layer or the
+/// other such that each keeps its grains, to about half a point.
 class LayerRemap {
  public:
   LayerRemap(const Soil& soil, const Remap& remap) : soil_(soil), remap_(remap) {}
