@@ -190,50 +190,82 @@ double Ale::largest_motion(const Positions& x_old, const Positions& x_new) const
   return largest;
 }
 
-double Ale::carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const {
-  double restored = 0;
+SoilTable Ale::table_of(const StateStore& store, const SoilBlock& b) const {
+  SoilTable table{0, -1, -1, -1, -1, {}};
+  for (int handle = 0; handle < store.num_arrays(); ++handle) {
+    if (store.info(handle).block != b.block) continue;
+    if (handle == b.stress) table.stress = table.columns;
+    if (handle == b.void_ratio) table.void_ratio = table.columns;
+    if (handle == b.law) table.law = table.columns;
+    if (handle == b.origin) table.origin = table.columns;
+    for (const StateVariable& variable : store.info(handle).variables) {
+      table.columns += variable.components;
+      table.variables.push_back(variable);
+    }
+  }
+  return table;
+}
+
+void Ale::conserve_grains(const PointTransfer& transfer, int column, const LayerChanges& layers,
+                          MeshReceipt& receipt) const {
+  const std::vector<Grains> grains =
+      restore_grains(transfer, soil_.geometry, column, layers.was, layers.is, soil_.materials.size());
+  receipt.restored_grains.resize(grains.size(), 0.0);
+  double worst = 0;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    receipt.restored_grains[k] += soil_.materials[k]->grain_density * grains[k].missing;
+    if (std::abs(grains[k].lost()) > std::abs(worst)) worst = grains[k].lost();
+  }
+  if (std::abs(worst) > std::abs(receipt.restored_solid)) receipt.restored_solid = worst;
+}
+
+void Ale::carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
+                       MeshReceipt& receipt) const {
+  MeshReceipt here;  // the shares of the parts of a motion add up
   for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
     const SoilBlock& b = soil_.blocks[k];
     // all of the block's point data in one table: points are located and patches fitted once
-    std::vector<StateVariable> variables;
-    std::vector<PointView> arrays;
-    int columns = 0, dry = 0;
-    for (int handle = 0; handle < store.num_arrays(); ++handle) {
-      if (store.info(handle).block != b.block) continue;
-      if (handle == b.void_ratio) dry = columns;
-      arrays.push_back(to.arrays[handle]);
-      columns += static_cast<int>(arrays.back().extent(1));
-      const auto& own = store.info(handle).variables;
-      variables.insert(variables.end(), own.begin(), own.end());
-    }
+    const SoilTable columns = table_of(store, b);
     const auto each = [&](const auto& visit) {
       int column = 0;
-      for (const PointView& rows : arrays)
-        for (std::size_t c = 0; c < rows.extent(1); ++c, ++column) visit(rows, static_cast<int>(c), column);
+      for (int handle = 0; handle < store.num_arrays(); ++handle)
+        for (std::size_t c = 0; store.info(handle).block == b.block && c < to.arrays[handle].extent(1); ++c, ++column)
+          visit(to.arrays[handle], static_cast<int>(c), column);
     };
-    PointView table("", b.elements * b.points, columns);
+    PointView table("", b.elements * b.points, columns.columns);
     each([&](const PointView& rows, int c, int column) {
       for (int i = 0; i < b.elements * b.points; ++i) table(i, column) = rows(i, c);
     });
     const std::vector<double> old = mesh_.gather_points(b.block, b.points, table);
     std::vector<double> now = old;
-    const PointTransfer transfer{mesh_, b, patches_[k], x_old, x_new, variables, columns, old, now};
-    remap_->transfer(transfer);
-    if (deck_.conserve) {
-      const double share = restore_grains(transfer, soil_.geometry, dry);
-      restored = std::abs(share) > std::abs(restored) ? share : restored;
+    const PointTransfer transfer{mesh_, b, patches_[k], x_old, x_new, columns.variables, columns.columns, old, now};
+    LayerChanges layers;
+    if (b.made_of.size() > 1) {
+      layers = LayerRemap(soil_, *remap_).transfer(transfer, columns);
+      receipt.changed += layers.changed;
+      receipt.started += layers.started;
+      if (receipt.veto.empty()) receipt.veto = layers.problem;
+    } else {
+      remap_->transfer(transfer);
+      layers.was.assign(old.size() / std::max(1, columns.columns), static_cast<char>(b.made_of.front()));
+      layers.is = layers.was;
     }
+    if (deck_.conserve) conserve_grains(transfer, columns.void_ratio, layers, here);
     const ElementBlock& elements = space_.mesh().blocks()[b.block];
     each([&](const PointView& rows, int c, int column) {
       for (int e = 0; e < b.elements; ++e)
         for (int q = 0; q < b.points; ++q)
           rows(e * b.points + q, c) =
               now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) *
-                      columns +
+                      columns.columns +
                   column];
     });
+    for (int row = 0; b.origin >= 0 && row < b.elements * b.points; ++row)  // a number, without rounding
+      to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
   }
-  return restored;
+  receipt.restored_solid += here.restored_solid;
+  receipt.restored_grains.resize(soil_.materials.size(), 0.0);
+  for (std::size_t k = 0; k < here.restored_grains.size(); ++k) receipt.restored_grains[k] += here.restored_grains[k];
 }
 
 void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
@@ -296,7 +328,8 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
     for (std::size_t node = 0; node < to.size(); ++node)
       for (int d = 0; d < place_size; ++d)
         to[node][d] = part == parts ? x_new[node][d] : x_old[node][d] + share * (x_new[node][d] - x_old[node][d]);
-    receipt.restored_solid += carry_points(store, from, to, moved);
+    carry_points(store, from, to, moved, receipt);
+    if (!receipt.veto.empty()) return receipt;
     carry_nodes(from, to, moved);
     from = to;
   }

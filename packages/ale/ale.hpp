@@ -7,6 +7,7 @@
 
 #include "ale/boundary_motion.hpp"
 #include "ale/interior_motion.hpp"
+#include "ale/layer_remap.hpp"
 #include "ale/nodal_remap.hpp"
 #include "ale/remap.hpp"
 #include "physics/inventory.hpp"
@@ -35,6 +36,8 @@ struct MeshReceipt {
   double quality_before = 1, quality = 1;  // smallest scaled Jacobian [-]
   double largest_motion = 0;               // [-] of the element's size: Courant number
   double restored_solid = 0;               // share of the grains that the transfer lost and conservation put back [-]
+  std::vector<double> restored_grains;     // [kg] of each material, by Soil::materials
+  int changed = 0, started = 0;            // points with another material than before, and those whose law started anew
   double yield_drift = 0;  // [-] share of the stress that the laws took back to their yield surfaces afterwards
   Inventory before, after;
 };
@@ -72,8 +75,14 @@ class Ale {
   double largest_motion(const Positions& x_old, const Positions& x_new) const;
   bool folded(const Positions& x) const;
   void place_middles(const Positions& boundary, Positions& x) const;
-  /// Returns the share of the grains that was put back.
-  double carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to) const;
+  /// Adds what it did to the receipt.
+  void carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
+                    MeshReceipt& receipt) const;
+  /// What the columns of all of a block's point data in one table are, in the order of their handles.
+  SoilTable table_of(const StateStore& store, const SoilBlock& block) const;
+  /// Puts the grains back that a transfer lost.
+  void conserve_grains(const PointTransfer& transfer, int column, const LayerChanges& layers,
+                       MeshReceipt& receipt) const;
   /// Scales the pore pressures, where they are free, until the compression of the pore water is what it was.
   void keep_compression(double before, const Constraints& constraints, State& to) const;
   void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;

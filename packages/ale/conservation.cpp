@@ -88,28 +88,46 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
   }
 }
 
-double restore_grains(const PointTransfer& t, Geometry geometry, int column) {
-  double before = 0, after = 0, moved = 0;
-  std::vector<double> weight(t.now.size() / t.columns, 0.0);
+std::vector<double> point_volumes(const PointTransfer& t, Geometry geometry, const Positions& x) {
+  std::vector<double> volumes(t.old.size() / t.columns, 0.0);
+  for (int e : t.mesh.block_elements(t.block.block))
+    for (int q = 0; q < t.block.points; ++q)
+      volumes[t.mesh.first_row(e, t.block.points) + q] =
+          PointMap(t.mesh.elements()[e], t.block, q, x, geometry).volume();
+  return volumes;
+}
+
+std::vector<Grains> restore_grains(const PointTransfer& t, Geometry geometry, int column, const std::vector<char>& was,
+                                   const std::vector<char>& is, std::size_t materials) {
+  std::vector<Grains> grains(materials);
+  std::vector<double> after(materials, 0.0), moved(materials, 0.0), weight(t.now.size() / t.columns, 0.0);
+  const bool layered = t.block.made_of.size() > 1;
   for (int e : t.mesh.block_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     for (int q = 0; q < t.block.points; ++q) {
       const std::size_t row = t.mesh.first_row(e, t.block.points) + q;
       const PointMap old(element, t.block, q, t.x_old, geometry), now(element, t.block, q, t.x_new, geometry);
-      before += old.volume() / (1 + t.old[row * t.columns + column]);
-      after += now.volume() / (1 + t.now[row * t.columns + column]);
+      const double had = old.volume() / (1 + t.old[row * t.columns + column]),
+                   has = now.volume() / (1 + t.now[row * t.columns + column]);
+      grains[was[row]].before += had;
+      after[is[row]] += has;
+      if (was[row] != is[row]) grains[was[row]].changed += had;
+      if (was[row] != is[row]) grains[is[row]].changed += has;
       const double way = std::hypot(now.place[0].v - old.place[0].v, now.place[1].v - old.place[1].v);
-      weight[row] = std::min(1.0, way / std::sqrt(std::abs(old.det)));
-      moved += weight[row] * now.volume();
+      weight[row] = layered ? 1.0 : std::min(1.0, way / std::sqrt(std::abs(old.det)));
+      moved[is[row]] += weight[row] * now.volume();
     }
   }
-  if (!(moved > 0)) return 0;
-  const double change = (before - after) / moved;  // of the dry density where a point moved by its element's size
+  for (std::size_t k = 0; k < materials; ++k)
+    if (moved[k] > 0) grains[k].missing = grains[k].before - after[k];
   for (std::size_t row = 0; row < weight.size(); ++row) {
     double& ratio = t.now[row * t.columns + column];
+    const Grains& of = grains[is[row]];
+    // of the dry density where a point moved by its element's size
+    const double change = weight[row] > 0 ? of.missing / moved[is[row]] : 0.0;
     if (weight[row] > 0) ratio = 1 / (1 / (1 + ratio) + weight[row] * change) - 1;
   }
-  return (before - after) / before;
+  return grains;
 }
 
 }  // namespace mudline

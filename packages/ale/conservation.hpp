@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "ale/mesh_paths.hpp"
 #include "ale/remap.hpp"
 
@@ -23,9 +26,26 @@ struct FreeBoundary {
                const std::vector<double>& held, const Positions& x);
 };
 
-/// Makes up for the mass of grains that a transfer lost: the dry density 1/(1+e) of every point changes in proportion
-/// to how far the point moved, by one factor for the block. Points at rest keep theirs. Returns the share of the grains
-/// that was missing [-]; 0 where nothing moved. `column`: that of the void ratio.
-double restore_grains(const PointTransfer& transfer, Geometry geometry, int column);
+/// Volumes of the points of a block [m3], by row of gather_points.
+std::vector<double> point_volumes(const PointTransfer& transfer, Geometry geometry, const Positions& x);
+
+/// Grains of one material in a block [m3].
+struct Grains {
+  double before = 0;   // the transfer
+  double missing = 0;  // after it, and put back
+  double changed = 0;  // of points that have come to the material or left it, both
+  /// What the transfer lost, which points of one material or another do not explain [-].
+  double lost() const {
+    return before > 0 ? std::copysign(std::max(0.0, std::abs(missing) - changed), missing) / before : 0;
+  }
+};
+
+/// Makes up for the grains of each material that a transfer lost: the dry density 1/(1+e) of every point changes in
+/// proportion to how far the point moved, by one factor for the block. Points at rest keep theirs. Where a block has
+/// several materials, all points of one get the same: its points come and go as a whole, which may be more than those
+/// few could take that moved. `column`: that of the void ratio; `was`, `is`: (row) numbers of the materials, before and
+/// after. Returns what it did by material; nothing is done where nothing moved.
+std::vector<Grains> restore_grains(const PointTransfer& transfer, Geometry geometry, int column,
+                                   const std::vector<char>& was, const std::vector<char>& is, std::size_t materials);
 
 }  // namespace mudline

@@ -13,9 +13,9 @@ std::vector<std::string> Material::unused() const {
   return names;
 }
 
-std::shared_ptr<const Material> material_of(const std::string& region, const Mesh& mesh, const Materials& all,
-                                            const Section& materials) {
-  std::shared_ptr<const Material> found;
+std::vector<std::shared_ptr<const Material>> materials_of(const std::string& region, const Mesh& mesh,
+                                                          const Materials& all, const Section& materials) {
+  std::vector<std::shared_ptr<const Material>> found;
   for (const auto& material : all) {
     for (const auto& name : material->regions)
       if (std::find(mesh.regions().begin(), mesh.regions().end(), name) == mesh.regions().end())
@@ -23,12 +23,9 @@ std::shared_ptr<const Material> material_of(const std::string& region, const Mes
                        material->name + "/regions");
     const bool here = material->regions.empty() ||
                       std::find(material->regions.begin(), material->regions.end(), region) != material->regions.end();
-    if (here && found)
-      materials.fail("mesh region '" + region + "' has two materials, '" + found->name + "' and '" + material->name +
-                     "'");
-    if (here) found = material;
+    if (here) found.push_back(material);
   }
-  if (!found) materials.fail("mesh region '" + region + "' has no material; name it in the 'regions' of one");
+  if (found.empty()) materials.fail("mesh region '" + region + "' has no material; name it in the 'regions' of one");
   return found;
 }
 

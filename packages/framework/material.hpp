@@ -45,9 +45,9 @@ class Material {
 
 using Materials = std::vector<std::shared_ptr<Material>>;
 
-/// The one material of a mesh region. InputError through `materials`, the deck's section, when none or several name it,
-/// or when one names a region that the mesh has not.
-std::shared_ptr<const Material> material_of(const std::string& region, const Mesh& mesh, const Materials& all,
-                                            const Section& materials);
+/// The materials that name a mesh region, in the deck's order. InputError through `materials`, the deck's section, when
+/// none does, or when one names a region that the mesh has not.
+std::vector<std::shared_ptr<const Material>> materials_of(const std::string& region, const Mesh& mesh,
+                                                          const Materials& all, const Section& materials);
 
 }  // namespace mudline

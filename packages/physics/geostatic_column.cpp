@@ -13,6 +13,21 @@ namespace {
 
 constexpr int parts = 400;  // of a layer whose density depends on the stress
 
+/// Heights between which the materials of a region lie, from the top; empty where some top is not horizontal.
+std::vector<std::pair<const SoilMaterial*, std::array<double, 2>>> slices(const Soil& soil, const SoilBlock& b,
+                                                                          const std::array<double, 2>& range) {
+  std::vector<std::pair<const SoilMaterial*, std::array<double, 2>>> result;
+  for (int k : b.made_of) {
+    const SoilMaterial& material = *soil.materials[k];
+    if (b.made_of.size() > 1 && material.has_top && !material.top.is_constant()) return {};
+    const bool whole = b.made_of.size() == 1 || !material.has_top;
+    result.push_back({&material, {range[0], whole ? range[1] : std::min(range[1], material.top(0, {}))}});
+  }
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.second[1] > b.second[1]; });
+  for (std::size_t i = 0; i + 1 < result.size(); ++i) result[i].second[0] = result[i + 1].second[1];
+  return result;
+}
+
 /// Lowest and highest node of every region, by name. Collective.
 std::map<std::string, std::array<double, 2>> heights(const Soil& soil) {
   const Mesh& mesh = soil.space->mesh();
@@ -40,15 +55,18 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
     : gravity_(gravity), water_level_(water_level) {
   const Mesh& mesh = soil.space->mesh();
   for (const auto& [region, range] : heights(soil)) {
-    const SoilMaterial* material = nullptr;
-    double uplift = 0;
-    for (const SoilBlock& b : soil.blocks) {  // every rank has every block
-      if (mesh.blocks()[b.block].region != region) continue;
-      material = b.material.get();
-      uplift = soil.uplift(*material);
+    const SoilBlock* block = nullptr;
+    for (const SoilBlock& b : soil.blocks)  // every rank has every block
+      if (mesh.blocks()[b.block].region == region) block = &b;
+    const auto parts = slices(soil, *block, range);
+    if (parts.empty())
+      section.fail("the 'top' of a material of mesh region '" + region +
+                       "' varies with the place; use a stage of type 'geostatic' from a uniform state",
+                   "type");
+    for (const auto& [material, heights] : parts) {
+      const double fluid = material->porous() && !soil.excess ? material->fluid->density() : 0.0;
+      layers_.push_back({heights[0], heights[1], soil.uplift(*material), fluid, material});
     }
-    const double fluid = material->porous() && !soil.excess ? material->fluid->density() : 0.0;
-    layers_.push_back({range[0], range[1], uplift, fluid, material});
   }
   std::sort(layers_.begin(), layers_.end(), [](const Layer& a, const Layer& b) { return a.top > b.top; });
   double bottom = layers_.front().bottom;

@@ -8,9 +8,9 @@
 namespace mudline {
 
 /// Total vertical stress and pressure of the water at rest (stress in excess of it where the pore pressures are) under
-/// horizontal layers by mesh region, each with its pore fluid; compression positive. The vertical is where gravity
-/// points, and heights are Soil::height. Where the void ratio of a layer comes from its law, density and stress depend
-/// on each other: d sigma_v/d depth = rho(sigma_v) g is integrated downwards.
+/// horizontal layers by mesh region and by the tops of its materials, each with its pore fluid; compression positive.
+/// The vertical is where gravity points, and heights are Soil::height. Where the void ratio of a layer comes from its
+/// law, density and stress depend on each other: d sigma_v/d depth = rho(sigma_v) g is integrated downwards.
 class GeostaticColumn {
  public:
   /// Finds the layers. `gravity` [m/s2] downwards; without a water level [m] the soil is dry. InputError where regions

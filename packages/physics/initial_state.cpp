@@ -143,9 +143,10 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
   if (kind_ == Kind::uniform) set_pressure(soil, store, [&](double) { return pressure_; });
   std::string problem;
   for (const SoilBlock& b : soil.blocks) {
-    const Skeleton& skeleton = *b.material->skeleton;
     for (int e = 0; e < b.elements; ++e)
       for (int q = 0; q < b.points; ++q) {
+        const int row = e * b.points + q;
+        const SoilMaterial& material = *soil.materials[static_cast<int>(b.start(row, 0))];
         InitialPoint point;
         point.position = b.place(e, q, state.coordinates);
         point.height = soil.height(point.position);
@@ -154,19 +155,20 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
         if (kind_ == Kind::stress_free) point.stress = {0, 0, 0, 0, 0, 0};
         std::string rest;
         if (kind_ == Kind::geostatic) {
-          const double pressure = b.material->biot_coefficient * ground->pore_pressure(point.height);
-          rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, *b.material);
+          const double pressure = material.biot_coefficient * ground->pore_pressure(point.height);
+          rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, material);
         }
-        if (rest.empty()) rest = b.material->find_void_ratio(point);
-        const int row = e * b.points + q;
+        if (rest.empty()) rest = material.find_void_ratio(point);
+        for (int c = 0; b.origin >= 0 && c < static_cast<int>(state.arrays[b.origin].extent(1)); ++c)
+          state.arrays[b.origin](row, c) = c == 0 ? b.start(row, 0) : point.position[c - 1];
         for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
         state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
-        const std::string reason =
-            rest.empty()
-                ? start_guarded(skeleton, point, state.arrays[b.law].data() + row * state.arrays[b.law].extent(1))
-                : rest;
+        const std::string reason = rest.empty()
+                                       ? start_guarded(*material.skeleton, point,
+                                                       state.arrays[b.law].data() + row * state.arrays[b.law].extent(1))
+                                       : rest;
         if (!reason.empty() && problem.empty())
-          problem = "material '" + b.material->name + "' cannot start at " +
+          problem = "material '" + material.name + "' cannot start at " +
                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
       }
   }

@@ -12,18 +12,20 @@ namespace mudline {
 
 namespace {
 
-constexpr int count = 8;  // momentum (3), then the others of an Inventory in their order
+constexpr int count = 8;  // momentum (3), then the others of an Inventory in their order, without grains by material
 
 /// What runs on every element: adds what it has.
 template <class Loop>
 struct ElementInventory {
   Loop loop;
-  Mixture mixture;
+  Mixtures mixtures;
   ConstPointView void_ratio;
 
   KOKKOS_FUNCTION void operator()(int e, double (&sum)[count]) const {
     loop.template for_each_point<true>(e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
-      const double ratio = void_ratio(e * loop.b.points + q, 0), n = ratio / (1 + ratio);
+      const int row = e * loop.b.points + q;
+      const Mixture& mixture = mixtures(row);
+      const double ratio = void_ratio(row, 0), n = ratio / (1 + ratio);
       const double mass = mixture.density(n, at) * s.dv;
       for (int i = 0; i < Loop::D; ++i) {
         sum[i] += mass * at.velocity[i];
@@ -43,10 +45,28 @@ struct ElementInventory {
   }
 };
 
+/// Adds the grains of one material, where a block has several.
+template <class Loop>
+struct ElementGrains {
+  ElementInventory<Loop> here;
+  int material;
+
+  KOKKOS_FUNCTION void operator()(int e, double (&sum)[1]) const {
+    here.loop.template for_each_point<true>(
+        e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
+          const int row = e * here.loop.b.points + q;
+          if (static_cast<int>(here.mixtures.which(row, 0)) != material) return;
+          const Mixture& mixture = here.mixtures(row);
+          const double warmth = Loop::S > 1 ? at.value[Loop::SQ - 1] : mixture.reference;
+          sum[0] += mixture.grain_density_at(warmth) * s.dv / (1 + here.void_ratio(row, 0));
+        });
+  }
+};
+
 }  // namespace
 
 Inventory take_inventory(const Soil& soil, const State& state) {
-  double local[count] = {}, total[count];
+  std::vector<double> local(count + soil.materials.size(), 0.0), total(local);
   LoopLevel level;
   level.x = state.coordinates;
   level.value = level.value_old = level.value_end = state.value;
@@ -55,12 +75,17 @@ Inventory take_inventory(const Soil& soil, const State& state) {
   for (const SoilBlock& b : soil.blocks)
     with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
-      const ElementInventory<Loop> here{{b, level}, Mixture(soil, b), state.arrays[b.void_ratio]};
+      const ElementInventory<Loop> here{{b, level}, Mixtures(soil, b, state), state.arrays[b.void_ratio]};
       const auto sums = ordered_sum<count>("inventory", 0, b.elements, here);
       for (int i = 0; i < count; ++i) local[i] += sums[i];
+      for (int k : b.made_of)
+        local[count + k] +=
+            b.made_of.size() == 1 ? sums[4] : ordered_sum<1>("grains", 0, b.elements, ElementGrains<Loop>{here, k})[0];
     });
-  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, count, local, total);
-  return {{total[0], total[1], total[2]}, total[3], total[4], total[5], total[6], total[7]};
+  Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(),
+                     total.data());
+  return {{total[0], total[1], total[2]},       total[3], total[4], total[5], total[6],
+          {total.begin() + count, total.end()}, total[7]};
 }
 
 }  // namespace mudline

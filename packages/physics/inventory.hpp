@@ -11,6 +11,7 @@ struct Inventory {
   double solid = 0;                         // mass of the grains [kg]
   double water = 0;                         // volume of pore water, at zero pressure [m3]
   double pore_volume = 0;                   // [m3]
+  std::vector<double> grains;               // those of each material, by Soil::materials [kg]
   double compression = 0;  // [m3] water less pore volume, summed apart from them: it is smaller than their rounding
 };
 

@@ -8,23 +8,27 @@
 
 namespace mudline {
 
-/// The soil's mixture as laws of balance see it: porosity, density and storage follow the deformation of the step. T:
-/// double or a dual number.
+/// The soil's mixture at a point as laws of balance see it: porosity, density and storage follow the deformation of the
+/// step. T: double or a dual number.
 struct Mixture {
   double alpha, grain_density, fluid_density, fluid_compliance, grain_compliance, grain_expansion, fluid_expansion,
-      reference;  // [degC]
+      reference;                     // [degC]
+  const Permeability* permeability;  // of saturated soil
+  double unit_weight;                // of its fluid [N/m3]
 
-  Mixture(const Soil& soil, const SoilBlock& b)
-      : alpha(b.material->biot_coefficient),
-        grain_density(b.material->grain_density),
-        fluid_density(b.porous() ? b.material->fluid->density() : 0.0),
-        fluid_compliance(b.porous() && std::isfinite(b.material->fluid->bulk_modulus())
-                             ? 1 / b.material->fluid->bulk_modulus()
-                             : 0.0),
-        grain_compliance(b.material->grain_bulk_modulus > 0 ? 1 / b.material->grain_bulk_modulus : 0.0),
+  Mixture() = default;
+  Mixture(const Soil& soil, const SoilBlock& b, const SoilMaterial& material)
+      : alpha(material.biot_coefficient),
+        grain_density(material.grain_density),
+        fluid_density(b.porous() ? material.fluid->density() : 0.0),
+        fluid_compliance(
+            b.porous() && std::isfinite(material.fluid->bulk_modulus()) ? 1 / material.fluid->bulk_modulus() : 0.0),
+        grain_compliance(material.grain_bulk_modulus > 0 ? 1 / material.grain_bulk_modulus : 0.0),
         grain_expansion(b.grain_expansion),
         fluid_expansion(soil.water_expansion),
-        reference(soil.reference_temperature) {}
+        reference(soil.reference_temperature),
+        permeability(material.permeability.get()),
+        unit_weight(b.porous() ? material.fluid->unit_weight() : 0.0) {}
 
   /// After the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step.
   template <class C, int S, class T>
@@ -55,6 +59,18 @@ struct Mixture {
   KOKKOS_INLINE_FUNCTION T storage(const T& n) const {
     return n * fluid_compliance + (alpha - n) * grain_compliance;
   }
+};
+
+/// That of every point of a block.
+struct Mixtures {
+  Kokkos::View<Mixture*> of;  // by number of the material
+  PointView which;
+
+  Mixtures(const Soil& soil, const SoilBlock& b, const State& state)
+      : of("mixtures", soil.materials.size()), which(soil.which(b, state)) {
+    for (int k : b.made_of) of(k) = Mixture(soil, b, *soil.materials[k]);
+  }
+  KOKKOS_INLINE_FUNCTION const Mixture& operator()(int row) const { return of(static_cast<int>(which(row, 0))); }
 };
 
 }  // namespace mudline

@@ -1,17 +1,27 @@
 #include "physics/soil.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/guarded.hpp"
 #include "core/space_vector.hpp"
 #include "core/text.hpp"
+#include "discretisation/agree.hpp"
+#include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
 
 namespace mudline {
 
 void SoilMaterial::parameters(Parameters& p) {
   p.add("regions", regions, "mesh regions made of this soil; empty: all of them");
+  p.add("top", top, "m",
+        "the material is a layer: the soil of its regions below this height, counted against gravity, down to the next "
+        "lower top among the materials of the region; function of the place at the start. Without it: up to the "
+        "surface");
+  has_top = p.given("top");
   p.add("grain density", grain_density, "kg/m3", positive(), "density of the solid grains");
   p.add("void ratio", initial_void_ratio, "-", non_negative(), "initial void ratio e (give this or the porosity)");
   double porosity = initial_porosity();
@@ -136,7 +146,7 @@ double SoilMaterial::storage(double porosity) const {
 }
 
 Point Soil::water_weight(int block, double time) const {
-  const SoilMaterial& material = *blocks[block].material;
+  const SoilMaterial& material = any_of(blocks[block]);
   return material.porous() ? scaled(material.fluid->density(), water_gravity(time)) : Point{};
 }
 
@@ -159,12 +169,70 @@ void Soil::declare_state(StateStore& store) {
          b.block,
          b.points},
         rows);
-    b.law = store.declare({prefix + "law" + suffix, b.material->skeleton->state_variables(), b.block, b.points}, rows);
+    // laws of one block begin in the same columns
+    const auto widest = std::max_element(b.made_of.begin(), b.made_of.end(), [&](int one, int two) {
+      return materials[one]->skeleton->state_size() < materials[two]->skeleton->state_size();
+    });
+    b.law = store.declare({prefix + "law" + suffix, materials[*widest]->skeleton->state_variables(), b.block, b.points},
+                          rows);
+    if (!layered()) continue;
+    std::vector<StateVariable> place{{"material", 1, "-"}};
+    for (int i = 0; i < space->mesh().dimension(); ++i)
+      place.push_back({std::string("place at the start ") + axis_names[i], 1, "m"});
+    b.origin = store.declare({prefix + "material" + suffix, place, b.block, b.points}, rows);
   }
 }
 
 void Soil::sparsity(Assembler& assembler) {
   for (SoilBlock& b : blocks) b.group = b.mass.group = assembler.add_group(b.dofs);
+}
+
+bool Soil::layered() const {
+  return std::any_of(blocks.begin(), blocks.end(), [](const SoilBlock& b) { return b.made_of.size() > 1; });
+}
+
+int Soil::material_at(const SoilBlock& b, const Point& start) const {
+  const auto top = [&](int k) { return materials[k]->has_top ? materials[k]->top(0, start) : 1e300; };
+  const double here = height(start);
+  int best = b.made_of.front();
+  double lowest = top(best);
+  for (int k : b.made_of) {
+    const double other = top(k);
+    const bool above = other >= here, better = lowest >= here ? above && other < lowest : other > lowest;
+    if (better) best = k;
+    if (better) lowest = other;
+  }
+  return best;
+}
+
+void Soil::place_materials(const Section& section) {
+  const auto& x = space->mesh().coordinates();
+  std::string problem;
+  std::vector<int> here(materials.size(), 0), everywhere(here);
+  for (SoilBlock& b : blocks) {
+    b.start = PointView("material", b.elements * b.points, 1);
+    for (int row = 0; row < b.elements * b.points; ++row) {
+      const Point place = b.place(row / b.points, row % b.points, x);
+      const int k = material_at(b, place);
+      const SoilMaterial& material = *materials[k];
+      b.start(row, 0) = k;
+      ++here[k];
+      if (problem.empty() && material.has_top && !(material.top(0, place) >= height(place)))
+        problem = "no material at " + place_text(place, space->mesh().dimension()) +
+                  ": it lies above the 'top' of every material of mesh region '" +
+                  space->mesh().blocks()[b.block].region + "'; the uppermost one needs none";
+    }
+  }
+  const auto& comm = *space->dofs()->comm();
+  agree(comm, [&] {
+    if (!problem.empty()) section.fail(problem);
+  });
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(here.size()), here.data(), everywhere.data());
+  for (std::size_t k = 0; k < materials.size(); ++k)
+    if (everywhere[k] == 0 && materials[k]->has_top)
+      section.fail("no soil is made of '" + materials[k]->name +
+                       "': no point of its regions lies below this and above " + "the next lower 'top'",
+                   materials[k]->name + "/top");
 }
 
 Field displacement_field() { return {"displacement", "m", "N", vector_components, Support::all_nodes, 2}; }
@@ -180,6 +248,42 @@ int default_degree(CellShape shape) {
   return 4;
 }
 
+/// Whether a material fits the fields of the physics.
+void check_phases(const SoilMaterial& material, bool porous, const Section& where) {
+  if (!material.skeleton) where.section(material.name).fail("required section 'skeleton' is missing");
+  if (porous && !material.porous())
+    where.fail(
+        "material '" + material.name + "' needs the sections 'fluid' and 'permeability' in a physics of saturated soil",
+        material.name);
+  if (!porous && material.porous())
+    where.fail("material '" + material.name +
+                   "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
+                   "'permeability', or use physics 'biot'",
+               material.name);
+}
+
+/// Whether the materials of one region can be its layers.
+void check_layers(const std::vector<std::shared_ptr<const SoilMaterial>>& layers, const std::string& region,
+                  const Section& where) {
+  for (std::size_t k = 1; k < layers.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      const SoilMaterial &one = *layers[i], &two = *layers[k];
+      const std::string both = "'" + one.name + "' and '" + two.name + "'";
+      if (!one.has_top && !two.has_top)
+        where.fail("mesh region '" + region + "' has two materials, " + both +
+                   "; as layers all but the uppermost one need a 'top'");
+      if (one.has_top && two.has_top && one.top.is_constant() && two.top.is_constant() &&
+          one.top(0, {}) == two.top(0, {}))
+        where.fail("the layers " + both + " of mesh region '" + region + "' have the same top", two.name + "/top");
+      if (one.fluid && two.fluid &&
+          (one.fluid->density() != two.fluid->density() || one.fluid->bulk_modulus() != two.fluid->bulk_modulus() ||
+           one.fluid->unit_weight() != two.fluid->unit_weight()))
+        where.fail("the layers " + both + " of mesh region '" + region +
+                       "' have different pore fluids: water does not stay with the layer; give both the same",
+                   two.name + "/fluid");
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
@@ -193,23 +297,27 @@ std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, 
   for (const std::string& name : scalars) fields.push_back(space.find(name));
   if (fields.size() > 0) soil->pressure = fields[0];
   if (fields.size() > 1) soil->temperature = fields[1];
-  for (const std::string& region : space.mesh().regions()) material_of(region, space.mesh(), materials, where);
+  std::map<std::string, std::vector<std::shared_ptr<const SoilMaterial>>> layers;
+  for (const std::string& region : space.mesh().regions()) {
+    for (const auto& material : materials_of(region, space.mesh(), materials, where))
+      layers[region].push_back(std::static_pointer_cast<const SoilMaterial>(material));
+    for (const auto& material : layers[region]) check_phases(*material, porous, where);
+    check_layers(layers[region], region, where);
+  }
+  for (const auto& material : materials) {
+    const auto used = [&](const auto& entry) {
+      return std::find(entry.second.begin(), entry.second.end(), material) != entry.second.end();
+    };
+    if (std::any_of(layers.begin(), layers.end(), used))
+      soil->materials.push_back(std::static_pointer_cast<const SoilMaterial>(material));
+  }
   for (std::size_t i = 0; i < space.mesh().blocks().size(); ++i) {
     const ElementBlock& elements = space.mesh().blocks()[i];
     SoilBlock b;
     b.block = static_cast<int>(i);
-    b.material =
-        std::static_pointer_cast<const SoilMaterial>(material_of(elements.region, space.mesh(), materials, where));
-    if (!b.material->skeleton) where.section(b.material->name).fail("required section 'skeleton' is missing");
-    if (porous && !b.material->porous())
-      where.fail("material '" + b.material->name +
-                     "' needs the sections 'fluid' and 'permeability' in a physics of saturated soil",
-                 b.material->name);
-    if (!porous && b.material->porous())
-      where.fail("material '" + b.material->name +
-                     "' has a pore fluid, but physics 'solid' is single-phase; remove 'fluid' and "
-                     "'permeability', or use physics 'biot'",
-                 b.material->name);
+    for (const auto& material : layers[elements.region])
+      b.made_of.push_back(static_cast<int>(std::find(soil->materials.begin(), soil->materials.end(), material) -
+                                           soil->materials.begin()));
     const int own = degree > 0 ? degree : default_degree(elements.shape);
     static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, own);
     const int products = 2 * order(elements.shape);  // of two shapes

@@ -41,6 +41,9 @@ class SoilMaterial : public Material {
   std::shared_ptr<Fluid> fluid;                // null: single phase (total stress)
   std::shared_ptr<Permeability> permeability;  // null: single phase
   bool porous() const { return fluid != nullptr; }
+  bool has_top =
+      false;  // the soil of its regions lies below the height `top` [m], a function of the place at the start
+  Function top;
 
   /// The void ratio of a start with this stress and overconsolidation ratio goes into `point`; "" or the problem.
   std::string find_void_ratio(InitialPoint& point) const;
@@ -51,10 +54,13 @@ class SoilMaterial : public Material {
   double storage(double porosity) const;
 };
 
-/// The elements of one mesh block with their soil and its state; shared by the terms of a physics.
+/// The elements of one mesh block with their soil and its state; shared by the terms of a physics. Every point has a
+/// material of its own: soil of one region may be made of layers, whose boundaries are no mesh lines.
 struct SoilBlock : FieldBlock {
   int block;
-  std::shared_ptr<const SoilMaterial> material;
+  std::vector<int> made_of;  // numbers of its materials in Soil::materials
+  PointView start;           // that of each point at the start
+  int origin = -1;  // state handle: (number of the material, where the soil was at the start); -1: no region has layers
   double grain_expansion = 0;                  // [1/K] volumetric, of grains and drained skeleton
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
   bool porous() const { return scalars > 0; }
@@ -66,6 +72,7 @@ struct Soil {
   const Space* space = nullptr;
   Geometry geometry = Geometry::plane_strain;
   int displacement = -1, pressure = -1, temperature = -1;  // field indices; -1: not among the unknowns
+  std::vector<std::shared_ptr<const SoilMaterial>> materials;
   std::vector<SoilBlock> blocks;
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
   bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water
@@ -76,6 +83,21 @@ struct Soil {
   /// in excess of water at rest.
   std::function<Point(double time)> water_gravity = [](double) { return Point{}; };
 
+  /// Number of the material of each point of a block: (point, 0). Convected with the soil, constant within a step.
+  PointView which(const SoilBlock& b, const State& state) const {
+    return b.origin >= 0 ? state.arrays[b.origin] : b.start;
+  }
+  /// Of soil of a block that was at this place at the start: the material with the lowest top above it, or the
+  /// uppermost.
+  int material_at(const SoilBlock& b, const Point& start) const;
+  /// Whether some region has more than one material.
+  bool layered() const;
+  /// What the materials of a block have in common: the pore fluid.
+  const SoilMaterial& any_of(const SoilBlock& b) const { return *materials[b.made_of.front()]; }
+  /// Fills SoilBlock::start. InputError through `section`, the deck's "materials", where soil lies above the tops of
+  /// all materials or a material is nowhere. Collective.
+  void place_materials(const Section& section);
+
   /// Weight of the pore water of a block [N/m3] under that.
   Point water_weight(int block, double time) const;
 
@@ -85,9 +107,9 @@ struct Soil {
   void sparsity(Assembler& assembler);
 };
 
-/// Pairs every element block with the one material that names its region. `scalars`: the fields beside the
-/// displacement: none, the pore pressure, or pore pressure and temperature. InputError when no material or several name
-/// a region, or when the material does not fit (with pore pressure: fluid and permeability required; otherwise
+/// Pairs every element block with the materials that name its region. `scalars`: the fields beside the displacement:
+/// none, the pore pressure, or pore pressure and temperature. InputError when no material names a region, when several
+/// do that are no layers, or when one does not fit (with pore pressure: fluid and permeability required; otherwise
 /// refused). quadrature_degree: 0: by the cell.
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
                                 int quadrature_degree, const Section& where);

@@ -3,6 +3,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "physics/biot/block_data.hpp"
+#include "physics/soil_points.hpp"
 #include "physics/solid/body_force.hpp"
 #include "physics/solid/rayleigh_damping.hpp"
 #include "physics/solid/stress_divergence.hpp"
@@ -15,6 +16,7 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   context.shared.offer(soil_);
   soil_->excess = excess_;
   soil_->up = gravity_.up(context.space.mesh().dimension());
+  soil_->place_materials(context.materials_section);
   if (porous() && excess_) require_one_fluid_density(context.materials_section, "with 'pore pressure' = 'excess'");
   if (porous() && !excess_) soil_->water_gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   context.terms.push_back(std::make_unique<StressDivergence>(soil_));
@@ -65,12 +67,14 @@ void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& secti
 /// Water at rest, from which excess pressures are counted, has one density: between two an interface would move with
 /// the soil, and its pressure with it.
 void SoilPhysics::require_one_fluid_density(const Section& materials, const std::string& why) const {
-  const SoilMaterial& first = *soil_->blocks.front().material;
-  for (const SoilBlock& b : soil_->blocks)
-    if (b.material->fluid->density() != first.fluid->density())
-      materials.fail(why + " all pore fluids have one density; it is " + number_text(b.material->fluid->density()) +
+  const SoilMaterial& first = soil_->any_of(soil_->blocks.front());
+  for (const SoilBlock& b : soil_->blocks) {
+    const SoilMaterial& other = soil_->any_of(b);
+    if (other.fluid->density() != first.fluid->density())
+      materials.fail(why + " all pore fluids have one density; it is " + number_text(other.fluid->density()) +
                          " kg/m3 here and " + number_text(first.fluid->density()) + " in '" + first.name + "'",
-                     b.material->name + "/fluid/density");
+                     other.name + "/fluid/density");
+  }
 }
 
 /// Nine-node cells that must keep their volume at 3 x 3 points have too few ways left to yield: collapse loads come
@@ -78,12 +82,12 @@ void SoilPhysics::require_one_fluid_density(const Section& materials, const std:
 /// instead.
 void SoilPhysics::warn_of_locking(const State& state) const {
   for (const SoilBlock& b : soil_->blocks) {
-    const Skeleton& law = *b.material->skeleton;
-    if (b.shape != CellShape::quad9 || b.points < 9 || law.state_size() == 0 || b.elements == 0) continue;
-    const ElasticModuli m =
-        law.moduli(&state.arrays[b.stress](0, 0), state.arrays[b.void_ratio](0, 0), &state.arrays[b.law](0, 0));
-    if ((3 * m.bulk - 2 * m.shear) / (6 * m.bulk + 2 * m.shear) >= 0.48)
-      log::warn("material '" + b.material->name +
+    const SoilPoints points(*soil_, b, state);
+    if (b.shape != CellShape::quad9 || b.points < 9 || b.elements == 0) continue;
+    const SoilMaterial& material = points.material(0);
+    const ElasticModuli m = points.moduli(0);
+    if (material.skeleton->state_size() > 0 && (3 * m.bulk - 2 * m.shear) / (6 * m.bulk + 2 * m.shear) >= 0.48)
+      log::warn("material '" + material.name +
                 "' is nearly incompressible: nine-node cells with 3 x 3 points are some per cent too stiff "
                 "where it yields; six-node triangles with 'quadrature degree' 2 are not");
   }

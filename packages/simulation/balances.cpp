@@ -30,6 +30,13 @@ Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
       const std::string name = "conserved " + what.name + " " + row;
       info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
     }
+  first_layer_ = static_cast<int>(info.ids.size());
+  if (model_.ale() && model_.soil()->layered()) {
+    std::vector<std::string> counted{"points changed", "points started"};
+    for (const auto& material : model_.soil()->materials) counted.push_back("restored " + material->name);
+    for (const std::string& name : counted)
+      info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
+  }
   const int rows = static_cast<int>(info.ids.size());
   handle_ = model.store().declare(std::move(info), rows);
 }
@@ -183,6 +190,12 @@ void Balances::add_remap(const MeshReceipt& receipt) {
     rows(remap_momentum + i, 0) += after.momentum[i] - before.momentum[i];
     rows(momentum + i, 0) += after.momentum[i] - before.momentum[i];
   }
+  if (model_.soil()->layered()) {
+    rows(first_layer_, 0) += receipt.changed;
+    rows(first_layer_ + 1, 0) += receipt.started;
+    for (std::size_t k = 0; k < receipt.restored_grains.size(); ++k)
+      rows(first_layer_ + 2 + static_cast<int>(k), 0) += receipt.restored_grains[k];
+  }
   // the steps' own balances go on from here
   rows(water_start, 0) += after.water - before.water;
 }
@@ -204,6 +217,19 @@ std::vector<HistoryValue> Balances::values() const {
     if (model_.ale()) result.push_back({"mesh motion/change of " + what.name, what.unit, rows(row + 3, 0)});
   }
   return result;
+}
+
+void Balances::add_layers(const Inventory& now, std::vector<HistoryValue>& result) const {
+  const PointView rows = model_.store().committed().arrays[handle_];
+  const auto& materials = model_.soil()->materials;
+  for (std::size_t k = 0; k < materials.size(); ++k)
+    result.push_back({"balance/grains/" + materials[k]->name, "kg", now.grains[k]});
+  if (!model_.ale()) return;
+  for (std::size_t k = 0; k < materials.size(); ++k)
+    result.push_back({"mesh motion/restored grains of " + materials[k]->name, "-",
+                      rows(first_layer_ + 2 + static_cast<int>(k), 0) / std::max(now.grains[k], 1e-300)});
+  result.push_back({"mesh motion/points of another material", "-", rows(first_layer_, 0)});
+  result.push_back({"mesh motion/laws started anew", "-", rows(first_layer_ + 1, 0)});
 }
 
 void Balances::add_soil(std::vector<HistoryValue>& result) const {
@@ -247,6 +273,7 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
     result.push_back({"mesh motion/change of kinetic energy", "J", rows(remap_kinetic, 0)});
     result.push_back({"mesh motion/yield drift", "-", rows(remap_drift, 0)});
   }
+  if (model_.soil()->layered()) add_layers(now, result);
 }
 
 }  // namespace mudline

@@ -59,9 +59,11 @@ class Balances {
   void add_conserved(const PointView& rows);
   /// Values of work, momentum, water and mesh motion.
   void add_soil(std::vector<HistoryValue>& result) const;
+  /// The grains of each material, and what the mesh motions did to them, summed up.
+  void add_layers(const Inventory& now, std::vector<HistoryValue>& result) const;
 
   Model& model_;
-  int handle_, first_conserved_ = 0;
+  int handle_, first_conserved_ = 0, first_layer_ = 0;
   std::vector<const Term*> terms_;
 };
 

@@ -104,7 +104,7 @@ void BodyWay::find_boundaries(const Model& model, const WholeMesh& mesh) {
       if (other < e) continue;
       const int one = mesh.elements()[e].block, two = mesh.elements()[other].block;
       if (blocks[one].region == blocks[two].region) continue;
-      if (!model.ale() && model.soil()->blocks[one].material == model.soil()->blocks[two].material) continue;
+      if (!model.ale() && model.soil()->blocks[one].made_of == model.soil()->blocks[two].made_of) continue;
       const std::vector<int> ends = nodes_of(mesh, e, s);
       const Vec &a = positions_[ends[0]], &b = positions_[ends[1]];
       const std::string name = "'" + blocks[one].region + "' and '" + blocks[two].region + "'";

@@ -12,6 +12,7 @@
 #include "framework/first_act.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
+#include "physics/soil_points.hpp"
 #include "physics/soil_stress.hpp"
 #include "simulation/output/mesh_parts_file.hpp"
 #include "simulation/supports.hpp"
@@ -192,13 +193,10 @@ void Model::read_bodies(const Section& deck, const Registries& registries) {
 
 double Model::constrained_modulus(int block, int element) const {
   const SoilBlock& b = soil_->blocks[block];
+  const SoilPoints points(*soil_, b, store_->committed());
   double sum = 0;
   for (int q = 0; q < b.points; ++q) {
-    const int row = element * b.points + q;
-    const State& state = store_->committed();
-    const PointView law = state.arrays[b.law];
-    const ElasticModuli m = b.material->skeleton->moduli(
-        &state.arrays[b.stress](row, 0), state.arrays[b.void_ratio](row, 0), law.data() + row * law.extent(1));
+    const ElasticModuli m = points.moduli(element * b.points + q);
     sum += (m.bulk + 4.0 / 3 * m.shear) / b.points;
   }
   return sum;

@@ -9,6 +9,7 @@
 #include "core/log.hpp"
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -101,6 +102,7 @@ std::string UsualRanges::doubt(Quantity quantity, double value) const {
 /// What an element of soil is like, as means over its points.
 struct Plausibility::Element {
   const SoilBlock& block;
+  const SoilPoints& points;
   int number;
   double shortest, longest;  // [m] edges
   double height;             // [m] area over the longest side; in space volume over the largest face
@@ -112,29 +114,27 @@ struct Plausibility::Element {
 template <class F>
 void Plausibility::for_each_element(F&& f) const {
   const State& state = model_.store().committed();
-  for (const SoilBlock& b : model_.soil()->blocks)
+  for (const SoilBlock& b : model_.soil()->blocks) {
+    const SoilPoints points(*model_.soil(), b, state);
     for (int e = 0; e < b.elements; ++e) {
       const ElementSize size = ElementMap(b.shape, [&](int a) { return &state.coordinates(b.nodes(e, a), 0); }).size();
-      Element at{b, e, size.shortest_edge, size.longest_edge, size.height, 0, 0, 0, 0};
-      const SoilMaterial& material = *b.material;
+      Element at{b, points, e, size.shortest_edge, size.longest_edge, size.height, 0, 0, 0, 0};
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
-        const double ratio = state.arrays[b.void_ratio](row, 0), n = ratio / (1 + ratio), share = 1.0 / b.points;
-        const PointView& law = state.arrays[b.law];
-        const ElasticModuli m =
-            material.skeleton->moduli(&state.arrays[b.stress](row, 0), ratio, law.data() + row * law.extent(1));
-        const double modulus = m.bulk + 4.0 / 3 * m.shear, storage = material.storage(n);
+        const double share = 1.0 / b.points;
+        const SoilMaterial& material = points.material(row);
+        const ElasticModuli m = points.moduli(row);
+        const double modulus = m.bulk + 4.0 / 3 * m.shear, storage = points.storage(row);
         const double alpha = material.biot_coefficient;
         const double undrained = b.porous() && storage > 0 ? modulus + alpha * alpha / storage : modulus;
         at.shear += share * m.shear;
         at.modulus += share * modulus;
-        at.wave += share * std::sqrt(undrained / material.density(n));
-        if (!b.porous()) continue;
-        const double k = material.permeability->conductivity(ratio, state.arrays[b.void_ratio](row, 1)).k;
-        at.consolidation += share * k * modulus / material.fluid->unit_weight();
+        at.wave += share * std::sqrt(undrained / points.density(row));
+        if (b.porous()) at.consolidation += share * points.conductivity(row) * modulus / material.fluid->unit_weight();
       }
       f(at);
     }
+  }
 }
 
 Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
@@ -152,8 +152,9 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
         deck.section("bodies").section(name).fail("its prescribed way crosses the boundary between the regions " +
                                                   crossed +
                                                   ": a body cannot pass from one region to another, a film of the "
-                                                  "first would stay under its tip; end its way "
-                                                  "before, or make them one region of one material");
+                                                  "first would stay under its tip; end its way before, or make "
+                                                  "them one region, of one material or of layers by the 'top' of "
+                                                  "each material, which a body may cross");
       tell_body(way);
     }
   }
@@ -180,24 +181,24 @@ void Plausibility::tell_materials() {
                                                  UsualRanges::consolidation};
   const char* const symbol[count] = {"s_u", "G", "p'", "OCR", "e", "k", "c_v"};
   std::map<std::string, std::array<Extent, count>> found;  // by material, the same names on every rank
-  for (const SoilBlock& b : model_.soil()->blocks) found[b.material->name];
-  const State& state = model_.store().committed();
+  for (const auto& material : model_.soil()->materials) found[material->name];
   for_each_element([&](const Element& at) {
-    auto& of = found[at.block.material->name];
-    of[shear].add(at.shear);
-    if (at.block.porous()) of[cv].add(at.consolidation);
+    const int first = at.number * at.block.points;
+    bool one = true;  // material
+    for (int q = 1; q < at.block.points; ++q) one = one && &at.points.material(first + q) == &at.points.material(first);
     for (int q = 0; q < at.block.points; ++q) {
-      const int row = at.number * at.block.points + q;
-      const PointView& law = state.arrays[at.block.law];
-      const double* stress = &state.arrays[at.block.stress](row, 0);
-      const double ratio = state.arrays[at.block.void_ratio](row, 0);
-      const SoilState soil = at.block.material->skeleton->soil_state(stress, ratio, law.data() + row * law.extent(1));
+      const int row = first + q;
+      auto& of = found[at.points.material(row).name];
+      of[shear].add(one ? at.shear : at.points.moduli(row).shear);
+      if (at.block.porous() && one) of[cv].add(at.consolidation);
+      const double* stress = at.points.stress(row);
+      const SoilState soil = at.points.soil_state(row);
       if (soil.undrained_strength) of[strength].add(*soil.undrained_strength);
       if (soil.overconsolidation_ratio) of[ocr].add(*soil.overconsolidation_ratio);
       of[mean].add(0.0 - (stress[0] + stress[1] + stress[2]) / 3);  // 0 without stress, not -0
       if (!at.block.porous()) continue;
-      of[voids].add(ratio);
-      of[k].add(at.block.material->permeability->conductivity(ratio, state.arrays[at.block.void_ratio](row, 1)).k);
+      of[voids].add(at.points.void_ratio(row));
+      of[k].add(at.points.conductivity(row));
     }
   });
   const Comm& comm = *model_.mesh().comm();

@@ -61,7 +61,7 @@ NodalView Results::fluid_density() const {
   for (const SoilBlock& b : soil->blocks)
     for (int e = 0; e < b.elements; ++e)
       for (int c = 0; c < num_corners(b.shape); ++c) {
-        sum(table(b.nodes(e, c))) += b.material->fluid->density();
+        sum(table(b.nodes(e, c))) += soil->any_of(b).fluid->density();
         elements(table(b.nodes(e, c))) += 1;
       }
   const NodalView density = sum_overlap(dofs, sum), around = sum_overlap(dofs, elements);
@@ -142,35 +142,79 @@ std::vector<OutputField> Results::nodal_fields() const {
   return result;
 }
 
+std::vector<Results::PointVariables> Results::variables_of(int handle) const {
+  if (model_.soil())
+    for (const SoilBlock& b : model_.soil()->blocks)
+      if (b.law == handle) {
+        std::vector<PointVariables> laws;
+        for (int k : b.made_of) laws.push_back({k, model_.soil()->materials[k]->skeleton->state_variables()});
+        return laws;
+      }
+  return {{-1, model_.store().info(handle).variables}};
+}
+
+void Results::add_means(int handle, const std::string& name, double* to) const {
+  const StateStore& store = model_.store();
+  const ArrayInfo& info = store.info(handle);
+  const PointView& rows = store.committed().arrays[handle];
+  const int points = info.points_per_element, elements = static_cast<int>(rows.extent(0)) / points;
+  for (const PointVariables& of : variables_of(handle)) {
+    int column = 0;
+    for (const StateVariable& v : of.variables) {
+      const int first = column;
+      column += v.components;
+      if (v.name != name) continue;
+      const PointView which =
+          of.material >= 0 ? model_.soil()->which(model_.soil()->blocks[info.block], store.committed()) : PointView();
+      for (int row = 0; row < elements * points; ++row) {
+        if (of.material >= 0 && which(row, 0) != of.material) continue;
+        for (int c = 0; c < v.components; ++c) to[row / points * v.components + c] += rows(row, first + c) / points;
+      }
+    }
+  }
+}
+
 std::vector<OutputField> Results::point_means(const std::set<int>& without) const {
   const StateStore& store = model_.store();
   std::map<std::string, OutputField> fields;
   for (int handle = 0; handle < store.num_arrays(); ++handle)
     if (store.info(handle).block >= 0 && without.count(handle) == 0)
-      for (const StateVariable& v : store.info(handle).variables)
-        fields.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
+      for (const PointVariables& of : variables_of(handle))
+        for (const StateVariable& v : of.variables)
+          fields.emplace(v.name, OutputField{v.name, v.unit, v.components, {}});
   const auto& blocks = model_.mesh().blocks();
   for (std::size_t block = 0; block < blocks.size(); ++block)
     for (auto& [name, field] : fields) {
       const std::size_t first = field.values.size();
       field.values.resize(first + static_cast<std::size_t>(blocks[block].num_elements) * field.components, 0.0);
-      for (int handle = 0; handle < store.num_arrays(); ++handle) {
-        const ArrayInfo& info = store.info(handle);
-        if (info.block != static_cast<int>(block) || without.count(handle) > 0) continue;
-        const PointView& rows = store.committed().arrays[handle];
-        int column = 0;
-        for (const StateVariable& v : info.variables) {
-          for (std::size_t row = 0; row < rows.extent(0) && v.name == name; ++row)
-            for (int c = 0; c < v.components; ++c)
-              field.values[first + row / info.points_per_element * v.components + c] +=
-                  rows(row, column + c) / info.points_per_element;
-          column += v.components;
-        }
-      }
+      for (int handle = 0; handle < store.num_arrays(); ++handle)
+        if (store.info(handle).block == static_cast<int>(block) && without.count(handle) == 0)
+          add_means(handle, name, field.values.data() + first);
     }
   std::vector<OutputField> result;
   for (auto& [name, field] : fields) result.push_back(std::move(field));
   return result;
+}
+
+std::vector<OutputField> Results::layer_fields() const {
+  const Soil& soil = *model_.soil();
+  const int dimension = model_.mesh().dimension();
+  if (!soil.layered()) return {};
+  OutputField material{"material", "-", 1, {}}, start{"place at the start", "m", dimension, {}};
+  for (const SoilBlock& b : soil.blocks) {
+    const PointView rows = model_.store().committed().arrays[b.origin];
+    for (int e = 0; e < b.elements; ++e) {
+      std::vector<int> points(soil.materials.size(), 0);
+      std::vector<double> mean(dimension, 0.0);
+      for (int q = 0; q < b.points; ++q) {
+        ++points[static_cast<int>(rows(e * b.points + q, 0))];
+        for (int i = 0; i < dimension; ++i) mean[i] += rows(e * b.points + q, 1 + i) / b.points;
+      }
+      material.values.push_back(static_cast<double>(std::max_element(points.begin(), points.end()) - points.begin()));
+      start.values.insert(start.values.end(), mean.begin(), mean.end());
+    }
+  }
+  return {material, start};
 }
 
 std::vector<OutputField> Results::cell_fields() const {
@@ -180,7 +224,7 @@ std::vector<OutputField> Results::cell_fields() const {
       deviator{"deviatoric stress", "Pa", 1, {}}, ratio{"void ratio", "-", 1, {}};
   std::set<int> done;
   for (const SoilBlock& b : model_.soil()->blocks) {
-    done.insert({b.stress, b.void_ratio});
+    done.insert({b.stress, b.void_ratio, b.origin});
     for (int e = 0; e < b.elements; ++e) {
       double s[6] = {0, 0, 0, 0, 0, 0}, void_ratio = 0;
       for (int q = 0; q < b.points; ++q) {
@@ -198,6 +242,7 @@ std::vector<OutputField> Results::cell_fields() const {
     }
   }
   std::vector<OutputField> result{stress, mean, deviator, ratio};
+  for (OutputField& field : layer_fields()) result.push_back(std::move(field));
   for (OutputField& field : point_means(done)) result.push_back(std::move(field));
   if (error_ != nullptr)
     for (OutputField& field : error_->fields()) result.push_back(std::move(field));

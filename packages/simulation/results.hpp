@@ -46,9 +46,18 @@ class Results {
  private:
   std::vector<OutputField> nodal_fields() const;
   std::vector<OutputField> cell_fields() const;
-  /// Means over the elements' points of all point data, the arrays of `without` aside, by name; 0 in the blocks that
+  /// Means over the elements' points of all point data, the arrays of `without` aside, by name; 0 at the points that
   /// have no such variable.
   std::vector<OutputField> point_means(const std::set<int>& without) const;
+  struct PointVariables {
+    int material;  // of which points; -1: of all
+    std::vector<StateVariable> variables;
+  };
+  std::vector<PointVariables> variables_of(int handle) const;
+  /// Adds the means of the variables of this name of one point array, by element.
+  void add_means(int handle, const std::string& name, double* to) const;
+  /// The material of most of a cell's points, and where its soil was at the start; none where no region has layers.
+  std::vector<OutputField> layer_fields() const;
   /// A field on all owned nodes; a linear field's missing middle nodes are interpolated.
   std::vector<double> on_all_nodes(int field, const ConstNodalView& values) const;
 

@@ -302,7 +302,18 @@ std::string Run::relocate_mesh() {
       receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid,
       receipt.yield_drift);
   log::detail(line);
+  if (model_.soil()->layered()) log::detail(layers_text(receipt));
   return "";
+}
+
+std::string Run::layers_text(const MeshReceipt& receipt) const {
+  std::string text = "    layers: points of another material " + std::to_string(receipt.changed) +
+                     ", laws started anew " + std::to_string(receipt.started) + "; grains restored";
+  const auto& materials = model_.soil()->materials;
+  for (std::size_t k = 0; k < materials.size(); ++k)
+    text += (k > 0 ? ", " : " ") + materials[k]->name +
+            format(" %+.1e", receipt.restored_grains[k] / std::max(receipt.before.grains[k], 1e-300));
+  return text;
 }
 
 void Run::look_at_mesh() {

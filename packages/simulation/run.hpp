@@ -49,6 +49,8 @@ class Run {
   bool moves_mesh(const Stage& stage) const;
   /// "" or why the mesh was not moved; the state is then undefined.
   std::string relocate_mesh();
+  /// What a motion of the mesh did to the layers, in a line.
+  std::string layers_text(const MeshReceipt& receipt) const;
   /// Measures the mesh of the committed state; warns once, where it is first poor.
   void look_at_mesh();
   /// Whether the run must end because elements are folded; says so then.

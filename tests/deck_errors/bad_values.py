@@ -23,6 +23,17 @@ def with_film(name, entry, message, **where):
     return Wrong(name, (TOUCHED, TOUCHED + parameter("drainage", "string", "film") + entry), message, at=entry, **where)
 
 
+MUD_TOP = parameter("top", "double", "{}")
+
+
+def layers(of_mud, change=None, more=""):
+    """The clay over mud of the same kind, a layer by what `of_mud` says; `change`: (old, new) in the mud; `more`: of the clay."""
+    mud = whole("clay").replace(section("clay"), section("mud") + of_mud + "\n")
+    if change:
+        mud = mud.replace(*change)
+    return whole("clay"), whole("clay").replace(section("clay"), section("clay") + more) + mud
+
+
 DECKS = [
     # a film of water
     with_film("film with multipliers", parameter("enforcement", "string", "augmented Lagrangian"),
@@ -156,7 +167,26 @@ DECKS = [
     Wrong("region without material", without(whole("clay")),
           "materials: mesh region 'soil' has no material; name it in the 'regions' of one", at=section("materials")),
     Wrong("region with two materials", (whole("clay"), whole("clay") + whole("clay").replace('"clay"', '"mud"')),
-          "materials: mesh region 'soil' has two materials, 'clay' and 'mud'", at=section("materials")),
+          "materials: mesh region 'soil' has two materials, 'clay' and 'mud'; as layers all but the uppermost one need a 'top'",
+          at=section("materials"), ranks=BOTH),
+    Wrong("layer outside the region", layers(MUD_TOP.format(-0.1)),
+          "materials/mud/top: no soil is made of 'mud': no point of its regions lies below this and above the next lower 'top'",
+          at=MUD_TOP.format(-0.1), ranks=BOTH),
+    Wrong("soil above all layers", (section("clay"), section("clay") + parameter("top", "double", "0.2")),
+          "materials: no material at (0.0112702, 0.211270): it lies above the 'top' of every material of mesh region 'soil'; the uppermost "
+          "one needs none", at=section("materials")),
+    Wrong("layers with one top", layers(MUD_TOP.format(0.4), more=MUD_TOP.format(0.4) + "<!-- -->"),
+          "materials/mud/top: the layers 'clay' and 'mud' of mesh region 'soil' have the same top", at=MUD_TOP.format(0.4) + "\n"),
+    Wrong("layers with two waters", layers(MUD_TOP.format(0.1), ('value="water"/>', 'value="water"/>' + parameter("density", "double", "1025"))),
+          "materials/mud/fluid: the layers 'clay' and 'mud' of mesh region 'soil' have different pore fluids: water does not stay with the "
+          "layer; give both the same", line=False),
+    Wrong("warm layers", [layers(MUD_TOP.format(0.1) + HEAT), (whole("permeability"), whole("permeability") + HEAT),
+                          ('value="biot"', 'value="thermo-hydro-mechanical"')],
+          "materials/clay: mesh region 'soil' has layers, which physics 'thermo-hydro-mechanical' does not know; make each a region of the "
+          "mesh", at=section("clay")),
+    Wrong("inclined layers at rest", layers(parameter("top", "string", "0.1 + x")),
+          "physics/ground/initial state/type: the 'top' of a material of mesh region 'soil' varies with the place; use a stage of type "
+          "'geostatic' from a uniform state", at=parameter("type", "string", "geostatic")),
     Wrong("two physics of one field", (section("ground"), section("twin") + parameter("type", "string", "biot") + "</ParameterList>" +
                                        section("ground")),
           "physics/ground: only one physics may own the displacements"),

@@ -7,6 +7,7 @@
 
 #include "discretisation/element_map.hpp"
 #include "framework/element_loop.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -44,24 +45,16 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
   constexpr double sideways =
       Loop::D == 2 ? 1.0 / 3 : 0.0;  // the drained modulus where the soil yields in every direction
   const RCP<const Map>& overlap = soil.space->dofs()->overlap();
-  const PointView void_ratios = view.committed->arrays[b.void_ratio], stress = view.committed->arrays[b.stress],
-                  law = view.committed->arrays[b.law];
+  const SoilPoints points(soil, b, *view.committed);
   for (int e = 0; e < b.elements; ++e) {
     double q_e[Loop::NQ][Loop::NQ] = {}, l_e[Loop::NQ][Loop::NQ] = {};
     loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
       const int row = e * b.points + q;
-      const double void_ratio = void_ratios(row, 0), n = void_ratio / (1 + void_ratio);
-      const ElasticModuli m =
-          b.material->skeleton->moduli(&stress(row, 0), void_ratio, law.data() + row * law.extent(1));
-      const double mobility = b.porous() ? b.material->permeability->conductivity(void_ratio, void_ratios(row, 1)).k /
-                                               b.material->fluid->unit_weight()
-                                         : 0.0;
-      const double values[6] = {1,
-                                m.bulk + 4.0 / 3 * m.shear,
-                                m.bulk + sideways * m.shear,
-                                b.material->density(n),
-                                b.material->storage(n),
-                                mobility};
+      const ElasticModuli m = points.moduli(row);
+      const double mobility = b.porous() ? points.conductivity(row) / points.material(row).fluid->unit_weight() : 0.0;
+      const double values[6] = {
+          1,       m.bulk + 4.0 / 3 * m.shear, m.bulk + sideways * m.shear, points.density(row), points.storage(row),
+          mobility};
       for (int i = 0; i < 6; ++i) means.sum[i] += s.dv * values[i];
       const double compliance = values[1] > 0 ? 1 / values[1] : 0.0;
       for (int c = 0; c < NP; ++c)
@@ -161,7 +154,7 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
   // Coefficients of the Jacobian: see StepView; history terms enter with the weight of the new level, which for the
   // integrators here is the sensitivity of the alpha-level displacement.
   const Sensitivity& u = view.sensitivity[soil.displacement];
-  const double alpha = soil.blocks.empty() ? 1.0 : soil.blocks.front().material->biot_coefficient;
+  const double alpha = soil.blocks.empty() ? 1.0 : soil.any_of(soil.blocks.front()).biot_coefficient;
   data.constrained_modulus = u.value * total[1];
   data.drained_modulus = u.value * total[2];
   data.inertia = view.inertia ? u.acceleration * total[3] : 0.0;

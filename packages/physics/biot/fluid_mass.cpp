@@ -16,8 +16,9 @@ struct DarcyFlow : PointLaw {
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     const T n = darcy.porosity(row, at), mobility = darcy.mobility(row, n);
-    const double density = darcy.mixture.fluid_density;
-    out.storage[0] = darcy.mixture.alpha * at.divergence() + darcy.mixture.storage(n) * at.rate[0];
+    const Mixture& mixture = darcy.mixture(row);
+    const double density = mixture.fluid_density;
+    out.storage[0] = mixture.alpha * at.divergence() + mixture.storage(n) * at.rate[0];
     for (int i = 0; i < C::dim; ++i) {
       T drive = at.gradient[0][i] - density * darcy.gravity[i];
       if constexpr (FluidAcceleration) drive += density * at.acceleration[i];

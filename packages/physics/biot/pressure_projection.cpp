@@ -1,6 +1,7 @@
 #include "physics/biot/pressure_projection.hpp"
 
 #include "framework/element_loop.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -8,8 +9,7 @@ void PressureProjection::begin(const StepView& view) {
   matrices_.resize(soil_->blocks.size());
   for (std::size_t k = 0; view.flow && k < matrices_.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
-    const PointView stress = view.committed->arrays[b.stress], void_ratio = view.committed->arrays[b.void_ratio],
-                    law = view.committed->arrays[b.law];
+    const SoilPoints points(*soil_, b, *view.committed);
     if (matrices_[k].extent(0) == 0) matrices_[k] = PointView("projection", b.elements, b.p.nodes * b.p.nodes);
     with_element(soil_->geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
@@ -18,11 +18,8 @@ void PressureProjection::begin(const StepView& view) {
       for (int e = 0; e < b.elements; ++e) {
         double volume = 0, shear = 0, mean[Loop::NQ] = {}, matrix[Loop::NQ][Loop::NQ] = {};
         loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields&) {
-          const int row = e * b.points + q;
           volume += s.dv;
-          shear +=
-              s.dv *
-              b.material->skeleton->moduli(&stress(row, 0), void_ratio(row, 0), law.data() + row * law.extent(1)).shear;
+          shear += s.dv * points.moduli(e * b.points + q).shear;
           for (int c = 0; c < N; ++c) {
             mean[c] += s.dv * s.Np[c];
             for (int d = 0; d < N; ++d) matrix[c][d] += s.dv * s.Np[c] * s.Np[d];

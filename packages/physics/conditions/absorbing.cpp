@@ -4,6 +4,7 @@
 
 #include "framework/dof_ids.hpp"
 #include "framework/side_loop.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -66,16 +67,15 @@ void AbsorbingBoundary::begin(const StepView& view) {
   for (int s = 0; s < block_.sides; ++s) {
     const SoilBlock& b = soil_->blocks[sides[s].block];
     double m = 0, shear = 0, rho = 0;
+    const SoilPoints points(*soil_, b, *view.committed);
     for (int q = 0; q < b.points; ++q) {
       const int row = sides[s].element * b.points + q;
-      const double e = view.committed->arrays[b.void_ratio](row, 0), n = e / (1 + e);
-      const ElasticModuli moduli = b.material->skeleton->moduli(&view.committed->arrays[b.stress](row, 0), e,
-                                                                &view.committed->arrays[b.law](row, 0));
-      const double storage = b.material->storage(n), alpha = b.material->biot_coefficient;
+      const ElasticModuli moduli = points.moduli(row);
+      const double storage = points.storage(row), alpha = points.material(row).biot_coefficient;
       m += (moduli.bulk + 4.0 / 3 * moduli.shear + (b.porous() && storage > 0 ? alpha * alpha / storage : 0.0)) /
            b.points;
       shear += moduli.shear / b.points;
-      rho += b.material->density(n) / b.points;
+      rho += points.density(row) / b.points;
     }
     impedance_(s, 0) = normal_factor_ * std::sqrt(rho * m);
     impedance_(s, 1) = tangential_factor_ * std::sqrt(rho * shear);

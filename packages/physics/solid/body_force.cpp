@@ -9,19 +9,20 @@ namespace mudline {
 
 namespace {
 
-/// rho b with b = a (Inertia) or b = -g; with pore pressures in excess of water at rest the water's lift is taken off.
+/// rho b with b = a (Inertia) or b = -g; with pore pressures in excess of water at rest the water's lift, alpha rho_f,
+/// is taken off.
 template <bool Inertia>
 struct Weight : PointLaw {
   static constexpr bool forces = true, inertia = Inertia, rates = Inertia;
-  Mixture mixture;
-  double lift;
+  Mixtures mixtures;
+  bool lifted;
   double gravity[3], gravity_old[3];
   PointView void_ratio;
   int points, soil_points;  // of an element here, and where its void ratio is known
 
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const T rho = mixture.density(mixture.porosity(void_ratio_at(row), at), at) - lift;
+    const T rho = density_at(row, at);
     for (int i = 0; i < C::dim; ++i) {
       if constexpr (Inertia)
         out.force[i] = rho * at.acceleration[i];
@@ -31,12 +32,26 @@ struct Weight : PointLaw {
     }
   }
 
-  /// That of the point, or, where the points are others than the soil's, the mean of the element.
-  KOKKOS_INLINE_FUNCTION double void_ratio_at(int row) const {
-    if (points == soil_points) return void_ratio(row, 0);
-    double sum = 0;
-    for (int q = 0; q < soil_points; ++q) sum += void_ratio(row / points * soil_points + q, 0);
-    return sum / soil_points;
+  /// That of the point, or, where the points are others than the soil's, of the element: by its mean void ratio, or,
+  /// where it has several materials, the mean over its points.
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION T density_at(int row, const PointFields<C, S, T>& at) const {
+    if (points == soil_points) return density(mixtures(row), void_ratio(row, 0), at);
+    const int first = row / points * soil_points;
+    double ratio = 0;
+    bool one = true;
+    for (int q = 0; q < soil_points; ++q) {
+      ratio += void_ratio(first + q, 0);
+      one = one && mixtures.which(first + q, 0) == mixtures.which(first, 0);
+    }
+    if (one) return density(mixtures(first), ratio / soil_points, at);
+    T sum = 0.0;
+    for (int q = 0; q < soil_points; ++q) sum += density(mixtures(first + q), void_ratio(first + q, 0), at);
+    return sum * (1.0 / soil_points);
+  }
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION T density(const Mixture& mixture, double ratio, const PointFields<C, S, T>& at) const {
+    return mixture.density(mixture.porosity(ratio, at), at) - (lifted ? mixture.alpha * mixture.fluid_density : 0.0);
   }
 };
 
@@ -58,8 +73,8 @@ void BodyForce::for_each_block(const StepView& view, F&& f) const {
       constexpr bool accelerates = decltype(inertia)::value;
       const FieldBlock& at = accelerates ? b.mass : b;
       f(at, Weight<accelerates>{{},
-                                Mixture(*soil_, b),
-                                accelerates ? 0.0 : soil_->uplift(*b.material),
+                                Mixtures(*soil_, b, *view.committed),
+                                !accelerates && soil_->excess,
                                 {now[0], now[1], now[2]},
                                 {old[0], old[1], old[2]},
                                 view.committed->arrays[b.void_ratio],

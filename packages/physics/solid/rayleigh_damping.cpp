@@ -1,6 +1,7 @@
 #include "physics/solid/rayleigh_damping.hpp"
 
 #include "framework/element_loop.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -10,15 +11,13 @@ namespace {
 struct Viscosity : PointLaw {
   static constexpr bool forces = true, stresses = true, inertia = true, scalars = false;
   double mass_factor, stiffness_factor;
-  const SoilMaterial* material;
-  PointView stress, void_ratio, state;
+  SoilPoints points;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const double e = void_ratio(row, 0);
-    const ElasticModuli m = material->skeleton->moduli(&stress(row, 0), e, &state(row, 0));
+    const ElasticModuli m = points.moduli(row);
     const double G = stiffness_factor * m.shear, lambda = stiffness_factor * (m.bulk - 2.0 / 3 * m.shear);
-    const double mass = mass_factor * material->density(e / (1 + e));
+    const double mass = mass_factor * points.density(row);
     const T pressure = lambda * at.divergence();
     for (int i = 0; i < C::dim; ++i) {
       out.force[i] = mass * at.velocity[i];
@@ -37,14 +36,7 @@ void RayleighDamping::for_each_block(const StepView& view, F&& f) const {
     LoopLevel level = loop_level(view, {view.time_old, view.x_old, 0.0}, b);
     level.rate = view.velocity;
     level.displacement.rate = level.displacement.velocity;
-    f(b, level,
-      Viscosity{{},
-                mass_factor_,
-                stiffness_factor_,
-                b.material.get(),
-                view.committed->arrays[b.stress],
-                view.committed->arrays[b.void_ratio],
-                view.committed->arrays[b.law]});
+    f(b, level, Viscosity{{}, mass_factor_, stiffness_factor_, SoilPoints(*soil_, b, *view.committed)});
   }
 }
 

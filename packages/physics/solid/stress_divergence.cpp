@@ -9,6 +9,7 @@
 #include "framework/element_loop.hpp"
 #include "materials/guarded_law.hpp"
 #include "physics/mixture.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -38,7 +39,7 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
 /// for a strain increment in the axes of the end, and the turning of the stress with the material.
 struct TotalStress : PointLaw {
   static constexpr bool stresses = true, stands = true, rates = false;
-  double alpha, expansion;  // expansion: of the skeleton with the second scalar, the temperature [1/K]
+  Mixtures mixtures;
   PointView stress, stress_old;
   ConstPointView tangent;  // of the batch
   int first_row = 0;       // of the batch
@@ -46,7 +47,7 @@ struct TotalStress : PointLaw {
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     T pressure = 0.0;
-    if constexpr (S > 0) pressure = alpha * at.value[0];
+    if constexpr (S > 0) pressure = mixtures(row).alpha * at.value[0];
     for (int i = 0; i < C::dim; ++i)
       for (int j = 0; j < C::dim; ++j) out.stress[i][j] = stress(row, six(i, j));
     out.hoop_stress = stress(row, 2);
@@ -66,7 +67,7 @@ struct TotalStress : PointLaw {
       for (int j = 0; j < C::dim; ++j) out.stress_change[i][j] = stress(row, six(i, j)) - stress_old(row, six(i, j));
     out.hoop_change = stress(row, 2) - stress_old(row, 2);
     out.pressure_change = 0;
-    if constexpr (S > 0) out.pressure_change = -alpha * at.change[0];
+    if constexpr (S > 0) out.pressure_change = -mixtures(row).alpha * at.change[0];
   }
 
   /// d sigma' = D (de - [W, e]) + [W, sigma'] for a further displacement of gradient de with the turn W.
@@ -100,6 +101,7 @@ struct TotalStress : PointLaw {
       put(D * D, e, turn);
     }
     if constexpr (S > 1) {
+      const double expansion = mixtures(row).grain_expansion;  // of the skeleton with the temperature [1/K]
       const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
       for (double& t : turn) t = 0;
       put(ElementLoop<C, ElementShapes<C::dim + 1, C::dim + 1, S>>::template Directions<TotalStress>::value + 1, warmer,
@@ -111,7 +113,7 @@ struct TotalStress : PointLaw {
 /// What the law sees of the points of a batch: (row of the batch, component).
 struct LawInput {
   PointView strain, stress_old, void_ratio_old, state_old;  // tensors rotated with the material
-  Kokkos::View<int*> tensors;                               // first columns of the law's tensor variables
+  Kokkos::View<int**> tensors;  // first columns of the tensor variables of each material's law; -1: no more
 };
 
 /// Writes the law's input, and the void ratios of the end, for the points of an element.
@@ -119,7 +121,7 @@ template <class Loop>
 struct Staging {
   Loop loop;
   int first;  // element of the batch's first row
-  Mixture mixture;
+  Mixtures mixtures;
   LawInput to;
   PointView stress, law, void_ratio_old, void_ratio;  // (point, component): committed, and trial void ratio
 
@@ -141,6 +143,7 @@ struct Staging {
   KOKKOS_FUNCTION void stage(int e, int q, const typename Loop::Fields& at, int& inverted) const {
     MidpointRule<Loop::D> motion;
     const int from = e * loop.b.points + q, i = (e - first) * loop.b.points + q;
+    const Mixture& mixture = mixtures(from);
     const bool valid = find_motion(at, motion);
     if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
     motion.increment(&to.strain(i, 0));
@@ -149,8 +152,9 @@ struct Staging {
     for (int c = 0; c < 6 && !valid; ++c) to.strain(i, c) = 0;
     motion.rotate(&stress(from, 0), &to.stress_old(i, 0));
     for (std::size_t c = 0; c < to.state_old.extent(1); ++c) to.state_old(i, c) = law(from, c);
-    for (std::size_t t = 0; t < to.tensors.extent(0); ++t)
-      motion.rotate(&law(from, to.tensors(t)), &to.state_old(i, to.tensors(t)));
+    const int material = static_cast<int>(mixtures.which(from, 0));
+    for (std::size_t t = 0; t < to.tensors.extent(1) && to.tensors(material, t) >= 0; ++t)
+      motion.rotate(&law(from, to.tensors(material, t)), &to.state_old(i, to.tensors(material, t)));
     to.void_ratio_old(i, 0) = void_ratio_old(from, 0);
     const double n = mixture.porosity(void_ratio_old(from, 0), at);
     void_ratio(from, 0) = n / (1 - n);
@@ -158,7 +162,27 @@ struct Staging {
   }
 };
 
-/// Runs the law over batches of elements: strains from the motion, stress, state and void ratio into the trial state.
+/// First columns of the tensor variables of each material's law: (material, number of the tensor), -1: no more.
+Kokkos::View<int**> tensor_columns(const Soil& soil) {
+  std::vector<std::vector<int>> columns;
+  std::size_t most = 0;
+  for (const auto& material : soil.materials) {
+    std::vector<int>& own = columns.emplace_back();
+    int column = 0;
+    for (const StateVariable& v : material->skeleton->state_variables()) {
+      if (v.components == 6) own.push_back(column);
+      column += v.components;
+    }
+    most = std::max(most, own.size());
+  }
+  Kokkos::View<int**> result("tensors", columns.size(), most);
+  Kokkos::deep_copy(result, -1);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (std::size_t t = 0; t < columns[k].size(); ++t) result(k, t) = columns[k][t];
+  return result;
+}
+
+/// Runs the laws over batches of elements: strains from the motion, stress, state and void ratio into the trial state.
 class StressUpdate {
  public:
   enum class Tangent { none, batch, all };
@@ -177,11 +201,14 @@ class StressUpdate {
 
  private:
   int stage_motion(int first, int last);
-  std::string describe(int first, const LawFailure& failure) const;
+  /// The law of one material on points [begin, end) of a batch that begins at this row of the block.
+  int run_law(const SoilMaterial& material, int row, int begin, int end);
+  std::string describe(const SoilMaterial& material, int row, int point, const LawFailure& failure) const;
 
   const Soil& soil_;
   const SoilBlock& block_;
   const StepView& view_;
+  const SoilPoints points_;
   LoopLevel level_;
   Tangent wanted_;
   LawInput input_;
@@ -193,23 +220,21 @@ class StressUpdate {
 
 StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, Tangent tangent,
                            const PointView& all)
-    : soil_(soil), block_(block), view_(view), level_(end_level(view, block)), wanted_(tangent) {
+    : soil_(soil),
+      block_(block),
+      view_(view),
+      points_(soil, block, *view.committed),
+      level_(end_level(view, block)),
+      wanted_(tangent) {
   const int rows = elements_of_batch() * block.points;
-  const int state_size = block.material->skeleton->state_size();
+  const std::size_t state_size = view.committed->arrays[block.law].extent(1);
   input_.strain = PointView("strain", rows, 6);
   input_.stress_old = PointView("rotated stress", rows, 6);
   input_.void_ratio_old = PointView("void ratio", rows, 1);
   input_.state_old = PointView("rotated state", rows, state_size);
   tangent_ = wanted_ == Tangent::all ? all : PointView("tangent", wanted_ == Tangent::batch ? rows : 0, 36);
   failed_ = Kokkos::View<int*>("failed", rows);
-  int column = 0;
-  std::vector<int> tensors;
-  for (const StateVariable& v : block.material->skeleton->state_variables()) {
-    if (v.components == 6) tensors.push_back(column);
-    column += v.components;
-  }
-  input_.tensors = Kokkos::View<int*>("tensors", tensors.size());
-  std::copy(tensors.begin(), tensors.end(), input_.tensors.data());
+  input_.tensors = tensor_columns(soil);
 }
 
 int StressUpdate::stage_motion(int first, int last) {
@@ -218,7 +243,7 @@ int StressUpdate::stage_motion(int first, int last) {
     const State &old = *view_.committed, &now = *view_.trial;
     const Staging<Loop> staging{{block_, level_},
                                 first,
-                                Mixture(soil_, block_),
+                                Mixtures(soil_, block_, old),
                                 input_,
                                 old.arrays[block_.stress],
                                 old.arrays[block_.law],
@@ -233,46 +258,54 @@ int StressUpdate::stage_motion(int first, int last) {
 int StressUpdate::run(int first, int last) {
   int failures = stage_motion(first, last);
   const int count = (last - first) * block_.points, row = first * block_.points;
+  if (failures > 0 && failure_.empty())
+    failure_ = "material '" + points_.material(row).name + "': the motion turns elements inside out";
+  for (int begin = 0, end = 0; begin < count; begin = end) {  // neighbours of one material go together
+    const SoilMaterial& material = points_.material(row + begin);
+    while (end < count && &points_.material(row + end) == &material) ++end;
+    failures += run_law(material, row, begin, end);
+  }
+  return failures;
+}
+
+int StressUpdate::run_law(const SoilMaterial& material, int row, int begin, int end) {
   const PointView stress = view_.trial->arrays[block_.stress], law = view_.trial->arrays[block_.law];
+  const int count = end - begin, from = row + begin;
+  const auto part = [&](const PointView& rows, int start) {
+    return PointView(rows.data() + start * rows.extent(1), count, rows.extent(1));
+  };
   SkeletonWorkset w;
   w.points = count;
   w.time = view_.time_end;
   w.dt = view_.flow ? view_.dt : 0.0;
   w.want_tangent = wanted_ != Tangent::none;
-  w.stress_old = input_.stress_old;
-  w.strain = input_.strain;
-  w.void_ratio_old = input_.void_ratio_old;
-  w.state_old = input_.state_old;
-  w.stress = PointView(stress.data() + row * 6, count, 6);
-  w.state = PointView(law.data() + row * law.extent(1), count, law.extent(1));
-  w.tangent = wanted_ == Tangent::all ? PointView(tangent_.data() + row * 36, count, 36) : tangent_;
-  w.failed = failed_;
+  w.stress_old = part(input_.stress_old, begin);
+  w.strain = part(input_.strain, begin);
+  w.void_ratio_old = part(input_.void_ratio_old, begin);
+  w.state_old = part(input_.state_old, begin);
+  w.stress = part(stress, from);
+  w.state = part(law, from);
+  if (w.want_tangent) w.tangent = part(tangent_, wanted_ == Tangent::all ? from : begin);
+  w.failed = Kokkos::View<int*>(failed_.data() + begin, count);
   w.plane = soil_.geometry != Geometry::space;
-  if (failures > 0 && failure_.empty())
-    failure_ = "material '" + block_.material->name + "': the motion turns elements inside out";
   LawFailure failure;
-  failures += evaluate_guarded(*block_.material->skeleton, w, failure);
+  const int failures = evaluate_guarded(*material.skeleton, w, failure);
   if (failure.point >= 0 && failure_.empty()) {
-    failure_ = describe(first, failure);
+    failure_ = describe(material, row, begin + failure.point, failure);
     law_is_broken_ = !failure.refused;
   }
   return failures;
 }
 
-std::string StressUpdate::describe(int first, const LawFailure& failure) const {
-  const int e = first + failure.point / block_.points, q = failure.point % block_.points;
-  return "the law of material '" + block_.material->name + "' fails at " +
+std::string StressUpdate::describe(const SoilMaterial& material, int row, int point, const LawFailure& failure) const {
+  const int e = (row + point) / block_.points, q = (row + point) % block_.points;
+  return "the law of material '" + material.name + "' fails at " +
          place_text(block_.place(e, q, view_.x_end), soil_.space->mesh().dimension()) + ": " + failure.reason + " (" +
-         increment_text(&input_.stress_old(failure.point, 0), &input_.strain(failure.point, 0)) + ")";
+         increment_text(&input_.stress_old(point, 0), &input_.strain(point, 0)) + ")";
 }
 
-TotalStress total_stress(const SoilBlock& b, const StepView& view) {
-  return {{},
-          b.material->biot_coefficient,
-          b.grain_expansion,
-          view.trial->arrays[b.stress],
-          view.committed->arrays[b.stress],
-          {}};
+TotalStress total_stress(const Soil& soil, const SoilBlock& b, const StepView& view) {
+  return {{}, Mixtures(soil, b, *view.committed), view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
 }
 
 }  // namespace
@@ -294,7 +327,7 @@ int StressDivergence::residual(const StepView& view, const ResidualView& f) {
     for (int first = 0; first < b.elements; first += batch)
       failures += update.run(first, std::min(first + batch, b.elements));
     if (failure_.empty()) failure_ = update.failure();
-    add_residual(soil_->geometry, b, update.level(), total_stress(b, view), f);
+    add_residual(soil_->geometry, b, update.level(), total_stress(*soil_, b, view), f);
   }
   kept_ = keeps_ && failures == 0;
   return failures;
@@ -305,7 +338,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
   std::string broken;
   for (std::size_t k = 0; k < soil_->blocks.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
-    TotalStress law = total_stress(b, view);
+    TotalStress law = total_stress(*soil_, b, view);
     const MatrixScatter to = assembler.scatter(b.group);
     if (kept_) {
       law.tangent = tangents_[k];

@@ -93,6 +93,64 @@ TEST(InitialState, ExcessPressuresLeaveTheWeightUnderWater) {
     }
 }
 
+/// Sand of 26 kN/m3 grains over lighter soil of 20, from y = 1.37 on, which is no mesh line: every point has the weight
+/// of what lies above it.
+TEST(InitialState, LayersThatAreNoMeshRegionsWeighAndStandPointByPoint) {
+  std::string lower = SoilModel::sand(number_parameter("top", 1.37), "", "soil");
+  lower.replace(lower.find("2600"), 4, "2000");
+  SoilModel model("", gravity + start(text_parameter("type", "geostatic") + number_parameter("K0", 0.5)),
+                  SoilModel::box("plane strain"), SoilModel::sand("") + lower);
+  ASSERT_TRUE(model.soil->layered());
+  const State& state = model.store->committed();
+  int points[2] = {0, 0};
+  for (const SoilBlock& b : model.soil->blocks)
+    for (int row = 0; row < b.elements * b.points; ++row) {
+      const double x = state.arrays[b.origin](row, 1), y = state.arrays[b.origin](row, 2);
+      const Point place = b.place(row / b.points, row % b.points, state.coordinates);
+      EXPECT_EQ(x, place[0]);
+      EXPECT_EQ(y, place[1]);
+      const int material = static_cast<int>(model.soil->which(b, state)(row, 0));
+      EXPECT_EQ(model.soil->materials[material]->name, y > 1.37 ? "sand" : "soil");
+      ++points[material];
+      const double vertical = 19600 * (3 - std::max(y, 1.37)) + 16000 * std::max(0.0, 1.37 - y);
+      EXPECT_NEAR(state.arrays[b.stress](row, 1), -vertical, 1e-8);
+      EXPECT_NEAR(state.arrays[b.stress](row, 0), -0.5 * vertical, 1e-8);
+    }
+  EXPECT_EQ(points[0] + points[1], 6 * 9);
+  EXPECT_EQ(points[0], 2 * 3 * 5);  // rows above 1.37: three of the upper elements, two of the middle ones
+}
+
+/// A top that varies with the place: an inclined interface, and soil above all tops is refused.
+TEST(InitialState, TopsAreFunctionsOfThePlaceAndMustCoverTheSoil) {
+  SoilModel model("", "", SoilModel::box("plane strain"),
+                  SoilModel::sand("") + SoilModel::sand(text_parameter("top", "0.5 + 0.5*x"), "", "soil"));
+  const State& state = model.store->committed();
+  for (const SoilBlock& b : model.soil->blocks)
+    for (int row = 0; row < b.elements * b.points; ++row) {
+      const double x = state.arrays[b.origin](row, 1), y = state.arrays[b.origin](row, 2);
+      EXPECT_EQ(model.soil->which(b, state)(row, 0), y > 0.5 + 0.5 * x ? 0 : 1);
+    }
+  const auto with_tops = [](const std::string& upper, const std::string& lower, const std::string& fluid = "") {
+    return SoilModel::sand(upper) + SoilModel::sand(lower, fluid, "soil");
+  };
+  const auto refused = [&](const std::string& materials, const std::string& physics = "") {
+    return input_error([&] { SoilModel("", physics, SoilModel::box("plane strain"), materials); });
+  };
+  EXPECT_NE(refused(with_tops(number_parameter("top", 2.8), number_parameter("top", 1))).find("no material at"),
+            std::string::npos);
+  EXPECT_NE(refused(with_tops("", number_parameter("top", -1))).find("no soil is made of 'soil'"), std::string::npos);
+  EXPECT_NE(refused(with_tops(number_parameter("top", 4), number_parameter("top", 4))).find("have the same top"),
+            std::string::npos);
+  EXPECT_NE(refused(with_tops("", "")).find("all but the uppermost one need a 'top'"), std::string::npos);
+  EXPECT_NE(refused(with_tops("", number_parameter("top", 1), number_parameter("density", 1025)))
+                .find("different pore fluids"),
+            std::string::npos);
+  EXPECT_NE(refused(with_tops("", text_parameter("top", "0.5 + 0.5*x")),
+                    gravity + start(text_parameter("type", "geostatic") + number_parameter("K0", 0.5)))
+                .find("varies with the place"),
+            std::string::npos);
+}
+
 TEST(InitialState, K0ComesFromTheLawOrFromTheFrictionAngleAndOverconsolidation) {
   const std::string geostatic = text_parameter("type", "geostatic") + number_parameter("surcharge", 1000);
   const auto ratio = [&](const std::string& more, auto&& expected) {

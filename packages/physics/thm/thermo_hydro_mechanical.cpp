@@ -143,13 +143,14 @@ class WaterAndHeat : public Term {
  private:
   WarmSoil warm_soil(const SoilBlock& b, const State& state) const {
     const HeatProperties& heat = *heat_[b.block];
-    return {Mixture(*soil_, b),
+    const SoilMaterial& material = soil_->any_of(b);
+    return {Mixture(*soil_, b, material),
             water_,
             soil_->reference_temperature,
             heat.grain_capacity,
             heat.conductivity,
-            b.material->fluid->unit_weight(),
-            b.material->permeability.get(),
+            material.fluid->unit_weight(),
+            material.permeability.get(),
             state.arrays[b.void_ratio]};
   }
 
@@ -200,14 +201,20 @@ void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
   soil_->water_expansion = water_.expansion;
   soil_->reference_temperature = reference_;
   for (SoilBlock& b : soil_->blocks) {
-    heat.push_back(b.material->require<HeatProperties>("heat", context.materials_section));
+    const SoilMaterial& material = soil_->any_of(b);
+    if (b.made_of.size() > 1)
+      context.materials_section.fail("mesh region '" + context.space.mesh().blocks()[b.block].region +
+                                         "' has layers, which physics 'thermo-hydro-mechanical' does not know; make "
+                                         "each a region of the mesh",
+                                     material.name);
+    heat.push_back(material.require<HeatProperties>("heat", context.materials_section));
     b.grain_expansion = heat.back()->grain_expansion;
   }
   require_one_fluid_density(context.materials_section, "in physics 'thermo-hydro-mechanical'");
   auto term = std::make_unique<WaterAndHeat>(soil_, water_, gravity_, heat);
   const WaterAndHeat* balance = term.get();
   const double per_water =
-      soil_->blocks.empty() ? 0.0 : water_.capacity * soil_->blocks.front().material->fluid->density();
+      soil_->blocks.empty() ? 0.0 : water_.capacity * soil_->any_of(soil_->blocks.front()).fluid->density();
   context.conserved.push_back({"heat", "J", soil_->temperature,
                                [balance](const State& state) { return balance->content(state); }, soil_->pressure,
                                per_water, reference_});

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ale/remap.hpp"
+
+namespace mudline {
+
+/// The table of a block's point data on the way to the moved mesh, with the columns that say what they are.
+struct SoilTable {
+  int columns;
+  int stress, void_ratio, law, origin;   // first columns; origin: number of the material, then the place at the start
+  std::vector<StateVariable> variables;  // split of the columns for the widest law
+};
+
+/// Points that have another material than before.
+struct LayerChanges {
+  int changed = 0;            // points
+  int started = 0;            // those of them whose law starts anew, because no soil of their new material is near
+  std::string problem;        // why a law cannot start; empty: none
+  std::vector<char> was, is;  // (row of gather_points) number of the material
+};
+
+/// Carries the point data of layered soil over. The place where the soil was at the start is remapped as any field; it
+/// is smooth, and which material stands where follows from it, so that layers stay sharp. All else jumps at interfaces:
+/// for each material the fields of its own points are continued beyond them, and its points take what is remapped from
+/// those alone. A point that changes its material so takes over stress, void ratio and law from the soil around it
+/// that has come to it; where there is none, the law starts from the stress and void ratio that the point has. Points
+/// so near to an interface that it is not known on which side they are (their own size) go to the one layer or the
+/// other such that each keeps its grains, to about half a point.
+class LayerRemap {
+ public:
+  LayerRemap(const Soil& soil, const Remap& remap) : soil_(soil), remap_(remap) {}
+  /// `transfer`: of all columns; its variables are not read. Serial, pure, the same on every rank.
+  LayerChanges transfer(const PointTransfer& transfer, const SoilTable& table) const;
+
+ private:
+  std::vector<StateVariable> variables_of(int material, const SoilTable& table) const;
+  /// Remaps the places of the start, writes them, and the materials that follow, and returns those.
+  std::vector<char> carry_origin(const PointTransfer& transfer, const SoilTable& table) const;
+  /// What the points would be if all were of one material.
+  struct Version {
+    std::vector<double> now;  // table on the new mesh
+    std::vector<char> near;   // (row) whether soil of the material was there or beside it
+  };
+  Version version_of(int material, const PointTransfer& transfer, const SoilTable& table,
+                     const std::vector<char>& was) const;
+  /// Height to which a material reaches at a place of the start [m].
+  double top_of(int material, const Point& start) const {
+    return soil_.materials[material]->has_top ? soil_.materials[material]->top(0, start) : 1e300;
+  }
+  /// The material on the other side of the nearest interface, by number, and its distance [m]; -1: none.
+  std::pair<int, double> across(const SoilBlock& block, const Point& start, int material) const;
+  void balance(const PointTransfer& transfer, const SoilTable& table, const std::map<int, Version>& versions,
+               LayerChanges& layers) const;
+  /// "" or why the law of a material cannot start at a row.
+  std::string start(const PointTransfer& transfer, const SoilTable& table, int material, int element, int row) const;
+
+  const Soil& soil_;
+  const Remap& remap_;
+};
+
+/// Continues the values of some rows of a block's table to the rows around them, by planes fitted to the rows at a
+/// vertex: linear fields exactly. `known`: (row) 1 for those that have values; rows that get one are given the number
+/// of the ring of elements around that they are in, from 2 on; 0 stays where there is none.
+void continue_rows(const PointTransfer& transfer, std::vector<double>& table, std::vector<char>& known);
+
+}  // namespace mudline

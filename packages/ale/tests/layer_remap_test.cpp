@@ -1,0 +1,193 @@
+// Layers whose boundary is no mesh line, carried over to a moved mesh: each keeps its own fields and its grains.
+#include "ale/layer_remap.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ale/conservation.hpp"
+#include "ale_mesh.hpp"
+
+namespace mudline {
+namespace {
+
+using testing::box;
+using testing::points_of;
+
+constexpr double interface = 0.47;  // no mesh line of what follows
+
+/// As its state it has the height of where it started.
+class Remembers : public Skeleton {
+ public:
+  const std::vector<StateVariable>& state_variables() const override { return variables_; }
+  std::string initialise(const InitialPoint& point, double* state) const override {
+    state[0] = point.height;
+    return point.void_ratio > 5 ? "too loose" : "";
+  }
+  int evaluate(const SkeletonWorkset&) const override { return 0; }
+  ElasticModuli moduli(const double*, double, const double*) const override { return {1, 1}; }
+
+ private:
+  std::vector<StateVariable> variables_{{"height", 1, "m"}};
+};
+
+/// Two layers in a unit square: fields that are linear in each and jump between them.
+struct Layers {
+  explicit Layers(CellShape shape, int n)
+      : mesh(box(shape, n)),
+        space(*mesh, {displacement_field()}),
+        whole(*mesh),
+        block(points_of(*mesh)),
+        patches(whole, block),
+        start(whole.gather(mesh->coordinates())) {
+    soil.space = &space;
+    soil.up = {0, 1, 0};
+    for (int k = 0; k < 2; ++k) {
+      auto material = std::make_shared<SoilMaterial>();
+      material->name = k == 0 ? "upper" : "lower";
+      material->has_top = k == 1;
+      material->top = interface;
+      material->skeleton = std::make_shared<Remembers>();
+      soil.materials.push_back(material);
+    }
+    block.made_of = {0, 1};
+    soil.blocks = {block};
+    table.columns = 6 + 2 + 1 + 3;
+    table.variables = {{"effective stress", 6, "Pa"},
+                       {"void ratio", 1, "-", RemapRule::mass, -1.0},
+                       {"initial void ratio", 1, "-"},
+                       {"height", 1, "m"},
+                       {"material", 1, "-"},
+                       {"x", 1, "m"},
+                       {"y", 1, "m"}};
+  }
+  static double field(int column, int material, double x, double y) {
+    return (material == 0 ? 1.0 : -2.0) * (column + 1) + (material == 0 ? 0.3 : 0.7) * column * x -
+           0.4 * (column + 2) * y;
+  }
+  static double ratio(int material, double x, double y) { return material == 0 ? 1.5 - 0.2 * y : 0.6 + 0.1 * x; }
+  double value(int column, int material, double x, double y) const {
+    if (column == table.void_ratio) return ratio(material, x, y);
+    if (column == table.origin) return material;
+    if (column > table.origin) return column == table.origin + 1 ? x : y;
+    return field(column, material, x, y);
+  }
+  template <class F>
+  void each(const Positions& x, F&& f) const {
+    for (int e : whole.block_elements(0))
+      for (int q = 0; q < block.points; ++q)
+        f(whole.first_row(e, block.points) + q, Recovery::position(whole.elements()[e], block, q, x));
+  }
+  std::vector<double> at(const Positions& x) const {
+    std::vector<double> rows(block.elements * block.points * table.columns);
+    each(x, [&](int row, const auto& p) {
+      for (int c = 0; c < table.columns; ++c)
+        rows[row * table.columns + c] = value(c, p[1] > interface ? 0 : 1, p[0], p[1]);
+    });
+    return rows;
+  }
+  PointTransfer transfer(const Positions& to, const std::vector<double>& old, std::vector<double>& now) const {
+    return {whole, block, patches, start, to, table.variables, table.columns, old, now};
+  }
+  std::unique_ptr<Mesh> mesh;
+  Space space;
+  WholeMesh whole;
+  SoilBlock block;
+  RecoveryPatches patches;
+  Positions start;
+  Soil soil;
+  SoilTable table{0, 0, 6, 8, 9, {}};
+};
+
+/// Inner vertices moved up and down by a share of an element; the sides stay.
+Positions swung(const Positions& x, double size) {
+  const double pi = std::acos(-1.0);
+  Positions result = x;
+  for (auto& p : result) p[1] += size * std::sin(pi * p[0]) * std::sin(pi * p[1]);
+  return result;
+}
+
+TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
+  for (CellShape shape : {CellShape::tri6, CellShape::quad9})
+    for (double size : {0.05, -0.05}) {
+      Layers layers(shape, 8);
+      const Positions to = swung(layers.start, size);
+      const std::vector<double> old = layers.at(layers.start);
+      std::vector<double> now = old;
+      const ConvectionRemap remap(ConvectionRemap::Scheme::upwind, false);
+      const LayerChanges changes = LayerRemap(layers.soil, remap).transfer(layers.transfer(to, old, now), layers.table);
+      EXPECT_GT(changes.changed, 5);
+      EXPECT_EQ(changes.started, 0);
+      EXPECT_EQ(changes.problem, "");
+      layers.each(to, [&](int row, const auto& p) {
+        const double* found = &now[row * layers.table.columns];
+        const int material = static_cast<int>(found[layers.table.origin]);
+        EXPECT_EQ(material, changes.is[row]);
+        // what the grains' balance moved lies within an element of the interface
+        if (std::abs(p[1] - interface) > 0.07) {
+          EXPECT_EQ(material, p[1] > interface ? 0 : 1);
+        }
+        for (int c = 0; c < layers.table.columns; ++c)
+          EXPECT_NEAR(found[c], layers.value(c, material, p[0], p[1]), 1e-11) << c << " at " << p[0] << " " << p[1];
+      });
+    }
+}
+
+TEST(LayerRemap, EachLayerKeepsItsGrainsToHalfAPointAndThenToTheLastDigits) {
+  Layers layers(CellShape::tri6, 8);
+  const Positions to = swung(layers.start, 0.05);
+  const std::vector<double> old = layers.at(layers.start);
+  std::vector<double> now = old;
+  const PointTransfer transfer = layers.transfer(to, old, now);
+  const LayerChanges changes = LayerRemap(layers.soil, ConvectionRemap()).transfer(transfer, layers.table);
+  const auto before = point_volumes(transfer, Geometry::plane_strain, layers.start),
+             after = point_volumes(transfer, Geometry::plane_strain, to);
+  const auto grains = [&](int material, const std::vector<double>& rows, const std::vector<char>& of,
+                          const std::vector<double>& volumes) {
+    double sum = 0;
+    for (std::size_t row = 0; row < of.size(); ++row)
+      if (of[row] == material) sum += volumes[row] / (1 + rows[row * layers.table.columns + layers.table.void_ratio]);
+    return sum;
+  };
+  const double largest = *std::max_element(after.begin(), after.end());
+  for (int k : {0, 1})
+    EXPECT_LT(std::abs(grains(k, now, changes.is, after) - grains(k, old, changes.was, before)), largest / 1.6);
+  const std::vector<double> carried = now;
+  const auto restored =
+      restore_grains(transfer, Geometry::plane_strain, layers.table.void_ratio, changes.was, changes.is, 2);
+  for (int k : {0, 1}) {
+    EXPECT_NEAR(grains(k, now, changes.is, after) / grains(k, old, changes.was, before), 1, 1e-14);
+    EXPECT_NEAR(restored[k].before, grains(k, old, changes.was, before), 1e-14);
+    EXPECT_NEAR(restored[k].missing, restored[k].before - grains(k, carried, changes.is, after), 1e-14);
+    EXPECT_GT(restored[k].changed, 0);
+  }
+}
+
+/// Upside down: points become what is nowhere near. The law starts where the soil began, and says where it cannot.
+TEST(LayerRemap, ALawStartsAnewWhereNoSoilOfItsMaterialIsNear) {
+  Layers layers(CellShape::tri6, 8);
+  std::vector<double> old = layers.at(layers.start);
+  layers.each(layers.start, [&](int row, const auto& p) {
+    old[row * layers.table.columns + layers.table.origin] = p[1] > 1 - interface ? 1 : 0;
+    old[row * layers.table.columns + layers.table.void_ratio] = 1.5;
+  });
+  std::vector<double> now = old;
+  const Positions to = swung(layers.start, 0.01);
+  const LayerRemap remap(layers.soil, ConvectionRemap());
+  LayerChanges changes = remap.transfer(layers.transfer(to, old, now), layers.table);
+  EXPECT_GT(changes.started, 100);
+  EXPECT_GT(changes.changed, changes.started);
+  int far = 0;
+  layers.each(to, [&](int row, const auto& p) {
+    if (changes.is[row] != 1 || p[1] > 0.2) return;
+    ++far;
+    EXPECT_NEAR(now[row * layers.table.columns + layers.table.law], p[1], 1e-12);
+  });
+  EXPECT_GT(far, 20);
+  for (std::size_t row = 0; row < old.size(); row += layers.table.columns) old[row + layers.table.void_ratio] = 6;
+  now = old;
+  changes = remap.transfer(layers.transfer(to, old, now), layers.table);
+  EXPECT_NE(changes.problem.find("the law of material 'lower'"), std::string::npos) << changes.problem;
+  EXPECT_NE(changes.problem.find("too loose"), std::string::npos) << changes.problem;
+}
+
+}  // namespace
+}  // namespace mudline

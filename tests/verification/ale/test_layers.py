@@ -1,0 +1,119 @@
+"""Layers whose boundaries are no mesh lines: every point has its material, which goes with the soil.
+
+The references do not come from the program: settlements are sums over the layers, q h / M each; the consolidation of a layered
+column is integrated by finite volumes here; a mesh that moves must change nothing."""
+import os
+import unittest
+
+import h5py
+import numpy as np
+
+from mudline_case import MudlineCase, deck_text
+
+SOFT, STIFF = 1e6, 4e6  # [Pa] confined moduli
+LOAD = 10.0  # [Pa]
+INTERFACE = 0.53  # [m] of 1 m; no multiple of what follows
+
+
+def soil(modulus, conductivity=None, ratio=1.0, top=None):
+    poisson = 0.25
+    young = modulus * (1 + poisson) * (1 - 2 * poisson) / (1 - poisson)
+    entry = {"void ratio": ratio, "skeleton": {"type": "linear elastic", "Young's modulus": young, "Poisson's ratio": poisson}}
+    if top is not None:
+        entry["top"] = top
+    if conductivity:
+        entry["fluid"] = {"type": "water", "incompressible": True}
+        entry["permeability"] = {"type": "constant", "hydraulic conductivity": conductivity}
+    return entry
+
+
+def column(cells, materials, physics, extra, stages, columns=1):
+    return deck_text("layers", {
+        "mesh": {"type": "box", "cell": "quad9", "cells": [columns, cells], "upper": [0.2, 1.0]},
+        "materials": materials,
+        "physics": {"ground": physics},
+        "boundary conditions": {
+            "sides": {"type": "fixed", "set": "left", "components": "x"},
+            "other side": {"type": "fixed", "set": "right", "components": "x"},
+            "base": {"type": "fixed", "set": "bottom"}, **extra},
+        "stages": stages,
+        "solver": {"residual tolerance": 1e-9},
+        "output": {"probes": {"top": [0.0, 1.0], "base": [0.0, 0.0]}}})
+
+
+def consolidation(times, k_upper, k_lower, cells=400):
+    """Settlement of the drained top and pressure at the base of a two-layer column under a sudden load, small strains."""
+    gamma, h = 9.81e3, 1.0 / cells
+    y = (np.arange(cells) + 0.5) * h
+    stiffness = np.where(y > INTERFACE, SOFT, STIFF)
+    mobility = np.where(y > INTERFACE, k_upper, k_lower) / gamma
+    between = 1 / (0.5 * h * (1 / mobility[:-1] + 1 / mobility[1:]))
+    top = mobility[-1] / (0.5 * h)
+    flow = np.diag(np.r_[between, top] + np.r_[0.0, between]) - np.diag(between, 1) - np.diag(between, -1)
+    rate = stiffness[:, None] * flow / h
+    root = np.sqrt(stiffness)
+    values, vectors = np.linalg.eigh(rate * root[None, :] / root[:, None])
+    amplitude = vectors.T @ (np.full(cells, LOAD) / root)
+    pressures = np.array([root * (vectors @ (np.exp(-values * t) * amplitude)) for t in times])
+    return (h * (LOAD - pressures) / stiffness).sum(axis=1), pressures[:, 0]
+
+
+class Layers(MudlineCase):
+    def test_settlement_is_the_sum_over_the_layers(self):
+        """An element that the interface crosses cannot bend as sharply as the soil: the error is less than if it were all of
+        one soil or the other, and falls with its size."""
+        exact = LOAD * ((1 - INTERFACE) / SOFT + INTERFACE / STIFF)
+        for cells in (5, 10, 40):
+            deck = self.write("column.xml", column(
+                cells, {"upper": soil(SOFT), "lower": soil(STIFF, top=INTERFACE)}, {"type": "solid"},
+                {"load": {"type": "traction", "set": "top", "y": -LOAD}},
+                {"load": {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 1.0}}}))
+            found = -self.run_deck(deck)["probe/top/displacement y"][-1]
+            self.assert_error(f"settlement, {cells} cells", abs(found - exact), LOAD * (1 / SOFT - 1 / STIFF) / cells * 0.5)
+
+    def consolidate(self, cells, more=None, columns=1, duration=60.0):
+        deck = self.write("column.xml", column(
+            cells, {"upper": soil(SOFT, 1e-5, 1.5), "lower": soil(STIFF, 4e-6, 0.7, INTERFACE)}, {"type": "biot"},
+            {"load": {"type": "traction", "set": "top", "y": -LOAD}, "drain": {"type": "pore pressure", "set": "top", "value": 0.0}},
+            {"run": {"type": "quasi-static", "duration": duration,
+                     "time step": {"initial": 0.05, "maximum": 1.0, "growth": 1.1}}}, columns))
+        return self.run_deck([deck] + ([self.write("swing.xml", deck_text("swing", more))] if more else []))
+
+    def test_consolidation_of_two_layers(self):
+        history = self.consolidate(40)
+        later = history.time > 5
+        settlement, pressure = consolidation(history.time[later], 1e-5, 4e-6)
+        self.assert_error("settlement", np.abs(-history["probe/top/displacement y"][later] - settlement).max() / settlement.max(), 0.01)
+        self.assert_error("pressure at the base", np.abs(history["probe/base/pore pressure"][later] - pressure).max() / LOAD, 0.01)
+
+    def test_a_swinging_mesh_changes_nothing(self):
+        still = self.consolidate(40, columns=2)
+        moved = self.consolidate(40, {"mesh motion": {"interior": {"type": "artificial", "amplitude": 0.15, "period": 7.0}}}, columns=2)
+        self.assertGreater(np.ptp(moved["mesh/quality"]), 0.02)  # it does swing
+        self.assertGreater(moved["mesh motion/points of another material"][-1], 20)
+        self.assertEqual(moved["mesh motion/laws started anew"][-1], 0)
+        for name in ("probe/top/displacement y", "probe/base/pore pressure"):
+            scale = np.abs(still[name]).max()
+            self.assert_error(name, np.abs(moved.at(name, still.time) - still[name]).max() / scale, 1e-3)
+        for name in ("upper", "lower"):
+            grains = moved["balance/grains/" + name]
+            self.assert_error("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
+            # less than one of the layer's points has
+            self.assert_error("put back to " + name, np.abs(moved["mesh motion/restored grains of " + name]).max(),
+                              (8 / 18) ** 2 / (2 * 40 * (1 - INTERFACE)))
+        with h5py.File(os.path.join(self.folder, "results", "column.h5")) as file:
+            last = file["steps"][sorted(file["steps"])[-1]]
+            nodes = last["coordinates"][:, 1]
+            ratio, material = last["cell/void_ratio"][:].ravel(), last["cell/material"][:].ravel()
+            start = last["cell/place_at_the_start"][:]
+        self.assertLess(nodes.min(), 1e-9)
+        upper = start[:, 1] > INTERFACE + 1.0 / 40
+        lower = start[:, 1] < INTERFACE - 1.0 / 40
+        self.assertTrue((material[upper] == 0).all() and (material[lower] == 1).all())
+        # nothing of one layer's void ratio in the other's, which changes by strains of 1e-3
+        self.assert_error("void ratio above", np.abs(ratio[upper] - 1.5).max(), 5e-3)
+        self.assert_error("void ratio below", np.abs(ratio[lower] - 0.7).max(), 2e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
