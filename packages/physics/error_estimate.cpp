@@ -8,6 +8,7 @@
 #include "discretisation/cell_map.hpp"
 #include "framework/coordinates.hpp"
 #include "framework/normal_equations.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -257,8 +258,7 @@ void ErrorEstimator::measure_block(const BlockTables& t, const State& state, con
                                    const PatchRecovery* pressure, ErrorEstimate& to, std::vector<double>& energy,
                                    Sums& sums) const {
   const SoilBlock& b = t.block;
-  const SoilMaterial& soil = *b.material;
-  const PointView now = state.arrays[b.stress], ratio = state.arrays[b.void_ratio], law = state.arrays[b.law];
+  const SoilPoints soil(soil_, b, state);
   const int dim = mesh_.dimension();
   for (int e = 0; e < b.elements; ++e) {
     double square = 0, pressure_square = 0, volume = 0, area = 0, own = 0, power = 0;
@@ -271,23 +271,21 @@ void ErrorEstimator::measure_block(const BlockTables& t, const State& state, con
       double error[recovered], p = 0, slope[3] = {};
       stress.evaluate(&b.nodes(e, 0), t.corners, N, t.places[row], error);
       for (int c = 0; c < recovered; ++c) error[c] -= change[c];
-      const ElasticModuli moduli =
-          soil.skeleton->moduli(&now(row, 0), ratio(row, 0), law.extent(1) > 0 ? &law(row, 0) : nullptr);
+      const ElasticModuli moduli = soil.moduli(row);
       own += dv * energy_density(error, moduli);
       sums.change += dv * energy_density(change, moduli);
-      sums.whole += dv * energy_density(&now(row, 0), moduli);
+      sums.whole += dv * energy_density(soil.stress(row), moduli);
       if (pressure != nullptr) {
         pressure->evaluate(&b.nodes(e, 0), t.corners, N, t.places[row], &p, slope);
         p -= t.pressure[row];
-        const double mobility =
-            soil.permeability->conductivity(ratio(row, 0), ratio(row, 1)).k / soil.fluid->unit_weight();
+        const double mobility = soil.conductivity(row) / soil.material(row).fluid->unit_weight();
         for (int i = 0; i < dim; ++i) {
           sums.flow_error += dv * mobility * std::pow(slope[i] - t.slope[row][i], 2);
           sums.flow += dv * mobility * std::pow(t.slope[row][i], 2);
         }
       }
       const double* rate = error + tensor;
-      power += dv * (contract(error, rate) - soil.biot_coefficient * p * (rate[0] + rate[1] + rate[2]));
+      power += dv * (contract(error, rate) - soil.material(row).biot_coefficient * p * (rate[0] + rate[1] + rate[2]));
       square += dv * contract(error, error);
       pressure_square += dv * p * p;
       volume += dv;
