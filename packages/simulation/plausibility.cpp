@@ -210,7 +210,8 @@ void Plausibility::tell_materials() {
       const std::string unit =
           std::string(table[quantity[i]].unit) == "-" ? "" : std::string(" ") + table[quantity[i]].unit;
       line += (line.empty() ? " " : ", ") + std::string(symbol[i]) +
-              (of[i].low == of[i].high ? text(" %.3g", of[i].low) : text(" %.3g to %.3g", of[i].low, of[i].high)) +
+              (text("%.3g", of[i].low) == text("%.3g", of[i].high) ? text(" %.3g", of[i].low)
+                                                                   : text(" %.3g to %.3g", of[i].low, of[i].high)) +
               unit;
       if (i == mean) stressed_ = stressed_ || of[i].high > 0;
       doubt(quantity[i], of[i].high, "material '" + name + "': the " + table[quantity[i]].name);

@@ -250,6 +250,18 @@ class Layers(Telling):
         deck["mesh motion"] = {"boundary": {"focus": "pin", "size near focus": 0.05, "near distance": 0.3}}
         self.assertEqual(self.said(deck).returncode, 2)
 
+    def test_layers_of_one_region_are_passed(self):
+        done = self.said(column(ELASTIC, layers="two soils", body=self.pin(2.5)))
+        self.assertIn("make them one region, of one material or of layers by the 'top' of each material", done.stderr)
+        deck = column(ELASTIC, body=self.pin(2.5))
+        soil = deck["materials"]["soil"]
+        deck["materials"] = {"first": soil, "second": dict(soil, top=-2.1, skeleton=dict(ELASTIC, **{"Young's modulus": 3e7}))}
+        deck["mesh motion"] = {"boundary": {"focus": "pin", "size near focus": 0.05, "near distance": 0.3}}
+        done = self.said(deck)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name, young in (("first", 1e7), ("second", 3e7)):
+            self.assertRegex(done.stdout, rf"material '{name}': G {young / 2.6:.3g} Pa".replace("+", r"\+"))
+
     def test_a_free_body_above_a_layer_is_doubted(self):
         fall = {"type": "free", "initial velocity": [0.0, -1.0]}
         done = self.said(column(ELASTIC, layers="two soils", body=self.pin(0, **fall)))
