@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -88,6 +89,132 @@ void require_command(const CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// A command of the program: its options, and what it does with them.
+struct Command {
+  CLI::App* options;
+  std::function<int()> act;
+};
+
+Command run_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("run", "run a deck");
+  const auto run = std::make_shared<cli::RunCommand>();
+  add_deck_options(*command, run->deck);
+  add_mesh_parts_option(*command, run->mesh_parts);
+  CLI::Option* restart = command->add_flag("--restart", run->restart,
+                                           "continue from the checkpoint that an earlier run of this deck left");
+  command
+      ->add_flag("--accept-changes", run->accept_changes,
+                 "go on although the model differs from that of the checkpoint, or results of before it are missing")
+      ->needs(restart);
+  command->add_flag("--overwrite", run->overwrite, "replace results of another deck that has the same result name")
+      ->excludes(restart);
+  command->add_option("--steps", run->steps, "stop after so many steps, with a checkpoint")
+      ->check(CLI::Range(1, 1000000000));
+  command->footer(
+      "exit codes: 0 done, 2 input error, 3 no convergence (last state saved), 4 stopped by a signal (saved), 1 "
+      "anything else\n"
+      "example: mudline run deck.xml --set \"solver/residual tolerance=1e-8\"");
+  return {command, [run] { return cli::run(*run); }};
+}
+
+Command point_command(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("point", "run the material-point tests of a deck: oedometer, triaxial, simple shear, ...");
+  const auto point = std::make_shared<cli::PointCommand>();
+  add_deck_options(*command, point->deck);
+  command->add_flag("--conformance", point->conformance,
+                    "instead check that the deck's skeleton laws keep to the rules for laws");
+  command->add_option("--png", point->png,
+                      "draw all tests into this PNG file: q-p', q and u over axial strain, e over log p'");
+  command->footer("example: mudline point inputs/point/mcc_triaxial.xml --png triaxial.png");
+  return {command, [point] { return cli::point(*point); }};
+}
+
+Command check_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("check", "read a deck and its mesh and report errors, without running");
+  const auto check = std::make_shared<cli::CheckCommand>();
+  add_deck_options(*command, check->deck);
+  add_mesh_parts_option(*command, check->mesh_parts);
+  command
+      ->add_flag("--each", check->each,
+                 "every file is a deck of its own, and no overlay: one line each on standard output")
+      ->excludes("--mesh-parts");
+  command->footer("example: mudline check deck.xml");
+  return {command, [check] { return cli::check(*check); }};
+}
+
+Command split_command(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("split", "make a deck's mesh and cut it into a file of parts, one for each rank of a run");
+  const auto split = std::make_shared<cli::SplitCommand>();
+  add_deck_options(*command, split->deck);
+  command->add_option("--ranks", split->ranks, "parts to cut it into")->required()->check(CLI::Range(1, 1000000));
+  command->add_option("-o,--output", split->output, "the file; by default the deck's name with .RANKS.parts.h5");
+  command->footer(
+      "example: mudline split deck.xml --ranks 256\n"
+      "         mpirun -np 256 mudline run deck.xml --mesh-parts deck.256.parts.h5");
+  return {command, [split] { return cli::split(*split); }};
+}
+
+Command list_command(CLI::App& app) {
+  struct Options {
+    std::string kind, plugin;
+    bool markdown = false, xsd = false;
+  };
+  CLI::App* command = app.add_subcommand("list", "list what a deck's \"type\" may name");
+  const auto list = std::make_shared<Options>();
+  command->add_option("kind", list->kind, "only this kind: material, physics, boundary condition, ...");
+  command->add_flag("--markdown", list->markdown, "the whole parameter reference as markdown");
+  command->add_flag("--xsd", list->xsd, "an XML schema for editors");
+  command->add_option("--plugin", list->plugin, "load this plugin first");
+  command->footer("example: mudline list \"boundary condition\"");
+  return {command, [list] { return cli::list(list->kind, list->markdown, list->xsd, list->plugin); }};
+}
+
+Command explain_command(CLI::App& app) {
+  struct Options {
+    std::string name, plugin;
+  };
+  CLI::App* command = app.add_subcommand("explain", "parameters of a type or a section");
+  const auto explain = std::make_shared<Options>();
+  command->add_option("name", explain->name, "e.g. \"modified cam clay\"")->required();
+  command->add_option("--plugin", explain->plugin, "load this plugin first");
+  command->footer("example: mudline explain \"generalised alpha\"");
+  return {command, [explain] { return cli::explain(explain->name, explain->plugin); }};
+}
+
+Command template_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("template", "print a commented deck of a physics, or the section of any type");
+  const auto name = std::make_shared<std::string>();
+  command->add_option("name", *name, "e.g. biot")->required();
+  command->footer("example: mudline template biot > my_deck.xml");
+  return {command, [name] { return cli::print_template(*name); }};
+}
+
+/// A command that is a script: its options belong to that, which has a help of its own.
+Command script_command(CLI::App& app, const std::string& script, const std::string& what, const std::string& example,
+                       const std::vector<std::string>& words) {
+  CLI::App* command = app.add_subcommand(script, what);
+  command->allow_extras();
+  command->footer("example: mudline " + script + " " + example);
+  return {command, [script, words] { return cli::become_script(script, words); }};
+}
+
+std::vector<Command> all_commands(CLI::App& app, const std::vector<std::string>& words_after) {
+  return {run_command(app),
+          point_command(app),
+          check_command(app),
+          split_command(app),
+          list_command(app),
+          explain_command(app),
+          template_command(app),
+          script_command(app, "report", "one HTML page of a result: histories, field pictures, balances",
+                         "results/cone_indentation -o cone.html", words_after),
+          script_command(app, "sweep", "run a deck for several values of something, gather and plot the results",
+                         "inputs/cpt/backbone.xml --jobs 2", words_after),
+          {app.add_subcommand("version", "version, compiler and libraries"), [] { return cli::version(); }}};
+}
+
 int dispatch(int argc, char** argv, bool root) {
   CLI::App app{"mudline: large-deformation dynamics of saturated porous media"};
   app.require_subcommand(1);
@@ -101,92 +228,11 @@ int dispatch(int argc, char** argv, bool root) {
   app.add_flag("-v,--verbose", verbose, "print more: every Newton iteration");
   app.add_flag("-q,--quiet", quiet, "print warnings and errors only");
   app.fallthrough();
+  const std::vector<Command> commands =
+      all_commands(app, std::vector<std::string>(argv + std::min(argc, 2), argv + argc));
 
-  cli::RunCommand run;
-  auto* run_command = app.add_subcommand("run", "run a deck");
-  add_deck_options(*run_command, run.deck);
-  add_mesh_parts_option(*run_command, run.mesh_parts);
-  auto* restart = run_command->add_flag("--restart", run.restart,
-                                        "continue from the checkpoint that an earlier run of this deck left");
-  run_command
-      ->add_flag("--accept-changes", run.accept_changes,
-                 "go on although the model differs from that of the checkpoint, or results of before it are missing")
-      ->needs(restart);
-  run_command->add_flag("--overwrite", run.overwrite, "replace results of another deck that has the same result name")
-      ->excludes(restart);
-  run_command->add_option("--steps", run.steps, "stop after so many steps, with a checkpoint")
-      ->check(CLI::Range(1, 1000000000));
-  run_command->footer(
-      "exit codes: 0 done, 2 input error, 3 no convergence (last state saved), 4 stopped by a signal (saved), 1 "
-      "anything else\n"
-      "example: mudline run deck.xml --set \"solver/residual tolerance=1e-8\"");
-
-  cli::PointCommand point;
-  auto* point_command =
-      app.add_subcommand("point", "run the material-point tests of a deck: oedometer, triaxial, simple shear, ...");
-  add_deck_options(*point_command, point.deck);
-  point_command->add_flag("--conformance", point.conformance,
-                          "instead check that the deck's skeleton laws keep to the rules for laws");
-  point_command->add_option("--png", point.png,
-                            "draw all tests into this PNG file: q-p', q and u over axial strain, e over log p'");
-  point_command->footer("example: mudline point inputs/point/mcc_triaxial.xml --png triaxial.png");
-
-  cli::CheckCommand check;
-  auto* check_command = app.add_subcommand("check", "read a deck and its mesh and report errors, without running");
-  add_deck_options(*check_command, check.deck);
-  add_mesh_parts_option(*check_command, check.mesh_parts);
-  check_command
-      ->add_flag("--each", check.each,
-                 "every file is a deck of its own, and no overlay: one line each on standard output")
-      ->excludes("--mesh-parts");
-  check_command->footer("example: mudline check deck.xml");
-
-  cli::SplitCommand split;
-  auto* split_command =
-      app.add_subcommand("split", "make a deck's mesh and cut it into a file of parts, one for each rank of a run");
-  add_deck_options(*split_command, split.deck);
-  split_command->add_option("--ranks", split.ranks, "parts to cut it into")->required()->check(CLI::Range(1, 1000000));
-  split_command->add_option("-o,--output", split.output, "the file; by default the deck's name with .RANKS.parts.h5");
-  split_command->footer(
-      "example: mudline split deck.xml --ranks 256\n"
-      "         mpirun -np 256 mudline run deck.xml --mesh-parts deck.256.parts.h5");
-
-  std::string kind, plugin;
-  bool markdown = false, xsd = false;
-  auto* list_command = app.add_subcommand("list", "list what a deck's \"type\" may name");
-  list_command->add_option("kind", kind, "only this kind: material, physics, boundary condition, ...");
-  list_command->add_flag("--markdown", markdown, "the whole parameter reference as markdown");
-  list_command->add_flag("--xsd", xsd, "an XML schema for editors");
-  list_command->add_option("--plugin", plugin, "load this plugin first");
-  list_command->footer("example: mudline list \"boundary condition\"");
-
-  std::string name;
-  auto* explain_command = app.add_subcommand("explain", "parameters of a type or a section");
-  explain_command->add_option("name", name, "e.g. \"modified cam clay\"")->required();
-  explain_command->add_option("--plugin", plugin, "load this plugin first");
-  explain_command->footer("example: mudline explain \"generalised alpha\"");
-
-  std::string template_name;
-  auto* template_command =
-      app.add_subcommand("template", "print a commented deck of a physics, or the section of any type");
-  template_command->add_option("name", template_name, "e.g. biot")->required();
-  template_command->footer("example: mudline template biot > my_deck.xml");
-
-  auto* report_command = app.add_subcommand("report", "one HTML page of a result: histories, field pictures, balances");
-  report_command->allow_extras();
-  report_command->footer("example: mudline report results/cone_indentation -o cone.html");
-
-  auto* sweep_command =
-      app.add_subcommand("sweep", "run a deck for several values of something, gather and plot the results");
-  sweep_command->allow_extras();
-  sweep_command->footer("example: mudline sweep inputs/cpt/backbone.xml --jobs 2");
-
-  auto* version_command = app.add_subcommand("version", "version, compiler and libraries");
-
-  // These commands' options belong to their scripts, which have a help of their own.
-  for (const char* script : {"report", "sweep"})
-    if (argc > 1 && std::string(argv[1]) == script)
-      return cli::become_script(script, std::vector<std::string>(argv + 2, argv + argc));
+  for (const Command& command : commands)  // a script reads its words itself, its --help too
+    if (argc > 1 && command.options->get_allow_extras() && command.options->get_name() == argv[1]) return command.act();
   try {
     require_command(app, argc, argv);
     app.parse(argc, argv);
@@ -197,14 +243,8 @@ int dispatch(int argc, char** argv, bool root) {
     return 2;
   }
   log::configure(cli::rank(), quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);
-  if (*run_command) return cli::run(run);
-  if (*split_command) return cli::split(split);
-  if (*point_command) return cli::point(point);
-  if (*check_command) return cli::check(check);
-  if (*list_command) return cli::list(kind, markdown, xsd, plugin);
-  if (*explain_command) return cli::explain(name, plugin);
-  if (*template_command) return cli::print_template(template_name);
-  if (*version_command) return cli::version();
+  for (const Command& command : commands)
+    if (*command.options && !command.options->get_allow_extras()) return command.act();
   return 1;
 }
 

@@ -46,10 +46,10 @@ template <class Path, class T, class Model>
 KOKKOS_INLINE_FUNCTION bool integrate_plasticity_by(const Model& model, const IntegrationOptions& options,
                                                     const T* strain, T* stress, T* h) {
   Path path(model, options, strain);
-  for (int i = 0; i < 6; ++i) path.stress[i] = stress[i];
+  for (int i = 0; i < Path::N; ++i) path.stress[i] = stress[i];
   for (int i = 0; i < Model::hardening; ++i) path.h[i] = h[i];
   if (!path.integrate()) return false;
-  for (int i = 0; i < 6; ++i) stress[i] = path.stress[i];
+  for (int i = 0; i < Path::N; ++i) stress[i] = path.stress[i];
   for (int i = 0; i < Model::hardening; ++i) h[i] = path.h[i];
   return true;
 }

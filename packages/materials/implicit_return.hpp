@@ -20,6 +20,7 @@ template <class T, class Model>
 class ImplicitReturn : public PlasticPath<T, Model> {
  public:
   using PlasticPath<T, Model>::H;
+  using PlasticPath<T, Model>::N;
   using PlasticPath<T, Model>::stress;
   using PlasticPath<T, Model>::h;
 
@@ -51,13 +52,13 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   using PlasticPath<T, Model>::copy;
   using PlasticPath<T, Model>::admissible;
 
-  static constexpr int N = 7 + H;
+  static constexpr int unknowns = N + H + 1;
 
   /// What stays fixed during one subincrement.
   template <class X>
   struct Start {
-    X stress[6], h[H], strain[6], middle_volume, end_volume;
-    X flow[6], hardening[H];  // half of b and of the rates of the start; zero in backward Euler
+    X stress[N], h[H], strain[N], middle_volume, end_volume;
+    X flow[N], hardening[H];  // half of b and of the rates of the start; zero in backward Euler
     double weight;            // of those of the end
   };
   struct Scales {
@@ -66,46 +67,45 @@ class ImplicitReturn : public PlasticPath<T, Model> {
 
   KOKKOS_INLINE_FUNCTION bool advance(double time, double step) {
     Start<T> start;
-    copy(stress, start.stress, 6);
+    copy(stress, start.stress, N);
     copy(h, start.h, H);
-    for (int i = 0; i < 6; ++i) start.strain[i] = step * strain_[i];
+    for (int i = 0; i < N; ++i) start.strain[i] = step * strain_[i];
     start.middle_volume = (time + 0.5 * step) * volume_;
     start.end_volume = (time + step) * volume_;
-    T trial[6];
+    T trial[N];
     model_.elastic_step(start.stress, start.strain, start.middle_volume, trial);
     const double f = value(model_.yield(trial, h));
     if (!(::fabs(f) < 1e200) || !admissible(trial, h)) return false;
     if (f <= options_.yield_tolerance) {
-      copy(trial, stress, 6);
+      copy(trial, stress, N);
       return true;
     }
     begin_flow(start, time * volume_);
     ++this->substeps;
-    double x[N];
+    double x[unknowns];
     Start<double> plain;
     plain.weight = start.weight;
     Scales scales;
-    scales.stress = 0.0;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < N; ++i) {
       x[i] = value(trial[i]);
       plain.stress[i] = value(stress[i]);
       plain.strain[i] = value(start.strain[i]);
       plain.flow[i] = value(start.flow[i]);
-      scales.stress = ::fmax(scales.stress, ::fmax(::fabs(plain.stress[i]), ::fabs(x[i])));
     }
+    scales.stress = ::fmax(model_.space.largest(plain.stress), model_.space.largest(x));
     for (int i = 0; i < H; ++i) {
-      x[6 + i] = plain.h[i] = value(h[i]);
+      x[N + i] = plain.h[i] = value(h[i]);
       plain.hardening[i] = value(start.hardening[i]);
       scales.h[i] = model_.hardening_scale(i, plain.h[i]);
     }
     plain.middle_volume = value(start.middle_volume);
     plain.end_volume = value(start.end_volume);
-    x[N - 1] = 0.0;
-    SmallLu<N> matrix;
-    double guess[N];
-    copy_plain(x, guess, N);
+    x[unknowns - 1] = 0.0;
+    SmallLu<unknowns> matrix;
+    double guess[unknowns];
+    copy_plain(x, guess, unknowns);
     if (cutting_planes(plain, guess) && iterate(plain, guess, matrix, scales)) {
-      copy_plain(guess, x, N);
+      copy_plain(guess, x, unknowns);
     } else if (!iterate(plain, x, matrix, scales) && !follow(plain, x, matrix, scales)) {
       return false;
     }
@@ -118,15 +118,15 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   KOKKOS_INLINE_FUNCTION void begin_flow(Start<T>& start, const T& volume) const {
     constexpr double on_surface = 1e-7;
     start.weight = 1.0;
-    for (int i = 0; i < 6; ++i) start.flow[i] = T(0.0);
+    for (int i = 0; i < N; ++i) start.flow[i] = T(0.0);
     for (int i = 0; i < H; ++i) start.hardening[i] = T(0.0);
     if constexpr (Model::trapezoidal) {
       if (value(model_.yield(start.stress, start.h)) < -on_surface) return;
-      PlasticFlow<T, H> flow;
+      typename PlasticPath<T, Model>::template Flow<T> flow;
       model_.flow(start.stress, start.h, volume, flow);
       const T* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
       start.weight = 0.5;
-      for (int i = 0; i < 6; ++i) start.flow[i] = 0.5 * b[i];
+      for (int i = 0; i < N; ++i) start.flow[i] = 0.5 * b[i];
       for (int i = 0; i < H; ++i)
         start.hardening[i] = 0.5 * flow.hardening_rate[i] / model_.hardening_measure(i, start.h[i]);
     }
@@ -135,40 +135,40 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   /// The equations, scaled to order one.
   template <class X, class S>
   KOKKOS_INLINE_FUNCTION void residual(const X* x, const Start<S>& start, const Scales& scales, X* r) const {
-    PlasticFlow<X, H> flow;
+    typename PlasticPath<T, Model>::template Flow<X> flow;
     const X end_volume(start.end_volume), middle_volume(start.middle_volume);
-    model_.flow(x, x + 6, end_volume, flow);
+    model_.flow(x, x + N, end_volume, flow);
     const X* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
-    const X& multiplier = x[N - 1];
-    X elastic[6], to[6];
-    for (int i = 0; i < 6; ++i) elastic[i] = start.strain[i] - multiplier * (start.weight * b[i] + start.flow[i]);
+    const X& multiplier = x[unknowns - 1];
+    X elastic[N], to[N];
+    for (int i = 0; i < N; ++i) elastic[i] = start.strain[i] - multiplier * (start.weight * b[i] + start.flow[i]);
     model_.elastic_step(start.stress, elastic, middle_volume, to);
-    for (int i = 0; i < 6; ++i) r[i] = (x[i] - to[i]) / scales.stress;
+    for (int i = 0; i < N; ++i) r[i] = (x[i] - to[i]) / (scales.stress * model_.space.unit(i));
     for (int i = 0; i < H; ++i) {
-      const X rate = start.weight * flow.hardening_rate[i] / model_.hardening_measure(i, x[6 + i]) + start.hardening[i];
-      r[6 + i] = (x[6 + i] - model_.hardened(i, start.h[i], multiplier * rate)) / scales.h[i];
+      const X rate = start.weight * flow.hardening_rate[i] / model_.hardening_measure(i, x[N + i]) + start.hardening[i];
+      r[N + i] = (x[N + i] - model_.hardened(i, start.h[i], multiplier * rate)) / scales.h[i];
     }
-    r[N - 1] = model_.yield(x, x + 6);
+    r[unknowns - 1] = model_.yield(x, x + N);
   }
 
-  KOKKOS_INLINE_FUNCTION bool evaluate(const double* x, const Start<double>& start, const Scales& scales, Dual<N>* r,
-                                       double& size) const {
-    if (!model_.admissible(x, x + 6)) return false;
-    Dual<N> y[N];
-    for (int i = 0; i < N; ++i) y[i] = Dual<N>(x[i], i);
+  KOKKOS_INLINE_FUNCTION bool evaluate(const double* x, const Start<double>& start, const Scales& scales,
+                                       Dual<unknowns>* r, double& size) const {
+    if (!model_.admissible(x, x + N)) return false;
+    Dual<unknowns> y[unknowns];
+    for (int i = 0; i < unknowns; ++i) y[i] = Dual<unknowns>(x[i], i);
     residual(y, start, scales, r);
     size = 0.0;
-    for (int i = 0; i < N; ++i) size += r[i].v * r[i].v;
+    for (int i = 0; i < unknowns; ++i) size += r[i].v * r[i].v;
     size = ::sqrt(size);
     return size < 1e200;  // not for a NaN
   }
 
   KOKKOS_INLINE_FUNCTION bool lowers(const double* x, const Start<double>& start, const Scales& scales, double fraction,
                                      double size) const {
-    if (!model_.admissible(x, x + 6)) return false;
-    double r[N], sum = 0.0;
+    if (!model_.admissible(x, x + N)) return false;
+    double r[unknowns], sum = 0.0;
     residual(x, start, scales, r);
-    for (int i = 0; i < N; ++i) sum += r[i] * r[i];
+    for (int i = 0; i < unknowns; ++i) sum += r[i] * r[i];
     return ::sqrt(sum) < (1.0 - 1e-3 * fraction) * size;
   }
 
@@ -178,54 +178,54 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     constexpr int planes = 8;
     constexpr double near = 1e-2;
     for (int plane = 0; plane < planes; ++plane) {
-      const double f = model_.yield(x, x + 6);
+      const double f = model_.yield(x, x + N);
       if (!(::fabs(f) < 1e200)) return false;
       if (::fabs(f) < near) return plane > 0;
-      PlasticFlow<double, H> flow;
-      model_.flow(x, x + 6, start.end_volume, flow);
-      double db[6];
+      typename PlasticPath<T, Model>::template Flow<double> flow;
+      model_.flow(x, x + N, start.end_volume, flow);
+      double db[N];
       const double* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
-      sym6::isotropic(flow.bulk, flow.shear, b, db);
-      double modulus = sym6::work(db, flow.yield_gradient);
+      model_.space.isotropic(flow.bulk, flow.shear, b, db);
+      double modulus = model_.space.work(db, flow.yield_gradient);
       for (int i = 0; i < H; ++i) modulus -= flow.hardening_gradient[i] * flow.hardening_rate[i];
       if (!(modulus > 0.0)) return false;
       const double multiplier = f / modulus;
-      for (int i = 0; i < 6; ++i) x[i] -= multiplier * db[i];
-      for (int i = 0; i < H; ++i) x[6 + i] += multiplier * flow.hardening_rate[i];
-      x[N - 1] += multiplier;
-      if (!model_.admissible(x, x + 6)) return false;
+      for (int i = 0; i < N; ++i) x[i] -= multiplier * db[i];
+      for (int i = 0; i < H; ++i) x[N + i] += multiplier * flow.hardening_rate[i];
+      x[unknowns - 1] += multiplier;
+      if (!model_.admissible(x, x + N)) return false;
     }
     return false;
   }
 
   /// Newton; `matrix` is the factorised derivative at the solution, but for the last, tiny, correction.
-  KOKKOS_INLINE_FUNCTION bool iterate(const Start<double>& start, double* x, SmallLu<N>& matrix,
+  KOKKOS_INLINE_FUNCTION bool iterate(const Start<double>& start, double* x, SmallLu<unknowns>& matrix,
                                       const Scales& scales) const {
-    Dual<N> r[N];
+    Dual<unknowns> r[unknowns];
     double size;
     if (!evaluate(x, start, scales, r, size)) return false;
     for (int iteration = 0; iteration < 30; ++iteration) {
-      double step[N];
-      for (int i = 0; i < N; ++i) {
+      double step[unknowns];
+      for (int i = 0; i < unknowns; ++i) {
         step[i] = -r[i].v;
-        for (int j = 0; j < N; ++j) matrix.a[i][j] = r[i].d[j];
+        for (int j = 0; j < unknowns; ++j) matrix.a[i][j] = r[i].d[j];
       }
       if (!matrix.factorise()) return false;
       matrix.solve(step);
       if (size < 1e-9) {  // the last correction brings it down to rounding
-        for (int i = 0; i < N; ++i) x[i] += step[i];
-        return x[N - 1] >= 0.0 && model_.admissible(x, x + 6);
+        for (int i = 0; i < unknowns; ++i) x[i] += step[i];
+        return x[unknowns - 1] >= 0.0 && model_.admissible(x, x + N);
       }
-      double y[N], fraction = 1.0, new_size;
+      double y[unknowns], fraction = 1.0, new_size;
       bool lower = false;
       for (int cut = 0; cut < 7 && !lower; ++cut, fraction *= 0.5) {
-        for (int i = 0; i < N; ++i) y[i] = x[i] + fraction * step[i];
+        for (int i = 0; i < unknowns; ++i) y[i] = x[i] + fraction * step[i];
         // shorter steps are tried without derivatives first, at a fraction of the cost
         lower = (cut == 0 || lowers(y, start, scales, fraction, size)) && evaluate(y, start, scales, r, new_size) &&
                 new_size < (1.0 - 1e-3 * fraction) * size;
       }
       if (!lower) return false;
-      copy_plain(y, x, N);
+      copy_plain(y, x, unknowns);
       size = new_size;
     }
     return false;
@@ -234,27 +234,27 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   /// Where Newton fails from the trial stress: the same return for growing parts of the strain increment, each starting
   /// from the solution of the one before. It ends at the same solution, so the answer does not jump from this way to
   /// the other.
-  KOKKOS_INLINE_FUNCTION bool follow(const Start<double>& start, double* x, SmallLu<N>& matrix,
+  KOKKOS_INLINE_FUNCTION bool follow(const Start<double>& start, double* x, SmallLu<unknowns>& matrix,
                                      const Scales& scales) const {
     Start<double> part = start;
-    double y[N], done = 0.0, step = 0.25;
-    copy_plain(start.stress, x, 6);
-    copy_plain(start.h, x + 6, H);
-    x[N - 1] = 0.0;
+    double y[unknowns], done = 0.0, step = 0.25;
+    copy_plain(start.stress, x, N);
+    copy_plain(start.h, x + N, H);
+    x[unknowns - 1] = 0.0;
     for (int attempt = 0; attempt < 60 && done < 1.0 && step > 1e-4; ++attempt) {
-      for (int i = 0; i < 6; ++i) part.strain[i] = (done + step) * start.strain[i];
+      for (int i = 0; i < N; ++i) part.strain[i] = (done + step) * start.strain[i];
       model_.elastic_step(part.stress, part.strain, part.middle_volume, y);
-      copy_plain(start.h, y + 6, H);
-      bool ok = model_.admissible(y, y + 6);
-      if (ok && model_.yield(y, y + 6) > options_.yield_tolerance) {
-        if (x[N - 1] > 0.0) copy_plain(x, y, N);
-        if (!(x[N - 1] > 0.0)) y[N - 1] = 0.0;
+      copy_plain(start.h, y + N, H);
+      bool ok = model_.admissible(y, y + N);
+      if (ok && model_.yield(y, y + N) > options_.yield_tolerance) {
+        if (x[unknowns - 1] > 0.0) copy_plain(x, y, unknowns);
+        if (!(x[unknowns - 1] > 0.0)) y[unknowns - 1] = 0.0;
         ok = iterate(part, y, matrix, scales);
       } else {
-        y[N - 1] = 0.0;
+        y[unknowns - 1] = 0.0;
       }
       if (ok) {
-        copy_plain(y, x, N);
+        copy_plain(y, x, unknowns);
         done += step;
         step = ::fmin(2.0 * step, 1.0 - done);
       } else {
@@ -269,23 +269,23 @@ class ImplicitReturn : public PlasticPath<T, Model> {
   }
 
   /// Takes over the solution, with derivatives where T has them: (dR/dx) dx = -dR/d(strain).
-  KOKKOS_INLINE_FUNCTION void write(const Start<T>& start, const double* x, const SmallLu<N>& matrix,
+  KOKKOS_INLINE_FUNCTION void write(const Start<T>& start, const double* x, const SmallLu<unknowns>& matrix,
                                     const Scales& scales) {
-    T y[N];
-    for (int i = 0; i < N; ++i) y[i] = T(x[i]);
+    T y[unknowns];
+    for (int i = 0; i < unknowns; ++i) y[i] = T(x[i]);
     if constexpr (!std::is_same_v<T, double>) {
-      T r[N];
+      T r[unknowns];
       residual(y, start, scales, r);
       constexpr int directions = sizeof(r[0].d) / sizeof(double);
       for (int j = 0; j < directions; ++j) {
-        double column[N];
-        for (int i = 0; i < N; ++i) column[i] = -r[i].d[j];
+        double column[unknowns];
+        for (int i = 0; i < unknowns; ++i) column[i] = -r[i].d[j];
         matrix.solve(column);
-        for (int i = 0; i < N; ++i) y[i].d[j] = column[i];
+        for (int i = 0; i < unknowns; ++i) y[i].d[j] = column[i];
       }
     }
-    copy(y, stress, 6);
-    copy(y + 6, h, H);
+    copy(y, stress, N);
+    copy(y + N, h, H);
   }
 };
 

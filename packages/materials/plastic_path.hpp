@@ -1,17 +1,17 @@
 #pragma once
 
 #include "materials/integration.hpp"
-#include "tensor/sym6.hpp"
+#include "materials/stress_space.hpp"
 
 namespace mudline {
 
-/// All that the plastic rate equations need of a model at one state. Gradients with respect to stress are strain-like
-/// six-vectors (engineering shear), H is the number of hardening variables.
-template <class T, int H>
+/// All that the plastic rate equations need of a model at one state. Gradients with respect to stress are strains of N
+/// numbers (stress_space.hpp), H is the number of hardening variables.
+template <class T, int H, int N = 6>
 struct PlasticFlow {
   T bulk, shear;            // [Pa] tangential elastic moduli
-  T yield_gradient[6];      // a = df/dsigma
-  T flow_direction[6];      // b = dg/dsigma; unused by associated models
+  T yield_gradient[N];      // a = df/dsigma
+  T flow_direction[N];      // b = dg/dsigma; unused by associated models
   T hardening_gradient[H];  // df/dh
   T hardening_rate[H];      // B in dh = dlambda B
 };
@@ -23,6 +23,7 @@ struct PlasticFlow {
 /// A Model provides (KOKKOS_INLINE_FUNCTION, tension positive):
 ///     static constexpr int hardening;                       number of hardening variables, at least 1
 ///     static constexpr bool associated;                     b = a
+///     space                                                 how stresses are written down (stress_space.hpp)
 ///     T yield(const T* stress, const T* h) const;           dimensionless, negative inside, of order 1 outside
 ///     void flow(const T* stress, const T* h, const T& volume_strain, PlasticFlow<T, hardening>&) const;
 ///     void elastic(const T* stress, const T* strain, T* out) const;    exact, from the start of the increment
@@ -39,14 +40,16 @@ struct PlasticFlow {
 template <class T, class Model>
 class PlasticPath {
  public:
-  static constexpr int H = Model::hardening;
+  static constexpr int H = Model::hardening, N = std::decay_t<decltype(Model::space)>::size;
+  template <class X>
+  using Flow = PlasticFlow<X, H, N>;
 
   KOKKOS_INLINE_FUNCTION PlasticPath(const Model& model, const IntegrationOptions& options, const T* strain)
-      : model_(model), options_(options), volume_(sym6::trace(strain)) {
-    for (int i = 0; i < 6; ++i) strain_[i] = strain[i];
+      : model_(model), options_(options), volume_(model.space.trace(strain)) {
+    copy(strain, strain_, N);
   }
 
-  T stress[6];       // [Pa] before integration: old; after: new
+  T stress[N];       // [Pa] before integration: old; after: new
   T h[H];            // hardening variables, likewise
   int substeps = 0;  // attempts, those that were rejected included; 0: elastic
 
@@ -56,8 +59,8 @@ class PlasticPath {
   }
 
   KOKKOS_INLINE_FUNCTION bool admissible(const T* sigma, const T* hardening) const {
-    double s[6], x[H];
-    for (int i = 0; i < 6; ++i) s[i] = value(sigma[i]);
+    double s[N], x[H];
+    for (int i = 0; i < N; ++i) s[i] = value(sigma[i]);
     for (int i = 0; i < H; ++i) x[i] = value(hardening[i]);
     return model_.admissible(s, x);
   }
@@ -70,10 +73,10 @@ class PlasticPath {
   }
 
   /// D b and a.D b - df/dh.B; false where the latter is not positive (softening faster than elastic unloading).
-  KOKKOS_INLINE_FUNCTION bool plastic_modulus(const PlasticFlow<T, H>& flow, T* db, T& modulus) const {
+  KOKKOS_INLINE_FUNCTION bool plastic_modulus(const Flow<T>& flow, T* db, T& modulus) const {
     const T* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
-    sym6::isotropic(flow.bulk, flow.shear, b, db);
-    modulus = sym6::work(db, flow.yield_gradient);
+    model_.space.isotropic(flow.bulk, flow.shear, b, db);
+    modulus = model_.space.work(db, flow.yield_gradient);
     for (int i = 0; i < H; ++i) modulus -= flow.hardening_gradient[i] * flow.hardening_rate[i];
     return value(modulus) > 0.0;
   }
@@ -84,24 +87,24 @@ class PlasticPath {
     T f = model_.yield(stress, h);
     for (int iteration = 0; iteration < 30; ++iteration) {
       if (::fabs(value(f)) <= options_.yield_tolerance) return true;
-      PlasticFlow<T, H> flow;
-      T db[6], modulus, s[6], x[H];
+      Flow<T> flow;
+      T db[N], modulus, s[N], x[H];
       model_.flow(stress, h, volume_ * time, flow);
       bool consistent = plastic_modulus(flow, db, modulus);
       if (consistent) {
         const T multiplier = f / modulus;
-        for (int i = 0; i < 6; ++i) s[i] = stress[i] - multiplier * db[i];
+        for (int i = 0; i < N; ++i) s[i] = stress[i] - multiplier * db[i];
         for (int i = 0; i < H; ++i) x[i] = h[i] + multiplier * flow.hardening_rate[i];
         consistent = admissible(s, x) && ::fabs(value(model_.yield(s, x))) < ::fabs(value(f));
       }
       if (!consistent) {
         copy(h, x, H);
-        for (int i = 0; i < 6; ++i) db[i] = flow.yield_gradient[i] * (i < 3 ? 1.0 : 0.5);  // the gradient as a tensor
-        const T step = f / sym6::work(flow.yield_gradient, db);
-        for (int i = 0; i < 6; ++i) s[i] = stress[i] - step * db[i];
+        model_.space.as_stress(flow.yield_gradient, db);
+        const T step = f / model_.space.work(flow.yield_gradient, db);
+        for (int i = 0; i < N; ++i) s[i] = stress[i] - step * db[i];
         if (!admissible(s, x)) return false;
       }
-      copy(s, stress, 6);
+      copy(s, stress, N);
       copy(x, h, H);
       f = model_.yield(stress, h);
     }
@@ -110,7 +113,7 @@ class PlasticPath {
 
   const Model& model_;
   const IntegrationOptions& options_;
-  T strain_[6], volume_;
+  T strain_[N], volume_;
 };
 
 /// Elasticity with constant moduli: the elastic part of a model.
@@ -118,6 +121,7 @@ struct ConstantElasticity {
   double bulk, shear;  // [Pa]
 
   static constexpr bool trapezoidal = false;
+  static constexpr SixComponents space{};
   template <class T>
   KOKKOS_INLINE_FUNCTION double hardening_measure(int, const T&) const {
     return 1.0;

@@ -19,23 +19,24 @@ template <class T, class Model>
 class Substepping : public PlasticPath<T, Model> {
  public:
   using PlasticPath<T, Model>::H;
+  using PlasticPath<T, Model>::N;
   using PlasticPath<T, Model>::stress;
   using PlasticPath<T, Model>::h;
 
   KOKKOS_INLINE_FUNCTION Substepping(const Model& model, const IntegrationOptions& options, const T* strain)
       : PlasticPath<T, Model>(model, options, strain) {
-    for (int i = 0; i < 6; ++i) plain_strain_[i] = value(strain[i]);
+    for (int i = 0; i < N; ++i) plain_strain_[i] = value(strain[i]);
   }
 
   /// False when no admissible state was found; stress and h are then undefined.
   KOKKOS_INLINE_FUNCTION bool integrate() {
     if (!this->prepare()) return false;
-    T trial[6];
+    T trial[N];
     model_.elastic(stress, strain_, trial);
     const double f = value(model_.yield(trial, h));
     if (!(::fabs(f) < 1e200)) return false;  // also not a number
     if (f <= options_.yield_tolerance) {
-      copy(trial, stress, 6);
+      copy(trial, stress, N);
       return admissible(stress, h);
     }
     const double crossing = find_crossing(f);
@@ -55,9 +56,9 @@ class Substepping : public PlasticPath<T, Model> {
 
   /// Yield function after the elastic fraction t of the increment, values only.
   KOKKOS_INLINE_FUNCTION double elastic_yield(double t) const {
-    double part[6], from[6], to[6], x[H];
-    for (int i = 0; i < 6; ++i) part[i] = t * plain_strain_[i];
-    for (int i = 0; i < 6; ++i) from[i] = value(stress[i]);
+    double part[N], from[N], to[N], x[H];
+    for (int i = 0; i < N; ++i) part[i] = t * plain_strain_[i];
+    for (int i = 0; i < N; ++i) from[i] = value(stress[i]);
     for (int i = 0; i < H; ++i) x[i] = value(h[i]);
     model_.elastic(from, part, to);
     return model_.yield(to, x);
@@ -66,14 +67,14 @@ class Substepping : public PlasticPath<T, Model> {
   /// Rate of the yield function along the elastic path at stress `sigma` after the fraction t, values only;
   /// `size` is the product of the norms, for judging the angle.
   KOKKOS_INLINE_FUNCTION double elastic_yield_rate(const T* sigma, double t, double& size) const {
-    double s[6], x[H], d[6];
-    PlasticFlow<double, H> flow;
-    for (int i = 0; i < 6; ++i) s[i] = value(sigma[i]);
+    double s[N], x[H], d[N];
+    typename PlasticPath<T, Model>::template Flow<double> flow;
+    for (int i = 0; i < N; ++i) s[i] = value(sigma[i]);
     for (int i = 0; i < H; ++i) x[i] = value(h[i]);
     model_.flow(s, x, t * value(volume_), flow);
-    sym6::isotropic(flow.bulk, flow.shear, plain_strain_, d);
-    size = ::sqrt(sym6::norm_squared(flow.yield_gradient) * sym6::norm_squared(d));
-    return sym6::work(d, flow.yield_gradient);
+    model_.space.isotropic(flow.bulk, flow.shear, plain_strain_, d);
+    size = ::sqrt(model_.space.norm_squared(flow.yield_gradient) * model_.space.norm_squared(d));
+    return model_.space.work(d, flow.yield_gradient);
   }
 
   /// Fraction of the increment at which the elastic path leaves the surface; 0 when it does so at once.
@@ -122,8 +123,8 @@ class Substepping : public PlasticPath<T, Model> {
 
   /// Moves stress elastically to the crossing; returns the crossing with its derivative from f(t, strain) = 0.
   KOKKOS_INLINE_FUNCTION T advance_to_yield(double crossing) {
-    T part[6], at[6];
-    for (int i = 0; i < 6; ++i) part[i] = strain_[i] * crossing;
+    T part[N], at[N];
+    for (int i = 0; i < N; ++i) part[i] = strain_[i] * crossing;
     model_.elastic(stress, part, at);
     const T f = model_.yield(at, h);
     double size;
@@ -131,15 +132,15 @@ class Substepping : public PlasticPath<T, Model> {
     T fraction(crossing);
     // A Newton step: it polishes the root and gives it its derivative. A grazing path has none.
     if (rate > 1e-10 * size) fraction -= f / rate;
-    for (int i = 0; i < 6; ++i) part[i] = strain_[i] * fraction;
+    for (int i = 0; i < N; ++i) part[i] = strain_[i] * fraction;
     model_.elastic(stress, part, at);
-    copy(at, stress, 6);
+    copy(at, stress, N);
     return fraction;
   }
 
   KOKKOS_INLINE_FUNCTION bool integrate_plastic(T time) {
     constexpr double smallest = 1e-8;
-    T step = 1.0 - time, new_stress[6], new_h[H], error_squared;
+    T step = 1.0 - time, new_stress[N], new_h[H], error_squared;
     bool rejected = false;
     for (int attempt = 0; attempt < options_.maximum_substeps; ++attempt) {
       ++this->substeps;
@@ -150,7 +151,7 @@ class Substepping : public PlasticPath<T, Model> {
         step *= step_factor(error_squared, 0.1, 1.0);
         rejected = true;
       } else {
-        copy(new_stress, stress, 6);
+        copy(new_stress, stress, N);
         copy(new_h, h, H);
         time += step;
         if (!correct_drift(time)) return false;
@@ -165,8 +166,8 @@ class Substepping : public PlasticPath<T, Model> {
   }
 
   KOKKOS_INLINE_FUNCTION bool exhausted() const {
-    double s[6];
-    for (int i = 0; i < 6; ++i) s[i] = value(stress[i]);
+    double s[N];
+    for (int i = 0; i < N; ++i) s[i] = value(stress[i]);
     return model_.exhausted(s);
   }
 
@@ -196,17 +197,17 @@ class Substepping : public PlasticPath<T, Model> {
   /// One substep; false where the rates are undefined on the way.
   KOKKOS_INLINE_FUNCTION bool modified_euler(const T& time, const T& step, T* new_stress, T* new_h,
                                              T& error_squared) const {
-    T s1[6], h1[H], s2[6], h2[H];
+    T s1[N], h1[H], s2[N], h2[H];
     if (!rates(stress, h, time, step, s1, h1)) return false;
-    for (int i = 0; i < 6; ++i) new_stress[i] = stress[i] + s1[i];
+    for (int i = 0; i < N; ++i) new_stress[i] = stress[i] + s1[i];
     for (int i = 0; i < H; ++i) new_h[i] = h[i] + h1[i];
     if (!admissible(new_stress, new_h)) return false;
     if (!rates(new_stress, new_h, time + step, step, s2, h2)) return false;
-    for (int i = 0; i < 6; ++i) new_stress[i] = stress[i] + 0.5 * (s1[i] + s2[i]);
+    for (int i = 0; i < N; ++i) new_stress[i] = stress[i] + 0.5 * (s1[i] + s2[i]);
     for (int i = 0; i < H; ++i) new_h[i] = h[i] + 0.5 * (h1[i] + h2[i]);
     if (!admissible(new_stress, new_h)) return false;
-    for (int i = 0; i < 6; ++i) s2[i] -= s1[i];
-    error_squared = sym6::norm_squared(s2) / (4.0 * sym6::norm_squared(new_stress));
+    for (int i = 0; i < N; ++i) s2[i] -= s1[i];
+    error_squared = model_.space.norm_squared(s2) / (4.0 * model_.space.norm_squared(new_stress));
     for (int i = 0; i < H; ++i) {
       const double scale = model_.hardening_scale(i, value(new_h[i]));
       const T e = (h2[i] - h1[i]) / (2.0 * scale);
@@ -226,26 +227,26 @@ class Substepping : public PlasticPath<T, Model> {
                                      {-181.0 / 270, 5.0 / 2, -266.0 / 297, -91.0 / 27, 189.0 / 55},
                                      {19.0 / 216, 0.0, 1000.0 / 2079, -125.0 / 216, 81.0 / 88, 5.0 / 56}};
     constexpr double fourth_order[6] = {31.0 / 540, 0.0, 190.0 / 297, -145.0 / 108, 351.0 / 220, 1.0 / 20};
-    T s[6][6], x[6][H], stress_error[6], h_error[H];
+    T s[6][N], x[6][H], stress_error[N], h_error[H];
     for (int stage = 0; stage <= 6; ++stage) {
-      copy(stress, new_stress, 6);
+      copy(stress, new_stress, N);
       copy(h, new_h, H);
       for (int j = 0; j < stage; ++j) {
         if (weight[stage][j] == 0.0) continue;
-        for (int i = 0; i < 6; ++i) new_stress[i] += weight[stage][j] * s[j][i];
+        for (int i = 0; i < N; ++i) new_stress[i] += weight[stage][j] * s[j][i];
         for (int i = 0; i < H; ++i) new_h[i] += weight[stage][j] * x[j][i];
       }
       if (stage > 0 && !admissible(new_stress, new_h)) return false;
       if (stage < 6 && !rates(new_stress, new_h, time + step * node[stage], step, s[stage], x[stage])) return false;
     }
-    for (int i = 0; i < 6; ++i) stress_error[i] = T(0.0);
+    for (int i = 0; i < N; ++i) stress_error[i] = T(0.0);
     for (int i = 0; i < H; ++i) h_error[i] = T(0.0);
     for (int j = 0; j < 6; ++j) {
       const double difference = weight[6][j] - fourth_order[j];
-      for (int i = 0; i < 6; ++i) stress_error[i] += difference * s[j][i];
+      for (int i = 0; i < N; ++i) stress_error[i] += difference * s[j][i];
       for (int i = 0; i < H; ++i) h_error[i] += difference * x[j][i];
     }
-    error_squared = sym6::norm_squared(stress_error) / sym6::norm_squared(new_stress);
+    error_squared = model_.space.norm_squared(stress_error) / model_.space.norm_squared(new_stress);
     for (int i = 0; i < H; ++i) {
       const T e = h_error[i] / model_.hardening_scale(i, value(new_h[i]));
       if (value(e) * value(e) > value(error_squared)) error_squared = e * e;
@@ -255,20 +256,20 @@ class Substepping : public PlasticPath<T, Model> {
 
   KOKKOS_INLINE_FUNCTION bool rates(const T* sigma, const T* hardening, const T& time, const T& step, T* d_stress,
                                     T* d_hardening) const {
-    PlasticFlow<T, H> flow;
-    T d[6], db[6], modulus;
+    typename PlasticPath<T, Model>::template Flow<T> flow;
+    T d[N], db[N], modulus;
     model_.flow(sigma, hardening, volume_ * time, flow);
     if (!plastic_modulus(flow, db, modulus)) return false;
-    for (int i = 0; i < 6; ++i) d_stress[i] = strain_[i] * step;
-    sym6::isotropic(flow.bulk, flow.shear, d_stress, d);
-    T multiplier = sym6::work(d, flow.yield_gradient) / modulus;
+    for (int i = 0; i < N; ++i) d_stress[i] = strain_[i] * step;
+    model_.space.isotropic(flow.bulk, flow.shear, d_stress, d);
+    T multiplier = model_.space.work(d, flow.yield_gradient) / modulus;
     if (value(multiplier) < 0.0) multiplier = T(0.0);
-    for (int i = 0; i < 6; ++i) d_stress[i] = d[i] - multiplier * db[i];
+    for (int i = 0; i < N; ++i) d_stress[i] = d[i] - multiplier * db[i];
     for (int i = 0; i < H; ++i) d_hardening[i] = multiplier * flow.hardening_rate[i];
     return true;
   }
 
-  double plain_strain_[6];
+  double plain_strain_[N];
 };
 
 }  // namespace mudline

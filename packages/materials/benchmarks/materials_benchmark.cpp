@@ -84,7 +84,7 @@ double substeps(const ModifiedCamClay& law, const Batch& batch) {
   long sum = 0;
   for (int i = 0; i < batch.points; ++i) {
     const double* h = &batch.old_state(i, 0);
-    const ModifiedCamClayModel model(law, law.specific_volume(batch.e(i, 0), h), h[0]);
+    const ModifiedCamClayModel<SixComponents> model(law, {}, law.specific_volume(batch.e(i, 0), h), h[0]);
     const auto count = [&](auto path) {
       for (int c = 0; c < 6; ++c) path.stress[c] = batch.old_stress(i, c);
       for (int c = 0; c < 2; ++c) path.h[c] = h[c];
@@ -92,9 +92,9 @@ double substeps(const ModifiedCamClay& law, const Batch& batch) {
       sum += path.substeps;
     };
     if (law.integration.method == IntegrationOptions::Method::implicit)
-      count(ImplicitReturn<double, ModifiedCamClayModel>(model, law.integration, &batch.strain(i, 0)));
+      count(ImplicitReturn<double, ModifiedCamClayModel<SixComponents>>(model, law.integration, &batch.strain(i, 0)));
     else
-      count(Substepping<double, ModifiedCamClayModel>(model, law.integration, &batch.strain(i, 0)));
+      count(Substepping<double, ModifiedCamClayModel<SixComponents>>(model, law.integration, &batch.strain(i, 0)));
   }
   return static_cast<double>(sum) / batch.points;
 }

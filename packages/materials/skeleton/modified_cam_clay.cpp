@@ -106,7 +106,7 @@ double ModifiedCamClay::normal_line() const {
 double ModifiedCamClay::through(const InitialPoint& point) const {
   // f with pc = 0 is q^2/M(S)^2 + p'^2 in units of 1/scale, that is p' times the pc of the surface through the stress.
   const double p = sym6::mean_pressure(point.stress.data());
-  const ModifiedCamClayModel model(*this, 1.0, p);
+  const ModifiedCamClayModel<SixComponents> model(*this, {}, 1.0, p);
   const double h[2] = {0.0, 0.0};
   return p * model.yield(point.stress.data(), h);
 }

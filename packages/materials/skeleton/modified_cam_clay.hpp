@@ -60,6 +60,11 @@ struct ModifiedCamClay {
   KOKKOS_INLINE_FUNCTION double specific_volume(double void_ratio, const double* state) const {
     return volume == Volume::initial ? state[initial_specific_volume] : 1.0 + void_ratio;
   }
+  /// a^4 of the Lode measure.
+  KOKKOS_INLINE_FUNCTION double lode_ratio_4() const {
+    const double sine = 3.0 * ratio / (6.0 + ratio), a = (3.0 - sine) / (3.0 + sine);
+    return a * a * a * a;
+  }
   KOKKOS_INLINE_FUNCTION double shear_to_bulk() const { return 1.5 * (1.0 - 2.0 * poisson) / (1.0 + poisson); }
   KOKKOS_INLINE_FUNCTION ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const {
     const double p = ::fmax(sym6::mean_pressure(stress), minimum_mean_stress);
@@ -70,9 +75,14 @@ struct ModifiedCamClay {
                                          SkeletonResponse& out) const;
 
  private:
+  /// With a Lode measure: all six components.
   template <class T>
-  KOKKOS_INLINE_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, double* state,
-                                     SkeletonResponse& out) const;
+  KOKKOS_INLINE_FUNCTION bool turn_freely(const double* start, const double* h, double specific_volume, const T* strain,
+                                          double* state, SkeletonResponse& out) const;
+  /// Without: in the space of the old deviator and the strain's.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION bool stay_between(const double* start, const double* h, double specific_volume,
+                                           const double* strain, double* state, SkeletonResponse& out) const;
   KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
   /// N, given or from Gamma; 0: neither.
   double normal_line() const;
@@ -81,21 +91,26 @@ struct ModifiedCamClay {
 };
 
 /// The law as the integration sees it during one increment. h = (pc, plastic shear strain).
+template <class Space>
 struct ModifiedCamClayModel {
-  static constexpr int hardening = 2;
-  static constexpr bool associated = true, trapezoidal = true;
+  static constexpr int hardening = 2, N = Space::size;
+  static constexpr bool associated = true, trapezoidal = true, has_third_invariant = N == 6;
 
   const ModifiedCamClay& law;
+  Space space;
   double volume0;     // [-] specific volume at the start of the increment
   double scale;       // [1/Pa^2] makes f dimensionless: 1/pc^2 of the start
   double a4;          // [-] a^4 of the Lode dependence
   double inverse_m2;  // [-] 1/M^2
 
-  KOKKOS_INLINE_FUNCTION ModifiedCamClayModel(const ModifiedCamClay& l, double specific_volume, double pc)
-      : law(l), volume0(specific_volume), scale(1.0 / (pc * pc)), inverse_m2(1.0 / (l.ratio * l.ratio)) {
-    const double sine = 3.0 * l.ratio / (6.0 + l.ratio), a = (3.0 - sine) / (3.0 + sine);
-    a4 = a * a * a * a;
-  }
+  KOKKOS_INLINE_FUNCTION ModifiedCamClayModel(const ModifiedCamClay& l, const Space& how, double specific_volume,
+                                              double pc)
+      : law(l),
+        space(how),
+        volume0(specific_volume),
+        scale(1.0 / (pc * pc)),
+        a4(l.lode_ratio_4()),
+        inverse_m2(1.0 / (l.ratio * l.ratio)) {}
 
   /// w = M^2/M(S)^2 and dw/dS.
   template <class T>
@@ -107,88 +122,99 @@ struct ModifiedCamClayModel {
 
   /// False where the deviator is too small to have a Lode measure; w plays no role there.
   KOKKOS_INLINE_FUNCTION bool has_lode(double q_squared) const {
-    return law.lode == ModifiedCamClay::Lode::sheng && q_squared * scale > 1e-24;
+    return has_third_invariant && law.lode == ModifiedCamClay::Lode::sheng && q_squared * scale > 1e-24;
   }
 
   template <class T>
   KOKKOS_INLINE_FUNCTION T yield(const T* stress, const T* h) const {
-    T s[6];
-    const T p = sym6::deviator(stress, s);
-    T q2 = 1.5 * sym6::norm_squared(s);
-    if (has_lode(value(q2))) {
-      T slope;
-      q2 *= shape(13.5 * sym6::determinant(s) / (q2 * square_root(q2)), slope);
-    }
+    T s[N];
+    const T p = space.deviator(stress, s);
+    T q2 = 1.5 * space.norm_squared(s);
+    if constexpr (has_third_invariant)
+      if (has_lode(value(q2))) {
+        T slope;
+        q2 *= shape(13.5 * sym6::determinant(s) / (q2 * square_root(q2)), slope);
+      }
     return scale * (inverse_m2 * q2 + p * (p - h[0]));
   }
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION void flow(const T* stress, const T* h, const T& volume_strain, PlasticFlow<T, 2>& out) const {
-    T s[6];
-    const T p = sym6::deviator(stress, s);
-    const T v = law.volume == ModifiedCamClay::Volume::current ? volume0 * exponential(volume_strain) : T(volume0);
-    out.bulk = v * p / law.swelling;
+  KOKKOS_INLINE_FUNCTION void flow(const T* stress, const T* h, const T& volume_strain,
+                                   PlasticFlow<T, 2, N>& out) const {
+    T s[N];
+    const T p = space.deviator(stress, s);
+    const T v = specific_volume(volume_strain);
+    out.bulk = v * p * (1.0 / law.swelling);
     out.shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * out.bulk;
-    const T q2 = 1.5 * sym6::norm_squared(s);
-    T shear_rate = deviatoric_gradient(s, q2, out.yield_gradient);
-    const T mean = scale * (2.0 * p - h[0]);  // df/dp'
-    for (int i = 0; i < 3; ++i) out.yield_gradient[i] -= mean * (1.0 / 3.0);
+    const T q2 = 1.5 * space.norm_squared(s), mean = scale * (2.0 * p - h[0]);  // df/dp'
+    const double along = 3.0 * inverse_m2 * scale;
+    out.hardening_rate[1] =
+        value(q2) * scale > 1e-24 ? 2.0 * inverse_m2 * scale * square_root(q2) : T(0.0);  // sqrt(2/3 e:e)
+    if constexpr (has_third_invariant) {
+      if (has_lode(value(q2)))
+        out.hardening_rate[1] = lode_gradient(s, q2, mean, out.yield_gradient);
+      else
+        space.strain_along(-1.0 * mean, T(along), s, out.yield_gradient);
+    } else {
+      space.strain_along(-1.0 * mean, T(along), s, out.yield_gradient);
+    }
     out.hardening_gradient[0] = -scale * p;
     out.hardening_gradient[1] = T(0.0);
-    out.hardening_rate[0] = h[0] * v * mean / (law.compression - law.swelling);
-    out.hardening_rate[1] = shear_rate;
+    out.hardening_rate[0] = h[0] * v * mean * (1.0 / (law.compression - law.swelling));
   }
 
-  /// d(q^2 w/M^2)/dsigma times scale, strain-like; returns its equivalent shear strain sqrt(2/3 e:e).
+  /// df/dsigma, strain-like; returns the equivalent shear strain sqrt(2/3 e:e) of its deviator, d(q^2 w/M^2)/dsigma
+  /// times scale.
   template <class T>
-  KOKKOS_INLINE_FUNCTION T deviatoric_gradient(const T* s, const T& q2, T* g) const {
-    const double base = 3.0 * inverse_m2 * scale;
-    if (!has_lode(value(q2))) {
-      for (int i = 0; i < 3; ++i) g[i] = base * s[i];
-      for (int i = 3; i < 6; ++i) g[i] = 2.0 * base * s[i];
-      return value(q2) * scale > 1e-24 ? 2.0 * inverse_m2 * scale * square_root(q2) : T(0.0);
-    }
+  KOKKOS_INLINE_FUNCTION T lode_gradient(const T* s, const T& q2, const T& mean, T* g) const {
     // d(q^2 w) = (w - 3/2 w' S) d(q^2) + w' (27/2) dJ3/q
     const T q = square_root(q2), measure = 13.5 * sym6::determinant(s) / (q * q2);
     T slope, cubic[6];
     const T w = shape(measure, slope);
     sym6::determinant_gradient(s, q2, cubic);
-    const T along = base * (w - 1.5 * slope * measure), across = 13.5 * inverse_m2 * scale * slope / q;
+    const T along = 3.0 * inverse_m2 * scale * (w - 1.5 * slope * measure),
+            across = 13.5 * inverse_m2 * scale * slope / q;
     for (int i = 0; i < 3; ++i) g[i] = along * s[i] + across * cubic[i];
     for (int i = 3; i < 6; ++i) g[i] = 2.0 * along * s[i] + across * cubic[i];
     const T normal = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
-    return square_root((2.0 / 3.0) * (normal + 0.5 * (g[3] * g[3] + g[4] * g[4] + g[5] * g[5])));
+    const T shear = square_root((2.0 / 3.0) * (normal + 0.5 * (g[3] * g[3] + g[4] * g[4] + g[5] * g[5])));
+    for (int i = 0; i < 3; ++i) g[i] -= mean * (1.0 / 3.0);
+    return shear;
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T specific_volume(const T& volume_strain) const {
+    return law.volume == ModifiedCamClay::Volume::current ? volume0 * exponential(volume_strain) : T(volume0);
   }
 
   /// p' = p'_0 exp((v_0 - v)/kappa), so the mean modulus is K = p'_0 (exp(x) - 1)/eps_v with x = (v_0 - v)/kappa; with
   /// constant nu the shear modulus follows K along the path, so its mean does too.
   template <class T>
   KOKKOS_INLINE_FUNCTION void elastic(const T* stress, const T* strain, T* out) const {
-    const T compression = -sym6::trace(strain), p = sym6::mean_pressure(stress);
+    const T compression = -space.trace(strain), p = space.mean_pressure(stress);
     T per_strain(volume0 / law.swelling);  // x / eps_v
     if (law.volume == ModifiedCamClay::Volume::current) per_strain *= exponential_quotient(-compression);
     const T bulk = p * per_strain * exponential_quotient(per_strain * compression);
     const T shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * bulk;
-    sym6::isotropic(bulk, shear, strain, out);
-    for (int i = 0; i < 6; ++i) out[i] += stress[i];
+    space.isotropic(bulk, shear, strain, out);
+    for (int i = 0; i < N; ++i) out[i] += stress[i];
   }
 
   /// The same with the specific volume that belongs to `volume_strain`.
   template <class S, class T>
   KOKKOS_INLINE_FUNCTION void elastic_step(const S* stress, const T* strain, const T& volume_strain, T* out) const {
-    const T v = law.volume == ModifiedCamClay::Volume::current ? volume0 * exponential(volume_strain) : T(volume0);
-    const T per_strain = v / law.swelling, compression = -sym6::trace(strain);
-    const T bulk = sym6::mean_pressure(stress) * per_strain * exponential_quotient(per_strain * compression);
+    const T per_strain = specific_volume(volume_strain) / law.swelling, compression = -space.trace(strain);
+    const T bulk = space.mean_pressure(stress) * per_strain * exponential_quotient(per_strain * compression);
     const T shear = law.shear_modulus > 0.0 ? T(law.shear_modulus) : law.shear_to_bulk() * bulk;
-    sym6::isotropic(bulk, shear, strain, out);
-    for (int i = 0; i < 6; ++i) out[i] += stress[i];
+    space.isotropic(bulk, shear, strain, out);
+    for (int i = 0; i < N; ++i) out[i] += stress[i];
   }
 
   KOKKOS_INLINE_FUNCTION bool admissible(const double* stress, const double* h) const {
-    return sym6::mean_pressure(stress) > 0.0 && h[0] > 0.0;
+    return space.mean_pressure(stress) > 0.0 && h[0] > 0.0;
   }
   KOKKOS_INLINE_FUNCTION bool exhausted(const double* stress) const {
-    return sym6::mean_pressure(stress) < law.minimum_mean_stress;
+    return space.mean_pressure(stress) < law.minimum_mean_stress;
   }
   KOKKOS_INLINE_FUNCTION double hardening_scale(int i, double h) const { return i == 0 ? h : 1.0; }
   /// pc grows exponentially with the plastic volume strain: exact where v stays.
@@ -209,8 +235,7 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::raise_to_minimum(double* stress, do
   double s[6];
   if (!(sym6::deviator(stress, s) < minimum_mean_stress)) return false;
   h[0] = ::fmax(h[0], 2.0 * minimum_mean_stress);
-  const ModifiedCamClayModel model(*this, 1.0, h[0]);
-  const double weakest = lode == Lode::sheng ? ::sqrt(model.a4) : 1.0;
+  const double weakest = lode == Lode::sheng ? ::sqrt(lode_ratio_4()) : 1.0;
   const double allowed = weakest * ratio * ratio * minimum_mean_stress * (h[0] - minimum_mean_stress);
   const double q2 = 1.5 * sym6::norm_squared(s);
   const double factor = q2 > allowed ? ::sqrt(allowed / q2) : 1.0;
@@ -219,41 +244,60 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::raise_to_minimum(double* stress, do
 }
 
 template <class T>
-KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update(const SkeletonPoint& in, const T* strain, const double* state_old,
-                                                    double* state, SkeletonResponse& out) const {
-  double start[6], h[2] = {state_old[preconsolidation], state_old[plastic_shear_strain]};
-  for (int i = 0; i < 6; ++i) start[i] = in.stress[i];
-  raise_to_minimum(start, h);
-  const ModifiedCamClayModel model(*this, specific_volume(in.void_ratio, state_old), h[0]);
-  T stress[6], hardening[2];
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::turn_freely(const double* start, const double* h, double specific_volume,
+                                                         const T* strain, double* state, SkeletonResponse& out) const {
+  const ModifiedCamClayModel<SixComponents> model(*this, {}, specific_volume, h[0]);
+  T stress[6], hardening[2] = {T(h[0]), T(h[1])};
   for (int i = 0; i < 6; ++i) stress[i] = T(start[i]);
-  for (int i = 0; i < 2; ++i) hardening[i] = T(h[i]);
   if (!integrate_plasticity(model, integration, strain, stress, hardening)) return false;
   for (int i = 0; i < 6; ++i) out.stress[i] = value(stress[i]);
   for (int i = 0; i < 2; ++i) state[i] = value(hardening[i]);
-  const bool raised = raise_to_minimum(out.stress, state);
-  if (!in.want_tangent) return true;
-  if (raised) {
-    const ElasticModuli m = moduli(out.stress, in.void_ratio, state_old);
-    sym6::isotropic_stiffness(m.bulk, m.shear, out.tangent);
-  } else {
-    write_tangent(stress, out.tangent);
-  }
+  write_tangent(stress, out.tangent);
+  return true;
+}
+
+template <class T>
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::stay_between(const double* start, const double* h, double specific_volume,
+                                                          const double* strain, double* state,
+                                                          SkeletonResponse& out) const {
+  const IncrementOfTwoDeviators<T> increment(start, strain);
+  const ModifiedCamClayModel<TwoDeviators<T>> model(*this, increment.space, specific_volume, h[0]);
+  T stress[3], hardening[2] = {T(h[0]), T(h[1])};
+  increment.start(stress);
+  if (!integrate_plasticity(model, integration, increment.strain, stress, hardening)) return false;
+  increment.write(stress, out.stress);
+  for (int i = 0; i < 2; ++i) state[i] = value(hardening[i]);
+  if constexpr (!std::is_same_v<T, double>) increment.write_tangent(stress, out.tangent);
   return true;
 }
 
 KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::operator()(const SkeletonPoint& in, const double* state_old, double* state,
                                                         SkeletonResponse& out) const {
   for (int i = 0; i < state_size; ++i) state[i] = state_old[i];
-  if (!in.want_tangent) return update(in, in.strain, state_old, state, out);
-  if (in.plane) {
+  double start[6], h[2] = {state_old[preconsolidation], state_old[plastic_shear_strain]};
+  for (int i = 0; i < 6; ++i) start[i] = in.stress[i];
+  raise_to_minimum(start, h);
+  const double volume = specific_volume(in.void_ratio, state_old);
+  bool ok;
+  if (lode == Lode::none) {
+    ok = in.want_tangent
+             ? stay_between<Dual<IncrementOfTwoDeviators<double>::directions>>(start, h, volume, in.strain, state, out)
+             : stay_between<double>(start, h, volume, in.strain, state, out);
+  } else if (!in.want_tangent) {
+    ok = turn_freely(start, h, volume, in.strain, state, out);
+  } else if (in.plane) {
     Dual<4> strain[6];
     make_variable(in.strain, strain);
-    return update(in, strain, state_old, state, out);
+    ok = turn_freely(start, h, volume, strain, state, out);
+  } else {
+    Dual<6> strain[6];
+    make_variable(in.strain, strain);
+    ok = turn_freely(start, h, volume, strain, state, out);
   }
-  Dual<6> strain[6];
-  make_variable(in.strain, strain);
-  return update(in, strain, state_old, state, out);
+  if (!ok || !raise_to_minimum(out.stress, state) || !in.want_tangent) return ok;
+  const ElasticModuli m = moduli(out.stress, in.void_ratio, state_old);
+  sym6::isotropic_stiffness(m.bulk, m.shear, out.tangent);
+  return true;
 }
 
 }  // namespace mudline

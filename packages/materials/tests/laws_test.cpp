@@ -41,7 +41,7 @@ TEST(PlaneTangent, IsThatOfTheWholeLaw) {
   const std::array<double, 6> stress{-6e4, -1e5, -7e4, 0, 0, 1e4}, increment{4e-3, -9e-3, 1e-3, 0, 0, 5e-3};
   Teuchos::ParameterList clay, sand, soft, metal;
   clay.set("type", "modified cam clay").set("critical stress ratio", 1.0).set("compression slope", 0.2);
-  clay.set("swelling slope", 0.04).set("Poisson's ratio", 0.3);
+  clay.set("swelling slope", 0.04).set("Poisson's ratio", 0.3).set("lode dependence", "sheng");
   sand.set("type", "mohr-coulomb").set("Young's modulus", 1e7).set("Poisson's ratio", 0.25);
   sand.set("friction angle [deg]", 30.0).set("cohesion", 5e3);
   soft.set("type", "tresca").set("rigidity index", 100.0).set("Poisson's ratio", 0.49).set("undrained strength", 3e4);
