@@ -12,25 +12,20 @@ namespace mudline {
 
 namespace {
 
-constexpr int rings = 2;     // of elements around those of a material, onto which its fields are continued
-constexpr double reach = 3;  // how far beyond the range of its values a plane may go, in widths of the range
+constexpr int rings = 3;  // of elements around those of a material, onto which its fields are continued
 constexpr double known_to =
     1;  // an interface is known no better than to this times the size of a point's part of the soil
-constexpr double narrow = 1e-2;  // a direction in which points spread by less than the root of this has no slope
+constexpr double narrow = 0.04;  // a direction in which points spread by less than the root of this has no slope
 
 /// A plane for each column, fitted to rows of a table.
 class Planes {
  public:
   Planes(const std::vector<std::array<double, place_size>>& places, const std::vector<const double*>& rows, int columns)
-      : columns_(columns), mean_(columns, 0.0), slope_(2 * columns, 0.0), low_(columns, 1e300), high_(columns, -1e300) {
+      : columns_(columns), mean_(columns, 0.0), slope_(2 * columns, 0.0) {
     const double share = 1.0 / static_cast<double>(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       for (int d = 0; d < place_size; ++d) centre_[d] += share * places[i][d];
-      for (int c = 0; c < columns; ++c) {
-        mean_[c] += share * rows[i][c];
-        low_[c] = std::min(low_[c], rows[i][c]);
-        high_[c] = std::max(high_[c], rows[i][c]);
-      }
+      for (int c = 0; c < columns; ++c) mean_[c] += share * rows[i][c];
     }
     double xx = 0, xy = 0, yy = 0;
     std::vector<double> by(2 * columns, 0.0);
@@ -50,6 +45,7 @@ class Planes {
     for (int k = 0; k < 2; ++k) {
       const double spread = k == 0 ? middle + radius : middle - radius;
       if (!(spread > narrow * (middle + radius)) || !(spread > 0)) continue;
+      ++slopes_;
       const double e[2] = {k == 0 ? std::cos(angle) : -std::sin(angle), k == 0 ? std::sin(angle) : std::cos(angle)};
       for (int c = 0; c < columns; ++c) {
         const double along = (e[0] * by[2 * c] + e[1] * by[2 * c + 1]) / spread;
@@ -58,18 +54,16 @@ class Planes {
       }
     }
   }
-  void add(const std::array<double, place_size>& at, double weight, double* to) const {
-    for (int c = 0; c < columns_; ++c) {
-      const double value = mean_[c] + slope_[2 * c] * (at[0] - centre_[0]) + slope_[2 * c + 1] * (at[1] - centre_[1]);
-      const double more = reach * (high_[c] - low_[c]);
-      to[c] += weight * std::clamp(value, low_[c] - more, high_[c] + more);
-    }
+  bool resolved() const { return slopes_ == place_size; }
+  void add(const std::array<double, place_size>& at, double* to) const {
+    for (int c = 0; c < columns_; ++c)
+      to[c] += mean_[c] + slope_[2 * c] * (at[0] - centre_[0]) + slope_[2 * c + 1] * (at[1] - centre_[1]);
   }
 
  private:
-  int columns_;
+  int columns_, slopes_ = 0;
   std::array<double, place_size> centre_{};
-  std::vector<double> mean_, slope_, low_, high_;
+  std::vector<double> mean_, slope_;
 };
 
 /// Root of the area of a point's part of its element [m].
@@ -90,7 +84,8 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
   for (int ring = 2; ring < 2 + rings; ++ring) {
     std::vector<int> pending(known.size(), -1);  // place among those that get a value
     std::vector<std::size_t> found;
-    std::vector<double> sums, weights;
+    std::vector<double> sums, qualities;  // of the best planes, the mean of which is taken
+    std::vector<int> planes_used;
     for (const auto& patch : t.patches.patches()) {
       std::vector<std::size_t> to;
       std::vector<const double*> rows;
@@ -106,21 +101,30 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
         }
       if (rows.empty() || to.empty()) continue;
       const Planes planes(places, rows, t.columns);
+      if (!planes.resolved() && ring < 1 + rings) continue;  // better ones come with the next ring
+      const double quality = (planes.resolved() ? 1.0 : 1e-3) * static_cast<double>(rows.size());
       for (std::size_t i = 0; i < to.size(); ++i) {
         if (pending[to[i]] < 0) {
           pending[to[i]] = static_cast<int>(found.size());
           found.push_back(to[i]);
           sums.resize(found.size() * t.columns, 0.0);
-          weights.push_back(0);
+          qualities.push_back(0);
+          planes_used.push_back(0);
         }
         const int k = pending[to[i]];
-        const double weight = static_cast<double>(rows.size() * rows.size());
-        planes.add(there[i], weight, &sums[static_cast<std::size_t>(k) * t.columns]);
-        weights[k] += weight;
+        double* sum = &sums[static_cast<std::size_t>(k) * t.columns];
+        if (quality < qualities[k]) continue;
+        if (quality > qualities[k]) {
+          std::fill_n(sum, t.columns, 0.0);
+          planes_used[k] = 0;
+        }
+        qualities[k] = quality;
+        ++planes_used[k];
+        planes.add(there[i], sum);
       }
     }
     for (std::size_t k = 0; k < found.size(); ++k) {
-      for (int c = 0; c < t.columns; ++c) table[found[k] * t.columns + c] = sums[k * t.columns + c] / weights[k];
+      for (int c = 0; c < t.columns; ++c) table[found[k] * t.columns + c] = sums[k * t.columns + c] / planes_used[k];
       known[found[k]] = static_cast<char>(ring);
     }
   }

@@ -171,7 +171,8 @@ TEST(LayerRemap, ALawStartsAnewWhereNoSoilOfItsMaterialIsNear) {
   });
   std::vector<double> now = old;
   const Positions to = swung(layers.start, 0.01);
-  const LayerRemap remap(layers.soil, ConvectionRemap());
+  const ConvectionRemap convection;
+  const LayerRemap remap(layers.soil, convection);
   LayerChanges changes = remap.transfer(layers.transfer(to, old, now), layers.table);
   EXPECT_GT(changes.started, 100);
   EXPECT_GT(changes.changed, changes.started);
