@@ -48,7 +48,7 @@ def main():
     left.set(xlabel="way of the padeye [mm]", ylabel="force [kN]")
     right.set(xlabel="horizontal force [kN]", ylabel="vertical force [kN]", xlim=(-10, None), ylim=(-10, None))
     for axes in (left, right):
-        axes.legend(frameon=False)
+        axes.legend(frameon=False, ncol=2, fontsize=8, loc="lower right" if axes is left else "upper right")
         axes.grid(alpha=0.3)
     figure.savefig(picture, dpi=130)
 
