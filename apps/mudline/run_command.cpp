@@ -59,7 +59,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   load_plugins(loaded->root->section("plugins"), loaded->registries);
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
-  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, mesh_parts);
+  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
   loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
@@ -95,7 +95,10 @@ int run(const RunCommand& command) {
   const Origin origin{loaded->deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
                       std::string("mudline ") + MUDLINE_VERSION};
-  Run run(*loaded->model, loaded->output, origin, options);
+  const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](const RenewedMesh& mesh) {
+    return std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{"", &mesh});
+  };
+  Run run(std::move(loaded->model), on_mesh, loaded->output, origin, options);
   return static_cast<int>(run.execute());
 }
 

@@ -28,4 +28,12 @@ struct FreeBoundary {
 /// that was missing [-]; 0 where nothing moved. `column`: that of the void ratio.
 double restore_grains(const PointTransfer& transfer, Geometry geometry, int column);
 
+/// Grains of a block of soil at x: the sum of volumes over 1 + e [m3]. `column`: that of the void ratio in a table of
+/// so many columns.
+double grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+              const std::vector<double>& table, int columns, int column);
+/// The same by one factor for all points of a block that has `before` of them to hold; the share that was missing.
+double restore_all_grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+                          std::vector<double>& table, int columns, int column, double before);
+
 }  // namespace mudline

@@ -25,6 +25,15 @@ struct ContactContext {
   std::function<double(int block, int element)> stiffness;
   /// Weight [N/m3] of the pore water in a block, as far as pore pressures hold it up; absent: none.
   std::function<Point(int block, double time)> water_weight = {};
+  /// The mesh was made on the way: its surface is where the bodies have left it, not where they start.
+  bool renewed = false;
+};
+
+/// An array of a contact whose rows belong to places along its surface: when the mesh is made anew they go over to the
+/// places of the new rows. No places: nothing in it outlives a step.
+struct SurfaceRows {
+  int array;
+  std::vector<Point> places;  // [m] by row
 };
 
 /// What a contact presses together: the sides of one surface, and a body or the sides of another surface.
@@ -47,6 +56,9 @@ class Contact : public Term, public History, public Unilateral, public Carried, 
   virtual std::vector<double> nodal_pressure(const State& state) const = 0;
   /// The same of the shear stress [Pa] on the soil, positive along the body's contour; empty without friction.
   virtual std::vector<double> nodal_shear(const State&) const { return {}; }
+  /// Its arrays with their places when the nodes are at x, as far as they are not the same on every rank; empty for a
+  /// contact that cannot go over to another mesh.
+  virtual std::vector<SurfaceRows> surface_rows(const ConstCoordinateView&) const { return {}; }
 };
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;

@@ -39,6 +39,9 @@ class Results {
   /// Pore pressures from which the excess is counted, by overlap dof. Set when the run starts, part of the checkpoint.
   NodalView initial_pressure() const { return initial_pressure_; }
   void take_initial_pressure();
+  /// The same as it would be where the nodes are now, by overlap dof: what goes over to another mesh.
+  NodalView reference_pressure() const;
+  void take_reference_pressure(const NodalView& at_present_places);
 
  private:
   std::vector<OutputField> nodal_fields() const;
@@ -54,6 +57,8 @@ class Results {
   HistoryFile history_;
   /// Pore pressure less that of the start at the same place, by overlap dof.
   NodalView excess_pressure(int field) const;
+  /// Pressure of water at rest by which nodes are deeper than at the start, by overlap dof; 0 without pore fluid.
+  NodalView deeper_by() const;
   /// Density of the pore fluid [kg/m3] by overlap dof of the pore pressure, the mean of the elements around.
   /// Collective.
   NodalView fluid_density() const;
