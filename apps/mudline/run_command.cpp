@@ -33,6 +33,13 @@ struct Loaded {
 void check_probes(const Loaded& loaded) {
   const Bounds& box = loaded.model->mesh().bounds();
   const double slack = 1e-6 * box.extent();
+  const Ale* ale = loaded.model->ale();
+  for (const ProbeSettings& probe : loaded.output.probes)
+    if (probe.at_node && ale && ale->renewal())
+      loaded.root->section("output").section("probes").fail(
+          "a node is lost where the mesh is made anew ('mesh motion/remeshing'); give the probe 'moves with' a body or "
+          "nothing",
+          probe.name);
   for (const ProbeSettings& probe : loaded.output.probes) {
     const auto& at = probe.point;
     for (int i = 0; probe.moves_with.empty() && i < loaded.model->mesh().dimension(); ++i)

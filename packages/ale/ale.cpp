@@ -37,7 +37,7 @@ void AleParameters::parameters(Parameters& p) {
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
   p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
-  p.passes_on("remeshing", "when and how the region is meshed anew; absent: it is not");
+  p.section("remeshing", renewal, "when and how the region is meshed anew; absent: it is not");
 }
 
 void Ale::document(Parameters& p) { AleParameters().parameters(p); }
@@ -58,7 +58,7 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);
   if (section.has_section("remeshing"))
-    renewal_ = std::make_unique<MeshRenewal>(mesh_, deck_.boundary, section.section("remeshing"));
+    renewal_ = std::make_unique<MeshRenewal>(mesh_, deck_.boundary, deck_.renewal, section.section("remeshing"));
   if (renewed) {
     renewals_ = renewed->number;
     renewed_after_ = renewed->step;

@@ -28,6 +28,7 @@ struct AleParameters {
   double quality_below = 2, lowest_quality = 0.05, mass_tolerance = 1e-3, largest_motion = 1;
   bool conserve = true;
   BoundaryMotion boundary;
+  RenewalParameters renewal;
 };
 
 /// What a relocation of the mesh did, or would have done.

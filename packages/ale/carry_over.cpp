@@ -26,8 +26,9 @@ Renewal Ale::renew(int step, const State& committed) const {
   std::vector<char> bytes;
   if (comm.getRank() == 0) {
     try {
-      // a mesh that is worse than the one at hand helps nobody
-      const double least = std::min(renewal_->deck().quality_below, lowest_quality(mesh_, x));
+      // where the mesh is poor, one that is no better helps nobody
+      const double quality = lowest_quality(mesh_, x);
+      const double least = quality < renewal_->deck().quality_below ? quality : 0.0;
       RenewedMesh made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality));
       made.number = renewals_ + 1;
       made.step = step;

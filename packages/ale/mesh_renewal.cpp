@@ -33,7 +33,8 @@ void RenewalParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", half_open(0, 1),
         "the region is meshed anew when the smallest scaled Jacobian is below this");
   p.add("when side above", side_above, "-", positive(),
-        "and when a side of its boundary is longer than so many times its wanted length; at least 1.6");
+        "and when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
+        "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
   p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
   p.add("wall size", wall_size, "m", non_negative(),
         "wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
@@ -43,11 +44,9 @@ void RenewalParameters::parameters(Parameters& p) {
   p.add("time limit", time_limit, "s", positive(), "Gmsh is given up when it has not finished after this time");
 }
 
-MeshRenewal::MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const Section& section)
-    : mesh_(mesh), boundary_(boundary) {
-  Parameters p(section);
-  deck_.parameters(p);
-  p.finish();
+MeshRenewal::MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
+                         const Section& section)
+    : mesh_(mesh), boundary_(boundary), deck_(deck) {
   find_neighbours();
   find_kept();
   check(section);
@@ -91,9 +90,6 @@ void MeshRenewal::find_kept() {
 
 void MeshRenewal::check(const Section& section) const {
   if (!has_triangulation()) section.fail("remeshing needs Gmsh, and this program was built without it");
-  if (deck_.side_above < 1.6)
-    section.fail("must be at least 1.6: a boundary of a whole number of sides is not nearer to the wanted lengths",
-                 "when side above");
   for (const auto& element : mesh_.elements())
     if (element.shape != CellShape::tri3 && element.shape != CellShape::tri6)
       section.fail(std::string("the mesh has cells ") + name(element.shape) +

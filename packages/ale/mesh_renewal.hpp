@@ -36,9 +36,9 @@ struct PathNeighbours {
 /// size. Ends of paths and nodes of material sides stay where they are. Everything has its name again.
 class MeshRenewal {
  public:
-  /// Reads "remeshing" and checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError.
-  MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const Section& section);
-  static void document(Parameters& p) { RenewalParameters().parameters(p); }
+  /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
+  MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
+              const Section& section);
 
   const RenewalParameters& deck() const { return deck_; }
   const WholeMesh& mesh() const { return mesh_; }

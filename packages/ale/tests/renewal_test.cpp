@@ -21,7 +21,7 @@ struct Renewed {
     deck.overlay("<ParameterList name=\"deck\">" + entries + "</ParameterList>", "deck.xml");
     x = whole.gather(mesh->coordinates());
     boundary.bind(whole, x, {}, deck.root(), nullptr);
-    plan = std::make_unique<MeshRenewal>(whole, boundary, deck.root());
+    plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
   }
   std::unique_ptr<Mesh> mesh;
   WholeMesh whole;
@@ -90,7 +90,7 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
   Parameters p(deck.root());
   boundary.parameters(p);
   boundary.bind(was.whole, was.x, {}, deck.root(), nullptr);
-  const MeshRenewal plan(was.whole, boundary, was.deck.root());
+  const MeshRenewal plan(was.whole, boundary, RenewalParameters(), was.deck.root());
   const Positions x = drawn_out(was.x);
   const RenewedMesh made = plan.make(x, State(), 0.2);
   for (std::size_t k = 0; k < made.paths.size(); ++k) {
