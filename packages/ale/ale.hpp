@@ -125,7 +125,7 @@ class Ale {
   std::unique_ptr<Remap> remap_;
   std::unique_ptr<MeshRenewal> renewal_;
   int renewals_ = 0, renewed_after_ = 0;  // meshes made on the way, step of the last one
-  std::vector<char> on_path_, movable_;  // (node)
+  std::vector<char> on_path_, movable_;   // (node)
 };
 
 }  // namespace mudline

@@ -41,7 +41,7 @@ SizeField BoundaryMotion::size_field(const std::array<double, 2>& focus) const {
 }
 
 void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
-                                        const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
+                          const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
                           const RenewedMesh* renewed) {
   bodies_ = bodies;
   for (const std::string& name : corners_)

@@ -61,9 +61,8 @@ void Ale::take_nodes(const Ale& from, const State& old_state, const Positions& x
         {old_state.value, to.value}, {old_state.rate, to.rate}, {old_state.acceleration, to.acceleration}};
     for (const auto& [old, now] : pairs) {
       const bool jumps = f == soil_.displacement && now.data() == to.value.data();
-      mesh_.scatter(
-          space_, f,
-          nodal.apply(from.mesh_.gather(from.space_, f, old), field.components, field.support, jumps), now);
+      mesh_.scatter(space_, f,
+                    nodal.apply(from.mesh_.gather(from.space_, f, old), field.components, field.support, jumps), now);
     }
   }
 }
@@ -76,17 +75,16 @@ double Ale::take_points(const Ale& from, const StateStore& old_store, const Posi
     for (int handle = 0; handle < store.num_arrays(); ++handle) {
       const ArrayInfo& info = store.info(handle);
       if (info.block != b.block) continue;
-      const PointView &rows = store.committed().arrays[handle];
+      const PointView& rows = store.committed().arrays[handle];
       const int columns = static_cast<int>(rows.extent(1));
       if (columns == 0) continue;
       const std::vector<double> old =
           from.mesh_.gather_points(b_old.block, b_old.points, old_store.committed().arrays[old_store.find(info.name)]);
-      std::vector<double> now = recovered_on({mesh_, b, x_new}, {from.mesh_, b_old, x_old}, from.patches_[k], old,
-                                             info.variables, columns);
+      std::vector<double> now =
+          recovered_on({mesh_, b, x_new}, {from.mesh_, b_old, x_old}, from.patches_[k], old, info.variables, columns);
       if (handle == b.void_ratio && deck_.conserve) {
-        const double share =
-            restore_all_grains(mesh_, b, x_new, soil_.geometry, now, columns, 0,
-                               grains(from.mesh_, b_old, x_old, soil_.geometry, old, columns, 0));
+        const double share = restore_all_grains(mesh_, b, x_new, soil_.geometry, now, columns, 0,
+                                                grains(from.mesh_, b_old, x_old, soil_.geometry, old, columns, 0));
         restored = std::abs(share) > std::abs(restored) ? share : restored;
       }
       const ElementBlock& elements = space_.mesh().blocks()[b.block];

@@ -32,9 +32,10 @@ double side_at(const std::vector<double>& shares, double share) {
 void RenewalParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", half_open(0, 1),
         "the region is meshed anew when the smallest scaled Jacobian is below this");
-  p.add("when side above", side_above, "-", positive(),
-        "and when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
-        "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
+  p.add(
+      "when side above", side_above, "-", positive(),
+      "and when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
+      "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
   p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
   p.add("wall size", wall_size, "m", non_negative(),
         "wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
@@ -58,8 +59,7 @@ void MeshRenewal::find_neighbours() {
   const auto& elements = mesh_.elements();
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
     const int corners = num_corners(elements[e].shape);
-    for (int s = 0; s < corners; ++s)
-      sides[{elements[e].nodes[s], elements[e].nodes[(s + 1) % corners]}] = {e, s};
+    for (int s = 0; s < corners; ++s) sides[{elements[e].nodes[s], elements[e].nodes[(s + 1) % corners]}] = {e, s};
   }
   for (const MeshPath& path : boundary_.paths()) {
     PathNeighbours here;
@@ -175,8 +175,7 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
       result.vertices.push_back(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride));
   }
   for (int k = 0; path.stride == 2 && k < sides; ++k)
-    result.middles.push_back(kept(p) ? x[path.nodes[2 * k + 1]]
-                                     : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
+    result.middles.push_back(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
   return result;
 }
 

@@ -52,7 +52,8 @@ double PathCurve::interpolate(const std::vector<double>& values, double s) const
 }
 
 CurveMeasure::CurveMeasure(const PathCurve& curve, const SizeField& size)
-    : CurveMeasure(curve, [&](double s) { return size(curve.at(s)); }, 8 * curve.points()) {}
+    : CurveMeasure(
+          curve, [&](double s) { return size(curve.at(s)); }, 8 * curve.points()) {}
 
 CurveMeasure::CurveMeasure(const PathCurve& curve, const std::function<double(double s)>& size, int samples) {
   step_ = curve.length() / samples;

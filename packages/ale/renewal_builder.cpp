@@ -30,8 +30,7 @@ bool inside(const Place& point, const std::vector<int>& loop, const std::vector<
   bool result = false;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Place &a = x[loop[i]], &b = x[loop[(i + 1) % loop.size()]];
-    if ((a[1] > point[1]) != (b[1] > point[1]) &&
-        point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+    if ((a[1] > point[1]) != (b[1] > point[1]) && point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
       result = !result;
   }
   return result;
@@ -203,8 +202,7 @@ void Builder::sort_elements() {
   for (std::size_t r = 0; r < regions_.size(); ++r)
     for (const auto& t : triangulation_.triangles[r]) {
       double at[2];
-      for (int d = 0; d < 2; ++d)
-        at[d] = ((x[t[0]][d] + x[t[1]][d] + x[t[2]][d]) / 3 - box.low[d]) / box.extent();
+      for (int d = 0; d < 2; ++d) at[d] = ((x[t[0]][d] + x[t[1]][d] + x[t[2]][d]) / 3 - box.low[d]) / box.extent();
       keyed[block_of_[r]].emplace_back(along_curve(at, 2), t);
     }
   for (std::size_t b = 0; b < keyed.size(); ++b) {
@@ -225,9 +223,9 @@ long long Builder::middle_of(int a, int b) {
   if (!added) return number->second;
   const auto curved = curved_.find(ends);
   const std::vector<Place>& x = triangulation_.points;
-  const Place at = curved != curved_.end()
-                       ? curved->second
-                       : Place{0.5 * (x[ends.first][0] + x[ends.second][0]), 0.5 * (x[ends.first][1] + x[ends.second][1])};
+  const Place at = curved != curved_.end() ? curved->second
+                                           : Place{0.5 * (x[ends.first][0] + x[ends.second][0]),
+                                                   0.5 * (x[ends.first][1] + x[ends.second][1])};
   mesh_.coordinates.push_back({at[0], at[1], 0});
   return number->second;
 }

@@ -115,10 +115,8 @@ Triangulation in_gmsh(const std::vector<std::array<double, 2>>& vertices, const 
   outline(vertices, regions);
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::model::mesh::setSizeCallback(
-      [&](int /*dimension*/, int /*entity*/, double x, double y, double /*z*/, auto... /*since 4.9: the size so far*/) {
-        return size(x, y);
-      });
+  gmsh::model::mesh::setSizeCallback([&](int /*dimension*/, int /*entity*/, double x, double y, double /*z*/,
+                                         auto... /*since 4.9: the size so far*/) { return size(x, y); });
   gmsh::model::mesh::generate(2);
   if (const std::string error = gmsh_error(); !error.empty()) throw NoTriangulation("Gmsh: " + error);
   const Triangulation result = read_triangles(vertices, regions.size());

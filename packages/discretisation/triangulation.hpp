@@ -14,7 +14,7 @@ struct OutlinedRegion {
 };
 
 struct Triangulation {
-  std::vector<std::array<double, 2>> points;                // [m] the given vertices first
+  std::vector<std::array<double, 2>> points;               // [m] the given vertices first
   std::vector<std::vector<std::array<int, 3>>> triangles;  // by region, counter-clockwise
 };
 
@@ -28,8 +28,8 @@ class NoTriangulation : public std::runtime_error {
 bool has_triangulation();
 
 /// Triangles of the regions whose sides on the chains are the given ones, undivided, and inside are as long as `size`
-/// asks [m]. By Gmsh, in a process of its own that is given up after `time_limit` seconds; the same input gives the same
-/// triangles. Throws NoTriangulation.
+/// asks [m]. By Gmsh, in a process of its own that is given up after `time_limit` seconds; the same input gives the
+/// same triangles. Throws NoTriangulation.
 Triangulation triangulate(const std::vector<std::array<double, 2>>& vertices,
                           const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit);

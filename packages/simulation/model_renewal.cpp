@@ -61,7 +61,9 @@ std::string moving_forces(const Model& model, const ArrayInfo& info) {
 
 Positions positions(Model& model) { return model.ale()->mesh().gather(model.store().committed().coordinates); }
 
-NodalRemap nodal_remap(Model& from, Model& to) { return to.ale()->from_mesh(*from.ale(), positions(from), positions(to)); }
+NodalRemap nodal_remap(Model& from, Model& to) {
+  return to.ale()->from_mesh(*from.ale(), positions(from), positions(to));
+}
 
 void copy_bodies(Model& from, Model& to) {
   const State &old = from.store().committed(), &now = to.store().committed();

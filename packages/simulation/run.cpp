@@ -101,7 +101,8 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.next_field_time = next_field_time(progress_.stage_start);
   std::fill(model_->stepper().reference_floor().begin(), model_->stepper().reference_floor().end(), 0.0);
   if (!model_->stepper().refresh_history()) {
-    log::warn("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" + model_->stepper().hints());
+    log::warn("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
+              model_->stepper().hints());
     return false;
   }
   State& state = model_->store().committed();

@@ -84,8 +84,8 @@ SurfaceCarrier::SurfaceCarrier(const Ale& before, const Positions& x, const std:
     for (int i = 0; i + path.stride < static_cast<int>(path.nodes.size()); i += path.stride) {
       const int a = path.nodes[i], b = path.nodes[i + path.stride];
       const double chord = std::hypot(x[b][0] - x[a][0], x[b][1] - x[a][1]);
-      sides_.push_back({static_cast<int>(lengths_.size()), {a, b, path.stride == 2 ? path.nodes[i + 1] : -1}, s,
-                        s + chord});
+      sides_.push_back(
+          {static_cast<int>(lengths_.size()), {a, b, path.stride == 2 ? path.nodes[i + 1] : -1}, s, s + chord});
       s += chord;
     }
     lengths_.push_back(s);
@@ -111,8 +111,7 @@ std::vector<std::vector<SurfaceCarrier::Row>> SurfaceCarrier::along(const std::v
     const Row row = locate(places[i], places[i + 1], static_cast<int>(i / 2));
     result[row.path].push_back(row);
   }
-  for (auto& rows : result)
-    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.s < b.s; });
+  for (auto& rows : result) std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.s < b.s; });
   return result;
 }
 

@@ -23,8 +23,8 @@ class SurfaceCarrier {
  private:
   struct Row {
     int path;
-    double s;     // [m] along it
-    int number;   // of all ranks' rows
+    double s;    // [m] along it
+    int number;  // of all ranks' rows
   };
   /// All ranks' rows along the paths, in order.
   std::vector<std::vector<Row>> along(const std::vector<double>& places) const;

@@ -84,9 +84,10 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
   Deck deck;
   Renewed was(CellShape::tri6);
   BoundaryMotion boundary;
-  deck.overlay("<ParameterList name=\"deck\"><Parameter name=\"material sides\" type=\"Array(string)\" "
-               "value=\"{top}\"/></ParameterList>",
-               "deck.xml");
+  deck.overlay(
+      "<ParameterList name=\"deck\"><Parameter name=\"material sides\" type=\"Array(string)\" "
+      "value=\"{top}\"/></ParameterList>",
+      "deck.xml");
   Parameters p(deck.root());
   boundary.parameters(p);
   boundary.bind(was.whole, was.x, {}, deck.root(), nullptr);
@@ -141,8 +142,8 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
       table.push_back(linear(Recovery::position(was.whole.elements()[e], old_block, q, x)));
       table.push_back(7.25);
     }
-  std::vector<double> there = recovered_on({whole, block, now}, {was.whole, old_block, x}, patches, table,
-                                           {{"f", 1, "-"}, {"g", 1, "-"}}, 2);
+  std::vector<double> there =
+      recovered_on({whole, block, now}, {was.whole, old_block, x}, patches, table, {{"f", 1, "-"}, {"g", 1, "-"}}, 2);
   for (int e : whole.block_elements(0))
     for (int q = 0; q < block.points; ++q) {
       const std::size_t row = 2 * static_cast<std::size_t>(whole.first_row(e, block.points) + q);

@@ -48,7 +48,9 @@ TEST(Triangulation, KeepsTheGivenSidesAndAskedSizes) {
 
 TEST(Triangulation, SaysWhatCannotBeMeshed) {
   const Places bow{{0, 0}, {1, 1}, {1, 0}, {0, 1}};
-  EXPECT_THROW(triangulate(bow, {{{{0, 1, 2, 3}}}}, [](double, double) { return 0.3; }, 20), NoTriangulation);
+  EXPECT_THROW(triangulate(
+                   bow, {{{{0, 1, 2, 3}}}}, [](double, double) { return 0.3; }, 20),
+               NoTriangulation);
   const Places square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto slow = [](double, double) {
     std::this_thread::sleep_for(std::chrono::seconds(5));

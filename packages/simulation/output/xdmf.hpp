@@ -35,9 +35,9 @@ struct Body {
 
 /// What stays the same over a run.
 struct Model {
-  std::string folder;  // that holds the meshes and the files of the steps, beside the XDMF file
-  std::string index;   // beside it, too: the file that holds the triangles of bodies
-  StepMesh mesh;       // the first one
+  std::string folder;                  // that holds the meshes and the files of the steps, beside the XDMF file
+  std::string index;                   // beside it, too: the file that holds the triangles of bodies
+  StepMesh mesh;                       // the first one
   std::map<std::string, Body> bodies;  // by link name
   /// Of a file in the folder, as seen from beside the folder.
   std::string path(const std::string& file) const { return folder + "/" + file + ".h5"; }
