@@ -10,10 +10,6 @@ namespace mudline {
 
 namespace {
 
-double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
-
 /// The source's lengths of sides in units of the measure's total, between the middles of sides linear.
 double side_at(const std::vector<double>& shares, double share) {
   const int sides = static_cast<int>(shares.size()) - 1;

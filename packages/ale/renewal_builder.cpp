@@ -139,12 +139,10 @@ void Builder::add_path(std::size_t p, const DividedPath& divided) {
 /// Closed chains of vertices around a block, which is on their left.
 std::vector<std::vector<int>> Builder::loops(int block) const {
   std::map<int, std::vector<Directed>> from;  // by first vertex
-  std::size_t left = 0;
   for (std::size_t p = 0; p < paths_.size(); ++p)
     for (bool forward : {true, false}) {
       if ((forward ? plan_.beside(p).left : plan_.beside(p).right) != block) continue;
       from[forward ? chains_[p].front() : chains_[p].back()].push_back({p, forward});
-      ++left;
     }
   std::vector<std::vector<int>> result;
   for (auto& [start, paths] : from)
