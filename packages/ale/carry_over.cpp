@@ -100,6 +100,27 @@ double Ale::take_points(const Ale& from, const StateStore& old_store, const Posi
   return restored;
 }
 
+namespace {
+
+/// What is still missing of the pore water's compression [m3] comes from one pressure that is added wherever none is
+/// held: it is spread over the whole soil, where a factor would have to be large.
+void shift_pressures(const Soil& soil, const WholeMesh& mesh, const std::vector<double>& held, double before,
+                     State& to) {
+  if (soil.pressure < 0) return;
+  const std::vector<double> carried = mesh.gather(*soil.space, soil.pressure, to.value);
+  const auto compression = [&](double shift) {
+    std::vector<double> shifted = carried;
+    for (std::size_t node = 0; node < shifted.size(); ++node)
+      if (held[node] == 0) shifted[node] += shift;
+    mesh.scatter(*soil.space, soil.pressure, shifted, to.value);
+    return take_inventory(soil, to).compression;
+  };
+  const double now = compression(0), slope = compression(1) - now;  // it is linear in the pressures
+  compression(slope > 0 ? (before - now) / slope : 0.0);
+}
+
+}  // namespace
+
 void Ale::keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const {
   const int u = soil_.displacement;
   const std::vector<double> held = prescribed(u, constraints);
@@ -163,6 +184,7 @@ MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const C
   receipt.restored_solid = take_points(from, old_store, x_old, x_new, store);
   if (deck_.conserve) {
     keep_compression(receipt.before.compression, constraints, to);
+    shift_pressures(soil_, mesh_, prescribed(std::max(soil_.pressure, 0), constraints), receipt.before.compression, to);
     keep_momentum(receipt.before, constraints, to);
   }
   receipt.after = take_inventory(soil_, to);

