@@ -77,8 +77,9 @@ void copy_bodies(Model& from, Model& to) {
   }
 }
 
-/// Arrays that do not depend on where anything is: the same on every rank, or shares of a sum.
-void copy_common(Model& from, Model& to) {
+/// Arrays that do not depend on where anything is: the same on every rank, or shares of a sum. The name of one that
+/// does all the same, or "".
+std::string copy_common(Model& from, Model& to) {
   const std::set<int> of_contacts = arrays_of_contacts(to);
   for (int handle = 0; handle < to.store().num_arrays(); ++handle) {
     const ArrayInfo& info = to.store().info(handle);
@@ -87,6 +88,7 @@ void copy_common(Model& from, Model& to) {
     if (way != Way::common && way != Way::summed) continue;
     const PointView &old = from.store().committed().arrays[from.store().find(info.name)],
                     &now = to.store().committed().arrays[handle];
+    if (old.extent(0) != now.extent(0)) return info.name;
     const bool keeper = to.mesh().comm()->getRank() == 0;
     for (std::size_t row = 0; row < now.extent(0); ++row)
       for (std::size_t c = 0; c < now.extent(1); ++c) {
@@ -96,6 +98,7 @@ void copy_common(Model& from, Model& to) {
         now(row, c) = keeper ? sum : 0.0;
       }
   }
+  return "";
 }
 
 void carry_contacts(Model& from, Model& to) {
@@ -161,7 +164,11 @@ NodalView carried_over(Model& from, Model& to, int field, const NodalView& value
 MeshReceipt take_over(Model& from, const Stage& stage, Model& to) {
   State& state = to.store().committed();
   state.time = from.store().committed().time;
-  copy_common(from, to);
+  if (const std::string name = copy_common(from, to); !name.empty()) {
+    MeshReceipt refused;
+    refused.veto = "the state '" + name + "' has other rows on another mesh";
+    return refused;
+  }
   copy_bodies(from, to);
   to.activate(stage, false);
   Constraints constraints(to.space().dofs()->num_overlap_dofs());
