@@ -33,6 +33,13 @@ struct Loaded {
 void check_probes(const Loaded& loaded) {
   const Bounds& box = loaded.model->mesh().bounds();
   const double slack = 1e-6 * box.extent();
+  const Ale* ale = loaded.model->ale();
+  for (const ProbeSettings& probe : loaded.output.probes)
+    if (probe.at_node && ale && ale->renewal())
+      loaded.root->section("output").section("probes").fail(
+          "a node is lost where the mesh is made anew ('mesh motion/remeshing'); give the probe 'moves with' a body or "
+          "nothing",
+          probe.name);
   for (const ProbeSettings& probe : loaded.output.probes) {
     const auto& at = probe.point;
     for (int i = 0; probe.moves_with.empty() && i < loaded.model->mesh().dimension(); ++i)
@@ -48,6 +55,11 @@ void check_probes(const Loaded& loaded) {
 void check_error_estimate(const Loaded& loaded) {
   if (loaded.output.error_estimate && !loaded.model->soil())
     loaded.root->section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
+  if (const Ale* ale = loaded.model->ale(); loaded.output.error_estimate && ale && ale->renewal())
+    loaded.root->section("output").fail(
+        "the stresses of the start, from which the error counts, cannot go over to the meshes of 'mesh "
+        "motion/remeshing' yet",
+        "error estimate");
 }
 
 std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {
@@ -65,7 +77,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   load_plugins(loaded->root->section("plugins"), loaded->registries);
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
-  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, mesh_parts);
+  loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
   loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
@@ -102,7 +114,10 @@ int run(const RunCommand& command) {
   const Origin origin{loaded->deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
                       std::string("mudline ") + MUDLINE_VERSION};
-  Run run(*loaded->model, loaded->output, origin, options);
+  const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](const RenewedMesh& mesh) {
+    return std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{"", &mesh});
+  };
+  Run run(std::move(loaded->model), on_mesh, loaded->output, origin, options);
   return static_cast<int>(run.execute());
 }
 

@@ -286,8 +286,9 @@ class FieldPicture:
         """zoom: window or None for an automatic one, [] for none."""
         self.result, self.step, self.zoom = result, step, zoom
         self.points = result.coordinates(step)
-        self.triangles, self.cells, self.edges = result.triangles, result.triangle_cells, result.edges
-        self.boundary = result.boundary
+        cells = result.cells(step)
+        self.triangles, self.cells, self.edges, self.boundary = (
+            cells.triangles, cells.triangle_cells, cells.edges, cells.boundary)
         self.contours = dict(result.bodies(step))
         self.mirrored = mirror and result.axisymmetric
         self.count = len(self.points)

@@ -70,6 +70,31 @@ def text(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
+class PlaneCells:
+    """Triangles of the cells of a mesh, the cells they belong to, edges, and those of the boundary."""
+
+    def __init__(self, mesh):
+        topology, offset = mesh["topology"][:], mesh["offset"][:]
+        kinds = topology[offset]
+        triangles, owners, edges = [], [], []
+        for kind, count in NODES_OF_CELL.items():
+            cells = np.flatnonzero(kinds == kind)
+            if not len(cells):
+                continue
+            nodes = topology[offset[cells][:, None] + 1 + np.arange(count)]
+            for triangle in TRIANGLES_OF_CELL[kind]:
+                triangles.append(nodes[:, triangle])
+                owners.append(cells)
+            outline = OUTLINE_OF_CELL[kind]
+            for a, b in zip(outline, outline[1:] + outline[:1]):
+                edges.append(nodes[:, (a, b)])
+        self.triangles = np.vstack(triangles) if triangles else np.empty((0, 3), int)
+        self.triangle_cells = np.concatenate(owners) if owners else np.empty(0, int)
+        every = np.sort(np.vstack(edges), axis=1) if edges else np.empty((0, 2), int)
+        self.edges, uses = np.unique(every, axis=0, return_counts=True)
+        self.boundary = self.edges[uses == 1]
+
+
 class FieldResult:
     """The fields of a run."""
 
@@ -96,30 +121,25 @@ class FieldResult:
         self._read_cells()
 
     def _read_cells(self):
-        topology, offset = self.file["mesh/topology"][:], self.file["mesh/offset"][:]
         if self.in_space:
+            topology, offset = self.file["mesh/topology"][:], self.file["mesh/offset"][:]
             self.mesh_in_space = Mesh(topology, offset, self.file["mesh/coordinates"][:])
             if not self.mesh_in_space.blocks:
                 raise ReportError(f"{self.file.filename}: no tetrahedra or hexahedra of known kind")
             return
-        kinds = topology[offset]
-        triangles, owners, edges = [], [], []
-        for kind, count in NODES_OF_CELL.items():
-            cells = np.flatnonzero(kinds == kind)
-            if not len(cells):
-                continue
-            nodes = topology[offset[cells][:, None] + 1 + np.arange(count)]
-            for triangle in TRIANGLES_OF_CELL[kind]:
-                triangles.append(nodes[:, triangle])
-                owners.append(cells)
-            outline = OUTLINE_OF_CELL[kind]
-            for a, b in zip(outline, outline[1:] + outline[:1]):
-                edges.append(nodes[:, (a, b)])
-        self.triangles = np.vstack(triangles) if triangles else np.empty((0, 3), int)
-        self.triangle_cells = np.concatenate(owners) if owners else np.empty(0, int)
-        every = np.sort(np.vstack(edges), axis=1) if edges else np.empty((0, 2), int)
-        self.edges, uses = np.unique(every, axis=0, return_counts=True)
-        self.boundary = self.edges[uses == 1]
+        self._cells = {}
+        first = self.cells(None)
+        self.triangles, self.triangle_cells, self.edges, self.boundary = (
+            first.triangles, first.triangle_cells, first.edges, first.boundary)
+
+    def cells(self, step):
+        """The plane cells of a step's mesh; the first mesh where the step names none of its own (None: no step)."""
+        group = None if step is None else self.file["steps"][self.steps[step]]
+        own = group is not None and "mesh" in group
+        name = text(group.attrs["mesh"]) if own else "mesh"
+        if name not in self._cells:
+            self._cells[name] = PlaneCells((group if own else self.file)["mesh"])
+        return self._cells[name]
 
     def stage_spans(self):
         """[(stage, first time, last time, number of steps)] in order."""

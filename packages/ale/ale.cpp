@@ -37,25 +37,32 @@ void AleParameters::parameters(Parameters& p) {
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
   p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
+  p.section("remeshing", renewal, "when and how the region is meshed anew; absent: it is not");
 }
 
 void Ale::document(Parameters& p) { AleParameters().parameters(p); }
 
 Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
-         const Section& section, const MeshMotionRegistries& registries)
+         const Section& section, const MeshMotionRegistries& registries, const RenewedMesh* renewed)
     : space_(space),
       soil_(soil),
       mesh_(space.mesh()),
       source_(mesh_.gather(space.mesh().coordinates())),
       corners_(mesh_, {}) {
-  section.allow_sections({"interior", "boundary", "remap"});
+  section.allow_sections({"interior", "boundary", "remap", "remeshing"});
   Parameters p(section);
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
   for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
-  deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"));
+  deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);
+  if (section.has_section("remeshing"))
+    renewal_ = std::make_unique<MeshRenewal>(mesh_, deck_.boundary, deck_.renewal, section.section("remeshing"));
+  if (renewed) {
+    renewals_ = renewed->number;
+    renewed_after_ = renewed->step;
+  }
   corners_ = CornerTriangles(mesh_, deck_.boundary.paths());
   corners_.add_tangents(source_, source_);
   on_path_.assign(mesh_.num_nodes(), 0);
@@ -145,7 +152,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
   }
   x.resize(mesh_.num_nodes());
   place_middles(boundary, x);
-  if (deck_.conserve) keep_volume(x_old, state, constraints, boundary, x);
+  if (deck_.conserve) keep_volume(soil_volume(mesh_, soil_, x_old), state, constraints, boundary, x);
   double largest = 0;
   for (const auto& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1])});
   for (int node = 0; node < mesh_.num_nodes(); ++node)  // what only rounding moved stays
@@ -159,9 +166,8 @@ std::vector<double> Ale::prescribed(int field, const Constraints& constraints) c
   return mesh_.gather(space_, field, mask);
 }
 
-void Ale::keep_volume(const Positions& x_old, const State& state, const Constraints& constraints, Positions& boundary,
+void Ale::keep_volume(double volume, const State& state, const Constraints& constraints, Positions& boundary,
                       Positions& x) const {
-  const double volume = soil_volume(mesh_, soil_, x_old);
   const auto missing = [&] { return volume - soil_volume(mesh_, soil_, x); };
   const auto matters = [&](double part) { return std::abs(part) > 1e-14 * volume; };
   double part = missing();
@@ -299,6 +305,17 @@ void Ale::keep_compression(double before, const Constraints& constraints, State&
   scale(std::abs(share) < deck_.mass_tolerance ? share : 0.0);
 }
 
+std::string Ale::lost_mass(const MeshReceipt& receipt) const {
+  const auto changed = [&](double share) { return std::abs(share) > deck_.mass_tolerance; };
+  const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
+  const double solid = share(receipt.before.solid, receipt.after.solid),
+               water = share(receipt.before.water, receipt.after.water);
+  if (changed(solid) || changed(receipt.restored_solid))
+    return "the remap changes the mass of grains by a share of " +
+           number(changed(solid) ? solid : -receipt.restored_solid);
+  return changed(water) ? "the remap changes the pore water by a share of " + number(water) : "";
+}
+
 MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) const {
   MeshReceipt receipt;
   State& state = store.committed();
@@ -336,15 +353,7 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   mesh_.scatter(x_new, moved.coordinates);
   if (deck_.conserve) keep_compression(receipt.before.compression, constraints, moved);
   receipt.after = take_inventory(soil_, moved);
-  const auto changed = [&](double share) { return std::abs(share) > deck_.mass_tolerance; };
-  const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
-  const double solid = share(receipt.before.solid, receipt.after.solid),
-               water = share(receipt.before.water, receipt.after.water);
-  if (changed(solid) || changed(receipt.restored_solid))
-    receipt.veto = "the remap changes the mass of grains by a share of " +
-                   number(changed(solid) ? solid : -receipt.restored_solid);
-  else if (changed(water))
-    receipt.veto = "the remap changes the pore water by a share of " + number(water);
+  receipt.veto = lost_mass(receipt);
   if (!receipt.veto.empty()) return receipt;
   store.accept();
   receipt.moved = true;

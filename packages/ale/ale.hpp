@@ -2,12 +2,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ale/boundary_motion.hpp"
 #include "ale/interior_motion.hpp"
 #include "ale/layer_remap.hpp"
+#include "ale/mesh_renewal.hpp"
 #include "ale/nodal_remap.hpp"
 #include "ale/remap.hpp"
 #include "physics/inventory.hpp"
@@ -27,6 +29,7 @@ struct AleParameters {
   double quality_below = 2, lowest_quality = 0.05, mass_tolerance = 1e-3, largest_motion = 1;
   bool conserve = true;
   BoundaryMotion boundary;
+  RenewalParameters renewal;
 };
 
 /// What a relocation of the mesh did, or would have done.
@@ -42,14 +45,20 @@ struct MeshReceipt {
   Inventory before, after;
 };
 
+/// A mesh made anew, or why there is none.
+struct Renewal {
+  std::optional<RenewedMesh> mesh;
+  std::string veto;
+};
+
 /// Relocation of the mesh under a committed state (arbitrary Lagrangian-Eulerian, operator split): boundary nodes slide
 /// along the deformed boundary, the interior follows, state variables and nodal fields are carried over; the topology
 /// is kept. A transaction of its own: a vetoed relocation leaves the state untouched.
 class Ale {
  public:
-  /// Reads "mesh motion". InputError. Collective.
+  /// Reads "mesh motion". `renewed`: the mesh of the space, where it is not the deck's. InputError. Collective.
   Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
-      const Section& section, const MeshMotionRegistries& registries);
+      const Section& section, const MeshMotionRegistries& registries, const RenewedMesh* renewed);
   static void document(Parameters& p);
   /// Why point data that a term declared cannot be carried along; "": they can.
   std::string problem(const StateStore& store) const;
@@ -61,7 +70,26 @@ class Ale {
   MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;
-  /// Of the deck: motions to less than this, and than before, are refused.
+
+  /// How the region is meshed anew; null: it is not.
+  const MeshRenewal* renewal() const { return renewal_.get(); }
+  /// Meshes that were made on the way so far.
+  int renewals() const { return renewals_; }
+  /// Whether the region is to be meshed anew after step number `step`, where the last attempt was after `tried`.
+  /// Collective.
+  bool renewal_due(int step, int tried, const State& committed) const;
+  /// A new mesh for the committed state. Collective; the same on every rank.
+  Renewal renew(int step, const State& committed) const;
+  /// The soil's state of `from`, an ALE of the mesh before, goes over to this one's `store`, whose bodies have theirs
+  /// already; the terms then follow as after relocate(). `constraints`: those of the present instant, on the new mesh.
+  /// Collective.
+  MeshReceipt take_over(const Ale& from, const StateStore& old_store, const Constraints& constraints,
+                        StateStore& store) const;
+  /// The whole mesh, and its paths.
+  const WholeMesh& mesh() const { return mesh_; }
+  const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
+  /// Values at the nodes of this mesh made from those of the mesh before: see NodalRemap.
+  NodalRemap from_mesh(const Ale& before, const Positions& x_old, const Positions& x_new) const;
 
  private:
   /// New positions of all nodes; a reason when there are none.
@@ -69,8 +97,8 @@ class Ale {
                             Positions& x) const;
   /// (node, component) 1 where a field's value is prescribed.
   std::vector<double> prescribed(int field, const Constraints& constraints) const;
-  /// Lets the free boundary give way until the soil has the volume that it had at x_old.
-  void keep_volume(const Positions& x_old, const State& state, const Constraints& constraints, Positions& boundary,
+  /// Lets the free boundary give way until the soil has this volume [m3].
+  void keep_volume(double volume, const State& state, const Constraints& constraints, Positions& boundary,
                    Positions& x) const;
   double largest_motion(const Positions& x_old, const Positions& x_new) const;
   bool folded(const Positions& x) const;
@@ -86,6 +114,14 @@ class Ale {
   /// Scales the pore pressures, where they are free, until the compression of the pore water is what it was.
   void keep_compression(double before, const Constraints& constraints, State& to) const;
   void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
+  /// Why a receipt's masses are not what they were, "" where they are.
+  std::string lost_mass(const MeshReceipt& receipt) const;
+  // To another mesh: see take_over().
+  void take_nodes(const Ale& from, const State& old_state, const Positions& x_old, const Positions& x_new,
+                  State& to) const;
+  double take_points(const Ale& from, const StateStore& old_store, const Positions& x_old, const Positions& x_new,
+                     StateStore& store) const;
+  void keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const;
 
   AleParameters deck_;
   const Space& space_;
@@ -96,7 +132,9 @@ class Ale {
   CornerTriangles corners_;
   std::unique_ptr<InteriorMotion> interior_;
   std::unique_ptr<Remap> remap_;
-  std::vector<char> on_path_, movable_;  // (node)
+  std::unique_ptr<MeshRenewal> renewal_;
+  int renewals_ = 0, renewed_after_ = 0;  // meshes made on the way, step of the last one
+  std::vector<char> on_path_, movable_;   // (node)
 };
 
 }  // namespace mudline

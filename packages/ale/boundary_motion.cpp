@@ -41,7 +41,8 @@ SizeField BoundaryMotion::size_field(const std::array<double, 2>& focus) const {
 }
 
 void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
-                          const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section) {
+                          const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
+                          const RenewedMesh* renewed) {
   bodies_ = bodies;
   for (const std::string& name : corners_)
     if (!mesh.node_sets().count(name)) {
@@ -58,8 +59,14 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
     focus = in_plane(bodies.at(focus_)->initial_position());
   }
-  paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
-                      [&](int node) { return starts_on_body(source[node]); });
+  if (renewed) {
+    paths_ = renewed->paths;
+    origins_ = renewed->origins;
+    focus = renewed->focus;
+  } else {
+    paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
+                        [&](int node) { return starts_on_body(source[node]); });
+  }
   for (const MeshPath& path : paths_) {
     const PathCurve curve(places(path, source));
     const CurveMeasure measure(curve, size_field(focus));
@@ -67,10 +74,18 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
     for (int v = 0; v < path.num_vertices(); ++v)
       shares.push_back(measure.at(curve.parameter(v * path.stride)) / measure.total());
     shares_.push_back(shares);
-    bool slides = path.num_vertices() > 2;
-    for (const std::string& name : material_sides_) slides = slides && !path.sets.count(name);
-    slides_.push_back(slides);
+    if (!renewed) origins_.push_back({shares, measure.total()});
+    slides_.push_back(path.num_vertices() > 2 && !material(path));
   }
+}
+
+bool BoundaryMotion::material(const MeshPath& path) const {
+  return std::any_of(material_sides_.begin(), material_sides_.end(),
+                     [&](const std::string& name) { return path.sets.count(name) > 0; });
+}
+
+std::array<double, 2> BoundaryMotion::focus(const State& state) const {
+  return focus_.empty() ? std::array<double, 2>{} : in_plane(bodies_.at(focus_)->position(state));
 }
 
 bool BoundaryMotion::starts_on_body(const std::array<double, 2>& x) const {
@@ -92,8 +107,7 @@ std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::a
 
 Positions BoundaryMotion::move(const Positions& x, const State& state) const {
   Positions result = x;
-  const SizeField size =
-      size_field(focus_.empty() ? std::array<double, 2>{} : in_plane(bodies_.at(focus_)->position(state)));
+  const SizeField size = size_field(focus(state));
   for (std::size_t p = 0; p < paths_.size(); ++p)
     if (slides_[p]) move_path(p, state, size, result);
   return result;
@@ -116,7 +130,8 @@ std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& sta
 
 void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeField& size, Positions& x) const {
   const MeshPath& path = paths_[p];
-  const PathCurve curve(places(path, x));
+  const PathPlaces places(*this, path, x, state);
+  const PathCurve& curve = places.curve();
   const CurveMeasure measure(curve, size);
   const int vertices = path.num_vertices(), stride = path.stride, last = static_cast<int>(path.nodes.size()) - 1;
   std::vector<double> s(path.nodes.size());
@@ -137,19 +152,26 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
         std::abs(s[i] - curve.parameter(i)) < 1e-9 * (s[i + 1] - s[i - 1]))
       s[i] = curve.parameter(i);
   }
-  std::vector<double> gaps(path.nodes.size(), 1e300);
-  if (!bodies_.empty())
-    for (int i = 0; i <= last; ++i) gaps[i] = foot(state, x[path.nodes[i]])->gap;
-  for (int i = 1; i < last; ++i) {
-    if (s[i] == curve.parameter(i)) continue;
-    std::array<double, 2> to = curve.at(s[i]);
-    const double gap = bodies_.empty() ? 1e300 : curve.interpolate(gaps, s[i]);
-    if (gap < 0.25 * (s[std::min(i + 1, last)] - s[i - 1])) {
-      const ContourFoot here = *foot(state, to);
-      for (int d = 0; d < 2; ++d) to[d] += (gap - here.gap) * here.normal[d];
-    }
-    x[path.nodes[i]] = to;
+  for (int i = 1; i < last; ++i)
+    if (s[i] != curve.parameter(i)) x[path.nodes[i]] = places.at(s[i], s[i + 1] - s[i - 1]);
+}
+
+PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state)
+    : boundary_(boundary), state_(state), curve_(places(path, x)) {
+  for (int node : path.nodes) {
+    const auto foot = boundary.foot(state, x[node]);
+    if (!foot) return;
+    gaps_.push_back(foot->gap);
   }
+}
+
+std::array<double, 2> PathPlaces::at(double s, double span) const {
+  std::array<double, 2> to = curve_.at(s);
+  const double gap = gaps_.empty() ? 1e300 : curve_.interpolate(gaps_, s);
+  if (gap >= 0.25 * span) return to;
+  const ContourFoot here = *boundary_.foot(state_, to);
+  for (int d = 0; d < 2; ++d) to[d] += (gap - here.gap) * here.normal[d];
+  return to;
 }
 
 }  // namespace mudline

@@ -130,4 +130,21 @@ std::vector<Grains> restore_grains(const PointTransfer& t, Geometry geometry, in
   return grains;
 }
 
+double grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+              const std::vector<double>& table, int columns, int column) {
+  double sum = 0;
+  for (int e : mesh.block_elements(block.block))
+    for (int q = 0; q < block.points; ++q)
+      sum += PointMap(mesh.elements()[e], block, q, x, geometry).volume() /
+             (1 + table[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * columns + column]);
+  return sum;
+}
+
+double restore_all_grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+                          std::vector<double>& table, int columns, int column, double before) {
+  const double after = grains(mesh, block, x, geometry, table, columns, column);
+  for (std::size_t i = column; i < table.size(); i += columns) table[i] = (1 + table[i]) * (after / before) - 1;
+  return (before - after) / before;
+}
+
 }  // namespace mudline

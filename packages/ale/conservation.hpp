@@ -48,4 +48,12 @@ struct Grains {
 std::vector<Grains> restore_grains(const PointTransfer& transfer, Geometry geometry, int column,
                                    const std::vector<char>& was, const std::vector<char>& is, std::size_t materials);
 
+/// Grains of a block of soil at x: the sum of volumes over 1 + e [m3]. `column`: that of the void ratio in a table of
+/// so many columns.
+double grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+              const std::vector<double>& table, int columns, int column);
+/// The same by one factor for all points of a block that has `before` of them to hold; the share that was missing.
+double restore_all_grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+                          std::vector<double>& table, int columns, int column, double before);
+
 }  // namespace mudline

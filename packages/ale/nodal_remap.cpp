@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "ale/point_locator.hpp"
 
 namespace mudline {
 
-namespace {
-
-/// Place on a side, in [-1, 1], nearest to x, and its distance.
 std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
                                           const std::array<double, 2>& x) {
   const int count = nodes[2] >= 0 ? 3 : 2;
@@ -36,14 +34,28 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
   return {xi, std::hypot(r[0], r[1])};
 }
 
-}  // namespace
+void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old,
+                             const std::array<double, 2>& x, Place& place) const {
+  double least = 1e300;
+  for (int k = first; k + path.stride <= last; k += path.stride) {
+    const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};
+    const auto [xi, distance] = nearest_on_side(nodes, x_old, x);
+    if (distance >= least) continue;
+    least = distance;
+    std::copy(nodes, nodes + 3, place.side_nodes);
+    place.along = xi;
+  }
+}
 
 NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
                        const Positions& x_new)
-    : mesh_(mesh), places_(x_old.size()) {
+    : mesh_(mesh), to_(mesh), places_(x_old.size()) {
   const PointLocator locator(mesh, x_old);
   for (int node = 0; node < mesh.num_nodes(); ++node) {
-    if (x_new[node] == x_old[node]) continue;
+    if (x_new[node] == x_old[node]) {
+      places_[node].same = node;
+      continue;
+    }
     const MeshPlace place = locator.find(x_new[node], mesh.element_of(node));
     places_[node].element = place.element;
     std::copy(place.xi, place.xi + 2, places_[node].xi);
@@ -51,29 +63,57 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
   for (const MeshPath& path : paths)
     for (int i = 1; i + 1 < static_cast<int>(path.nodes.size()); ++i) {
       Place& place = places_[path.nodes[i]];
-      if (place.element < 0) continue;
-      double least = 1e300;
+      if (place.same >= 0) continue;
       // a node slides less than one side
       const int first = std::max(0, (i / path.stride - 2) * path.stride),
                 last = static_cast<int>(path.nodes.size()) - 1;
-      for (int k = first; k + path.stride <= std::min(last, i + 3 * path.stride); k += path.stride) {
-        const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};
-        const auto [xi, distance] = nearest_on_side(nodes, x_old, x_new[path.nodes[i]]);
-        if (distance >= least) continue;
-        least = distance;
-        std::copy(nodes, nodes + 3, place.side_nodes);
-        place.along = xi;
-      }
+      put_on_path(path, first, std::min(last, i + 3 * path.stride), x_old, x_new[path.nodes[i]], place);
     }
+}
+
+NodalRemap::NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
+                       const WholeMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new)
+    : mesh_(from), to_(to), places_(x_new.size()) {
+  const PointLocator locator(from, x_old);
+  std::map<int, int> guess;  // by block: where the last node was found
+  for (const auto& element : to.elements())
+    for (int a = 0; a < num_nodes(element.shape); ++a) {
+      Place& place = places_[element.nodes[a]];
+      if (place.element >= 0) continue;
+      int& near = guess.emplace(element.block, from.block_elements(element.block).front()).first->second;
+      const MeshPlace found = locator.find(x_new[element.nodes[a]], near);
+      near = place.element = found.element;
+      std::copy(found.xi, found.xi + 2, place.xi);
+    }
+  for (std::size_t p = 0; p < paths_to.size(); ++p) put_on_new_path(paths_from[p], paths_to[p], x_old, x_new);
+}
+
+void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old,
+                                 const Positions& x_new) {
+  const int last = static_cast<int>(made.nodes.size()) - 1;
+  for (int i = 0; i <= last; ++i) {
+    Place& place = places_[made.nodes[i]];
+    if (i == 0 || i == last) {
+      place.same = i == 0 ? old.nodes.front() : old.nodes.back();
+      continue;
+    }
+    const bool stays = made.nodes.size() == old.nodes.size() && x_new[made.nodes[i]] == x_old[old.nodes[i]];
+    if (stays) place.same = old.nodes[i];
+    put_on_path(old, 0, static_cast<int>(old.nodes.size()) - 1, x_old, x_new[made.nodes[i]], place);
+  }
 }
 
 std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support,
                                       bool limited) const {
-  std::vector<double> now = old;
+  std::vector<double> now(places_.size() * components, 0.0);
   double N[9], dN[18];
-  for (int node = 0; node < mesh_.num_nodes(); ++node) {
+  for (int node = 0; node < to_.num_nodes(); ++node) {
     const Place& place = places_[node];
-    if (place.element < 0 || (support == Support::vertices && !mesh_.is_vertex(node))) continue;
+    if (support == Support::vertices && !to_.is_vertex(node)) continue;
+    if (place.same >= 0) {
+      for (int c = 0; c < components; ++c) now[components * node + c] = old[components * place.same + c];
+      continue;
+    }
     const auto& element = mesh_.elements()[place.element];
     int count;
     const int* from;

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "ale/mesh_paths.hpp"
 
 namespace mudline {
+
+/// Place on a side, in [-1, 1], nearest to x, and its distance [m]. `nodes`: ends, middle or -1.
+std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
+                                          const std::array<double, 2>& x);
 
 /// How the values at the nodes of the old mesh make those at the moved nodes: rows of a sparse interpolation, by the
 /// shape functions of the field in the old mesh. The values of nodes on paths come from the boundary alone, so that
@@ -12,6 +18,9 @@ namespace mudline {
 class NodalRemap {
  public:
   NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old, const Positions& x_new);
+  /// Another mesh of the same regions, with the same paths in the same order.
+  NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
+             const WholeMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
   /// `support`: which nodes carry the field; (node, component) in and out. `limited`: no value beyond those it is made
   /// of, for fields that jump from one node to the next, where quadratic shape functions overshoot remap by remap;
   /// smooth fields lose their peaks by it.
@@ -20,12 +29,18 @@ class NodalRemap {
 
  private:
   struct Place {
-    int element = -1;  // -1: the node did not move
+    int same = -1;  // node of the old mesh that is at its place
+    int element = -1;
     double xi[2] = {0, 0};
     int side_nodes[3] = {-1, -1, -1};  // of the old boundary, for nodes on paths: ends, middle or -1
     double along = 0;
   };
-  const WholeMesh& mesh_;
+  /// The nearest place on sides of an old path, from the vertex `first` to the vertex `last`.
+  void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const std::array<double, 2>& x,
+                   Place& place) const;
+  void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);
+
+  const WholeMesh &mesh_, &to_;
   std::vector<Place> places_;
 };
 

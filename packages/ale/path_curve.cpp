@@ -51,13 +51,16 @@ double PathCurve::interpolate(const std::vector<double>& values, double s) const
   return (1 - t) * values[k] + t * values[k + 1];
 }
 
-CurveMeasure::CurveMeasure(const PathCurve& curve, const SizeField& size) {
-  const int samples = 8 * curve.points();
+CurveMeasure::CurveMeasure(const PathCurve& curve, const SizeField& size)
+    : CurveMeasure(
+          curve, [&](double s) { return size(curve.at(s)); }, 8 * curve.points()) {}
+
+CurveMeasure::CurveMeasure(const PathCurve& curve, const std::function<double(double s)>& size, int samples) {
   step_ = curve.length() / samples;
   sum_.push_back(0);
-  double before = 1 / size(curve.at(0));
+  double before = 1 / size(0);
   for (int i = 1; i <= samples; ++i) {
-    const double here = 1 / size(curve.at(step_ * i));
+    const double here = 1 / size(step_ * i);
     sum_.push_back(sum_.back() + 0.5 * step_ * (before + here));
     before = here;
   }

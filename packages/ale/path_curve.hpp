@@ -33,6 +33,8 @@ using SizeField = std::function<double(const std::array<double, 2>&)>;
 class CurveMeasure {
  public:
   CurveMeasure(const PathCurve& curve, const SizeField& size);
+  /// The same of a size that depends on the place along the curve, sampled in so many intervals.
+  CurveMeasure(const PathCurve& curve, const std::function<double(double s)>& size, int samples);
   double total() const { return sum_.back(); }
   double at(double s) const;
   /// The place at which the measure is reached.

@@ -68,4 +68,17 @@ class Recovery {
   std::vector<std::pair<double, double>> range_;  // (element of the block, column)
 };
 
+/// The points of a block of a mesh whose nodes are at x.
+struct BlockPoints {
+  const WholeMesh& mesh;
+  const SoilBlock& block;
+  const Positions& x;
+};
+
+/// The field recovered from the table of one mesh at the points of another one of the same region: no farther than the
+/// range of the element that a point lies in reaches, and within the bounds of the variables.
+std::vector<double> recovered_on(const BlockPoints& to, const BlockPoints& from, const RecoveryPatches& patches,
+                                 const std::vector<double>& table, const std::vector<StateVariable>& variables,
+                                 int columns);
+
 }  // namespace mudline

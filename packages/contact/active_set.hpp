@@ -36,6 +36,8 @@ class ActiveSet {
   /// `ids`: of the points' rows, see ArrayInfo.
   void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids);
   bool used() const { return array_ >= 0; }
+  /// Handle of the array.
+  int array() const { return array_; }
   /// At the start of a step.
   void start(const State& trial, const std::function<bool(int row)>& presses) const;
   bool holds(const State& trial, int row) const { return trial.arrays[array_](row, 0) > 0; }

@@ -29,6 +29,15 @@ struct ContactContext {
   /// Total stress [Pa, tension positive, as sym6 numbers it] of a state in an element of a block, at a place on its
   /// surface; absent: none.
   std::function<std::array<double, 6>(const State& state, int block, int element, const Point& at)> stress = {};
+  /// The mesh was made on the way: its surface is where the bodies have left it, not where they start.
+  bool renewed = false;
+};
+
+/// An array of a contact whose rows belong to places along its surface: when the mesh is made anew they go over to the
+/// places of the new rows. No places: nothing in it outlives a step.
+struct SurfaceRows {
+  int array;
+  std::vector<Point> places;  // [m] by row
 };
 
 /// What a contact presses together: the sides of one surface, and a body or the sides of another surface.
@@ -51,6 +60,9 @@ class Contact : public Term, public History, public Unilateral, public Carried, 
   virtual std::vector<double> nodal_pressure(const State& state) const = 0;
   /// The same of the shear stress [Pa] on the soil, positive along the body's contour; empty without friction.
   virtual std::vector<double> nodal_shear(const State&) const { return {}; }
+  /// Its arrays with their places when the nodes are at x, as far as they are not the same on every rank; empty for a
+  /// contact that cannot go over to another mesh.
+  virtual std::vector<SurfaceRows> surface_rows(const ConstCoordinateView&) const { return {}; }
 };
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;

@@ -6,6 +6,7 @@
 
 #include "core/errors.hpp"
 #include "discretisation/gmsh_model.hpp"
+#include "discretisation/mesh_stream.hpp"
 
 namespace mudline {
 
@@ -14,13 +15,7 @@ namespace {
 /// A mesh on its way from Gmsh's process.
 struct Delivery {
   GlobalMesh mesh;
-  void transfer(ByteStream& s) {
-    std::size_t blocks = mesh.blocks.size();
-    s(blocks);
-    mesh.blocks.resize(blocks);
-    for (auto& block : mesh.blocks) s(block.region)(block.shape)(block.nodes);
-    s(mesh.coordinates)(mesh.side_sets)(mesh.node_sets);
-  }
+  void transfer(ByteStream& s) { transfer_mesh(s, mesh); }
 };
 
 }  // namespace

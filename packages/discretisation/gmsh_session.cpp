@@ -14,15 +14,6 @@ namespace mudline {
 
 namespace {
 
-/// Nothing closes Gmsh: its process ends with the work.
-void start_gmsh() {
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 0);
-  // Errors go to the log only: an exception from within Gmsh's threaded meshing would end the process.
-  gmsh::option::setNumber("General.AbortOnError", 0);
-  gmsh::logger::start();
-}
-
 /// Names of the parameters that the open geometry defines, without those in which Gmsh describes itself.
 std::vector<std::string> geometry_parameters() {
   std::vector<std::string> all, own;
@@ -55,6 +46,14 @@ void override_parameters(const GmshFile& file, const SourcePosition& position) {
 }
 
 }  // namespace
+
+void start_gmsh() {
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  // Errors go to the log only: an exception from within Gmsh's threaded meshing would end the process.
+  gmsh::option::setNumber("General.AbortOnError", 0);
+  gmsh::logger::start();
+}
 
 bool is_gmsh_geometry(const std::string& file) { return std::filesystem::path(file).extension() == ".geo"; }
 

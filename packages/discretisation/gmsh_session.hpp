@@ -41,6 +41,9 @@ Result with_gmsh(const GmshFile& file, const SourcePosition& position, Work&& wo
   return result;
 }
 
+/// Opens Gmsh in a process that ends with its work: silent, without the user's configuration files.
+void start_gmsh();
+
 /// Opens a file within with_gmsh(), a geometry (.geo) with the values for its named constants. InputError for a file
 /// that Gmsh cannot read, and for constants it does not have.
 void open_in_gmsh(const GmshFile& file, const SourcePosition& position);

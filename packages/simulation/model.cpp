@@ -14,6 +14,7 @@
 #include "integrator/time_error.hpp"
 #include "physics/soil_points.hpp"
 #include "physics/soil_stress.hpp"
+#include "simulation/model_renewal.hpp"
 #include "simulation/output/mesh_parts_file.hpp"
 #include "simulation/supports.hpp"
 
@@ -68,14 +69,26 @@ MeshRecipe mesh_recipe(const Section& deck, const Registries& registries) {
   return {registries.mesh_sources, required_section(deck, "mesh"), contact_sets(deck)};
 }
 
-Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const std::string& parts_file) {
-  deck.allow_parameters({});
-  deck.allow_sections(deck_sections());
+void Model::read_mesh(RCP<const Comm> comm, const Section& deck, const Registries& registries,
+                      const MeshOrigin& origin) {
   std::unique_ptr<MeshRecipe> recipe;
   agree(*comm, [&] { recipe = std::make_unique<MeshRecipe>(mesh_recipe(deck, registries)); });
-  mesh_ = parts_file.empty() ? make_mesh(comm, *recipe) : read_mesh_parts(comm, *recipe, parts_file);
+  if (origin.renewed) {
+    renewed_ = std::make_unique<RenewedMesh>(*origin.renewed);
+    GlobalMesh whole = renewed_->mesh;
+    whole.contacts = recipe->contacts();
+    mesh_ = std::make_unique<Mesh>(comm, recipe->geometry(), std::move(whole));
+  } else {
+    mesh_ = origin.parts_file.empty() ? make_mesh(comm, *recipe) : read_mesh_parts(comm, *recipe, origin.parts_file);
+  }
   if (mesh_->dimension() == 3 && deck.has_section("mesh motion"))
     deck.section("mesh motion").fail("not available in three dimensions yet");
+}
+
+Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin) {
+  deck.allow_parameters({});
+  deck.allow_sections(deck_sections());
+  read_mesh(comm, deck, registries, origin);
   read_materials(deck, registries);
   read_bodies(deck, registries);
   read_physics(deck, registries);
@@ -99,6 +112,13 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
                                        [this](const StepView& view) { return block_data_(view); });
   if (ale_)
     if (const std::string problem = ale_->problem(*store_); !problem.empty()) deck.section("mesh motion").fail(problem);
+  if (!renewed_) check_start(deck);
+}
+
+void Model::check_start(const Section& deck) {
+  if (ale_ && ale_->renewal())
+    if (const std::string problem = renewal_problem(*this); !problem.empty())
+      deck.section("mesh motion").section("remeshing").fail(problem);
   const Section physics = deck.section("physics");
   for (std::size_t i = 0; i < physics_.size(); ++i)
     call_physics(physics.section(physics.section_names()[i]),
@@ -214,7 +234,8 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
                                  [this](int block, double time) { return soil_->water_weight(block, time); },
                                  [this](const State& state, int block, int element, const Point& at) {
                                    return total_stress(*soil_, state, block, element, at);
-                                 }};
+                                 },
+                                 renewed_ != nullptr};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
     if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);
   }
@@ -225,7 +246,7 @@ void Model::read_mesh_motion(const Section& deck, const Registries& registries) 
   const Section section = deck.section("mesh motion");
   if (!soil_) section.fail("mesh motion needs a physics with soil");
   ale_ = std::make_unique<Ale>(*space_, *soil_, bodies_, section,
-                               MeshMotionRegistries{registries.interior_motions, registries.remaps});
+                               MeshMotionRegistries{registries.interior_motions, registries.remaps}, renewed_.get());
 }
 
 void Model::read_stages(const Section& deck, const Registries& registries) {

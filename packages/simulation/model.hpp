@@ -16,16 +16,25 @@
 
 namespace mudline {
 
+/// Where a model's mesh comes from, where it is not made by its deck.
+struct MeshOrigin {
+  std::string parts_file = {};           // file of `mudline split`
+  const RenewedMesh* renewed = nullptr;  // a mesh made on the way, and the state comes from elsewhere, too
+};
+
 /// The deck turned into objects: mesh, fields, terms, conditions, bodies, contacts, stages, solver; ready to step.
 class Model {
  public:
-  /// Builds and validates everything. `parts_file`: the file of `mudline split` with the mesh; "": it is made here.
-  /// InputError on every rank alike. Collective.
-  Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const std::string& parts_file = "");
+  /// Builds and validates everything; on a renewed mesh what can be validated there, and the initial state is left
+  /// out. InputError on every rank alike. Collective.
+  Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin = {});
 
   const Mesh& mesh() const { return *mesh_; }
+  /// The mesh as it was made on the way; null: it is the deck's. The same on every rank.
+  const RenewedMesh* renewed() const { return renewed_.get(); }
   const Space& space() const { return *space_; }
   StateStore& store() { return *store_; }
+  const StateStore& store() const { return *store_; }
   Stepper& stepper() { return *stepper_; }
   const std::shared_ptr<Soil>& soil() const { return soil_; }
   const std::vector<Conserved>& conserved() const { return conserved_; }
@@ -53,6 +62,8 @@ class Model {
   void prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const;
 
  private:
+  void read_mesh(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin);
+  void check_start(const Section& deck);
   void read_materials(const Section& deck, const Registries& registries);
   void read_physics(const Section& deck, const Registries& registries);
   void read_conditions(const Section& deck, const Registries& registries);
@@ -70,6 +81,7 @@ class Model {
   void check_parts(const Section& deck, const MeshParts& parts) const;
   double constrained_modulus(int block, int element) const;
 
+  std::unique_ptr<RenewedMesh> renewed_;
   std::unique_ptr<Mesh> mesh_;
   std::unique_ptr<Space> space_;
   Materials materials_;

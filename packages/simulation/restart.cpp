@@ -21,6 +21,21 @@ namespace {
 /// Sections of the deck that may change between a run and its continuation.
 const char* const free_sections[] = {"stages", "solver", "output"};
 
+/// The mesh that was made on the way, in the checkpoint: bytes in whole numbers, behind how many they are.
+const char* const renewed_mesh = "renewed mesh";
+
+std::vector<long long> packed(const std::vector<char>& bytes) {
+  std::vector<long long> result(1 + (bytes.size() + sizeof(long long) - 1) / sizeof(long long), 0);
+  result[0] = static_cast<long long>(bytes.size());
+  std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(result.data() + 1));
+  return result;
+}
+
+std::vector<char> unpacked(const std::vector<long long>& numbers) {
+  const char* first = reinterpret_cast<const char*>(numbers.data() + 1);
+  return {first, first + numbers[0]};
+}
+
 /// The rows of an array of the state: what they are called on any number of ranks.
 struct Rows {
   std::string name;            // of the ids in the checkpoint, "ids/dof"
@@ -163,14 +178,14 @@ std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
 }  // namespace
 
 void Run::save_checkpoint() {
-  const State& state = model_.store().committed();
+  const State& state = model_->store().committed();
   CheckpointData data;
   // first, as a solver that cannot tell forgets what it keeps: the arrays take its room
-  data.arrays["linear solver"] = model_.stepper().solver_memory();
-  for (const StateArray& array : arrays_of(model_, results_->initial_pressure())) {
+  data.arrays["linear solver"] = model_->stepper().solver_memory();
+  for (const StateArray& array : arrays_of(*model_, results_->initial_pressure())) {
     data.arrays[array.name].assign(array.values, array.values + array.size);
     // an array without rows on this rank may have some on others
-    if (max_over_ranks(*model_.mesh().comm(), array.rows.ids.empty() ? 0.0 : 1.0) > 0)
+    if (max_over_ranks(*model_->mesh().comm(), array.rows.ids.empty() ? 0.0 : 1.0) > 0)
       data.integers[array.rows.name] = array.rows.ids;
   }
   data.scalars["time"] = state.time;
@@ -182,31 +197,37 @@ void Run::save_checkpoint() {
   data.scalars["last dt"] = progress_.last_dt;
   data.scalars["next field time"] = progress_.next_field_time;
   data.scalars["stage open"] = progress_.stage_open;
-  const auto& floor = model_.stepper().reference_floor();
+  const auto& floor = model_->stepper().reference_floor();
   for (std::size_t f = 0; f < floor.size(); ++f) {
     data.scalars["reference floor " + std::to_string(f)] = floor[f];
-    data.scalars["size floor " + std::to_string(f)] = model_.stepper().size_floor()[f];
+    data.scalars["size floor " + std::to_string(f)] = model_->stepper().size_floor()[f];
   }
   const HistoryMark& history = results_->history_mark();
   data.integers["history"] = {history.rows, history.bytes, static_cast<long long>(history.fingerprint)};
   data.scalars["field steps"] = results_->field_steps();
   data.texts["deck"] = origin_.deck;
-  CheckpointWriter(model_.mesh().comm(), signature_of(model_.mesh())).write(checkpoint_path(), data);
+  if (model_->ale() && model_->ale()->renewal()) data.scalars["remesh tried"] = progress_.remesh_tried;
+  if (model_->renewed())
+    data.integers[renewed_mesh] =
+        model_->mesh().comm()->getRank() == 0 ? packed(model_->renewed()->bytes()) : std::vector<long long>();
+  CheckpointWriter(model_->mesh().comm(), signature_of(model_->mesh())).write(checkpoint_path(), data);
 }
 
 void Run::load_checkpoint() {
-  const RCP<const Comm> comm = model_.mesh().comm();
+  const RCP<const Comm> comm = model_->mesh().comm();
   const std::string path = checkpoint_path();
   agree(*comm, [&] {
     if (!std::filesystem::exists(path))
       throw InputError(path +
                        ": there is no such checkpoint; --restart continues a run of the same deck that left one");
   });
-  const CheckpointReader reader(comm, signature_of(model_.mesh()));
+  CheckpointReader reader(comm, signature_of(model_->mesh()));
   const auto texts = reader.texts(path);
   const auto deck = texts.find("deck");
   if (deck == texts.end()) throw InputError(path + ": the checkpoint lacks its deck");
   check_model(deck->second);
+  load_mesh(reader);
+  reader = CheckpointReader(comm, signature_of(model_->mesh()));
   checkpoint_ = reader.read(path);
   if (checkpoint_.moved_nodes)
     refuse_or_warn("the source of the mesh gives its nodes other coordinates than those of the first run");
@@ -222,8 +243,15 @@ void Run::load_checkpoint() {
       throw InputError(path + ": " + error.what());
     }
   });
-  log::info("restart at t = " + std::to_string(model_.store().committed().time) + " s, step " +
-            std::to_string(progress_.step) + ", stage '" + model_.stages()[progress_.stage]->name + "'");
+  log::info("restart at t = " + std::to_string(model_->store().committed().time) + " s, step " +
+            std::to_string(progress_.step) + ", stage '" + model_->stages()[progress_.stage]->name + "'");
+}
+
+void Run::load_mesh(const CheckpointReader& reader) {
+  const std::vector<long long> mesh = reader.integers(checkpoint_path(), renewed_mesh);
+  if (mesh.empty()) return;
+  model_ = make_model_(RenewedMesh::from_bytes(unpacked(mesh)));
+  balances_ = std::make_unique<Balances>(*model_);
 }
 
 void Run::refuse_or_warn(const std::string& difference) const {
@@ -247,7 +275,7 @@ void Run::check_model(const std::string& old_deck) const {
 void Run::check_stages(const std::string& old_deck) const {
   const Deck was = deck_of(old_deck, checkpoint_path()), now = deck_of(origin_.deck, "deck");
   const std::vector<std::string> names = stage_names(was.list());
-  const auto& stages = model_.stages();
+  const auto& stages = model_->stages();
   const int present = progress_.stage, begun = present + (progress_.stage_open ? 1 : 0);
   std::vector<std::string> over(names.begin(), names.begin() + std::min<int>(begun, static_cast<int>(names.size())));
   for (int i = 0; i < begun; ++i) {
@@ -271,7 +299,7 @@ void Run::check_stages(const std::string& old_deck) const {
   if (!without_effect.empty()) log::warn("changes in stages that are over have no effect: " + one_line(without_effect));
   if (!progress_.stage_open) return;
   const Stage& stage = *stages[present];
-  const double done = model_.store().committed().time - progress_.stage_start;
+  const double done = model_->store().committed().time - progress_.stage_start;
   if (stage.duration < done * (1 - 1e-9))
     throw InputError("stages/" + stage.name + "/duration: " + number_text(stage.duration) +
                      " s, but the checkpoint stands " + number_text(done) + " s into that stage");
@@ -279,7 +307,7 @@ void Run::check_stages(const std::string& old_deck) const {
 
 void Run::restore_progress() {
   const CheckpointData& data = checkpoint_;
-  model_.store().committed().time = scalar(data, "time");
+  model_->store().committed().time = scalar(data, "time");
   progress_.stage = counter(data, "stage", 1e6);
   progress_.step_in_stage = counter(data, "step in stage", 2e9);
   progress_.step = counter(data, "step", 2e9);
@@ -288,37 +316,38 @@ void Run::restore_progress() {
   progress_.last_dt = scalar(data, "last dt");
   // the interval may be another now
   progress_.next_field_time =
-      std::min(scalar(data, "next field time"), next_field_time(model_.store().committed().time));
+      std::min(scalar(data, "next field time"), next_field_time(model_->store().committed().time));
   progress_.stage_open = counter(data, "stage open", 1) == 1;
-  if (model_.store().committed().time < progress_.stage_start && progress_.stage_open)
+  if (data.scalars.count("remesh tried")) progress_.remesh_tried = counter(data, "remesh tried", 2e9);
+  if (model_->store().committed().time < progress_.stage_start && progress_.stage_open)
     throw InputError("its time lies before the start of its stage");
   if (progress_.stage_open && !(progress_.next_dt > 0) &&
-      model_.stages()[std::min<std::size_t>(progress_.stage, model_.stages().size() - 1)]->type !=
+      model_->stages()[std::min<std::size_t>(progress_.stage, model_->stages().size() - 1)]->type !=
           Stage::Type::geostatic)
     throw InputError("the value 'next dt' = " + number_text(progress_.next_dt) + " is impossible");
-  auto& floor = model_.stepper().reference_floor();
+  auto& floor = model_->stepper().reference_floor();
   for (std::size_t f = 0; f < floor.size(); ++f) {
     floor[f] = scalar(data, "reference floor " + std::to_string(f));
-    model_.stepper().size_floor()[f] = scalar(data, "size floor " + std::to_string(f));
+    model_->stepper().size_floor()[f] = scalar(data, "size floor " + std::to_string(f));
   }
-  if (progress_.stage >= static_cast<int>(model_.stages().size()))
+  if (progress_.stage >= static_cast<int>(model_->stages().size()))
     throw InputError("the checkpoint stands in stage " + std::to_string(progress_.stage + 1) + ", but the deck has " +
-                     std::to_string(model_.stages().size()) + " stages");
+                     std::to_string(model_->stages().size()) + " stages");
 }
 
 void Run::restore_arrays() {
   // the initial pressure has its place in the results, which are opened after this
-  const NodalView room("initial pressure", model_.store().committed().value.extent(0));
-  for (const StateArray& array : arrays_of(model_, room)) restore(checkpoint_, array);
+  const NodalView room("initial pressure", model_->store().committed().value.extent(0));
+  for (const StateArray& array : arrays_of(*model_, room)) restore(checkpoint_, array);
 }
 
 void Run::restore_initial_pressure() {
-  for (const StateArray& array : arrays_of(model_, results_->initial_pressure()))
+  for (const StateArray& array : arrays_of(*model_, results_->initial_pressure()))
     if (array.name == "nodal/initial pressure") restore(checkpoint_, array);
 }
 
 ResultsRestart Run::results_restart() const {
-  const double time = model_.store().committed().time;
+  const double time = model_->store().committed().time;
   const std::vector<long long>& history = find(checkpoint_.integers, "history", "history");
   if (history.size() < 3) does_not_fit("history");
   return {{{history[0], history[1], static_cast<std::uint64_t>(history[2])}, time, options_.accept_changes},
@@ -328,7 +357,7 @@ ResultsRestart Run::results_restart() const {
 void Run::restore_solver() {
   const auto found = checkpoint_.arrays.find("linear solver");
   // its numbers belong to the ranks' parts of the matrix
-  if (checkpoint_.ranks == 0 && found != checkpoint_.arrays.end()) model_.stepper().restore_solver(found->second);
+  if (checkpoint_.ranks == 0 && found != checkpoint_.arrays.end()) model_->stepper().restore_solver(found->second);
 }
 
 }  // namespace mudline

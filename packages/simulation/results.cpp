@@ -37,7 +37,8 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
                  const std::optional<ResultsRestart>& restart)
     : model_(model),
       error_(error),
-      fields_(model.mesh(), settings.stem(), restart ? std::optional(restart->fields) : std::nullopt),
+      fields_(model.mesh(), settings.stem(), restart ? std::optional(restart->fields) : std::nullopt,
+              model.renewed() ? model.renewed()->number : 0),
       history_(model.mesh().comm(), settings.stem() + ".csv", restart ? std::optional(restart->history) : std::nullopt),
       initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()),
       fluid_density_(fluid_density()),
@@ -69,10 +70,11 @@ NodalView Results::fluid_density() const {
   return density;
 }
 
-NodalView Results::excess_pressure() const {
-  const int field = model_.space().find("pore pressure");
+NodalView Results::deeper_by() const {
   const State& state = model_.store().committed();
-  NodalView excess("excess", state.value.extent(0));
+  NodalView result("deeper by", state.value.extent(0));
+  const int field = model_.space().find("pore pressure");
+  if (field < 0 || !model_.soil()) return result;
   const auto gravity = model_.soil()->water_gravity(state.time);
   const auto& start = model_.mesh().coordinates();
   for (int node = 0; node < model_.mesh().num_nodes(); ++node) {
@@ -82,9 +84,33 @@ NodalView Results::excess_pressure() const {
     double deeper = 0;
     for (int i = 0; i < model_.mesh().dimension(); ++i)
       deeper += gravity[i] * (state.coordinates(node, i) - start(node, i));
-    excess(dof) = state.value(dof) - initial_pressure_(dof) - fluid_density_(dof) * deeper;
+    result(dof) = fluid_density_(dof) * deeper;
+  }
+  return result;
+}
+
+NodalView Results::excess_pressure() const {
+  const State& state = model_.store().committed();
+  const int field = model_.space().find("pore pressure");
+  NodalView excess("excess", state.value.extent(0));
+  const NodalView deeper = deeper_by();
+  for (int node = 0; node < model_.mesh().num_nodes(); ++node) {
+    const int dof = model_.space().node_dof(field)(node);
+    if (dof >= 0) excess(dof) = state.value(dof) - initial_pressure_(dof) - deeper(dof);
   }
   return excess;
+}
+
+NodalView Results::reference_pressure() const {
+  const NodalView result = deeper_by();
+  for (std::size_t dof = 0; dof < result.extent(0); ++dof) result(dof) += initial_pressure_(dof);
+  return result;
+}
+
+void Results::take_reference_pressure(const NodalView& at_present_places) {
+  const NodalView deeper = deeper_by();
+  for (std::size_t dof = 0; dof < deeper.extent(0); ++dof)
+    initial_pressure_(dof) = at_present_places(dof) - deeper(dof);
 }
 
 std::vector<double> Results::on_all_nodes(int field, const ConstNodalView& values) const {

@@ -42,6 +42,9 @@ class Results {
   void take_initial_pressure();
   /// Pore pressure less that of the start at the same place, by overlap dof; only with pore fluid.
   NodalView excess_pressure() const;
+  /// The same as it would be where the nodes are now, by overlap dof: what goes over to another mesh.
+  NodalView reference_pressure() const;
+  void take_reference_pressure(const NodalView& at_present_places);
 
  private:
   std::vector<OutputField> nodal_fields() const;
@@ -68,6 +71,8 @@ class Results {
   DiscretisationError* error_;
   FieldFile fields_;
   HistoryFile history_;
+  /// Pressure of water at rest by which nodes are deeper than at the start, by overlap dof; 0 without pore fluid.
+  NodalView deeper_by() const;
   /// Density of the pore fluid [kg/m3] by overlap dof of the pore pressure, the mean of the elements around.
   /// Collective.
   NodalView fluid_density() const;

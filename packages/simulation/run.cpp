@@ -48,19 +48,27 @@ void catch_signals() {
   std::signal(SIGUSR1, on_signal);
 }
 
-Run::Run(Model& model, const OutputSettings& settings, const Origin& origin, const RunOptions& options)
-    : model_(model), settings_(settings), origin_(origin), options_(options), balances_(model), walls_(model) {
-  if (settings_.error_estimate) error_estimate_ = std::make_unique<DiscretisationError>(model_, settings_.target_error);
+Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettings& settings, const Origin& origin,
+         const RunOptions& options)
+    : model_(std::move(model)),
+      make_model_(std::move(make_model)),
+      settings_(settings),
+      origin_(origin),
+      options_(options),
+      balances_(std::make_unique<Balances>(*model_)),
+      walls_(std::make_unique<WallDissipation>(*model_)) {
+  if (settings_.error_estimate)
+    error_estimate_ = std::make_unique<DiscretisationError>(*model_, settings_.target_error);
   std::filesystem::create_directories(settings_.folder);
-  lock_ = std::make_unique<ResultLock>(model_.mesh().comm(), settings_.stem());
+  lock_ = std::make_unique<ResultLock>(model_->mesh().comm(), settings_.stem());
   if (options_.restart) {
     load_checkpoint();
-    results_ = std::make_unique<Results>(model_, settings_, origin_, error_estimate_.get(), results_restart());
+    results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), results_restart());
     restore_initial_pressure();
     return;
   }
-  make_room(model_.mesh().comm(), settings_.stem(), origin_, options_.overwrite);
-  results_ = std::make_unique<Results>(model_, settings_, origin_, error_estimate_.get(), std::nullopt);
+  make_room(model_->mesh().comm(), settings_.stem(), origin_, options_.overwrite);
+  results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), std::nullopt);
   take_start();
 }
 
@@ -69,19 +77,19 @@ StepRequest Run::request(const Stage& stage, double dt) const {
   request.dt = dt;
   request.scheme = stage.scheme(progress_.step_in_stage);
   request.prescribe = [this, &stage](double t_old, double t_end, const State& committed, Constraints& to) {
-    model_.prescribe(stage, t_old, t_end, committed, to);
+    model_->prescribe(stage, t_old, t_end, committed, to);
   };
   return request;
 }
 
 bool Run::stop_requested() const {
   const int here = stop_signal ? 1 : 0;
-  return sum_over_ranks(*model_.mesh().comm(), here) > 0;
+  return sum_over_ranks(*model_->mesh().comm(), here) > 0;
 }
 
 bool Run::begin_stage(const Stage& stage) {
   const bool fresh = !progress_.stage_open;
-  model_.activate(stage, fresh);
+  model_->activate(stage, fresh);
   if (!fresh) {
     restore_solver();
     return true;
@@ -90,27 +98,28 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.stage_open = true;
   if (error_estimate_) error_estimate_->begin_stage();
   progress_.step_in_stage = 0;
-  progress_.stage_start = model_.store().committed().time;
+  progress_.stage_start = model_->store().committed().time;
   progress_.next_dt = stage.control.initial;
   progress_.last_dt = 0;
   progress_.next_field_time = next_field_time(progress_.stage_start);
-  std::fill(model_.stepper().reference_floor().begin(), model_.stepper().reference_floor().end(), 0.0);
-  if (!model_.stepper().refresh_history()) {
-    log::warn("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" + model_.stepper().hints());
+  std::fill(model_->stepper().reference_floor().begin(), model_->stepper().reference_floor().end(), 0.0);
+  if (!model_->stepper().refresh_history()) {
+    log::warn("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
+              model_->stepper().hints());
     return false;
   }
-  State& state = model_.store().committed();
+  State& state = model_->store().committed();
   if (stage.initial_rates != Stage::InitialRates::keep) {
     Kokkos::deep_copy(state.acceleration, 0.0);
     if (stage.initial_rates == Stage::InitialRates::zero) Kokkos::deep_copy(state.rate, 0.0);
   }
   if (stage.type == Stage::Type::dynamic && stage.initial_rates == Stage::InitialRates::consistent &&
-      !model_.stepper().initialise_rates(request(stage, stage.control.initial), model_.tolerances().linear)) {
+      !model_->stepper().initialise_rates(request(stage, stage.control.initial), model_->tolerances().linear)) {
     log::warn("initial accelerations cannot be computed; stage '" + stage.name + "' starts from zero ones");
     Kokkos::deep_copy(state.acceleration, 0.0);
   }
-  balances_.jump([&] { model_.start_bodies(stage); });
-  if (model_.soil() && model_.soil()->pressure >= 0) walls_.begin(results_->excess_pressure());
+  balances_->jump([&] { model_->start_bodies(stage); });
+  if (model_->soil() && model_->soil()->pressure >= 0) walls_->begin(results_->excess_pressure());
   return true;
 }
 
@@ -119,26 +128,26 @@ bool Run::run_geostatic(const Stage& stage) {
   // the rates' coefficients finite; the rates themselves are off.
   StepRequest now = request(stage, 1.0);
   now.prescribe = [this, &stage](double, double t_end, const State& committed, Constraints& to) {
-    model_.prescribe(stage, t_end, t_end, committed, to);
+    model_->prescribe(stage, t_end, t_end, committed, to);
   };
-  const double time = model_.store().committed().time;
-  model_.store().committed().time = time - now.dt;
+  const double time = model_->store().committed().time;
+  model_->store().committed().time = time - now.dt;
   // a balance that is checked is solved for: the displacement tells of an imbalance that the residual's tolerance hides
-  NewtonOptions newton = model_.newton();
+  NewtonOptions newton = model_->newton();
   newton.least_iterations = stage.balance_tolerance > 0 ? 1 : 0;
-  const StepReport report = model_.stepper().attempt(now, model_.tolerances(), newton);
-  model_.store().committed().time = time;
+  const StepReport report = model_->stepper().attempt(now, model_->tolerances(), newton);
+  model_->store().committed().time = time;
   if (!report.converged) {
     log::warn("geostatic equilibrium of stage '" + stage.name + "' not found: " + report.reason);
     return false;
   }
-  const int u = model_.space().find("displacement");
+  const int u = model_->space().find("displacement");
   double largest = 0;
   if (u >= 0)
-    for (const auto& [begin, end] : overlap_ranges(*model_.space().dofs(), u))
+    for (const auto& [begin, end] : overlap_ranges(*model_->space().dofs(), u))
       for (int i = begin; i < end; ++i)
-        largest = std::max(largest, std::abs(model_.store().trial().value(i) - model_.store().committed().value(i)));
-  largest = max_over_ranks(*model_.mesh().comm(), largest);
+        largest = std::max(largest, std::abs(model_->store().trial().value(i) - model_->store().committed().value(i)));
+  largest = max_over_ranks(*model_->mesh().comm(), largest);
   log::info("  balanced in " + std::to_string(report.newton_iterations) + " iterations, largest displacement " +
             format("%.3g m", largest));
   if (stage.balance_tolerance > 0 && largest > stage.balance_tolerance) {
@@ -147,38 +156,38 @@ bool Run::run_geostatic(const Stage& stage) {
               "; check loads, supports and the initial stresses against each other");
     return false;
   }
-  balances_.add_step();
-  model_.store().trial().time = model_.store().committed().time;
-  Kokkos::deep_copy(model_.store().trial().rate, 0.0);
-  Kokkos::deep_copy(model_.store().trial().acceleration, 0.0);
-  model_.store().accept();
+  balances_->add_step();
+  model_->store().trial().time = model_->store().committed().time;
+  Kokkos::deep_copy(model_->store().trial().rate, 0.0);
+  Kokkos::deep_copy(model_->store().trial().acceleration, 0.0);
+  model_->store().accept();
   Report terms = report_terms();
   look_at_mesh();
-  terms["mesh/quality"] = {"-", quality_.lowest};
+  report_mesh(terms);
   ++progress_.step;
   reset_displacements();
   take_start();
-  results_->write_history(balances_, terms, 0.0, report.newton_iterations);
+  results_->write_history(*balances_, terms, 0.0, report.newton_iterations);
   return true;
 }
 
 void Run::take_start() {
-  balances_.start();
+  balances_->start();
   results_->take_initial_pressure();
   if (error_estimate_) error_estimate_->start();
 }
 
 void Run::reset_displacements() {
-  const int u = model_.space().find("displacement");
+  const int u = model_->space().find("displacement");
   if (u < 0) return;
-  State& state = model_.store().committed();
-  for (const auto& [begin, end] : overlap_ranges(*model_.space().dofs(), u))
+  State& state = model_->store().committed();
+  for (const auto& [begin, end] : overlap_ranges(*model_->space().dofs(), u))
     for (int i = begin; i < end; ++i) state.value(i) = 0;
 }
 
 double Run::choose_dt(const Stage& stage) const {
-  const double time = model_.store().committed().time, end = progress_.stage_start + stage.duration;
-  const double dt = model_.stepper().step_limit(std::min(progress_.next_dt, stage.control.maximum));
+  const double time = model_->store().committed().time, end = progress_.stage_start + stage.duration;
+  const double dt = model_->stepper().step_limit(std::min(progress_.next_dt, stage.control.maximum));
   const double left = end - time;
   if (dt > left * (1 - 1e-9)) return left;
   // two equal last steps instead of a full one and a sliver
@@ -187,18 +196,18 @@ double Run::choose_dt(const Stage& stage) const {
 
 LocalError Run::local_error(const Stage& stage) const {
   if (stage.control.error_tolerance <= 0) return {};
-  Stepper& stepper = model_.stepper();
-  return TimeError(model_.space())
+  Stepper& stepper = model_->stepper();
+  return TimeError(model_->space())
       .measure(stepper.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
                stepper.size_floor(), stage.control.error_tolerance);
 }
 
 Report Run::report_terms() {
   Report report;
-  const StepView& view = model_.stepper().view();
-  for (Reports* term : model_.stepper().reports()) term->histories(view, report);
-  const auto& active = model_.stepper().active();
-  for (const auto& [name, contact] : model_.contacts()) {
+  const StepView& view = model_->stepper().view();
+  for (Reports* term : model_->stepper().reports()) term->histories(view, report);
+  const auto& active = model_->stepper().active();
+  for (const auto& [name, contact] : model_->contacts()) {
     if (std::find(active.begin(), active.end(), contact.get()) != active.end()) continue;
     Report own;
     contact->histories(view, own);
@@ -206,8 +215,8 @@ Report Run::report_terms() {
       report[key] = {quantity.unit, quantity.lasting ? quantity.value : 0.0, quantity.lasting};
   }
   Report shares;
-  for (const auto& condition : model_.conditions()) condition->reactions(model_.stepper().reaction(), shares);
-  for (const auto& [name, body] : model_.bodies()) {
+  for (const auto& condition : model_->conditions()) condition->reactions(model_->stepper().reaction(), shares);
+  for (const auto& [name, body] : model_->bodies()) {
     const BodyUnknowns& unknowns = body->unknowns();
     const int axes = body->dimension();
     for (int k = 0; k < unknowns.count; ++k) {
@@ -215,18 +224,18 @@ Report Run::report_terms() {
       const bool turns = direction >= axes;
       const std::string axis = turns && axes == 2 ? "" : " " + std::string(axis_names[direction % axes]);
       shares["body/" + name + (turns ? "/driving moment" : "/driving force") + axis] = {
-          turns ? "N m" : "N", model_.stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k]};
+          turns ? "N m" : "N", model_->stepper().reaction()(unknowns.dof[k]) / unknowns.scale[k]};
     }
   }
   for (const auto& [name, share] : shares)
-    report[name] = {share.unit, sum_over_ranks(*model_.mesh().comm(), share.value)};
+    report[name] = {share.unit, sum_over_ranks(*model_->mesh().comm(), share.value)};
   return report;
 }
 
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
   for (;;) {
-    if (moves_mesh(stage)) model_.store().keep();
-    report = model_.stepper().attempt(request(stage, dt), model_.tolerances(), model_.newton());
+    if (moves_mesh(stage)) model_->store().keep();
+    report = model_->stepper().attempt(request(stage, dt), model_->tolerances(), model_->newton());
     double next = -1;
     if (report.converged) {
       error_ = local_error(stage);
@@ -236,7 +245,7 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
     }
     ++rejected_;
     if (next < 0) next = stage.control.after_failure(dt);
-    const double time = model_.store().committed().time;
+    const double time = model_->store().committed().time;
     if (next < 0 || stop_requested()) {
       exit = next < 0 ? ExitCode::no_convergence : ExitCode::stopped;
       if (next < 0)
@@ -251,7 +260,7 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
 }
 
 void Run::log_step(const Stage& stage, double dt, const StepReport& report) const {
-  const double time = model_.store().committed().time, done = time - progress_.stage_start;
+  const double time = model_->store().committed().time, done = time - progress_.stage_start;
   const double wall = Teuchos::Time::wallTime() - wall_start_;
   const double left = steps_here_ > 0 && done > 0 ? (stage.duration - done) / dt * wall / steps_here_ : 0;
   const std::string augmented =
@@ -264,36 +273,36 @@ void Run::log_step(const Stage& stage, double dt, const StepReport& report) cons
 }
 
 bool Run::accept(const Stage& stage, StepReport& report) {
-  balances_.add_step();
-  model_.store().accept();
+  balances_->add_step();
+  model_->store().accept();
   report_ = report_terms();
-  const bool moves = moves_mesh(stage) && model_.ale()->due(progress_.step + 1, model_.store().committed());
+  const bool moves = moves_mesh(stage) && model_->ale()->due(progress_.step + 1, model_->store().committed());
   const std::string veto = moves ? relocate_mesh() : "";
   if (!veto.empty()) {
     report.reason = veto;
-    model_.store().restore();
+    model_->store().restore();
     report.converged = false;
     return false;
   }
   look_at_mesh();
-  report_["mesh/quality"] = {"-", quality_.lowest};
+  report_mesh(report_);
   return true;
 }
 
-bool Run::moves_mesh(const Stage& stage) const { return model_.ale() && stage.mesh_motion; }
+bool Run::moves_mesh(const Stage& stage) const { return model_->ale() && stage.mesh_motion; }
 
 std::string Run::relocate_mesh() {
-  StateStore& store = model_.store();
-  const std::vector<double> conserved = balances_.conserved();
-  MeshReceipt receipt = model_.ale()->relocate(store, model_.stepper().constraints());
+  StateStore& store = model_->store();
+  const std::vector<double> conserved = balances_->conserved();
+  MeshReceipt receipt = model_->ale()->relocate(store, model_->stepper().constraints());
   if (!receipt.moved) return receipt.veto;
   // the trial state still has the mesh as it was
-  for (Carried* term : model_.stepper().carried()) term->relocate(store.trial().coordinates, store.committed());
-  if (!model_.stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_.stepper().hints();
-  receipt.yield_drift = yield_drift(*model_.soil(), store.committed(), store.trial());
-  for (Carried* term : model_.stepper().carried()) term->adopt(store.trial(), store.committed());
-  balances_.add_remap(receipt);
-  balances_.add_remap_of_conserved(conserved);
+  for (Carried* term : model_->stepper().carried()) term->relocate(store.trial().coordinates, store.committed());
+  if (!model_->stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_->stepper().hints();
+  receipt.yield_drift = yield_drift(*model_->soil(), store.committed(), store.trial());
+  for (Carried* term : model_->stepper().carried()) term->adopt(store.trial(), store.committed());
+  balances_->add_remap(receipt);
+  balances_->add_remap_of_conserved(conserved);
   char line[240];
   std::snprintf(
       line, sizeof line,
@@ -302,14 +311,14 @@ std::string Run::relocate_mesh() {
       receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid,
       receipt.yield_drift);
   log::detail(line);
-  if (model_.soil()->layered()) log::detail(layers_text(receipt));
+  if (model_->soil()->layered()) log::detail(layers_text(receipt));
   return "";
 }
 
 std::string Run::layers_text(const MeshReceipt& receipt) const {
   std::string text = "    layers: points of another material " + std::to_string(receipt.changed) +
                      ", laws started anew " + std::to_string(receipt.started) + "; grains restored";
-  const auto& materials = model_.soil()->materials;
+  const auto& materials = model_->soil()->materials;
   for (std::size_t k = 0; k < materials.size(); ++k)
     text += (k > 0 ? ", " : " ") + materials[k]->name +
             format(" %+.1e", receipt.restored_grains[k] / std::max(receipt.before.grains[k], 1e-300));
@@ -317,25 +326,32 @@ std::string Run::layers_text(const MeshReceipt& receipt) const {
 }
 
 void Run::look_at_mesh() {
-  const State& state = model_.store().committed();
-  quality_ = mesh_quality(model_.mesh(), state.coordinates);
+  const State& state = model_->store().committed();
+  quality_ = mesh_quality(model_->mesh(), state.coordinates);
   if (poor_mesh_ || quality_.lowest >= MeshQuality::doubtful) return;
   poor_mesh_ = true;
-  log::warn("the mesh is poor: " + describe(quality_, model_.mesh()) + " at t " + format("%.6g s", state.time) +
+  log::warn("the mesh is poor: " + describe(quality_, model_->mesh()) + " at t " + format("%.6g s", state.time) +
             "; doubt the results there (a 'mesh motion' or another mesh helps)");
+}
+
+void Run::report_mesh(Report& report) const {
+  report["mesh/quality"] = {"-", quality_.lowest};
+  if (!model_->ale() || !model_->ale()->renewal()) return;
+  report["mesh/elements"] = {"-", static_cast<double>(model_->mesh().num_global_elements())};
+  report["mesh/remeshings"] = {"-", static_cast<double>(model_->ale()->renewals())};
 }
 
 bool Run::ends_folded(const Stage& stage) const {
   if (stage.allow_folded || quality_.folded == 0) return false;
-  log::warn("the mesh is folded: " + describe(quality_, model_.mesh()) + " at t " +
-            format("%.6g s", model_.store().committed().time) + "; the state is saved and the run ends here: use a " +
+  log::warn("the mesh is folded: " + describe(quality_, model_->mesh()) + " at t " +
+            format("%.6g s", model_->store().committed().time) + "; the state is saved and the run ends here: use a " +
             "'mesh motion' or another mesh, or go on with stages/" + stage.name + "/allow folded elements = true");
   return true;
 }
 
 void Run::tell_dissipation(const Stage& stage) {
-  if (!model_.soil() || model_.soil()->pressure < 0) return;
-  for (const WallDissipation::Line& line : walls_.end(results_->excess_pressure(), stage.duration))
+  if (!model_->soil() || model_->soil()->pressure < 0) return;
+  for (const WallDissipation::Line& line : walls_->end(results_->excess_pressure(), stage.duration))
     line.doubtful ? log::warn(line.text) : log::info("  " + line.text);
 }
 
@@ -359,8 +375,8 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
       dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
   log_step(stage, dt, report);
   if (progress_.step % settings_.history_steps == 0)
-    results_->write_history(balances_, report_, dt, report.newton_iterations);
-  const double time = model_.store().committed().time;
+    results_->write_history(*balances_, report_, dt, report.newton_iterations);
+  const double time = model_->store().committed().time;
   const bool by_time = settings_.field_interval > 0 && time >= progress_.next_field_time * (1 - 1e-12);
   const bool by_step = settings_.field_steps > 0 && progress_.step % settings_.field_steps == 0;
   const bool at_end = time >= (progress_.stage_start + stage.duration) * (1 - 1e-12);
@@ -369,14 +385,16 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   if (settings_.checkpoint_steps > 0 && progress_.step % settings_.checkpoint_steps == 0) save_checkpoint();
 }
 
-ExitCode Run::run_stage(const Stage& stage) {
-  const double end_tolerance = 1e-9 * stage.duration;
-  while (model_.store().committed().time < progress_.stage_start + stage.duration - end_tolerance) {
+ExitCode Run::run_stage() {
+  const double duration = stage().duration, end_tolerance = 1e-9 * duration;
+  while (model_->store().committed().time < progress_.stage_start + duration - end_tolerance) {
     if (options_.maximum_steps > 0 && steps_here_ >= options_.maximum_steps) {
       save_checkpoint();
       log::info("stopped after " + std::to_string(steps_here_) + " steps; continue with --restart");
       return ExitCode::done;
     }
+    if (remeshing_due()) remesh();
+    const Stage& stage = this->stage();
     if (progress_.step_in_stage >= stage.control.maximum_steps) {
       log::warn("stages/" + stage.name + "/time step/maximum steps: " + std::to_string(stage.control.maximum_steps) +
                 " steps were taken and the stage is not over");
@@ -410,12 +428,12 @@ ExitCode Run::execute() {
   wall_start_ = Teuchos::Time::wallTime();
   if (!options_.restart) results_->write_fields(0, "start");
   look_at_mesh();
-  const auto& stages = model_.stages();
+  const int stages = static_cast<int>(model_->stages().size());
   // a restart between two stages: what was active in the one before is not newly activated in the next
   if (options_.restart && !progress_.stage_open && progress_.stage > 0)
-    model_.activate(*stages[progress_.stage - 1], false);
-  for (; progress_.stage < static_cast<int>(stages.size()); ++progress_.stage) {
-    const Stage& stage = *stages[progress_.stage];
+    model_->activate(*model_->stages()[progress_.stage - 1], false);
+  for (; progress_.stage < stages; ++progress_.stage) {
+    const Stage& stage = this->stage();
     if (!begin_stage(stage)) return ExitCode::no_convergence;
     if (stage.type == Stage::Type::geostatic) {
       if (!run_geostatic(stage)) {
@@ -424,13 +442,14 @@ ExitCode Run::execute() {
       }
       results_->write_fields(progress_.step, stage.name);
     } else {
-      const ExitCode exit = run_stage(stage);
-      const bool complete = model_.store().committed().time >= progress_.stage_start + stage.duration * (1 - 2e-9);
+      const double duration = stage.duration;
+      const ExitCode exit = run_stage();  // on a mesh made anew stages are others of the same name
+      const bool complete = model_->store().committed().time >= progress_.stage_start + duration * (1 - 2e-9);
       if (exit != ExitCode::done || !complete) return exit;
-      tell_dissipation(stage);
-      if (stage.reset_displacements) reset_displacements();
+      tell_dissipation(this->stage());
+      if (this->stage().reset_displacements) reset_displacements();
     }
-    const bool last = progress_.stage + 1 == static_cast<int>(stages.size());
+    const bool last = progress_.stage + 1 == stages;
     if (last) break;  // its checkpoint is written below: it stays open, so that a restart may prolong it
     progress_.stage_open = false;
     ++progress_.stage;
@@ -442,7 +461,7 @@ ExitCode Run::execute() {
   std::snprintf(line, sizeof line, "done: %d steps, %d rejected, %.1f s; results in %s.{xdmf,csv}", progress_.step,
                 rejected_, Teuchos::Time::wallTime() - wall_start_, settings_.stem().c_str());
   log::info(line);
-  const StepTimes& times = model_.stepper().times();
+  const StepTimes& times = model_->stepper().times();
   std::snprintf(line, sizeof line, "time: residuals %.2f s, Jacobians %.2f s, linear solves %.2f s", times.residual,
                 times.jacobian, times.linear);
   log::info(line);

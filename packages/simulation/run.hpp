@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,12 +25,16 @@ struct RunOptions {
   int maximum_steps = 0;        // stop after so many accepted steps of this run, with a checkpoint; 0: no limit
 };
 
+/// Makes a model of the run's deck on another mesh. InputError on every rank alike. Collective.
+using ModelMaker = std::function<std::unique_ptr<Model>(const RenewedMesh& mesh)>;
+
 /// Runs the stages of a model: steps, cuts, outputs, checkpoints, signals.
 class Run {
  public:
   /// `origin`: kept in the results. InputError when a restart does not fit, when another run writes the same results,
   /// or when those of another deck are in the way. Collective.
-  Run(Model& model, const OutputSettings& settings, const Origin& origin, const RunOptions& options);
+  Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettings& settings, const Origin& origin,
+      const RunOptions& options);
   ExitCode execute();
 
  private:
@@ -38,10 +43,12 @@ class Run {
     int stage = 0, step_in_stage = 0, step = 0;
     double stage_start = 0, next_dt = 0, last_dt = 0, next_field_time = 0;
     bool stage_open = false;  // the stage has begun
+    int remesh_tried = 0;     // step after which that was
   };
   bool begin_stage(const Stage& stage);
   bool run_geostatic(const Stage& stage);
-  ExitCode run_stage(const Stage& stage);
+  ExitCode run_stage();
+  const Stage& stage() const { return *model_->stages()[progress_.stage]; }
   bool take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit);
   /// Takes a converged step over and moves the mesh where that is due. False, the state as before, when the mesh cannot
   /// be.
@@ -51,6 +58,13 @@ class Run {
   std::string relocate_mesh();
   /// What a motion of the mesh did to the layers, in a line.
   std::string layers_text(const MeshReceipt& receipt) const;
+  bool remeshing_due() const;
+  /// Goes on with a model on a mesh made anew, or, where that is refused, with the present one.
+  void remesh();
+  /// "", or why `next` cannot take the state over; it has then done so.
+  std::string hand_over(std::unique_ptr<Model> next);
+  /// What the history shows of the mesh.
+  void report_mesh(Report& report) const;
   /// Measures the mesh of the committed state; warns once, where it is first poor.
   void look_at_mesh();
   /// Whether the run must end because elements are folded; says so then.
@@ -74,6 +88,8 @@ class Run {
   /// InputError, on every rank alike, when the checkpoint is missing, damaged, or that of another run.
   void load_checkpoint();
   /// A difference from the checkpoint's model: InputError unless the user accepts it.
+  /// The model on the mesh of a checkpoint that has one of its own.
+  void load_mesh(const CheckpointReader& reader);
   void refuse_or_warn(const std::string& difference) const;
   void check_model(const std::string& old_deck) const;
   void check_stages(const std::string& old_deck) const;
@@ -84,15 +100,16 @@ class Run {
   void restore_solver();
   std::string checkpoint_path() const { return settings_.stem() + ".restart"; }
 
-  Model& model_;
+  std::unique_ptr<Model> model_;
+  ModelMaker make_model_;
   OutputSettings settings_;
   Origin origin_;
   RunOptions options_;
   std::unique_ptr<ResultLock> lock_;
-  Balances balances_;
+  std::unique_ptr<Balances> balances_;
   std::unique_ptr<DiscretisationError> error_estimate_;  // null: not asked for
   std::unique_ptr<Results> results_;
-  WallDissipation walls_;
+  std::unique_ptr<WallDissipation> walls_;
   Progress progress_;
   CheckpointData checkpoint_;  // that a restart began from
   LocalError error_;           // of the step last tried

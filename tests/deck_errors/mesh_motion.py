@@ -16,6 +16,10 @@ def part(name, kind):
     return motion(f'<ParameterList name="{name}">' + parameter("type", "string", kind) + "</ParameterList>")
 
 
+def part_of(name, *parameters):
+    return motion(f'<ParameterList name="{name}">' + "".join(parameters) + "</ParameterList>")
+
+
 DECKS = [
     Wrong("mesh motion type", part("interior", "optimization"),
           "mesh motion/interior/type: unknown mesh motion type 'optimization' (did you mean 'optimisation'?); "
@@ -34,6 +38,12 @@ DECKS = [
           "mesh motion/boundary/corners: unknown point set 'edge'; none is allowed here", ranks=BOTH),
     Wrong("material side", boundary(parameter("material sides", "Array(string)", "{tip}")),
           "mesh motion/boundary/material sides: unknown side set 'tip' (did you mean 'top'?)"),
+    Wrong("remeshing parameter", part_of("remeshing", parameter("wall sise", "double", "0.1")),
+          "mesh motion/remeshing/wall sise: unknown parameter (did you mean 'wall size'?)"),
+    Wrong("remeshing quality", part_of("remeshing", parameter("when quality below", "double", "1.0")),
+          "mesh motion/remeshing/when quality below: 1 is out of range; allowed: [0, 1)"),
+    Wrong("remeshing of quadrilaterals", part_of("remeshing"),
+          "mesh motion/remeshing: the mesh has cells quad9; only meshes of triangles (tri3, tri6) can be made anew", ranks=BOTH),
     Wrong("artificial motion without period", part("interior", "artificial"),
           "mesh motion/interior: required parameter 'period' is missing"),
 ]

@@ -36,7 +36,8 @@ HEAVY = {
     r"MueLu|Xpetra|Ifpack2": ["packages/algebra/amg.cpp"],
     r"Belos": [],
     r"[sdcz]mumps_": ["packages/algebra/mumps_factor.cpp"],
-    r"gmsh": [f"packages/discretisation/gmsh_{part}.cpp" for part in ("session", "mesh", "model", "curve")],
+    r"gmsh": [f"packages/discretisation/gmsh_{part}.cpp" for part in ("session", "mesh", "model", "curve")] +
+             ["packages/discretisation/triangulation.cpp"],
     r"hdf5|H5": ["packages/simulation/output/", "packages/simulation/tests/"],
     r"tinyxml2": ["packages/core/deck_xml.cpp"],
     r"muParser": ["packages/core/function.cpp"],

@@ -87,6 +87,7 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   double step_limit(const State& committed, double dt) const override;
   void relocate(const ConstCoordinateView& x_old, State& committed) override;
   void adopt(const State& evaluated, State& committed) override;
+  std::vector<SurfaceRows> surface_rows(const ConstCoordinateView& x) const override;
   std::vector<double> nodal_pressure(const State& state) const override;
   std::vector<double> nodal_shear(const State& state) const override;
 

@@ -200,6 +200,17 @@ std::map<std::string, std::string> CheckpointReader::texts(const std::string& pa
   return result;
 }
 
+std::vector<long long> CheckpointReader::integers(const std::string& path, const std::string& name) const {
+  std::vector<long long> result;
+  reading(path, [&] {
+    const auto file = h5::open_file(raw_communicator(*comm_), path, false);
+    const auto group = h5::open_group(file, "integers");
+    for (const std::string& link : h5::names(group))
+      if (h5::unescaped(link) == name) result = h5::read_all<long long>(group, link);
+  });
+  return result;
+}
+
 CheckpointData CheckpointReader::read(const std::string& path) const {
   check_seal(path);
   const MPI_Comm mpi = raw_communicator(*comm_);

@@ -54,10 +54,12 @@ Point moved(const Point& point, const BodyPose& pose) {
 }  // namespace
 
 struct FieldFile::File {
-  File(const Mesh& mesh, const std::string& stem);
+  File(const Mesh& mesh, const std::string& stem, int number);
 
   void create(const Mesh& mesh);
-  void open(const FieldRestart& restart);
+  void write_mesh(const Mesh& mesh);
+  void open(const Mesh& mesh, const FieldRestart& restart);
+  xdmf::StepMesh mesh_of(hid_t step) const;
   std::string wrong_fields(const std::vector<OutputField>& fields, std::size_t rows) const;
   std::string bad_value(const std::vector<OutputField>& fields) const;
   std::map<std::string, xdmf::Field> write_fields(hid_t file, const std::string& group,
@@ -68,22 +70,23 @@ struct FieldFile::File {
 
   Teuchos::RCP<const Teuchos::Comm<int>> owner;  // keeps the communicator alive
   MPI_Comm comm;
-  int rank, dimension;
+  int rank, dimension, number;
+  xdmf::StepMesh on;  // of the steps that are written now
   IdOrder nodes, elements;
   FieldIndex index;  // the same on every rank; rank 0 writes it
 };
 
-FieldFile::File::File(const Mesh& mesh, const std::string& path_stem)
+FieldFile::File::File(const Mesh& mesh, const std::string& path_stem, int mesh_number)
     : owner(mesh.comm()),
       comm(raw_communicator(*mesh.comm())),
       rank(mesh.comm()->getRank()),
       dimension(mesh.dimension()),
+      number(mesh_number),
       nodes(comm, field_layout::owned_ids(mesh), mesh.num_global_nodes()),
       elements(comm, field_layout::element_ids(mesh), mesh.num_global_elements()),
       index(path_stem, rank == 0) {
   index.geometry = mudline::name(mesh.geometry());
-  index.model.nodes = nodes.global_count();
-  index.model.elements = elements.global_count();
+  on = {FieldIndex::mesh_name(number), nodes.global_count(), elements.global_count(), 0};
 }
 
 void FieldFile::File::fail_alike(const std::string& message) const {
@@ -99,14 +102,30 @@ void FieldFile::File::create(const Mesh& mesh) {
     std::filesystem::create_directories(index.folder(), problem);
   }
   fail_alike(problem ? "cannot create the folder '" + index.folder() + "': " + problem.message() : "");
-  fail_alike(write_whole(comm, index.mesh_path(), field_layout::mesh_size(mesh), [&](hid_t file) {
-    index.model.topology_length = field_layout::write_mesh(file, comm, mesh, nodes, elements);
-  }));
+  write_mesh(mesh);
+  index.model.mesh = on;
   publish();
 }
 
-void FieldFile::File::open(const FieldRestart& restart) {
-  const std::size_t old = index.read();
+void FieldFile::File::write_mesh(const Mesh& mesh) {
+  fail_alike(write_whole(comm, index.mesh_path(number), field_layout::mesh_size(mesh), [&](hid_t file) {
+    on.topology_length = field_layout::write_mesh(file, comm, mesh, nodes, elements);
+  }));
+}
+
+/// Steps of earlier versions say nothing of their mesh: it is the first one.
+xdmf::StepMesh FieldFile::File::mesh_of(hid_t step) const {
+  if (!h5::has_attribute(step, "mesh")) return index.model.mesh;
+  return {h5::text_attribute(step, "mesh"), h5::integer_attribute(step, "nodes"),
+          h5::integer_attribute(step, "elements"), h5::integer_attribute(step, "topology length")};
+}
+
+void FieldFile::File::open(const Mesh& mesh, const FieldRestart& restart) {
+  const std::size_t old = index.read(number == 0 ? &on : nullptr);
+  if (number > 0)
+    write_mesh(mesh);
+  else
+    on = index.model.mesh;
   if (static_cast<long long>(old) < restart.steps && !restart.accept_loss)
     throw InputError(index.path() + ": only " + std::to_string(old) + " of the " + std::to_string(restart.steps) +
                      " outputs up to the checkpoint are left; put a copy of the fields back, run without --restart, or "
@@ -119,7 +138,8 @@ void FieldFile::File::open(const FieldRestart& restart) {
       const double time = h5::number_attribute(file, "time");
       if (by_time ? time > restart.time : static_cast<long long>(k) >= restart.steps) break;
       index.append({FieldIndex::step_name(k), time, h5::integer_attribute(file, "step"),
-                    h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell")});
+                    h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell"),
+                    mesh_of(file)});
     }
   } catch (const std::runtime_error& failure) {
     error = failure.what();
@@ -215,8 +235,8 @@ std::optional<std::map<std::string, std::string>> metadata_of(const std::string&
   }
 }
 
-FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart)
-    : file_(std::make_unique<File>(mesh, path_stem)) {
+FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart, int number)
+    : file_(std::make_unique<File>(mesh, path_stem, number)) {
   std::error_code ignored;
   const std::string path = file_->index.path();
   const bool found = broadcast(file_->comm, std::filesystem::is_regular_file(path, ignored) ? "found" : "") == "found";
@@ -225,7 +245,7 @@ FieldFile::FieldFile(const Mesh& mesh, const std::string& path_stem, std::option
                      " outputs up to the checkpoint; put a copy of it back, run without --restart, or go on with "
                      "outputs lost by --accept-changes");
   if (restart && found)
-    file_->open(*restart);
+    file_->open(mesh, *restart);
   else
     file_->create(mesh);
 }
@@ -274,7 +294,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
   if (bad.empty()) bad = f.bad_value(cell);
   f.fail_alike(bad);
 
-  xdmf::Step written{FieldIndex::step_name(f.index.steps), time, step, stage, {}, {}};
+  xdmf::Step written{FieldIndex::step_name(f.index.steps), time, step, stage, {}, {}, f.on};
   FileSize size{coordinates.size() * sizeof(double), nodal.size() + cell.size() + 2 * poses.size() + 4};
   for (const auto* fields : {&nodal, &cell})
     for (const OutputField& field : *fields) size.bytes += field.values.size() * sizeof(double);
@@ -284,6 +304,13 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
     h5::set_attribute(file, "time", std::vector<double>{time});
     h5::set_attribute(file, "step", static_cast<long long>(step));
     h5::set_attribute(file, "stage", stage);
+    if (f.number > 0) {  // the others have the first mesh, to which the index leads
+      h5::set_attribute(file, "mesh", f.on.file);
+      h5::set_attribute(file, "nodes", f.on.nodes);
+      h5::set_attribute(file, "elements", f.on.elements);
+      h5::set_attribute(file, "topology length", f.on.topology_length);
+      h5::link_to_file(file, "mesh", f.on.file + ".h5", "/mesh");
+    }
     field_layout::write_rows(file, "coordinates", coordinates, f.dimension, f.nodes);
     written.nodal = f.write_fields(file, "nodal", nodal, f.nodes);
     written.cell = f.write_fields(file, "cell", cell, f.elements);

@@ -57,8 +57,9 @@ class FieldFile {
  public:
   /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".xdmf".
   /// Without `restart` old files are replaced. With it so many steps stay and later ones go. InputError when the old
-  /// file cannot be continued: no result of mudline, of another mesh, or with steps missing.
-  FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart = {});
+  /// file cannot be continued: no result of mudline, of another mesh, or with steps missing. `number`: of a mesh that
+  /// was made on the way, which the steps from now on have; it comes with a restart only.
+  FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart = {}, int number = 0);
   ~FieldFile();
   FieldFile(const FieldFile&) = delete;
   FieldFile& operator=(const FieldFile&) = delete;

@@ -57,7 +57,13 @@ std::string FieldIndex::step_name(std::size_t step) {
   return text;
 }
 
-std::size_t FieldIndex::read() {
+std::string FieldIndex::mesh_name(int number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "mesh_%03d", number);
+  return number == 0 ? "mesh" : text;
+}
+
+std::size_t FieldIndex::read(const xdmf::StepMesh* first) {
   const std::string advice = "; move it away, or run without a restart";
   h5::Handle file;
   try {
@@ -70,11 +76,11 @@ std::size_t FieldIndex::read() {
     throw InputError(path() + ": not a result of this version of mudline" + advice);
   const long long old_nodes = h5::integer_attribute(file, "nodes"),
                   old_elements = h5::integer_attribute(file, "elements");
-  if (old_nodes != model.nodes || old_elements != model.elements)
+  if (first && (old_nodes != first->nodes || old_elements != first->elements))
     throw InputError(path() + ": the result belongs to a mesh of " + std::to_string(old_nodes) + " nodes and " +
-                     std::to_string(old_elements) + " elements, but this mesh has " + std::to_string(model.nodes) +
-                     " and " + std::to_string(model.elements) + advice);
-  model.topology_length = h5::integer_attribute(file, "topology length");
+                     std::to_string(old_elements) + " elements, but this mesh has " + std::to_string(first->nodes) +
+                     " and " + std::to_string(first->elements) + advice);
+  model.mesh = {mesh_name(0), old_nodes, old_elements, h5::integer_attribute(file, "topology length")};
   for (const std::string& link : h5::names(h5::open_group(file, "metadata")))
     metadata[link] = h5::read_text(file, "metadata/" + link);
   for (const std::string& link : h5::names(h5::open_group(file, "bodies"))) {
@@ -105,9 +111,9 @@ std::string FieldIndex::write() const {
     h5::set_attribute(file, "format", std::string(format_name));
     h5::set_attribute(file, "format version", format_version);
     h5::set_attribute(file, "geometry", geometry);
-    h5::set_attribute(file, "nodes", model.nodes);
-    h5::set_attribute(file, "elements", model.elements);
-    h5::set_attribute(file, "topology length", model.topology_length);
+    h5::set_attribute(file, "nodes", model.mesh.nodes);
+    h5::set_attribute(file, "elements", model.mesh.elements);
+    h5::set_attribute(file, "topology length", model.mesh.topology_length);
     h5::link_to_file(file, "mesh", model.path("mesh"), "/mesh");
     const auto texts = h5::create_group(file, "metadata"), bodies = h5::create_group(file, "bodies"),
                links = h5::create_group(file, "steps");
@@ -135,6 +141,8 @@ void FieldIndex::remove_files() const {
 
 void FieldIndex::remove_steps(std::size_t first) const {
   std::error_code ignored;
+  for (int number = 1; first == 0 && std::filesystem::remove(mesh_path(number), ignored); ++number) {
+  }
   // Steps are numbered without gaps.
   for (std::size_t k = first; std::filesystem::remove(step_path(k), ignored); ++k) {
   }

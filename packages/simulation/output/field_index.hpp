@@ -20,13 +20,15 @@ struct FieldIndex {
   /// Paths of the index, of the folder, of the mesh's file and of a step's; and the name of a step, "000010".
   std::string path() const { return stem + ".h5"; }
   std::string folder() const { return stem + ".fields"; }
-  std::string mesh_path() const { return folder() + "/mesh.h5"; }
+  std::string mesh_path(int number) const { return folder() + "/" + mesh_name(number) + ".h5"; }
   std::string step_path(std::size_t step) const { return folder() + "/" + step_name(step) + ".h5"; }
   static std::string step_name(std::size_t step);
+  /// "mesh", and "mesh_001" and so on for those that were made on the way.
+  static std::string mesh_name(int number);
 
-  /// Takes the index of an earlier run, without its steps. InputError when it is not one or belongs to another mesh.
-  /// Returns the number of steps that it names.
-  std::size_t read();
+  /// Takes the index of an earlier run, without its steps. InputError when it is not one or its first mesh is another
+  /// than `first` (null: any). Returns the number of steps that it names.
+  std::size_t read(const xdmf::StepMesh* first);
 
   /// Adds a body under its link name, or gives it another outline.
   void add_body(const std::string& link, const std::string& name, const SurfaceTriangles& outline);

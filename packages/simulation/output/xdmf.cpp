@@ -64,7 +64,8 @@ std::string body_grid(const Model& model, const Step& step, const std::string& l
 }  // namespace
 
 std::string grid(const Model& model, const Step& step) {
-  const std::string nodes = std::to_string(model.nodes), elements = std::to_string(model.elements);
+  const StepMesh& on = step.mesh;
+  const std::string nodes = std::to_string(on.nodes), elements = std::to_string(on.elements);
   const std::string about = "<Time Value=\"" + number(step.time) +
                             "\"/>\n"
                             "      <Information Name=\"step\" Value=\"" +
@@ -73,15 +74,15 @@ std::string grid(const Model& model, const Step& step) {
                             "      <Information Name=\"stage\" Value=\"" +
                             xml_escaped(step.stage) + "\"/>\n";
   const std::string mesh = "        <Topology TopologyType=\"Mixed\" NumberOfElements=\"" + elements + "\">" +
-                           heavy(model, "mesh", "/mesh/topology", std::to_string(model.topology_length), integer) +
+                           heavy(model, on.file, "/mesh/topology", std::to_string(on.topology_length), integer) +
                            "</Topology>\n"
                            "        <Geometry GeometryType=\"XYZ\">" +
                            heavy(model, step.file, "/coordinates", nodes + " 3", real) +
                            "</Geometry>\n"
                            "        <Attribute Name=\"region\" AttributeType=\"Scalar\" Center=\"Cell\">" +
-                           heavy(model, "mesh", "/mesh/region", elements, small_integer) + "</Attribute>\n" +
-                           attributes(model, step, step.nodal, "/nodal", "Node", model.nodes) +
-                           attributes(model, step, step.cell, "/cell", "Cell", model.elements);
+                           heavy(model, on.file, "/mesh/region", elements, small_integer) + "</Attribute>\n" +
+                           attributes(model, step, step.nodal, "/nodal", "Node", on.nodes) +
+                           attributes(model, step, step.cell, "/cell", "Cell", on.elements);
 
   if (model.bodies.empty())
     return "      <Grid Name=\"soil\" GridType=\"Uniform\">\n      " + about + mesh + "      </Grid>\n";

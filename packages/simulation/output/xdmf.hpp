@@ -12,6 +12,12 @@ struct Field {
   int components;
 };
 
+/// The mesh of a step.
+struct StepMesh {
+  std::string file = "mesh";  // in the model's folder, without suffix
+  long long nodes = 0, elements = 0, topology_length = 0;
+};
+
 /// What the light data say about one written step; the keys are link names in its HDF5 file.
 struct Step {
   std::string file;  // in the model's folder, without suffix: "000000"
@@ -19,6 +25,7 @@ struct Step {
   long long number;
   std::string stage;
   std::map<std::string, Field> nodal, cell;
+  StepMesh mesh;
 };
 
 struct Body {
@@ -28,9 +35,9 @@ struct Body {
 
 /// What stays the same over a run.
 struct Model {
-  std::string folder;  // that holds mesh.h5 and the files of the steps, beside the XDMF file
-  std::string index;   // beside it, too: the file that holds the triangles of bodies
-  long long nodes, elements, topology_length;
+  std::string folder;                  // that holds the meshes and the files of the steps, beside the XDMF file
+  std::string index;                   // beside it, too: the file that holds the triangles of bodies
+  StepMesh mesh;                       // the first one
   std::map<std::string, Body> bodies;  // by link name
   /// Of a file in the folder, as seen from beside the folder.
   std::string path(const std::string& file) const { return folder + "/" + file + ".h5"; }

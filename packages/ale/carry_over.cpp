@@ -1,0 +1,197 @@
+// The region meshed anew: when, and how the soil's state goes over from the mesh before.
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ale/ale.hpp"
+#include "ale/conservation.hpp"
+#include "ale/quality.hpp"
+#include "discretisation/agree.hpp"
+#include "discretisation/triangulation.hpp"
+
+namespace mudline {
+
+bool Ale::renewal_due(int step, int tried, const State& committed) const {
+  if (!renewal_ || step - std::max(renewed_after_, tried) < renewal_->deck().least_steps) return false;
+  if (quality(committed) < renewal_->deck().quality_below) return true;
+  return renewal_->largest_side(mesh_.gather(committed.coordinates), committed) > renewal_->deck().side_above;
+}
+
+Renewal Ale::renew(int step, const State& committed) const {
+  const Teuchos::Comm<int>& comm = *mesh_.mesh().comm();
+  const Positions x = mesh_.gather(committed.coordinates);
+  Renewal result;
+  std::vector<char> bytes;
+  if (comm.getRank() == 0) {
+    try {
+      // where the mesh is poor, one that is no better helps nobody
+      const double quality = lowest_quality(mesh_, x);
+      const double least = quality < renewal_->deck().quality_below ? quality : 0.0;
+      RenewedMesh made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality));
+      made.number = renewals_ + 1;
+      made.step = step;
+      bytes = made.bytes();
+    } catch (const std::exception& failure) {
+      result.veto = std::string("the region cannot be meshed: ") + failure.what();
+    }
+  }
+  result.veto = of_first_rank(comm, result.veto);
+  if (!result.veto.empty()) return result;
+  int length = static_cast<int>(bytes.size());
+  Teuchos::broadcast(comm, 0, 1, &length);
+  bytes.resize(length);
+  Teuchos::broadcast(comm, 0, length, bytes.data());
+  result.mesh = RenewedMesh::from_bytes(std::move(bytes));
+  return result;
+}
+
+NodalRemap Ale::from_mesh(const Ale& before, const Positions& x_old, const Positions& x_new) const {
+  return {before.mesh_, before.paths(), x_old, mesh_, paths(), x_new};
+}
+
+void Ale::take_nodes(const Ale& from, const State& old_state, const Positions& x_old, const Positions& x_new,
+                     State& to) const {
+  const NodalRemap nodal = from_mesh(from, x_old, x_new);
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    const Field& field = space_.field(f);
+    if (field.support == Support::apart) continue;
+    const std::pair<NodalView, NodalView> pairs[] = {
+        {old_state.value, to.value}, {old_state.rate, to.rate}, {old_state.acceleration, to.acceleration}};
+    for (const auto& [old, now] : pairs) {
+      const bool jumps = f == soil_.displacement && now.data() == to.value.data();
+      mesh_.scatter(space_, f,
+                    nodal.apply(from.mesh_.gather(from.space_, f, old), field.components, field.support, jumps), now);
+    }
+  }
+}
+
+double Ale::take_points(const Ale& from, const StateStore& old_store, const Positions& x_old, const Positions& x_new,
+                        StateStore& store) const {
+  double restored = 0;
+  for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
+    const SoilBlock &b = soil_.blocks[k], &b_old = from.soil_.blocks[k];
+    for (int handle = 0; handle < store.num_arrays(); ++handle) {
+      const ArrayInfo& info = store.info(handle);
+      if (info.block != b.block) continue;
+      const PointView& rows = store.committed().arrays[handle];
+      const int columns = static_cast<int>(rows.extent(1));
+      if (columns == 0) continue;
+      const std::vector<double> old =
+          from.mesh_.gather_points(b_old.block, b_old.points, old_store.committed().arrays[old_store.find(info.name)]);
+      std::vector<double> now =
+          recovered_on({mesh_, b, x_new}, {from.mesh_, b_old, x_old}, from.patches_[k], old, info.variables, columns);
+      if (handle == b.void_ratio && deck_.conserve) {
+        const double share = restore_all_grains(mesh_, b, x_new, soil_.geometry, now, columns, 0,
+                                                grains(from.mesh_, b_old, x_old, soil_.geometry, old, columns, 0));
+        restored = std::abs(share) > std::abs(restored) ? share : restored;
+      }
+      const ElementBlock& elements = space_.mesh().blocks()[b.block];
+      for (int e = 0; e < b.elements; ++e)
+        for (int q = 0; q < b.points; ++q)
+          for (int c = 0; c < columns; ++c)
+            rows(e * b.points + q, c) =
+                now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) *
+                        columns +
+                    c];
+    }
+  }
+  return restored;
+}
+
+namespace {
+
+/// What is still missing of the pore water's compression [m3] comes from one pressure that is added wherever none is
+/// held: it is spread over the whole soil, where a factor would have to be large.
+void shift_pressures(const Soil& soil, const WholeMesh& mesh, const std::vector<double>& held, double before,
+                     State& to) {
+  if (soil.pressure < 0) return;
+  const std::vector<double> carried = mesh.gather(*soil.space, soil.pressure, to.value);
+  const auto compression = [&](double shift) {
+    std::vector<double> shifted = carried;
+    for (std::size_t node = 0; node < shifted.size(); ++node)
+      if (held[node] == 0) shifted[node] += shift;
+    mesh.scatter(*soil.space, soil.pressure, shifted, to.value);
+    return take_inventory(soil, to).compression;
+  };
+  const double now = compression(0), slope = compression(1) - now;  // it is linear in the pressures
+  compression(slope > 0 ? (before - now) / slope : 0.0);
+}
+
+}  // namespace
+
+void Ale::keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const {
+  const int u = soil_.displacement;
+  const std::vector<double> held = prescribed(u, constraints);
+  std::vector<double> v = mesh_.gather(space_, u, to.rate);
+  const auto inventory = [&](const std::vector<double>& velocity) {
+    mesh_.scatter(space_, u, velocity, to.rate);
+    return take_inventory(soil_, to);
+  };
+  const auto on_free = [&](const std::vector<double>& base, int d, double shift) {
+    std::vector<double> result = base;
+    for (std::size_t i = d; i < result.size(); i += place_size)
+      if (held[i] == 0) result[i] += shift;
+    return result;
+  };
+  const std::vector<double> zero(v.size(), 0.0);
+  double mass[place_size];  // that moves with the free nodes
+  for (int d = 0; d < place_size; ++d) mass[d] = inventory(on_free(zero, d, 1)).momentum[d];
+  std::vector<double> fixed = v;  // the velocities that are prescribed
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (held[i] == 0) fixed[i] = 0;
+  for (int round = 0; round < 2; ++round) {  // the second one removes the rounding of the first
+    const Inventory now = inventory(v);
+    for (int d = 0; d < place_size; ++d)
+      if (mass[d] > 0) v = on_free(v, d, (before.momentum[d] - now.momentum[d]) / mass[d]);
+  }
+  const Inventory now = inventory(v);
+  if (now.kinetic <= before.kinetic) return;
+  // v = mean + deviation, whose momentum is zero: less of the deviation takes energy and leaves the momentum
+  std::vector<double> mean = fixed;
+  const Inventory at_fixed = inventory(fixed);
+  for (int d = 0; d < place_size; ++d)
+    if (mass[d] > 0) mean = on_free(mean, d, (now.momentum[d] - at_fixed.momentum[d]) / mass[d]);
+  std::vector<double> deviation = v;
+  for (std::size_t i = 0; i < v.size(); ++i) deviation[i] -= mean[i];
+  const double constant = inventory(mean).kinetic, square = inventory(deviation).kinetic,
+               linear = now.kinetic - constant - square, excess = constant - before.kinetic;
+  const double root = linear * linear - 4 * square * excess;
+  double share = square > 0 ? -0.5 * linear / square : 1;  // of the least energy
+  if (square > 0 && root >= 0) share = 0.5 * (-linear + std::sqrt(root)) / square;
+  share = std::clamp(share, 0.0, 1.0);
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = mean[i] + share * deviation[i];
+  inventory(v);
+}
+
+MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const Constraints& constraints,
+                           StateStore& store) const {
+  MeshReceipt receipt;
+  const State& old_state = old_store.committed();
+  State& to = store.committed();
+  const Positions x_old = from.mesh_.gather(old_state.coordinates);
+  Positions x_new = mesh_.gather(to.coordinates);
+  receipt.quality_before = lowest_quality(from.mesh_, x_old);
+  receipt.before = take_inventory(from.soil_, old_state);
+  if (deck_.conserve) {
+    Positions boundary = x_new;
+    keep_volume(soil_volume(from.mesh_, from.soil_, x_old), to, constraints, boundary, x_new);
+  }
+  receipt.quality = lowest_quality(mesh_, x_new);
+  mesh_.scatter(x_new, to.coordinates);
+  take_nodes(from, old_state, x_old, x_new, to);
+  receipt.restored_solid = take_points(from, old_store, x_old, x_new, store);
+  if (deck_.conserve) {
+    keep_compression(receipt.before.compression, constraints, to);
+    shift_pressures(soil_, mesh_, prescribed(std::max(soil_.pressure, 0), constraints), receipt.before.compression, to);
+    keep_momentum(receipt.before, constraints, to);
+  }
+  receipt.after = take_inventory(soil_, to);
+  receipt.veto = lost_mass(receipt);
+  if (receipt.veto.empty() && !(receipt.quality > 0)) receipt.veto = "the new mesh folds elements";
+  receipt.moved = receipt.veto.empty();
+  return receipt;
+}
+
+}  // namespace mudline

@@ -1,0 +1,178 @@
+#include "ale/mesh_renewal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "discretisation/triangulation.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// The source's lengths of sides in units of the measure's total, between the middles of sides linear.
+double side_at(const std::vector<double>& shares, double share) {
+  const int sides = static_cast<int>(shares.size()) - 1;
+  const auto middle = [&](int v) { return 0.5 * (shares[v] + shares[v + 1]); };
+  const auto length = [&](int v) { return shares[v + 1] - shares[v]; };
+  int after = 0;
+  while (after < sides && middle(after) < share) ++after;
+  if (after == 0) return length(0);
+  if (after == sides) return length(sides - 1);
+  const double t = (share - middle(after - 1)) / (middle(after) - middle(after - 1));
+  return (1 - t) * length(after - 1) + t * length(after);
+}
+
+}  // namespace
+
+void RenewalParameters::parameters(Parameters& p) {
+  p.add("when quality below", quality_below, "-", half_open(0, 1),
+        "the region is meshed anew when the smallest scaled Jacobian is below this");
+  p.add(
+      "when side above", side_above, "-", positive(),
+      "and when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
+      "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
+  p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
+  p.add("wall size", wall_size, "m", non_negative(),
+        "wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
+  p.add("growth", growth, "-", half_open(0, 2),
+        "increase of the wanted size per distance from a body's wall, and of the triangles' per distance from the "
+        "boundary");
+  p.add("time limit", time_limit, "s", positive(), "Gmsh is given up when it has not finished after this time");
+}
+
+MeshRenewal::MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
+                         const Section& section)
+    : mesh_(mesh), boundary_(boundary), deck_(deck) {
+  find_neighbours();
+  find_kept();
+  check(section);
+  check_sets(section);
+}
+
+void MeshRenewal::find_neighbours() {
+  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // directed, by nodes: element, side
+  const auto& elements = mesh_.elements();
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+    const int corners = num_corners(elements[e].shape);
+    for (int s = 0; s < corners; ++s) sides[{elements[e].nodes[s], elements[e].nodes[(s + 1) % corners]}] = {e, s};
+  }
+  for (const MeshPath& path : boundary_.paths()) {
+    PathNeighbours here;
+    const auto look = [&](int from, int to, int& block, std::set<std::string>& sets) {
+      const auto found = sides.find({from, to});
+      if (found == sides.end()) return;
+      const auto [element, side] = found->second;
+      block = elements[element].block;
+      for (const auto& [name, members] : mesh_.side_sets())
+        for (const auto& member : members)
+          if (member.element == element && member.side == side) sets.insert(name);
+    };
+    look(path.nodes[0], path.nodes[path.stride], here.left, here.left_sets);
+    look(path.nodes[path.stride], path.nodes[0], here.right, here.right_sets);
+    beside_.push_back(here);
+  }
+}
+
+void MeshRenewal::find_kept() {
+  kept_node_.assign(mesh_.num_nodes(), 0);
+  for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
+    const std::vector<int>& nodes = boundary_.paths()[p].nodes;
+    kept_node_[nodes.front()] = kept_node_[nodes.back()] = 1;
+    for (int node : nodes)
+      if (kept(p)) kept_node_[node] = 1;
+  }
+}
+
+void MeshRenewal::check(const Section& section) const {
+  if (!has_triangulation()) section.fail("remeshing needs Gmsh, and this program was built without it");
+  for (const auto& element : mesh_.elements())
+    if (element.shape != CellShape::tri3 && element.shape != CellShape::tri6)
+      section.fail(std::string("the mesh has cells ") + name(element.shape) +
+                   "; only meshes of triangles (tri3, tri6) can be made anew");
+}
+
+void MeshRenewal::check_sets(const Section& section) const {
+  std::map<std::string, std::size_t> on_paths;  // sides of each set that lie on paths whose sides all belong to it
+  for (std::size_t p = 0; p < beside_.size(); ++p) {
+    const std::size_t sides = boundary_.paths()[p].num_vertices() - 1;
+    for (const auto* sets : {&beside_[p].left_sets, &beside_[p].right_sets})
+      for (const std::string& name : *sets) on_paths[name] += sides;
+  }
+  for (const auto& [name, sides] : mesh_.side_sets())
+    if (on_paths[name] != sides.size())
+      section.fail("the side set '" + name +
+                   "' is not made of whole boundaries of regions: it would be lost where the mesh is made anew");
+  for (const auto& [name, nodes] : mesh_.node_sets())
+    for (int node : nodes)
+      if (!keeps(node))
+        section.fail("the point set '" + name +
+                     "' would be lost where the mesh is made anew; name it in boundary/corners, or a side set that it "
+                     "lies on in boundary/material sides");
+}
+
+std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const PathCurve& curve,
+                                                    const State& state) const {
+  const SizeField field = boundary_.size_field(boundary_.focus(state));
+  const CurveMeasure measure(curve, field);
+  const PathOrigin& origin = boundary_.origins()[path];
+  return [this, field, measure, &origin, &curve, &state](double s) {
+    const std::array<double, 2> place = curve.at(s);
+    double size = field(place) * origin.total * side_at(origin.shares, measure.at(s) / measure.total());
+    if (deck_.wall_size > 0)
+      if (const auto foot = boundary_.foot(state, place))
+        size = std::min(size, deck_.wall_size + deck_.growth * std::max(0.0, foot->gap));
+    return size;
+  };
+}
+
+double MeshRenewal::largest_side(const Positions& x, const State& state) const {
+  double largest = 0;
+  for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
+    if (kept(p)) continue;
+    const MeshPath& path = boundary_.paths()[p];
+    const PathPlaces places(boundary_, path, x, state);
+    const PathCurve& curve = places.curve();
+    const auto size = wanted(p, curve, state);
+    for (int i = 0; i + path.stride < static_cast<int>(path.nodes.size()); i += path.stride) {
+      const double from = curve.parameter(i), to = curve.parameter(i + path.stride);
+      largest = std::max(largest, (to - from) / size(0.5 * (from + to)));
+    }
+  }
+  return largest;
+}
+
+DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State& state) const {
+  const MeshPath& path = boundary_.paths()[p];
+  const PathPlaces places(boundary_, path, x, state);
+  const PathCurve& curve = places.curve();
+  const int last = static_cast<int>(path.nodes.size()) - 1;
+  std::vector<double> s{0};  // of the nodes
+  if (kept(p)) {
+    for (int i = path.stride; i <= last; i += path.stride) s.push_back(curve.parameter(i));
+  } else {
+    const auto size = wanted(p, curve, state);
+    double smallest = 1e300;
+    for (int i = 0; i <= 8 * last; ++i) smallest = std::min(smallest, size(curve.length() * i / (8 * last)));
+    constexpr double per_side = 8, most = 1e5;  // samples
+    const CurveMeasure measure(
+        curve, size, static_cast<int>(std::clamp(per_side * curve.length() / smallest, 8.0 * (last + 1), most)));
+    const int sides = std::max(1, static_cast<int>(std::lround(measure.total())));
+    for (int k = 1; k < sides; ++k) s.push_back(measure.place(k * measure.total() / sides));
+    s.push_back(curve.length());
+  }
+  DividedPath result;
+  const int sides = static_cast<int>(s.size()) - 1;
+  for (int v = 0; v <= sides; ++v) {
+    const bool end = v == 0 || v == sides;
+    if (kept(p) || end)
+      result.vertices.push_back(x[path.nodes[kept(p) ? v * path.stride : v == 0 ? 0 : last]]);
+    else
+      result.vertices.push_back(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride));
+  }
+  for (int k = 0; path.stride == 2 && k < sides; ++k)
+    result.middles.push_back(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
+  return result;
+}
+
+}  // namespace mudline

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ale/boundary_motion.hpp"
+#include "ale/renewed_mesh.hpp"
+
+namespace mudline {
+
+/// What the deck says of "remeshing".
+struct RenewalParameters {
+  void parameters(Parameters& p);
+  double quality_below = 0.2, side_above = 2, wall_size = 0, growth = 0.3, time_limit = 60;
+  int least_steps = 10;
+};
+
+/// A path divided into new sides.
+struct DividedPath {
+  std::vector<std::array<double, 2>> vertices;  // the ends among them
+  std::vector<std::array<double, 2>> middles;   // (side) of quadratic elements
+};
+
+/// What lies on either side of a path.
+struct PathNeighbours {
+  int left = -1, right = -1;  // blocks; -1: outside
+  std::set<std::string> left_sets, right_sets;
+};
+
+/// Makes a mesh anew within the boundary as it is: the paths are divided into sides of the wanted size, and the regions
+/// between them into triangles whose size grows away from the boundary. A side is wanted as long as the one that was at
+/// its share of the path in the deck's mesh, by the same measure about the focus, and at a body no longer than the wall
+/// size. Ends of paths and nodes of material sides stay where they are. Everything has its name again.
+class MeshRenewal {
+ public:
+  /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
+  MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
+              const Section& section);
+
+  const RenewalParameters& deck() const { return deck_; }
+  const WholeMesh& mesh() const { return mesh_; }
+  const BoundaryMotion& boundary() const { return boundary_; }
+  const PathNeighbours& beside(std::size_t path) const { return beside_[path]; }
+  /// Whether the path keeps its nodes.
+  bool kept(std::size_t path) const { return boundary_.material(boundary_.paths()[path]); }
+  /// Whether a node stays where it is.
+  bool keeps(int node) const { return kept_node_[node] != 0; }
+
+  /// The largest ratio of a side of the boundary to its wanted length.
+  double largest_side(const Positions& x, const State& state) const;
+  DividedPath divided(std::size_t path, const Positions& x, const State& state) const;
+  /// A mesh in the boundary at x, none of whose elements has a smaller scaled Jacobian than `least_quality`; without
+  /// its numbers of meshes and steps. Throws NoTriangulation. Serial, pure.
+  RenewedMesh make(const Positions& x, const State& state, double least_quality) const;
+
+ private:
+  void find_neighbours();
+  void find_kept();
+  void check(const Section& section) const;
+  void check_sets(const Section& section) const;
+  /// Wanted length of a side at a place s of a path's curve.
+  std::function<double(double s)> wanted(std::size_t path, const PathCurve& curve, const State& state) const;
+
+  const WholeMesh& mesh_;
+  const BoundaryMotion& boundary_;
+  RenewalParameters deck_;
+  std::vector<PathNeighbours> beside_;  // (path)
+  std::vector<char> kept_node_;
+};
+
+}  // namespace mudline

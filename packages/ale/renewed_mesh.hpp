@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ale/mesh_paths.hpp"
+#include "discretisation/mesh.hpp"
+
+namespace mudline {
+
+/// What the sides of a path were in the deck's mesh, and are to be again: the (vertex) share of the path's measure,
+/// and its total.
+struct PathOrigin {
+  std::vector<double> shares;
+  double total = 0;
+};
+
+/// A mesh that was made on the way, with all that a model on it must know, so that a run goes on from it as from a
+/// deck's mesh.
+struct RenewedMesh {
+  int number = 0;  // how many such meshes there have been, itself among them
+  int step = 0;    // after which it was made
+  GlobalMesh mesh;
+  std::vector<MeshPath> paths;      // of its own nodes, in the order of those of the mesh before
+  std::vector<PathOrigin> origins;  // (path)
+  std::array<double, 2> focus{};    // of the sizes, when it was made [m]
+
+  std::vector<char> bytes() const;
+  static RenewedMesh from_bytes(std::vector<char> bytes);
+};
+
+}  // namespace mudline

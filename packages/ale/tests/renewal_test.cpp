@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include "ale/conservation.hpp"
+#include "ale/mesh_renewal.hpp"
+#include "ale/nodal_remap.hpp"
+#include "ale/quality.hpp"
+#include "ale/recovery.hpp"
+#include "ale_mesh.hpp"
+#include "core/deck.hpp"
+#include "discretisation/triangulation.hpp"
+
+namespace mudline {
+namespace {
+
+using testing::box;
+using testing::points_of;
+
+/// A mesh of triangles with all that makes it anew.
+struct Renewed {
+  explicit Renewed(CellShape shape, const std::string& entries = "", int n = 6) : mesh(box(shape, n)), whole(*mesh) {
+    deck.overlay("<ParameterList name=\"deck\">" + entries + "</ParameterList>", "deck.xml");
+    x = whole.gather(mesh->coordinates());
+    boundary.bind(whole, x, {}, deck.root(), nullptr);
+    plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
+  }
+  std::unique_ptr<Mesh> mesh;
+  WholeMesh whole;
+  Deck deck;
+  Positions x;
+  BoundaryMotion boundary;
+  std::unique_ptr<MeshRenewal> plan;
+};
+
+std::unique_ptr<Mesh> mesh_of(const RenewedMesh& made) {
+  return std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::plane_strain, made.mesh);
+}
+
+double area(const WholeMesh& mesh, const Positions& x, const SoilBlock& block) {
+  Soil soil;
+  soil.geometry = Geometry::plane_strain;
+  soil.blocks = {block};
+  return soil_volume(mesh, soil, x);
+}
+
+/// Without inner distortion, the box drawn out to three times its height, its top curved.
+Positions drawn_out(Positions x) {
+  for (auto& p : x) p = {p[0], 3 * p[1] + 0.2 * p[1] * std::sin(3 * p[0])};
+  return x;
+}
+
+TEST(MeshRenewal, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
+  for (CellShape shape : {CellShape::tri3, CellShape::tri6}) {
+    Renewed was(shape);
+    EXPECT_NEAR(was.plan->largest_side(was.x, State()), 1, 1e-9);
+    const Positions x = drawn_out(was.x);
+    EXPECT_NEAR(was.plan->largest_side(x, State()), 3.3, 0.3);
+    const RenewedMesh made = was.plan->make(x, State(), 0.2);
+    const auto mesh = mesh_of(made);
+    const WholeMesh whole(*mesh);
+    const Positions now = whole.gather(mesh->coordinates());
+    EXPECT_GT(lowest_quality(whole, now), 0.4);
+    ASSERT_EQ(made.paths.size(), was.boundary.paths().size());
+    std::multiset<int> sides;
+    for (std::size_t p = 0; p < made.paths.size(); ++p) {
+      sides.insert(made.paths[p].num_vertices() - 1);
+      EXPECT_EQ(made.paths[p].sets, was.boundary.paths()[p].sets);
+      EXPECT_EQ(now[made.paths[p].nodes.front()], x[was.boundary.paths()[p].nodes.front()]);
+      EXPECT_EQ(now[made.paths[p].nodes.back()], x[was.boundary.paths()[p].nodes.back()]);
+    }
+    EXPECT_EQ(*sides.begin(), 6);    // the straight bottom
+    EXPECT_GE(*sides.rbegin(), 18);  // the sides, three times as long
+    EXPECT_EQ(whole.side_sets().at("bottom").size(), 6u);
+    EXPECT_EQ(mesh->blocks()[0].region, "soil");
+    for (const auto& side : whole.side_sets().at("bottom"))
+      EXPECT_EQ(now[whole.elements()[side.element].nodes[side.side]][1], 0.0);
+    // the same region, within what its curved top is approximated by
+    EXPECT_NEAR(area(whole, now, points_of(*mesh)), area(was.whole, x, points_of(*was.mesh)),
+                shape == CellShape::tri6 ? 1e-3 : 1e-2);
+    EXPECT_EQ(RenewedMesh::from_bytes(made.bytes()).bytes(), made.bytes());
+  }
+}
+
+TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
+  Deck deck;
+  Renewed was(CellShape::tri6);
+  BoundaryMotion boundary;
+  deck.overlay(
+      "<ParameterList name=\"deck\"><Parameter name=\"material sides\" type=\"Array(string)\" "
+      "value=\"{top}\"/></ParameterList>",
+      "deck.xml");
+  Parameters p(deck.root());
+  boundary.parameters(p);
+  boundary.bind(was.whole, was.x, {}, deck.root(), nullptr);
+  const MeshRenewal plan(was.whole, boundary, RenewalParameters(), was.deck.root());
+  const Positions x = drawn_out(was.x);
+  const RenewedMesh made = plan.make(x, State(), 0.2);
+  for (std::size_t k = 0; k < made.paths.size(); ++k) {
+    if (!made.paths[k].sets.count("top")) continue;
+    ASSERT_EQ(made.paths[k].nodes.size(), boundary.paths()[k].nodes.size());
+    for (std::size_t i = 0; i < made.paths[k].nodes.size(); ++i)
+      for (int d = 0; d < 2; ++d)
+        EXPECT_EQ(made.mesh.coordinates[made.paths[k].nodes[i]][d], x[boundary.paths()[k].nodes[i]][d]);
+  }
+}
+
+TEST(MeshRenewal, RefusesAMeshThatIsTooPoor) {
+  Renewed was(CellShape::tri6);
+  EXPECT_THROW(was.plan->make(was.x, State(), 0.99), NoTriangulation);
+}
+
+TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
+  Renewed was(CellShape::tri6);
+  Positions x = was.x;
+  for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 2.5 * p[1]};
+  const RenewedMesh made = was.plan->make(x, State(), 0.2);
+  const auto mesh = mesh_of(made);
+  const WholeMesh whole(*mesh);
+  const Positions now = whole.gather(mesh->coordinates());
+  EXPECT_GT(whole.num_nodes(), was.whole.num_nodes() * 3 / 2);
+  const auto quadratic = [](const std::array<double, 2>& p) {
+    return 1 + p[0] - 2 * p[1] + 3 * p[0] * p[1] - p[1] * p[1];
+  };
+  const auto linear = [](const std::array<double, 2>& p) { return 3 - 2 * p[0] + 5 * p[1]; };
+  std::vector<double> at_nodes, at_vertices;
+  for (const auto& place : x) {
+    at_nodes.push_back(quadratic(place));
+    at_vertices.push_back(linear(place));
+  }
+  const NodalRemap nodal(was.whole, was.boundary.paths(), x, whole, made.paths, now);
+  const auto all = nodal.apply(at_nodes, 1, Support::all_nodes), few = nodal.apply(at_vertices, 1, Support::vertices);
+  for (int node = 0; node < whole.num_nodes(); ++node) {
+    EXPECT_NEAR(all[node], quadratic(now[node]), 1e-12);
+    if (whole.is_vertex(node)) {
+      EXPECT_NEAR(few[node], linear(now[node]), 1e-12);
+    }
+  }
+  const SoilBlock old_block = points_of(*was.mesh), block = points_of(*mesh);
+  const RecoveryPatches patches(was.whole, old_block);
+  std::vector<double> table;  // a linear column, and a constant one
+  for (int e : was.whole.block_elements(0))
+    for (int q = 0; q < old_block.points; ++q) {
+      table.push_back(linear(Recovery::position(was.whole.elements()[e], old_block, q, x)));
+      table.push_back(7.25);
+    }
+  std::vector<double> there =
+      recovered_on({whole, block, now}, {was.whole, old_block, x}, patches, table, {{"f", 1, "-"}, {"g", 1, "-"}}, 2);
+  for (int e : whole.block_elements(0))
+    for (int q = 0; q < block.points; ++q) {
+      const std::size_t row = 2 * static_cast<std::size_t>(whole.first_row(e, block.points) + q);
+      EXPECT_NEAR(there[row], linear(Recovery::position(whole.elements()[e], block, q, now)), 1e-12);
+      EXPECT_NEAR(there[row + 1], 7.25, 1e-13);
+      there[row] = 1.1;  // a void ratio
+    }
+  const double before = 1.2 * grains(whole, block, now, Geometry::axisymmetric, there, 2, 0);
+  EXPECT_NEAR(restore_all_grains(whole, block, now, Geometry::axisymmetric, there, 2, 0, before), 1 / 6.0, 1e-12);
+  EXPECT_NEAR(grains(whole, block, now, Geometry::axisymmetric, there, 2, 0) / before, 1, 1e-14);
+}
+
+}  // namespace
+}  // namespace mudline

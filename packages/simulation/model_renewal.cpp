@@ -1,0 +1,194 @@
+#include "simulation/model_renewal.hpp"
+
+#include <unordered_map>
+
+#include "ale/yield_drift.hpp"
+#include "framework/dof_ids.hpp"
+#include "integrator/overlap.hpp"
+#include "simulation/surface_carrier.hpp"
+
+namespace mudline {
+
+namespace {
+
+bool begins_with(const std::string& text, const std::string& head) { return text.compare(0, head.size(), head) == 0; }
+
+/// Arrays that hold nodal forces of a condition.
+constexpr const char* held_forces = "absorbing/";
+
+/// How an array that is no point data goes over.
+enum class Way { common, summed, at_nodes, along_surface, unknown };
+
+Way way_of(const ArrayInfo& info, bool of_contact) {
+  if (of_contact) return Way::along_surface;
+  if (begins_with(info.name, held_forces)) return Way::at_nodes;
+  if (info.shares) return Way::summed;
+  return info.ids.empty() || info.name == "balance" ? Way::common : Way::unknown;
+}
+
+/// Handles of the arrays that contacts take along their surfaces.
+std::set<int> arrays_of_contacts(const Model& model) {
+  std::set<int> handles;
+  for (const auto& [name, contact] : model.contacts())
+    for (const SurfaceRows& rows : contact->surface_rows(model.store().committed().coordinates))
+      handles.insert(rows.array);
+  return handles;
+}
+
+/// By local dof, of a rank's rows that stand for dofs.
+std::vector<int> dofs_of(const Model& model, const ArrayInfo& info) {
+  std::unordered_map<long long, int> local;
+  const std::vector<long long> ids = dof_ids(*model.space().dofs());
+  for (std::size_t dof = 0; dof < ids.size(); ++dof) local.emplace(ids[dof], static_cast<int>(dof));
+  std::vector<int> result;
+  for (long long id : info.ids) result.push_back(local.at(id));
+  return result;
+}
+
+/// Why nodes that hold forces do not stay.
+std::string moving_forces(const Model& model, const ArrayInfo& info) {
+  const int u = model.soil()->displacement;
+  NodalView held("held", model.space().dofs()->num_overlap_dofs());
+  for (int dof : dofs_of(model, info)) held(dof) = 1;
+  const Ale& ale = *model.ale();
+  const std::vector<double> nodes = ale.mesh().gather(model.space(), u, held);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / place_size))
+      return "the boundary condition '" + info.name.substr(std::string(held_forces).size()) +
+             "' holds forces at nodes that would move; name its set in boundary/material sides";
+  return "";
+}
+
+Positions positions(Model& model) { return model.ale()->mesh().gather(model.store().committed().coordinates); }
+
+NodalRemap nodal_remap(Model& from, Model& to) {
+  return to.ale()->from_mesh(*from.ale(), positions(from), positions(to));
+}
+
+void copy_bodies(Model& from, Model& to) {
+  const State &old = from.store().committed(), &now = to.store().committed();
+  for (const auto& [name, body] : to.bodies()) {
+    const BodyUnknowns &here = body->unknowns(), &there = from.bodies().at(name)->unknowns();
+    for (int k = 0; k < here.count; ++k) {
+      now.value(here.dof[k]) = old.value(there.dof[k]);
+      now.rate(here.dof[k]) = old.rate(there.dof[k]);
+      now.acceleration(here.dof[k]) = old.acceleration(there.dof[k]);
+    }
+  }
+}
+
+/// Arrays that do not depend on where anything is: the same on every rank, or shares of a sum. The name of one that
+/// does all the same, or "".
+std::string copy_common(Model& from, Model& to) {
+  const std::set<int> of_contacts = arrays_of_contacts(to);
+  for (int handle = 0; handle < to.store().num_arrays(); ++handle) {
+    const ArrayInfo& info = to.store().info(handle);
+    if (info.block >= 0) continue;
+    const Way way = way_of(info, of_contacts.count(handle) > 0);
+    if (way != Way::common && way != Way::summed) continue;
+    const PointView &old = from.store().committed().arrays[from.store().find(info.name)],
+                    &now = to.store().committed().arrays[handle];
+    if (old.extent(0) != now.extent(0)) return info.name;
+    const bool keeper = to.mesh().comm()->getRank() == 0;
+    for (std::size_t row = 0; row < now.extent(0); ++row)
+      for (std::size_t c = 0; c < now.extent(1); ++c) {
+        now(row, c) = old(row, c);
+        if (way == Way::common) continue;
+        const double sum = sum_over_ranks(*to.mesh().comm(), old(row, c));
+        now(row, c) = keeper ? sum : 0.0;
+      }
+  }
+  return "";
+}
+
+void carry_contacts(Model& from, Model& to) {
+  const Positions x = positions(from);
+  for (std::size_t k = 0; k < to.contacts().size(); ++k) {
+    const Contact &old = *from.contacts()[k].second, &now = *to.contacts()[k].second;
+    const SurfaceCarrier carrier(*from.ale(), x, now.partners().surface);
+    const auto before = old.surface_rows(from.store().committed().coordinates),
+               after = now.surface_rows(to.store().committed().coordinates);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      const ArrayInfo& info = to.store().info(after[i].array);
+      const PointView& rows = to.store().committed().arrays[after[i].array];
+      // all ranks skip what nothing outlives a step of
+      if (max_over_ranks(*to.mesh().comm(), after[i].places.empty() ? 0.0 : 1.0) == 0) continue;
+      carrier.carry(info, from.store().committed().arrays[before[i].array], before[i].places, rows, after[i].places);
+    }
+  }
+}
+
+void carry_held_forces(Model& from, Model& to) {
+  for (int handle = 0; handle < to.store().num_arrays(); ++handle) {
+    const ArrayInfo& info = to.store().info(handle);
+    if (!begins_with(info.name, held_forces)) continue;
+    const PointView &old = from.store().committed().arrays[from.store().find(info.name)],
+                    &now = to.store().committed().arrays[handle];
+    NodalView forces("held forces", from.space().dofs()->num_overlap_dofs());
+    const std::vector<int> dofs = dofs_of(from, from.store().info(from.store().find(info.name)));
+    for (std::size_t row = 0; row < dofs.size(); ++row) forces(dofs[row]) = old(row, 0);
+    const NodalView made = carried_over(from, to, to.soil()->displacement, forces);
+    const std::vector<int> new_dofs = dofs_of(to, info);
+    for (std::size_t row = 0; row < new_dofs.size(); ++row) now(row, 0) = made(new_dofs[row]);
+  }
+}
+
+}  // namespace
+
+std::string renewal_problem(const Model& model) {
+  if (model.soil() && model.soil()->layered())
+    return "a region with layers of several materials cannot go over to another mesh yet";
+  const std::set<int> of_contacts = arrays_of_contacts(model);
+  for (const auto& [name, contact] : model.contacts())
+    if (!contact->partners().opposite.empty())
+      return "the contact '" + name + "' of two surfaces cannot go over to another mesh; only contacts with a body can";
+  for (int handle = 0; handle < model.store().num_arrays(); ++handle) {
+    const ArrayInfo& info = model.store().info(handle);
+    if (info.block >= 0) continue;
+    const Way way = way_of(info, of_contacts.count(handle) > 0);
+    if (way == Way::unknown) return "the state '" + info.name + "' cannot go over to another mesh";
+    if (way != Way::at_nodes) continue;
+    if (const std::string problem = moving_forces(model, info); !problem.empty()) return problem;
+  }
+  return "";
+}
+
+NodalView carried_over(Model& from, Model& to, int field, const NodalView& values) {
+  NodalView result("carried over", to.space().dofs()->num_overlap_dofs());
+  const Field& what = to.space().field(field);
+  to.ale()->mesh().scatter(to.space(), field,
+                           nodal_remap(from, to).apply(from.ale()->mesh().gather(from.space(), field, values),
+                                                       what.components, what.support),
+                           result);
+  return result;
+}
+
+MeshReceipt take_over(Model& from, const Stage& stage, Model& to) {
+  State& state = to.store().committed();
+  state.time = from.store().committed().time;
+  if (const std::string name = copy_common(from, to); !name.empty()) {
+    MeshReceipt refused;
+    refused.veto = "the state '" + name + "' has other rows on another mesh";
+    return refused;
+  }
+  copy_bodies(from, to);
+  to.activate(stage, false);
+  Constraints constraints(to.space().dofs()->num_overlap_dofs());
+  to.prescribe(stage, state.time, state.time, state, constraints);
+  MeshReceipt receipt = to.ale()->take_over(*from.ale(), from.store(), constraints, to.store());
+  if (!receipt.moved) return receipt;
+  carry_contacts(from, to);
+  carry_held_forces(from, to);
+  to.stepper().reference_floor() = from.stepper().reference_floor();
+  to.stepper().size_floor() = from.stepper().size_floor();
+  if (!to.stepper().refresh_history()) {
+    receipt.veto = "the state on the new mesh cannot be evaluated" + to.stepper().hints();
+    receipt.moved = false;
+    return receipt;
+  }
+  receipt.yield_drift = yield_drift(*to.soil(), state, to.store().trial());
+  for (Carried* term : to.stepper().carried()) term->adopt(to.store().trial(), state);
+  return receipt;
+}
+
+}  // namespace mudline

@@ -1,0 +1,65 @@
+// The run goes on with a model on a mesh made anew: a restart on another mesh, and a transaction.
+#include <cstdio>
+
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "simulation/model_renewal.hpp"
+#include "simulation/run.hpp"
+
+namespace mudline {
+
+bool Run::remeshing_due() const {
+  return moves_mesh(stage()) &&
+         model_->ale()->renewal_due(progress_.step, progress_.remesh_tried, model_->store().committed());
+}
+
+void Run::remesh() {
+  progress_.remesh_tried = progress_.step;
+  const State& state = model_->store().committed();
+  const Renewal made = model_->ale()->renew(progress_.step, state);
+  std::string veto = made.veto;
+  if (veto.empty()) {
+    try {
+      veto = hand_over(make_model_(*made.mesh));
+    } catch (const InputError& error) {  // on every rank alike
+      veto = std::string("there is no model on the new mesh: ") + error.what();
+    }
+  }
+  if (!veto.empty())
+    log::warn("no remeshing after step " + std::to_string(progress_.step) + ": " + veto +
+              "; the run goes on with the mesh as it is");
+}
+
+std::string Run::hand_over(std::unique_ptr<Model> next) {
+  auto balances = std::make_unique<Balances>(*next);
+  const std::vector<double> conserved = balances_->conserved();
+  const MeshReceipt receipt = take_over(*model_, stage(), *next);
+  if (!receipt.moved) return receipt.veto;
+  balances->add_remap(receipt);
+  balances->add_remap_of_conserved(conserved);
+  const int pressure = model_->space().find("pore pressure");
+  NodalView reference("reference pressure", next->store().committed().value.extent(0));
+  if (pressure >= 0) reference = carried_over(*model_, *next, pressure, results_->reference_pressure());
+  const double time = model_->store().committed().time;
+  const ResultsRestart files{{results_->history_mark(), time, false}, {results_->field_steps(), time, false}};
+  const long long elements = model_->mesh().num_global_elements();
+  results_.reset();
+  model_ = std::move(next);
+  balances_ = std::move(balances);
+  walls_ = std::make_unique<WallDissipation>(*model_);  // as after a restart within the stage
+  results_ = std::make_unique<Results>(*model_, settings_, origin_, nullptr, files);
+  results_->take_reference_pressure(reference);
+  look_at_mesh();
+  const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
+  char line[300];
+  std::snprintf(line, sizeof line,
+                "  remeshed: %lld -> %lld elements, quality %.2f -> %.2f, grains %+.1e, water %+.1e, restored %+.1e, "
+                "kinetic energy %+.1e, yield drift %.1e",
+                elements, model_->mesh().num_global_elements(), receipt.quality_before, receipt.quality,
+                share(receipt.before.solid, receipt.after.solid), share(receipt.before.water, receipt.after.water),
+                receipt.restored_solid, share(receipt.before.kinetic, receipt.after.kinetic), receipt.yield_drift);
+  log::info(line);
+  return "";
+}
+
+}  // namespace mudline
