@@ -173,13 +173,13 @@ DECKS = [
           "materials/mud/top: no soil is made of 'mud': no point of its regions lies below this and above the next lower 'top'",
           at=MUD_TOP.format(-0.1), ranks=BOTH),
     Wrong("soil above all layers", (section("clay"), section("clay") + parameter("top", "double", "0.2")),
-          "materials: no material at (0.0112702, 0.211270): it lies above the 'top' of every material of mesh region 'soil'; the uppermost "
+          "materials: no material at (0.0112702, 0.21127): it lies above the 'top' of every material of mesh region 'soil'; the uppermost "
           "one needs none", at=section("materials")),
     Wrong("layers with one top", layers(MUD_TOP.format(0.4), more=MUD_TOP.format(0.4) + "<!-- -->"),
           "materials/mud/top: the layers 'clay' and 'mud' of mesh region 'soil' have the same top", at=MUD_TOP.format(0.4) + "\n"),
-    Wrong("layers with two waters", layers(MUD_TOP.format(0.1), ('value="water"/>', 'value="water"/>' + parameter("density", "double", "1025"))),
+    Wrong("layers with two waters", layers(MUD_TOP.format(0.1), (section("fluid"), section("fluid") + parameter("density", "double", "1025"))),
           "materials/mud/fluid: the layers 'clay' and 'mud' of mesh region 'soil' have different pore fluids: water does not stay with the "
-          "layer; give both the same", line=False),
+          "layer; give both the same", at=section("fluid") + parameter("density", "double", "1025")),
     Wrong("warm layers", [layers(MUD_TOP.format(0.1) + HEAT), (whole("permeability"), whole("permeability") + HEAT),
                           ('value="biot"', 'value="thermo-hydro-mechanical"')],
           "materials/clay: mesh region 'soil' has layers, which physics 'thermo-hydro-mechanical' does not know; make each a region of the "
