@@ -7,6 +7,7 @@
 #include "core/space_vector.hpp"
 #include "discretisation/side_map.hpp"
 #include "integrator/overlap.hpp"
+#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -70,11 +71,9 @@ void WallDissipation::add_side(const Side& side, const NodalView& excess, Wall& 
     pressure += excess(model_.space().node_dof(model_.soil()->pressure)(node)) / corners;
   }
   const int row = side.element * own->points;
-  const PointView ratio = state.arrays[own->void_ratio], law = state.arrays[own->law];
-  const SoilMaterial& soil = *own->material;
-  const ElasticModuli moduli = soil.skeleton->moduli(&state.arrays[own->stress](row, 0), ratio(row, 0),
-                                                     law.extent(1) > 0 ? &law(row, 0) : nullptr);
-  const double mobility = soil.permeability->conductivity(ratio(row, 0), ratio(row, 1)).k / soil.fluid->unit_weight();
+  const SoilPoints soil(*model_.soil(), *own, state);
+  const ElasticModuli moduli = soil.moduli(row);
+  const double mobility = soil.conductivity(row) / soil.material(row).fluid->unit_weight();
   const double share = is_simplex(block.shape) ? model_.mesh().dimension() : 1;  // a simplex is a part of a box
   to.pressure += area * pressure;
   to.thickness += share * volume;
