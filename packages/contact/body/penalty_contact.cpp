@@ -325,10 +325,8 @@ std::string PenaltyContact::hint(const StepView& view) const {
          "' and has no inertia in a quasi-static stage: hold it, or release it in a dynamic stage";
 }
 
-void PenaltyContact::histories(const StepView& view, Report& values) {
-  const State& state = *view.committed;
-  const PointView& done = state.arrays[work_];
-  const PointForce force = local_force(state);
+/// What a history tells, added up over the points of all ranks.
+struct PenaltyContact::Sums {
   enum : int {
     reaction,
     friction = 3,
@@ -342,66 +340,79 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
     damping_heat,
     water,
     vapour,
-    film
+    film,
+    count = film + 3
   };
-  constexpr int sums = film + 3;
-  double local[sums] = {}, sum[sums];
-  double deepest = 0, deepest_everywhere = 0;
+  double of[count] = {}, deepest = 0;
+};
+
+PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
+  const PointView& done = state.arrays[work_];
+  const PointForce force = local_force(state);
+  Sums here, all;
+  double* const local = here.of;
   for (int i = 0; i < axes(); ++i) {
-    local[reaction + i] = -force.force[i];
-    local[damping + i] = -done(0, 2 + i);
+    local[Sums::reaction + i] = -force.force[i];
+    local[Sums::damping + i] = -done(0, 2 + i);
   }
-  local[work] = done(0, 0);
-  local[damping_heat] = done(0, 1);
+  local[Sums::work] = done(0, 0);
+  local[Sums::damping_heat] = done(0, 1);
   if (deck_.has_film()) {
     const WaterFilm::Sums between = deck_.film.sums(state);
-    local[water] = between.water;
-    local[vapour] = between.vapour;
-    for (int i = 0; i < axes(); ++i) local[film + i] = -between.force[i];
+    local[Sums::water] = between.water;
+    local[Sums::vapour] = between.vapour;
+    for (int i = 0; i < axes(); ++i) local[Sums::film + i] = -between.force[i];
   }
   for (int row = 0; row < first_row_.back(); ++row) {
     const ShearState shear = rows_.shear(state, row);
-    for (int i = 0; i < axes(); ++i) local[friction + i] -= rows_.friction(state, row)[i];
-    local[heat] += shear.dissipated;
-    local[sliding] += shear.slides;
+    for (int i = 0; i < axes(); ++i) local[Sums::friction + i] -= rows_.friction(state, row)[i];
+    local[Sums::heat] += shear.dissipated;
+    local[Sums::sliding] += shear.slides;
     if (!rows_.active(state, row)) continue;
-    if (rows_.height(state, row) < body_->tip_height()) local[tip] -= rows_.total(state, row).force[axes() - 1];
-    local[area] += rows_.area(state, row);
-    local[active] += 1;
-    deepest = std::max(deepest, -rows_.gap(state, row));
+    if (rows_.height(state, row) < body_->tip_height()) local[Sums::tip] -= rows_.total(state, row).force[axes() - 1];
+    local[Sums::area] += rows_.area(state, row);
+    local[Sums::active] += 1;
+    here.deepest = std::max(here.deepest, -rows_.gap(state, row));
   }
   const Teuchos::Comm<int>& comm = *context_.space.mesh().comm();
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, sums, local, sum);
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, deepest, Teuchos::outArg(deepest_everywhere));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(Sums::count), here.of, all.of);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, here.deepest, Teuchos::outArg(all.deepest));
+  return all;
+}
+
+void PenaltyContact::histories(const StepView& view, Report& values) {
+  const State& state = *view.committed;
+  const Sums all = sums(state);
+  const double* const sum = all.of;
   const auto add_vector = [&](const char* what, int first) {
     for (int i = 0; i < axes(); ++i) values[name() + "/" + what + " " + axis_names[i]] = {"N", sum[first + i]};
   };
   const std::string up = axis_names[axes() - 1];
-  add_vector("reaction", reaction);
-  values[name() + "/tip reaction " + up] = {"N", sum[tip]};
-  values[name() + "/shaft reaction " + up] = {"N", sum[reaction + axes() - 1] - sum[tip]};
-  values[name() + "/contact area"] = {"m2", sum[area]};
-  values[name() + "/active points"] = {"-", sum[active]};
-  values[name() + "/maximum penetration"] = {"m", deepest_everywhere};
-  values[name() + "/work"] = {"J", sum[work], true};
+  add_vector("reaction", Sums::reaction);
+  values[name() + "/tip reaction " + up] = {"N", sum[Sums::tip]};
+  values[name() + "/shaft reaction " + up] = {"N", sum[Sums::reaction + axes() - 1] - sum[Sums::tip]};
+  values[name() + "/contact area"] = {"m2", sum[Sums::area]};
+  values[name() + "/active points"] = {"-", sum[Sums::active]};
+  values[name() + "/maximum penetration"] = {"m", all.deepest};
+  values[name() + "/work"] = {"J", sum[Sums::work], true};
   if (deck_.has_film()) {
-    values[name() + "/film water"] = {"m3", sum[water]};
-    values[name() + "/film vapour"] = {"m3", sum[vapour]};
-    add_vector("film force", film);
+    values[name() + "/film water"] = {"m3", sum[Sums::water]};
+    values[name() + "/film vapour"] = {"m3", sum[Sums::vapour]};
+    add_vector("film force", Sums::film);
   }
   if (deck_.damping > 0) {
-    values[name() + "/damping heat"] = {"J", sum[damping_heat]};
-    add_vector("damping", damping);
+    values[name() + "/damping heat"] = {"J", sum[Sums::damping_heat]};
+    add_vector("damping", Sums::damping);
   }
   if (deck_.augmented()) {
-    const auto [gap, stretch, spring] = misfit(state).largest(comm);
+    const auto [gap, stretch, spring] = misfit(state).largest(*context_.space.mesh().comm());
     values[name() + "/weighted gap"] = {"m", gap};
     if (laws_.friction()) values[name() + "/stretch"] = {"m", stretch};
   }
   if (!laws_.friction()) return;
-  add_vector("friction", friction);
-  values[name() + "/friction heat"] = {"J", sum[heat]};
-  values[name() + "/sliding points"] = {"-", sum[sliding]};
+  add_vector("friction", Sums::friction);
+  values[name() + "/friction heat"] = {"J", sum[Sums::heat]};
+  values[name() + "/sliding points"] = {"-", sum[Sums::sliding]};
 }
 
 std::vector<double> PenaltyContact::nodal_mean(const std::function<double(int row)>& quantity) const {

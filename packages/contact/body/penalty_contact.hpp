@@ -125,6 +125,8 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
   /// Collective.
   void look_for_touch(const StepView& view);
+  struct Sums;
+  Sums sums(const State& state) const;
   /// By local node, of a quantity of the rows.
   std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
   /// Closes the initial gaps of one side's points, and presses them.
