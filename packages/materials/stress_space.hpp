@@ -131,11 +131,12 @@ struct TwoDeviators {
 template <class T>
 struct IncrementOfTwoDeviators {
   static constexpr int directions = 3;  // of T, where it is a dual number
-  double s[6], e[6], mean;              // S, E as a tensor, mean stress
+  double old[6], s[6], e[6], mean;      // stress at the start with its S and its mean, E as a tensor
   TwoDeviators<T> space;
   T strain[3];
 
   KOKKOS_INLINE_FUNCTION IncrementOfTwoDeviators(const double* stress, const double* increment) {
+    for (int i = 0; i < 6; ++i) old[i] = stress[i];
     mean = -sym6::deviator(stress, s);
     const double volume = sym6::trace(increment);
     for (int i = 0; i < 6; ++i) e[i] = i < 3 ? increment[i] - volume / 3.0 : 0.5 * increment[i];
@@ -154,9 +155,10 @@ struct IncrementOfTwoDeviators {
     stress[1] = T(1.0);
     stress[2] = T(0.0);
   }
+  /// As a change of the old stress, so that no strain changes not a bit of it.
   KOKKOS_INLINE_FUNCTION void write(const T* stress, double* out) const {
-    for (int i = 0; i < 6; ++i)
-      out[i] = (i < 3 ? value(stress[0]) : 0.0) + value(stress[1]) * s[i] + value(stress[2]) * e[i];
+    const double m = value(stress[0]) - mean, a = value(stress[1]) - 1.0, b = value(stress[2]);
+    for (int i = 0; i < 6; ++i) out[i] = old[i] + ((i < 3 ? m : 0.0) + a * s[i] + b * e[i]);
   }
   /// d stress / d strain, row-major, engineering shear.
   KOKKOS_INLINE_FUNCTION void write_tangent(const T* stress, double* tangent) const {

@@ -23,12 +23,14 @@ CHILD_SUBREAPER = 36  # Linux, <sys/prctl.h>
 def _processes():
     """{pid: (parent, CPU seconds of it and of the children it has waited for)} of all processes; {} without /proc."""
     found, tick = {}, os.sysconf("SC_CLK_TCK")
-    for path in pathlib.Path("/proc").glob("[0-9]*/stat"):
+    for name in os.listdir("/proc") if os.path.isdir("/proc") else []:
+        if not name.isdigit():
+            continue
         try:
-            fields = path.read_text().rpartition(")")[2].split()
+            fields = pathlib.Path("/proc", name, "stat").read_text().rpartition(")")[2].split()
         except OSError:  # it has ended since
             continue
-        found[int(path.parent.name)] = (int(fields[1]), sum(map(int, fields[11:15])) / tick)
+        found[int(name)] = (int(fields[1]), sum(map(int, fields[11:15])) / tick)
     return found
 
 

@@ -92,6 +92,16 @@ TEST_P(TwoDeviatorsTest, DeviatorsThatAreMissingOrParallel) {
   expect_equal(law, tall, back);
 }
 
+TEST_P(TwoDeviatorsTest, NoStrainChangesNoBit) {
+  const double none[6] = {};
+  for (const double third : {-7e4 / 3, -5e4 / 7}) {
+    const double stress[6] = {third, 1.1 * third, 0.9 * third, 0, 0, 0.1 * third};
+    const Answer a = two_deviators(law, stress, none);
+    ASSERT_TRUE(a.ok);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(a.stress[i], stress[i]) << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, TwoDeviatorsTest,
                          ::testing::Values(IntegrationOptions::Method::modified_euler,
                                            IntegrationOptions::Method::dormand_prince,
