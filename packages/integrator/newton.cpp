@@ -41,7 +41,7 @@ class FieldTest : public NOX::StatusTest::Generic {
       dx.update(-1.0, NoxVector::of(solver.getPreviousSolutionGroup().getX()), 1.0);
       worst_update = largest(problem_.update_ratios(dx, NoxVector::of(group.getX())));
     }
-    const bool deep = worst <= 1e-2;
+    const bool deep = worst <= 1e-2 || problem_.at_rounding();
     if (iteration >= least_ && (deep || (iteration > 0 && worst <= 1 && worst_update <= 1)))
       return finish(NOX::StatusTest::Converged, "");
     if (iteration >= maximum_) {

@@ -27,6 +27,8 @@ class NonlinearProblem {
   /// Norms per field, already divided by their scales: converged when all are <= 1.
   virtual std::vector<double> residual_ratios(const Vector& f) = 0;
   virtual std::vector<double> update_ratios(const Vector& dx, const Vector& x) = 0;
+  /// Whether the residual whose ratios were asked for last is well within what rounding leaves of it.
+  virtual bool at_rounding() const { return false; }
   /// Told once of every iterate, with the worst of its residual ratios.
   virtual void observe(double worst) {}
 };
@@ -80,7 +82,7 @@ struct NewtonReport {
 };
 
 /// Newton's method by NOX with a test per field: residual below its tolerance and (after the first update) the update
-/// below its tolerance, or the residual far below (1e-2 of) its tolerance.
+/// below its tolerance, or the residual far below (1e-2 of) its tolerance, or rounding: updates then mean nothing.
 NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& options, Vector& x);
 
 }  // namespace mudline

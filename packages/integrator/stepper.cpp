@@ -383,6 +383,13 @@ std::vector<double> Stepper::residual_ratios(const Vector& f) {
   return ratios;
 }
 
+bool Stepper::at_rounding() const {
+  constexpr double share = 0.1;  // of the bound, which rounding seldom reaches
+  for (std::size_t i = 0; i < norms_.size(); ++i)
+    if (!(norms_[i] <= share * rounding_[i])) return false;
+  return true;
+}
+
 void Stepper::observe(double worst) {
   // the contraction is that of the residual, not of a ratio whose reference has grown meanwhile
   double before = 0;

@@ -110,6 +110,7 @@ class Stepper : public NonlinearProblem {
   bool solve(const Vector& f, Vector& dx) override;
   std::vector<double> residual_ratios(const Vector& f) override;
   std::vector<double> update_ratios(const Vector& dx, const Vector& x) override;
+  bool at_rounding() const override;
   void observe(double worst) override;
 
  private:

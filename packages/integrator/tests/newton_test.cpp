@@ -79,6 +79,24 @@ double arctangent_slope(double x) { return 1 / (1 + x * x); }
 double itself(double x) { return x; }
 double one(double) { return 1; }
 
+/// Below its tolerance from the start, but its updates never get small.
+class Restless : public Scalar {
+ public:
+  explicit Restless(bool at_rounding) : Scalar(itself, one), at_rounding_(at_rounding) {}
+  std::vector<double> residual_ratios(const Vector&) override { return {0.5}; }
+  std::vector<double> update_ratios(const Vector&, const Vector&) override { return {1e3}; }
+  bool at_rounding() const override { return at_rounding_; }
+
+ private:
+  bool at_rounding_;
+};
+
+TEST(Newton, UpdatesMeanNothingWhereTheResidualIsRounding) {
+  Restless busy(false), resting(true);
+  EXPECT_FALSE(solve(busy, "", 3).converged);
+  EXPECT_TRUE(solve(resting, "", 3).converged);
+}
+
 TEST(Newton, HalvesAStepWhoseResidualCannotBeEvaluated) {
   // the first step from 3 goes to 3 - 3 ln 3 < 0, half of it to 1.35
   Scalar problem(logarithm, inverse);
