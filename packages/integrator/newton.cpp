@@ -32,6 +32,7 @@ class FieldTest : public NOX::StatusTest::Generic {
     if (static_cast<int>(report_.history.size()) <= iteration) {
       report_.history.push_back(f);
       problem_.observe(worst);
+      at_rounding_ = problem_.at_rounding() ? at_rounding_ + 1 : 0;
     }
     log_iteration(iteration, f);
     if (!std::isfinite(worst)) return finish(NOX::StatusTest::Failed, "the residual could not be evaluated");
@@ -41,7 +42,8 @@ class FieldTest : public NOX::StatusTest::Generic {
       dx.update(-1.0, NoxVector::of(solver.getPreviousSolutionGroup().getX()), 1.0);
       worst_update = largest(problem_.update_ratios(dx, NoxVector::of(group.getX())));
     }
-    const bool deep = worst <= 1e-2 || problem_.at_rounding();
+    constexpr int idle = 4;  // iterates at rounding that wander without end
+    const bool deep = worst <= 1e-2 || at_rounding_ >= idle;
     if (iteration >= least_ && (deep || (iteration > 0 && worst <= 1 && worst_update <= 1)))
       return finish(NOX::StatusTest::Converged, "");
     if (iteration >= maximum_) {
@@ -84,7 +86,7 @@ class FieldTest : public NOX::StatusTest::Generic {
   }
   NonlinearProblem& problem_;
   NewtonReport& report_;
-  int least_, maximum_;
+  int least_, maximum_, at_rounding_ = 0;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
