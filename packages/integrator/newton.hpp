@@ -82,8 +82,8 @@ struct NewtonReport {
 };
 
 /// Newton's method by NOX with a test per field: residual below its tolerance and (after the first update) the update
-/// below its tolerance, or the residual far below (1e-2 of) its tolerance, or rounding for some iterations: updates then
-/// mean nothing.
+/// below its tolerance, or the residual far below (1e-2 of) its tolerance, or rounding for some iterations: updates
+/// then mean nothing.
 NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& options, Vector& x);
 
 }  // namespace mudline
