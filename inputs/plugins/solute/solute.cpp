@@ -68,7 +68,8 @@ class SoluteBalance : public Term {
       section.fail("there is no pore water: name a physics of saturated soil before this one", "type");
     field_ = context.space.find("concentration");
     for (const SoilBlock& soil : soil_->blocks) {
-      values_.push_back(soil.material->require<SoluteProperties>("solute", context.materials_section));
+      if (soil.made_of.size() > 1) section.fail("the solute knows no layers within one region", "type");
+      values_.push_back(soil_->any_of(soil).require<SoluteProperties>("solute", context.materials_section));
       blocks_.emplace_back(context.space, soil.block, soil_->displacement, std::vector<int>{soil_->pressure, field_},
                            4);
       if (blocks_.back().points != soil.points)
