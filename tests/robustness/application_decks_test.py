@@ -16,7 +16,8 @@ SHORT = {
     "cpt/clay": {"push/duration": 0.2},
     "cpt/guide_tube": {"push/duration": 0.05, "push/time step/growth": 1.0},
     "cpt/tresca": {"push/duration": 0.04, "push/time step/growth": 1.0},
-    "free_fall_penetrometer/tresca": {"impact/duration": 8e-4},
+    # growing steps meet the edge of convergence here, where rounding decides
+    "free_fall_penetrometer/tresca": {"impact/duration": 4.8e-4, "impact/time step/growth": 1.0},
     "pile/clay": {"push/duration": 0.01, "set-up/duration": 3.0, "load test/duration": 0.02, "pull-out/duration": 0.02},
     "pile/sand": {"push/duration": 0.004, "rest/duration": 0.004, "load test/duration": 0.02, "pull-out/duration": 0.02},
     "t_bar/smooth": {"push/duration": 8.0},
