@@ -212,14 +212,14 @@ SoilTable Ale::table_of(const StateStore& store, const SoilBlock& b) const {
   return table;
 }
 
-void Ale::conserve_grains(const PointTransfer& transfer, int column, const LayerChanges& layers,
+void Ale::conserve_grains(const PointTransfer& transfer, const SoilTable& table, const LayerRatios& ratios,
                           MeshReceipt& receipt) const {
-  const std::vector<Grains> grains =
-      restore_grains(transfer, soil_.geometry, column, layers.was, layers.is, soil_.materials.size());
-  receipt.restored_grains.resize(grains.size(), 0.0);
+  const std::vector<Grains> grains = restore_grains(transfer, soil_, table.void_ratio, table.origin, ratios);
+  receipt.restored_grains.resize(soil_.materials.size(), 0.0);
   double worst = 0;
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    receipt.restored_grains[k] += soil_.materials[k]->grain_density * grains[k].missing;
+    const int material = transfer.block.made_of[k];
+    receipt.restored_grains[material] += soil_.materials[material]->grain_density * grains[k].missing;
     if (std::abs(grains[k].lost()) > std::abs(worst)) worst = grains[k].lost();
   }
   if (std::abs(worst) > std::abs(receipt.restored_solid)) receipt.restored_solid = worst;
@@ -245,18 +245,17 @@ void Ale::carry_points(StateStore& store, const Positions& x_old, const Position
     const std::vector<double> old = mesh_.gather_points(b.block, b.points, table);
     std::vector<double> now = old;
     const PointTransfer transfer{mesh_, b, patches_[k], x_old, x_new, columns.variables, columns.columns, old, now};
-    LayerChanges layers;
+    LayerRatios ratios;
     if (b.made_of.size() > 1) {
-      layers = LayerRemap(soil_, *remap_).transfer(transfer, columns);
+      LayerChanges layers = LayerRemap(soil_, *remap_).transfer(transfer, columns);
       receipt.changed += layers.changed;
       receipt.started += layers.started;
       if (receipt.veto.empty()) receipt.veto = layers.problem;
+      ratios = std::move(layers.ratios);
     } else {
       remap_->transfer(transfer);
-      layers.was.assign(old.size() / std::max(1, columns.columns), static_cast<char>(b.made_of.front()));
-      layers.is = layers.was;
     }
-    if (deck_.conserve) conserve_grains(transfer, columns.void_ratio, layers, here);
+    if (deck_.conserve) conserve_grains(transfer, columns, ratios, here);
     const ElementBlock& elements = space_.mesh().blocks()[b.block];
     each([&](const PointView& rows, int c, int column) {
       for (int e = 0; e < b.elements; ++e)

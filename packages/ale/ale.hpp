@@ -109,7 +109,7 @@ class Ale {
   /// What the columns of all of a block's point data in one table are, in the order of their handles.
   SoilTable table_of(const StateStore& store, const SoilBlock& block) const;
   /// Puts the grains back that a transfer lost.
-  void conserve_grains(const PointTransfer& transfer, int column, const LayerChanges& layers,
+  void conserve_grains(const PointTransfer& transfer, const SoilTable& table, const LayerRatios& ratios,
                        MeshReceipt& receipt) const;
   /// Scales the pore pressures, where they are free, until the compression of the pore water is what it was.
   void keep_compression(double before, const Constraints& constraints, State& to) const;

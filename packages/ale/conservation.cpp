@@ -88,45 +88,104 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
   }
 }
 
-std::vector<double> point_volumes(const PointTransfer& t, Geometry geometry, const Positions& x) {
-  std::vector<double> volumes(t.old.size() / t.columns, 0.0);
-  for (int e : t.mesh.block_elements(t.block.block))
+namespace {
+
+/// (row, material of the block) what each material has of each point.
+std::vector<double> shares_of(const PointTransfer& t, const Soil& soil, int origin, const std::vector<double>& table) {
+  const std::size_t count = t.block.made_of.size();
+  std::vector<double> result(table.size() / t.columns * count, 1.0);
+  std::vector<Point> starts(t.block.points, Point{});
+  for (int e : t.mesh.block_elements(t.block.block)) {
+    if (count == 1) break;
+    const std::size_t first = t.mesh.first_row(e, t.block.points);
     for (int q = 0; q < t.block.points; ++q)
-      volumes[t.mesh.first_row(e, t.block.points) + q] =
-          PointMap(t.mesh.elements()[e], t.block, q, x, geometry).volume();
-  return volumes;
+      for (int d = 0; d < dim; ++d) starts[q][d] = table[(first + q) * t.columns + origin + 1 + d];
+    const std::vector<double> shares = soil.layer_shares(t.block, starts);
+    std::copy(shares.begin(), shares.end(), result.begin() + static_cast<std::ptrdiff_t>(first * count));
+  }
+  return result;
 }
 
-std::vector<Grains> restore_grains(const PointTransfer& t, Geometry geometry, int column, const std::vector<char>& was,
-                                   const std::vector<char>& is, std::size_t materials) {
-  std::vector<Grains> grains(materials);
-  std::vector<double> after(materials, 0.0), moved(materials, 0.0), weight(t.now.size() / t.columns, 0.0);
-  const bool layered = t.block.made_of.size() > 1;
+/// Solves A x = b for a small matrix that is symmetric and nearly diagonal (Gauss and Seidel).
+std::vector<double> solve_small(const std::vector<double>& A, const std::vector<double>& b) {
+  const std::size_t n = b.size();
+  std::vector<double> x(n, 0.0);
+  double change = 1, size = 0;
+  for (int sweep = 0; sweep < 200 && change > 1e-16 * size; ++sweep) {
+    change = size = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!(A[i * n + i] > 0)) continue;
+      double rest = b[i];
+      for (std::size_t k = 0; k < n; ++k) rest -= k != i ? A[i * n + k] * x[k] : 0.0;
+      change = std::max(change, std::abs(rest / A[i * n + i] - x[i]));
+      x[i] = rest / A[i * n + i];
+      size = std::max(size, std::abs(x[i]));
+    }
+  }
+  return x;
+}
+
+/// Adds `missing` grains to the materials of a block: the dry density of a point changes by its weight times one factor
+/// for each material. `volumes`, `weights`: (row), `shares`: (row, material). What finds no weight is set to 0.
+void add_grains(const PointTransfer& t, int void_ratio, const std::vector<double>& volumes,
+                const std::vector<double>& weights, const std::vector<double>& shares, std::vector<double>& missing) {
+  const std::size_t count = missing.size();
+  std::vector<double> gained(count * count, 0.0);
+  for (std::size_t row = 0; row < volumes.size(); ++row)
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < count; ++k)
+        gained[i * count + k] += shares[row * count + i] * shares[row * count + k] * weights[row] * volumes[row];
+  for (std::size_t i = 0; i < count; ++i)
+    if (!(gained[i * count + i] > 0)) missing[i] = 0;
+  const std::vector<double> change = solve_small(gained, missing);
+  for (std::size_t row = 0; row < volumes.size(); ++row) {
+    double& ratio = t.now[row * t.columns + void_ratio];
+    double more = 0;
+    for (std::size_t i = 0; i < count; ++i) more += shares[row * count + i] * change[i];
+    if (weights[row] > 0) ratio = 1 / (1 / (1 + ratio) + weights[row] * more) - 1;
+  }
+}
+
+}  // namespace
+
+std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int void_ratio, int origin,
+                                   const LayerRatios& ratios) {
+  const std::size_t count = t.block.made_of.size(), rows = t.now.size() / t.columns;
+  const std::vector<double> was = shares_of(t, soil, origin, t.old), is = shares_of(t, soil, origin, t.now);
+  const bool layered = count > 1;
+  std::vector<Grains> grains(count);
+  std::vector<double> volumes(rows), ways(rows), lost(count, 0.0), jumped(count, 0.0);
+  std::vector<double> grown(count, 0.0), volume(count, 0.0);  // [m3] of soil
   for (int e : t.mesh.block_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     for (int q = 0; q < t.block.points; ++q) {
       const std::size_t row = t.mesh.first_row(e, t.block.points) + q;
-      const PointMap old(element, t.block, q, t.x_old, geometry), now(element, t.block, q, t.x_new, geometry);
-      const double had = old.volume() / (1 + t.old[row * t.columns + column]),
-                   has = now.volume() / (1 + t.now[row * t.columns + column]);
-      grains[was[row]].before += had;
-      after[is[row]] += has;
-      if (was[row] != is[row]) grains[was[row]].changed += had;
-      if (was[row] != is[row]) grains[is[row]].changed += has;
+      const PointMap old(element, t.block, q, t.x_old, soil.geometry), now(element, t.block, q, t.x_new, soil.geometry);
+      volumes[row] = now.volume();
       const double way = std::hypot(now.place[0].v - old.place[0].v, now.place[1].v - old.place[1].v);
-      weight[row] = layered ? 1.0 : std::min(1.0, way / std::sqrt(std::abs(old.det)));
-      moved[is[row]] += weight[row] * now.volume();
+      ways[row] = std::min(1.0, way / std::sqrt(std::abs(old.det)));
+      const double before = t.old[row * t.columns + void_ratio], after = t.now[row * t.columns + void_ratio];
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t k = row * count + i;
+        const double had = was[k] * old.volume(), has = is[k] * now.volume();
+        const double loss = had / (1 + before) - has / (1 + after);
+        const double smooth = layered ? had / (1 + ratios.before[k]) - has / (1 + ratios.after[k]) : loss;
+        grains[i].before += had / (1 + before);
+        lost[i] += smooth;
+        jumped[i] += loss - smooth;
+        grown[i] += has - had;
+        volume[i] += had;
+      }
     }
   }
-  for (std::size_t k = 0; k < materials; ++k)
-    if (moved[k] > 0) grains[k].missing = grains[k].before - after[k];
-  for (std::size_t row = 0; row < weight.size(); ++row) {
-    double& ratio = t.now[row * t.columns + column];
-    const Grains& of = grains[is[row]];
-    // of the dry density where a point moved by its element's size
-    const double change = weight[row] > 0 ? of.missing / moved[is[row]] : 0.0;
-    if (weight[row] > 0) ratio = 1 / (1 / (1 + ratio) + weight[row] * change) - 1;
+  for (std::size_t i = 0; layered && i < count; ++i) {
+    const double by_shares = volume[i] > 0 ? -grown[i] * grains[i].before / volume[i] : 0.0;
+    lost[i] -= by_shares;
+    jumped[i] += by_shares;
   }
+  add_grains(t, void_ratio, volumes, ways, is, lost);
+  for (std::size_t i = 0; i < count; ++i) grains[i].missing = lost[i];
+  if (layered) add_grains(t, void_ratio, volumes, std::vector<double>(rows, 1.0), is, jumped);
   return grains;
 }
 

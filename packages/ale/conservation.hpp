@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "ale/mesh_paths.hpp"
 #include "ale/remap.hpp"
 
@@ -31,22 +28,26 @@ std::vector<double> point_volumes(const PointTransfer& transfer, Geometry geomet
 
 /// Grains of one material in a block [m3].
 struct Grains {
-  double before = 0;   // the transfer
-  double missing = 0;  // after it, and put back
-  double changed = 0;  // of points that have come to the material or left it, both
-  /// What the transfer lost, which points of one material or another do not explain [-].
-  double lost() const {
-    return before > 0 ? std::copysign(std::max(0.0, std::abs(missing) - changed), missing) / before : 0;
-  }
+  double before = 0;                                                 // the transfer
+  double missing = 0;                                                // after it, and put back
+  double lost() const { return before > 0 ? missing / before : 0; }  // [-]
+};
+
+/// Void ratios that each material of a block has, or would have, at each point: (row, material of the block). Read
+/// where the material has a share of the point.
+struct LayerRatios {
+  std::vector<double> before, after;
 };
 
 /// Makes up for the grains of each material that a transfer lost: the dry density 1/(1+e) of every point changes in
-/// proportion to how far the point moved, by one factor for the block. Points at rest keep theirs. Where a block has
-/// several materials, all points of one get the same: its points come and go as a whole, which may be more than those
-/// few could take that moved. `column`: that of the void ratio; `was`, `is`: (row) numbers of the materials, before and
-/// after. Returns what it did by material; nothing is done where nothing moved.
-std::vector<Grains> restore_grains(const PointTransfer& transfer, Geometry geometry, int column,
-                                   const std::vector<char>& was, const std::vector<char>& is, std::size_t materials);
+/// proportion to how far the point moved, by one factor for each material of the block and in proportion to what the
+/// material has of the point (Soil::layer_shares). Points at rest keep theirs. Where an interface cuts elements, shares
+/// are known to some per cent of an element, and a point has the void ratio of one side only. What a layer seems to
+/// gain or lose by these is spread over all of it. It stays within what the cut elements hold: it does not add up.
+/// `ratios`: read where there are several materials. `void_ratio`, `origin`: columns, as in a SoilTable. Returns what
+/// was lost, in the order of the block's materials; nothing is done where nothing moved.
+std::vector<Grains> restore_grains(const PointTransfer& transfer, const Soil& soil, int void_ratio, int origin,
+                                   const LayerRatios& ratios = {});
 
 /// Grains of a block of soil at x: the sum of volumes over 1 + e [m3]. `column`: that of the void ratio in a table of
 /// so many columns.

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
-#include "ale/conservation.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
 
@@ -12,9 +10,7 @@ namespace mudline {
 
 namespace {
 
-constexpr int rings = 3;  // of elements around those of a material, onto which its fields are continued
-constexpr double known_to =
-    1;  // an interface is known no better than to this times the size of a point's part of the soil
+constexpr int rings = 3;         // of elements around those of a material, onto which its fields are continued
 constexpr double narrow = 0.04;  // a direction in which points spread by less than the root of this has no slope
 
 /// A plane for each column, fitted to rows of a table.
@@ -65,17 +61,6 @@ class Planes {
   std::array<double, place_size> centre_{};
   std::vector<double> mean_, slope_;
 };
-
-/// Root of the area of a point's part of its element [m].
-double size_of_point(const WholeMesh::Element& element, const SoilBlock& block, const Positions& x) {
-  double twice = 0;
-  const int corners = num_corners(element.shape);
-  for (int a = 0; a < corners; ++a) {
-    const auto &p = x[element.nodes[a]], &q = x[element.nodes[(a + 1) % corners]];
-    twice += p[0] * q[1] - p[1] * q[0];
-  }
-  return std::sqrt(0.5 * std::abs(twice) / block.points);
-}
 
 }  // namespace
 
@@ -190,7 +175,7 @@ LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t,
                                            const std::vector<char>& was) const {
   const int points = t.block.points;
   Version result;
-  std::vector<double> old = t.old;
+  std::vector<double>& old = result.old = t.old;
   std::vector<char> known(was.size(), 0);
   for (std::size_t row = 0; row < was.size(); ++row) known[row] = was[row] == material;
   continue_rows(t, old, known);
@@ -217,69 +202,6 @@ LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t,
   return result;
 }
 
-std::pair<int, double> LayerRemap::across(const SoilBlock& block, const Point& start, int material) const {
-  const auto top = [&](int k) { return top_of(k, start); };
-  const double own = top(material), height = soil_.height(start);
-  int above = -1, below = -1;
-  for (int k : block.made_of) {
-    if (top(k) > own && (above < 0 || top(k) < top(above))) above = k;
-    if (top(k) < own && (below < 0 || top(k) > top(below))) below = k;
-  }
-  const double up = above >= 0 ? std::abs(own - height) : 1e300,
-               down = below >= 0 ? std::abs(height - top(below)) : 1e300;
-  return up < down ? std::make_pair(above, up) : std::make_pair(below, down);
-}
-
-void LayerRemap::balance(const PointTransfer& t, const SoilTable& table, const std::map<int, Version>& versions,
-                         LayerChanges& layers) const {
-  const std::vector<double> before = point_volumes(t, soil_.geometry, t.x_old),
-                            after = point_volumes(t, soil_.geometry, t.x_new);
-  const std::size_t rows = layers.was.size();
-  std::vector<double> sizes(rows);
-  for (int e : t.mesh.block_elements(t.block.block))
-    std::fill_n(&sizes[t.mesh.first_row(e, t.block.points)], t.block.points,
-                size_of_point(t.mesh.elements()[e], t.block, t.x_new));
-  const auto grains = [&](std::size_t row, int material) {
-    return after[row] / (1 + versions.at(material).now[row * t.columns + table.void_ratio]);
-  };
-  std::map<int, double> missing;
-  for (std::size_t row = 0; row < rows; ++row) {
-    missing[layers.was[row]] += before[row] / (1 + t.old[row * t.columns + table.void_ratio]);
-    missing[layers.is[row]] -= grains(row, layers.is[row]);
-  }
-  // layer by layer, as they lie in the middle of the mesh; the last takes what is left
-  const Bounds& bounds = soil_.space->mesh().bounds();
-  Point middle{};
-  for (int d = 0; d < place_size; ++d) middle[d] = 0.5 * (bounds.low[d] + bounds.high[d]);
-  std::vector<int> order = t.block.made_of;
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return top_of(a, middle) > top_of(b, middle); });
-  std::vector<char> done(soil_.materials.size(), 0);
-  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-    const int material = order[i];
-    const bool gains = missing[material] > 0;
-    std::vector<std::tuple<double, std::size_t, int>> points;  // distance in sizes of the point, row, new material
-    for (std::size_t row = 0; row < rows; ++row) {
-      if (before[row] == after[row] && layers.was[row] == layers.is[row]) continue;  // as good as at rest
-      Point start{};
-      for (int d = 0; d < place_size; ++d) start[d] = t.now[row * t.columns + table.origin + 1 + d];
-      const auto [other, distance] = across(t.block, start, layers.is[row]);
-      if (other < 0 || done[other] || done[static_cast<int>(layers.is[row])] || !versions.at(other).near[row]) continue;
-      const double far = distance / sizes[row];
-      if (far < known_to && (gains ? other == material : layers.is[row] == material))
-        points.emplace_back(far, row, other);
-    }
-    std::sort(points.begin(), points.end());
-    for (const auto& [far, row, other] : points) {
-      const double change = gains ? grains(row, material) : -grains(row, material);
-      if (std::abs(missing[material] - change) >= std::abs(missing[material])) continue;
-      missing[layers.is[row]] += grains(row, layers.is[row]);
-      layers.is[row] = static_cast<char>(other);
-      missing[other] -= grains(row, other);
-    }
-    done[material] = 1;
-  }
-}
-
 LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table) const {
   LayerChanges result;
   const int points = t.block.points;
@@ -288,7 +210,12 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
   result.is = carry_origin(t, table);
   std::map<int, Version> versions;
   for (int material : t.block.made_of) versions[material] = version_of(material, t, table, result.was);
-  balance(t, table, versions, result);
+  for (std::size_t row = 0; row < result.was.size(); ++row)
+    for (int material : t.block.made_of) {
+      const std::size_t place = row * t.columns + table.void_ratio;
+      result.ratios.before.push_back(versions.at(material).old[place]);
+      result.ratios.after.push_back(versions.at(material).now[place]);
+    }
   for (int e : t.mesh.block_elements(t.block.block))
     for (int q = 0; q < points; ++q) {
       const int row = t.mesh.first_row(e, points) + q, material = result.is[row];

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ale/conservation.hpp"
 #include "ale/remap.hpp"
 
 namespace mudline {
@@ -18,9 +19,10 @@ struct SoilTable {
 
 /// Points that have another material than before.
 struct LayerChanges {
-  int changed = 0;            // points
-  int started = 0;            // those of them whose law starts anew, because no soil of their new material is near
-  std::string problem;        // why a law cannot start; empty: none
+  int changed = 0;      // points
+  int started = 0;      // those of them whose law starts anew, because no soil of their new material is near
+  std::string problem;  // why a law cannot start; empty: none
+  LayerRatios ratios;
   std::vector<char> was, is;  // (row of gather_points) number of the material
 };
 
@@ -28,9 +30,7 @@ struct LayerChanges {
 /// is smooth, and which material stands where follows from it, so that layers stay sharp. All else jumps at interfaces:
 /// for each material the fields of its own points are continued beyond them, and its points take what is remapped from
 /// those alone. A point that changes its material so takes over stress, void ratio and law from the soil around it
-/// that has come to it; where there is none, the law starts from the stress and void ratio that the point has. Points
-/// so near to an interface that it is not known on which side they are (their own size) go to the one layer or the
-/// other such that each keeps its grains, to about half a point.
+/// that has come to it; where there is none, the law starts from the stress and void ratio that the point has.
 class LayerRemap {
  public:
   LayerRemap(const Soil& soil, const Remap& remap) : soil_(soil), remap_(remap) {}
@@ -43,19 +43,11 @@ class LayerRemap {
   std::vector<char> carry_origin(const PointTransfer& transfer, const SoilTable& table) const;
   /// What the points would be if all were of one material.
   struct Version {
-    std::vector<double> now;  // table on the new mesh
-    std::vector<char> near;   // (row) whether soil of the material was there or beside it
+    std::vector<double> old, now;  // tables, on the old and on the new mesh
+    std::vector<char> near;        // (row) whether soil of the material was there or beside it
   };
   Version version_of(int material, const PointTransfer& transfer, const SoilTable& table,
                      const std::vector<char>& was) const;
-  /// Height to which a material reaches at a place of the start [m].
-  double top_of(int material, const Point& start) const {
-    return soil_.materials[material]->has_top ? soil_.materials[material]->top(0, start) : 1e300;
-  }
-  /// The material on the other side of the nearest interface, by number, and its distance [m]; -1: none.
-  std::pair<int, double> across(const SoilBlock& block, const Point& start, int material) const;
-  void balance(const PointTransfer& transfer, const SoilTable& table, const std::map<int, Version>& versions,
-               LayerChanges& layers) const;
   /// "" or why the law of a material cannot start at a row.
   std::string start(const PointTransfer& transfer, const SoilTable& table, int material, int element, int row) const;
 

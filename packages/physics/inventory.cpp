@@ -20,10 +20,16 @@ Inventory take_inventory(const Soil& soil, const State& state) {
   for (const SoilBlock& b : soil.blocks) {
     const Mixtures mixtures(soil, b, state);
     const PointView void_ratio = state.arrays[b.void_ratio];
+    const std::size_t made_of = b.made_of.size();
+    std::vector<Point> starts(b.points, Point{});
+    std::vector<double> shares(b.points, 1.0);  // (point, material): of one element
     with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, level};
-      for (int e = 0; e < b.elements; ++e)
+      for (int e = 0; e < b.elements; ++e) {
+        for (int q = 0; made_of > 1 && q < b.points; ++q)
+          for (int d = 0; d < Loop::D; ++d) starts[q][d] = state.arrays[b.origin](e * b.points + q, 1 + d);
+        if (made_of > 1) shares = soil.layer_shares(b, starts);
         loop.template for_each_point<true>(
             e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
               const int row = e * b.points + q;
@@ -35,9 +41,14 @@ Inventory take_inventory(const Soil& soil, const State& state) {
                 local[3] += 0.5 * mass * at.velocity[i] * at.velocity[i];
               }
               const double warmth = Loop::S > 1 ? at.value[Loop::SQ - 1] : mixture.reference;
-              const double grains = (1 - n) * mixture.grain_density_at(warmth) * s.dv;
-              local[4] += grains;
-              local[shared + static_cast<int>(mixtures.which(row, 0))] += grains;
+              for (std::size_t k = 0; k < made_of; ++k) {
+                const int material = b.made_of[k];
+                const double density =
+                    made_of > 1 ? soil.materials[material]->grain_density : mixture.grain_density_at(warmth);
+                const double grains = shares[q * made_of + k] * (1 - n) * density * s.dv;
+                local[4] += grains;
+                local[shared + material] += grains;
+              }
               if constexpr (Loop::S > 0) {
                 const double squeezed = Loop::S > 1 ? std::expm1(at.value[0] * mixture.fluid_compliance -
                                                                  mixture.fluid_expansion * (warmth - mixture.reference))
@@ -47,6 +58,7 @@ Inventory take_inventory(const Soil& soil, const State& state) {
                 local[7] += n * squeezed * s.dv;
               }
             });
+      }
     });
   }
   Teuchos::reduceAll(*soil.space->dofs()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(local.size()), local.data(),

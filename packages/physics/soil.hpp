@@ -90,6 +90,10 @@ struct Soil {
   /// Of soil of a block that was at this place at the start: the material with the lowest top above it, or the
   /// uppermost.
   int material_at(const SoilBlock& b, const Point& start) const;
+  /// What each material of a block has of the points of one element, (point, place in made_of), by where their soil was
+  /// at the start. Shares of a point add up to 1. An interface is a ramp about as high as a point's part of the
+  /// element, so that what a layer holds does not jump where a point passes the interface.
+  std::vector<double> layer_shares(const SoilBlock& b, const std::vector<Point>& starts) const;
   /// Whether some region has more than one material.
   bool layered() const;
   /// What the materials of a block have in common: the pore fluid.

@@ -171,10 +171,11 @@ TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
       return sum;
     };
     const double mass = grains(old, points.start);
-    const std::vector<char> sand(old.size(), 0);
-    const std::vector<Grains> restored =
-        restore_grains({points.whole, points.block, points.patches, points.start, to, points.variables, 1, old, now},
-                       geometry, 0, sand, sand, 1);
+    Soil soil;
+    soil.geometry = geometry;
+    points.block.made_of = {0};
+    const std::vector<Grains> restored = restore_grains(
+        {points.whole, points.block, points.patches, points.start, to, points.variables, 1, old, now}, soil, 0, -1);
     const double share = restored[0].missing / restored[0].before;
     EXPECT_EQ(restored[0].lost(), share);
     EXPECT_GT(std::abs(share), 1e-7);  // the transfer alone does not conserve

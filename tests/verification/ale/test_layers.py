@@ -13,7 +13,7 @@ from mudline_case import MudlineCase, deck_text
 SOFT, STIFF = 1e6, 4e6  # [Pa] confined moduli
 LOAD = 10.0  # [Pa]
 ROW = 8 / 18 / 40 / 0.47  # share of the thinner layer that a row of points of 40 cells may have
-INTERFACE = 0.53  # [m] of 1 m; no multiple of what follows
+INTERFACE = 0.528  # [m] of 1 m; no multiple of what follows, near points of 40 cells
 
 
 def soil(modulus, conductivity=None, ratio=1.0, top=None):
@@ -89,7 +89,7 @@ class Layers(MudlineCase):
 
     def test_a_swinging_mesh_changes_nothing(self):
         still = self.consolidate(40, columns=2)
-        moved = self.consolidate(40, {"mesh motion": {"interior": {"type": "artificial", "amplitude": 0.15, "period": 7.0}}}, columns=2)
+        moved = self.consolidate(40, {"mesh motion": {"interior": {"type": "artificial", "amplitude": 0.2, "period": 7.0}}}, columns=2)
         self.assertGreater(np.ptp(moved["mesh/quality"]), 0.02)  # it does swing
         self.assertGreater(moved["mesh motion/points of another material"][-1], 20)
         self.assertEqual(moved["mesh motion/laws started anew"][-1], 0)
