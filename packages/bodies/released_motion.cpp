@@ -13,7 +13,8 @@ void ReleasedMotion::common_parameters(Parameters& p) {
         "directions in which the body may move; the others rest, or move as 'prescribed velocity' says. In the plane: "
         "x, y, rotation; in space: x, y, z, and rotation x, rotation y, rotation z about the body's own axes, by "
         "default all");
-  p.add("gravity", gravity_, "m/s2", "acceleration whose force on the mass is the body's weight");
+  p.add("gravity", gravity_, "m/s2",
+        "acceleration whose force on the mass is the body's weight; of a free body 9.81 m/s2 downwards by default");
   p.add("force x", force_[0], "N",
         "horizontal force on the body, a function of time and of the reference point's position");
   p.add("force y", force_[1], "N",

@@ -184,7 +184,7 @@ void Parameters::function(const std::string& name, Function& member, const std::
 void Parameters::point(const std::string& name, Point& member, const std::string& unit, const std::string& doc,
                        bool required) {
   const std::size_t size = dimension();
-  const std::vector<double> start(member.begin(), member.begin() + 2);
+  const std::vector<double> start(member.begin(), member.begin() + (member[2] == 0 ? 2 : 3));
   read({name, "array of doubles", unit, "2 numbers, in space 3", required ? "" : text_of(start), doc, required, {}},
        [&](const Teuchos::ParameterEntry& entry) {
          std::vector<double> values;
