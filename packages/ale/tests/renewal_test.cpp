@@ -54,7 +54,7 @@ TEST(MeshRenewal, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
     EXPECT_NEAR(was.plan->largest_side(was.x, State()), 1, 1e-9);
     const Positions x = drawn_out(was.x);
     EXPECT_NEAR(was.plan->largest_side(x, State()), 3.3, 0.3);
-    const RenewedMesh made = was.plan->make(x, State(), 0.2);
+    const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
     const auto mesh = mesh_of(made);
     const WholeMesh whole(*mesh);
     const Positions now = whole.gather(mesh->coordinates());
@@ -93,7 +93,7 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
   boundary.bind(was.whole, was.x, {}, deck.root(), nullptr);
   const MeshRenewal plan(was.whole, boundary, RenewalParameters(), was.deck.root());
   const Positions x = drawn_out(was.x);
-  const RenewedMesh made = plan.make(x, State(), 0.2);
+  const RenewedMesh made = plan.make(x, State(), 0.2, nullptr);
   for (std::size_t k = 0; k < made.paths.size(); ++k) {
     if (!made.paths[k].sets.count("top")) continue;
     ASSERT_EQ(made.paths[k].nodes.size(), boundary.paths()[k].nodes.size());
@@ -105,14 +105,14 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
 
 TEST(MeshRenewal, RefusesAMeshThatIsTooPoor) {
   Renewed was(CellShape::tri6);
-  EXPECT_THROW(was.plan->make(was.x, State(), 0.99), NoTriangulation);
+  EXPECT_THROW(was.plan->make(was.x, State(), 0.99, nullptr), NoTriangulation);
 }
 
 TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   Renewed was(CellShape::tri6);
   Positions x = was.x;
   for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 2.5 * p[1]};
-  const RenewedMesh made = was.plan->make(x, State(), 0.2);
+  const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
   const auto mesh = mesh_of(made);
   const WholeMesh whole(*mesh);
   const Positions now = whole.gather(mesh->coordinates());
