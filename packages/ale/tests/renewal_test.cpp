@@ -156,5 +156,43 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   EXPECT_NEAR(grains(whole, block, now, Geometry::axisymmetric, there, 2, 0) / before, 1, 1e-14);
 }
 
+TEST(WantedSizes, AreWithinBoundsAndGrowNoFasterThanAllowed) {
+  const int n = 8;
+  const auto mesh = box(CellShape::tri6, n, 0);
+  const WholeMesh whole(*mesh);
+  const Positions x = whole.gather(mesh->coordinates());
+  std::vector<double> wanted;
+  for (const auto& element : whole.elements()) {
+    double far = 0;
+    for (int a = 0; a < 3; ++a) far = std::max(far, std::hypot(x[element.nodes[a]][0], x[element.nodes[a]][1]));
+    wanted.push_back(far < 0.4 ? 0.001 : 5);
+  }
+  const double growth = 0.2, smallest = 0.02;
+  const WantedSizes sizes(whole, x, wanted, {smallest, 0.1, growth});
+  EXPECT_NEAR(sizes({0, 0}), smallest, 1e-15);
+  EXPECT_NEAR(sizes({1, 1}), 0.1, 1e-15);
+  // on the bottom, the vertex at 3/8 has two small elements and a large one: (0.001^2 5)^(1/3) = 0.017 is below the
+  // bound
+  for (double at : {0.375, 0.4375, 0.5}) EXPECT_NEAR(sizes({at, 0}), smallest + growth * (at - 0.375), 1e-12) << at;
+  EXPECT_NEAR(sizes({-0.1, -0.1}), smallest, 1e-15);  // outside
+  EXPECT_NEAR(sizes.largest_ratio(), std::sqrt(2 / std::sqrt(3.0)) / n / smallest, 1e-12);
+}
+
+TEST(MeshRenewal, AdaptiveSizesAreThoseOfTheErrorOnTheBoundaryAndInside) {
+  Renewed was(CellShape::tri6, "");
+  RenewalParameters deck;
+  deck.size = RenewalParameters::Size::adaptive;
+  deck.smallest_size = 0.01;
+  deck.largest_size = 1;
+  const MeshRenewal plan(was.whole, was.boundary, deck, was.deck.root());
+  for (double size : {0.05, 0.25}) {
+    const WantedSizes sizes(was.whole, was.x, std::vector<double>(was.whole.elements().size(), size), {0.01, 1, 0.3});
+    const RenewedMesh made = plan.make(was.x, State(), 0.2, &sizes);
+    for (const MeshPath& path : made.paths) EXPECT_EQ(path.num_vertices() - 1, std::lround(1 / size));
+    const double elements = static_cast<double>(made.mesh.blocks[0].nodes.size()) / 6;
+    EXPECT_NEAR(elements, 4 / std::sqrt(3.0) / (size * size), 0.2 * elements);
+  }
+}
+
 }  // namespace
 }  // namespace mudline
