@@ -55,11 +55,14 @@ void check_probes(const Loaded& loaded) {
 void check_error_estimate(const Loaded& loaded) {
   if (loaded.output.error_estimate && !loaded.model->soil())
     loaded.root->section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
-  if (const Ale* ale = loaded.model->ale(); loaded.output.error_estimate && ale && ale->renewal())
-    loaded.root->section("output").fail(
-        "the stresses of the start, from which the error counts, cannot go over to the meshes of 'mesh "
-        "motion/remeshing' yet",
-        "error estimate");
+  const Ale* ale = loaded.model->ale();
+  if (ale && ale->renewal() && ale->renewal()->adaptive() && !loaded.output.error_estimate)
+    loaded.root->section("mesh motion")
+        .section("remeshing")
+        .fail(
+            "'adaptive' takes the sizes from the error estimate; it needs output/error estimate = true, and aims at "
+            "output/target error",
+            "size");
 }
 
 std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {

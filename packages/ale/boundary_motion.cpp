@@ -44,6 +44,7 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
                           const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
                           const RenewedMesh* renewed) {
   bodies_ = bodies;
+  axisymmetric_ = mesh.mesh().geometry() == Geometry::axisymmetric;
   for (const std::string& name : corners_)
     if (!mesh.node_sets().count(name)) {
       std::vector<std::string> known;
@@ -158,6 +159,9 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
 
 PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state)
     : boundary_(boundary), state_(state), curve_(places(path, x)) {
+  const double near = 1e-9 * curve_.length();
+  on_axis_ = boundary.axisymmetric() &&
+             std::all_of(path.nodes.begin(), path.nodes.end(), [&](int node) { return std::abs(x[node][0]) <= near; });
   for (int node : path.nodes) {
     const auto foot = boundary.foot(state, x[node]);
     if (!foot) return;
@@ -168,9 +172,11 @@ PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, con
 std::array<double, 2> PathPlaces::at(double s, double span) const {
   std::array<double, 2> to = curve_.at(s);
   const double gap = gaps_.empty() ? 1e300 : curve_.interpolate(gaps_, s);
-  if (gap >= 0.25 * span) return to;
-  const ContourFoot here = *boundary_.foot(state_, to);
-  for (int d = 0; d < 2; ++d) to[d] += (gap - here.gap) * here.normal[d];
+  if (gap < 0.25 * span) {
+    const ContourFoot here = *boundary_.foot(state_, to);
+    for (int d = 0; d < 2; ++d) to[d] += (gap - here.gap) * here.normal[d];
+  }
+  if (on_axis_) to[0] = 0;
   return to;
 }
 

@@ -15,7 +15,8 @@ namespace mudline {
 class BoundaryMotion;
 
 /// The places of a path's nodes: on a smooth curve through those of now, and at the gap to the nearest body that is
-/// there now.
+/// there now. What lies on the axis of symmetry stays there exactly: a body's normal at its tip is not parallel to the
+/// axis to the last digit, and a mesh whose nodes are beyond the axis is none.
 class PathPlaces {
  public:
   PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state);
@@ -28,6 +29,7 @@ class PathPlaces {
   const State& state_;
   PathCurve curve_;
   std::vector<double> gaps_;  // (point) to the nearest body; empty: there is none
+  bool on_axis_;              // of an axisymmetric mesh
 };
 
 /// Slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each side keeps
@@ -52,6 +54,7 @@ class BoundaryMotion {
   const std::vector<PathOrigin>& origins() const { return origins_; }
   /// Whether a path's nodes stay material points.
   bool material(const MeshPath& path) const;
+  bool axisymmetric() const { return axisymmetric_; }
   /// Where the focus is; the origin without one.
   std::array<double, 2> focus(const State& state) const;
   /// Wanted sizes about the focus; only their ratios count.
@@ -67,6 +70,7 @@ class BoundaryMotion {
   void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
 
   std::string focus_;
+  bool axisymmetric_ = false;
   double near_size_ = 0, near_distance_ = 0, growth_ = 0.3, largest_slide_ = 0.4, corner_angle_ = 30;
   std::vector<std::string> corners_, material_sides_;
   std::vector<MeshPath> paths_;

@@ -19,7 +19,26 @@ bool Ale::renewal_due(int step, int tried, const State& committed) const {
   return renewal_->largest_side(mesh_.gather(committed.coordinates), committed) > renewal_->deck().side_above;
 }
 
-Renewal Ale::renew(int step, const State& committed) const {
+bool Ale::looks_at_error(int step, int tried) const {
+  const int since = step - std::max(renewed_after_, tried);
+  return renewal_ && renewal_->adaptive() && since > 0 && since % renewal_->deck().least_steps == 0;
+}
+
+WantedSizes Ale::wanted_sizes(const std::vector<double>& by_element, const State& committed) const {
+  const RenewalParameters& deck = renewal_->deck();
+  std::vector<double> all(mesh_.elements().size(), deck.largest_size);
+  std::size_t first = 0;
+  for (const SoilBlock& b : soil_.blocks) {
+    const PointView rows("wanted sizes", b.elements, 1);
+    for (int e = 0; e < b.elements; ++e) rows(e, 0) = by_element[first + e];
+    first += b.elements;
+    const std::vector<double> block = mesh_.gather_points(b.block, 1, rows);
+    for (int e : mesh_.block_elements(b.block)) all[e] = block[mesh_.first_row(e, 1)];
+  }
+  return {mesh_, mesh_.gather(committed.coordinates), all, {deck.smallest_size, deck.largest_size, deck.growth}};
+}
+
+Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) const {
   const Teuchos::Comm<int>& comm = *mesh_.mesh().comm();
   const Positions x = mesh_.gather(committed.coordinates);
   Renewal result;
@@ -29,7 +48,7 @@ Renewal Ale::renew(int step, const State& committed) const {
       // where the mesh is poor, one that is no better helps nobody
       const double quality = lowest_quality(mesh_, x);
       const double least = quality < renewal_->deck().quality_below ? quality : 0.0;
-      RenewedMesh made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality));
+      RenewedMesh made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality), sizes);
       made.number = renewals_ + 1;
       made.step = step;
       bytes = made.bytes();

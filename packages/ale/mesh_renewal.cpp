@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/text.hpp"
 #include "discretisation/triangulation.hpp"
 
 namespace mudline {
@@ -32,6 +33,12 @@ void RenewalParameters::parameters(Parameters& p) {
       "when side above", side_above, "-", positive(),
       "and when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
       "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
+  p.choice("size", size, {{"source", Size::source}, {"adaptive", Size::adaptive}},
+           "wanted sizes: of the deck's mesh and the distance from the boundary, or of the error estimate");
+  if (p.documenting() || size == Size::adaptive) {
+    p.required("smallest size", smallest_size, "m", positive(), "with adaptive sizes: no smaller ones are wanted");
+    p.required("largest size", largest_size, "m", positive(), "with adaptive sizes: no larger ones are wanted");
+  }
   p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
   p.add("wall size", wall_size, "m", non_negative(),
         "wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
@@ -86,6 +93,9 @@ void MeshRenewal::find_kept() {
 
 void MeshRenewal::check(const Section& section) const {
   if (!has_triangulation()) section.fail("remeshing needs Gmsh, and this program was built without it");
+  if (adaptive() && deck_.smallest_size > deck_.largest_size)
+    section.fail("must not be smaller than the smallest size, " + number_text(deck_.smallest_size) + " m",
+                 "largest size");
   for (const auto& element : mesh_.elements())
     if (element.shape != CellShape::tri3 && element.shape != CellShape::tri6)
       section.fail(std::string("the mesh has cells ") + name(element.shape) +
@@ -111,14 +121,16 @@ void MeshRenewal::check_sets(const Section& section) const {
                      "lies on in boundary/material sides");
 }
 
-std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const PathCurve& curve,
-                                                    const State& state) const {
+std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const PathCurve& curve, const State& state,
+                                                    const WantedSizes* sizes) const {
   const SizeField field = boundary_.size_field(boundary_.focus(state));
   const CurveMeasure measure(curve, field);
   const PathOrigin& origin = boundary_.origins()[path];
-  return [this, field, measure, &origin, &curve, &state](double s) {
+  return [this, field, measure, &origin, &curve, &state, sizes](double s) {
     const std::array<double, 2> place = curve.at(s);
-    double size = field(place) * origin.total * side_at(origin.shares, measure.at(s) / measure.total());
+    double size = !adaptive() ? field(place) * origin.total * side_at(origin.shares, measure.at(s) / measure.total())
+                  : sizes     ? (*sizes)(place)
+                              : deck_.largest_size;
     if (deck_.wall_size > 0)
       if (const auto foot = boundary_.foot(state, place))
         size = std::min(size, deck_.wall_size + deck_.growth * std::max(0.0, foot->gap));
@@ -133,7 +145,7 @@ double MeshRenewal::largest_side(const Positions& x, const State& state) const {
     const MeshPath& path = boundary_.paths()[p];
     const PathPlaces places(boundary_, path, x, state);
     const PathCurve& curve = places.curve();
-    const auto size = wanted(p, curve, state);
+    const auto size = wanted(p, curve, state, nullptr);
     for (int i = 0; i + path.stride < static_cast<int>(path.nodes.size()); i += path.stride) {
       const double from = curve.parameter(i), to = curve.parameter(i + path.stride);
       largest = std::max(largest, (to - from) / size(0.5 * (from + to)));
@@ -142,7 +154,8 @@ double MeshRenewal::largest_side(const Positions& x, const State& state) const {
   return largest;
 }
 
-DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State& state) const {
+DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State& state,
+                                 const WantedSizes* sizes) const {
   const MeshPath& path = boundary_.paths()[p];
   const PathPlaces places(boundary_, path, x, state);
   const PathCurve& curve = places.curve();
@@ -151,7 +164,7 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
   if (kept(p)) {
     for (int i = path.stride; i <= last; i += path.stride) s.push_back(curve.parameter(i));
   } else {
-    const auto size = wanted(p, curve, state);
+    const auto size = wanted(p, curve, state, sizes);
     double smallest = 1e300;
     for (int i = 0; i <= 8 * last; ++i) smallest = std::min(smallest, size(curve.length() * i / (8 * last)));
     constexpr double per_side = 8, most = 1e5;  // samples

@@ -8,13 +8,18 @@
 
 #include "ale/boundary_motion.hpp"
 #include "ale/renewed_mesh.hpp"
+#include "ale/wanted_sizes.hpp"
 
 namespace mudline {
 
 /// What the deck says of "remeshing".
 struct RenewalParameters {
+  /// What the wanted sizes come from: the deck's mesh and the distance from its boundary, or an error estimate.
+  enum class Size { source, adaptive };
   void parameters(Parameters& p);
+  Size size = Size::source;
   double quality_below = 0.2, side_above = 2, wall_size = 0, growth = 0.3, time_limit = 60;
+  double smallest_size = 0, largest_size = 0;
   int least_steps = 10;
 };
 
@@ -33,7 +38,8 @@ struct PathNeighbours {
 /// Makes a mesh anew within the boundary as it is: the paths are divided into sides of the wanted size, and the regions
 /// between them into triangles whose size grows away from the boundary. A side is wanted as long as the one that was at
 /// its share of the path in the deck's mesh, by the same measure about the focus, and at a body no longer than the wall
-/// size. Ends of paths and nodes of material sides stay where they are. Everything has its name again.
+/// size; or, where sizes are adaptive, as long as an error estimate asks for. Ends of paths and nodes of material sides
+/// stay where they are. Everything has its name again.
 class MeshRenewal {
  public:
   /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
@@ -49,12 +55,14 @@ class MeshRenewal {
   /// Whether a node stays where it is.
   bool keeps(int node) const { return kept_node_[node] != 0; }
 
-  /// The largest ratio of a side of the boundary to its wanted length.
+  bool adaptive() const { return deck_.size == RenewalParameters::Size::adaptive; }
+  /// The largest ratio of a side of the boundary to its wanted length; what an error asks for is left out.
   double largest_side(const Positions& x, const State& state) const;
-  DividedPath divided(std::size_t path, const Positions& x, const State& state) const;
+  /// `sizes`: of an error estimate where sizes are adaptive, else null.
+  DividedPath divided(std::size_t path, const Positions& x, const State& state, const WantedSizes* sizes) const;
   /// A mesh in the boundary at x, none of whose elements has a smaller scaled Jacobian than `least_quality`; without
   /// its numbers of meshes and steps. Throws NoTriangulation. Serial, pure.
-  RenewedMesh make(const Positions& x, const State& state, double least_quality) const;
+  RenewedMesh make(const Positions& x, const State& state, double least_quality, const WantedSizes* sizes) const;
 
  private:
   void find_neighbours();
@@ -62,7 +70,8 @@ class MeshRenewal {
   void check(const Section& section) const;
   void check_sets(const Section& section) const;
   /// Wanted length of a side at a place s of a path's curve.
-  std::function<double(double s)> wanted(std::size_t path, const PathCurve& curve, const State& state) const;
+  std::function<double(double s)> wanted(std::size_t path, const PathCurve& curve, const State& state,
+                                         const WantedSizes* sizes) const;
 
   const WholeMesh& mesh_;
   const BoundaryMotion& boundary_;

@@ -59,15 +59,15 @@ class SizeAround {
 
 class Builder {
  public:
-  Builder(const MeshRenewal& plan, const Positions& x, const State& state)
-      : plan_(plan), paths_(plan.boundary().paths()), size_(plan.deck().growth) {
-    for (std::size_t p = 0; p < paths_.size(); ++p) add_path(p, plan.divided(p, x, state));
+  Builder(const MeshRenewal& plan, const Positions& x, const State& state, const WantedSizes* sizes)
+      : plan_(plan), paths_(plan.boundary().paths()), size_(plan.deck().growth), sizes_(sizes) {
+    for (std::size_t p = 0; p < paths_.size(); ++p) add_path(p, plan.divided(p, x, state, sizes));
     for (const MeshPath& path : paths_) quadratic_ = quadratic_ || path.stride == 2;
   }
 
   RenewedMesh build() {
     find_regions();
-    triangulation_ = triangulate(vertices_, regions_, size_, plan_.deck().time_limit);
+    triangulation_ = triangulate(vertices_, regions_, size_inside(), plan_.deck().time_limit);
     sort_elements();
     number();
     name_sets();
@@ -84,6 +84,10 @@ class Builder {
     bool forward;
   };
 
+  std::function<double(double x, double y)> size_inside() const {
+    if (!sizes_) return size_;
+    return [this](double x, double y) { return std::min(size_(x, y), (*sizes_)({x, y})); };
+  }
   void add_path(std::size_t p, const DividedPath& divided);
   std::vector<std::vector<int>> loops(int block) const;
   void find_regions();
@@ -97,6 +101,7 @@ class Builder {
   const MeshRenewal& plan_;
   const std::vector<MeshPath>& paths_;
   SizeAround size_;
+  const WantedSizes* sizes_;
   bool quadratic_ = false;
   std::vector<Place> vertices_;
   std::map<int, int> vertex_of_;          // of old nodes that stay
@@ -291,8 +296,9 @@ double lowest_quality(const GlobalMesh& mesh) {
 
 }  // namespace
 
-RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double least_quality) const {
-  RenewedMesh made = Builder(*this, x, state).build();
+RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double least_quality,
+                              const WantedSizes* sizes) const {
+  RenewedMesh made = Builder(*this, x, state, sizes).build();
   made.focus = boundary_.focus(state);
   const double quality = lowest_quality(made.mesh);
   if (!(quality >= least_quality))

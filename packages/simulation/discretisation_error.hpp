@@ -29,6 +29,8 @@ class DiscretisationError {
   /// Columns of the history, of the last evaluation. `terms`: what the terms say of the last step; the errors of
   /// resistances are noted in the committed state. Collective.
   std::vector<HistoryValue> values(const Report& terms);
+  /// [m] by element of this rank, block after block.
+  const std::vector<double>& wanted_sizes() const { return estimate_.wanted; }
   /// [Pa] by element of this rank, block after block; empty without pore fluid.
   const std::vector<double>& pressure() const { return estimate_.pressure; }
 

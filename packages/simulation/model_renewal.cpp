@@ -23,7 +23,9 @@ Way way_of(const ArrayInfo& info, bool of_contact) {
   if (of_contact) return Way::along_surface;
   if (begins_with(info.name, held_forces)) return Way::at_nodes;
   if (info.shares) return Way::summed;
-  return info.ids.empty() || info.name == "balance" ? Way::common : Way::unknown;
+  // rows that are the same on every rank, though they have ids
+  const bool named = info.name == "balance" || info.name == "discretisation error";
+  return info.ids.empty() || named ? Way::common : Way::unknown;
 }
 
 /// Handles of the arrays that contacts take along their surfaces.

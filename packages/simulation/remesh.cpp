@@ -8,15 +8,24 @@
 
 namespace mudline {
 
-bool Run::remeshing_due() const {
-  return moves_mesh(stage()) &&
-         model_->ale()->renewal_due(progress_.step, progress_.remesh_tried, model_->store().committed());
+bool Run::remeshing_due() {
+  if (!moves_mesh(stage())) return false;
+  const Ale& ale = *model_->ale();
+  if (ale.renewal_due(progress_.step, progress_.remesh_tried, model_->store().committed())) return true;
+  return ale.looks_at_error(progress_.step, progress_.remesh_tried) && ale.too_coarse(wanted_sizes());
+}
+
+WantedSizes Run::wanted_sizes() {
+  results_->estimate_error();
+  return model_->ale()->wanted_sizes(error_estimate_->wanted_sizes(), model_->store().committed());
 }
 
 void Run::remesh() {
   progress_.remesh_tried = progress_.step;
   const State& state = model_->store().committed();
-  const Renewal made = model_->ale()->renew(progress_.step, state);
+  std::optional<WantedSizes> sizes;
+  if (model_->ale()->renewal()->adaptive()) sizes.emplace(wanted_sizes());
+  const Renewal made = model_->ale()->renew(progress_.step, state, sizes ? &*sizes : nullptr);
   std::string veto = made.veto;
   if (veto.empty()) {
     try {
@@ -32,6 +41,7 @@ void Run::remesh() {
 
 std::string Run::hand_over(std::unique_ptr<Model> next) {
   auto balances = std::make_unique<Balances>(*next);
+  auto error = make_error_estimate(*next);
   const std::vector<double> conserved = balances_->conserved();
   const MeshReceipt receipt = take_over(*model_, stage(), *next);
   if (!receipt.moved) return receipt.veto;
@@ -44,10 +54,11 @@ std::string Run::hand_over(std::unique_ptr<Model> next) {
   const ResultsRestart files{{results_->history_mark(), time, false}, {results_->field_steps(), time, false}};
   const long long elements = model_->mesh().num_global_elements();
   results_.reset();
+  error_estimate_ = std::move(error);  // it looks at the old model
   model_ = std::move(next);
   balances_ = std::move(balances);
   walls_ = std::make_unique<WallDissipation>(*model_);  // as after a restart within the stage
-  results_ = std::make_unique<Results>(*model_, settings_, origin_, nullptr, files);
+  results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), files);
   results_->take_reference_pressure(reference);
   look_at_mesh();
   const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };

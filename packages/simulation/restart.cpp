@@ -252,6 +252,7 @@ void Run::load_mesh(const CheckpointReader& reader) {
   if (mesh.empty()) return;
   model_ = make_model_(RenewedMesh::from_bytes(unpacked(mesh)));
   balances_ = std::make_unique<Balances>(*model_);
+  error_estimate_ = make_error_estimate(*model_);
 }
 
 void Run::refuse_or_warn(const std::string& difference) const {

@@ -34,6 +34,8 @@ class Results {
   const HistoryMark& history_mark() const { return history_.mark(); }
   int field_steps() const { return fields_.num_steps(); }
 
+  /// Of the committed state, where it is asked for. Collective.
+  void estimate_error();
   void write_fields(int step, const std::string& stage);
   /// `terms`: what the terms say of the last step.
   void write_history(const Balances& balances, const Report& terms, double dt, int iterations);
@@ -63,9 +65,6 @@ class Results {
   std::vector<OutputField> layer_fields() const;
   /// A field on all owned nodes; a linear field's missing middle nodes are interpolated.
   std::vector<double> on_all_nodes(int field, const ConstNodalView& values) const;
-
-  /// Of the committed state, where it is asked for.
-  void estimate_error();
 
   Model& model_;
   DiscretisationError* error_;

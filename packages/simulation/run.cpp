@@ -57,8 +57,7 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
       options_(options),
       balances_(std::make_unique<Balances>(*model_)),
       walls_(std::make_unique<WallDissipation>(*model_)) {
-  if (settings_.error_estimate)
-    error_estimate_ = std::make_unique<DiscretisationError>(*model_, settings_.target_error);
+  error_estimate_ = make_error_estimate(*model_);
   std::filesystem::create_directories(settings_.folder);
   lock_ = std::make_unique<ResultLock>(model_->mesh().comm(), settings_.stem());
   if (options_.restart) {
@@ -70,6 +69,10 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
   make_room(model_->mesh().comm(), settings_.stem(), origin_, options_.overwrite);
   results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), std::nullopt);
   take_start();
+}
+
+std::unique_ptr<DiscretisationError> Run::make_error_estimate(Model& model) const {
+  return settings_.error_estimate ? std::make_unique<DiscretisationError>(model, settings_.target_error) : nullptr;
 }
 
 StepRequest Run::request(const Stage& stage, double dt) const {

@@ -58,7 +58,11 @@ class Run {
   std::string relocate_mesh();
   /// What a motion of the mesh did to the layers, in a line.
   std::string layers_text(const MeshReceipt& receipt) const;
-  bool remeshing_due() const;
+  bool remeshing_due();
+  /// What the error estimate wants.
+  WantedSizes wanted_sizes();
+  /// Null where none is asked for.
+  std::unique_ptr<DiscretisationError> make_error_estimate(Model& model) const;
   /// Goes on with a model on a mesh made anew, or, where that is refused, with the present one.
   void remesh();
   /// "", or why `next` cannot take the state over; it has then done so.

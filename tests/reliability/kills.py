@@ -14,11 +14,13 @@ import numpy as np
 from fault import Outcome, launcher, program, start
 from mudline_case import ROOT, deck_text
 
-TITLE = "kill -9 at a random moment, then `--restart`; contact, friction, mesh motion, free bodies; 1 and 2 ranks"
+TITLE = "kill -9 at a random moment, then `--restart`; contact, friction, mesh motion, free bodies, remeshing; 1 and 2 ranks"
 FULL = 100
 SAMPLE = 4
 
 sys.path.insert(0, os.path.join(ROOT, "tests", "verification", "contact"))
+sys.path.insert(0, os.path.join(ROOT, "tests", "verification", "ale"))
+from remeshed_ball import ADAPTIVE, ESTIMATE, FOCUS, WALL, ball, remeshing  # noqa: E402
 from sliding_blocks import SLIDE  # noqa: E402
 
 BALL = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
@@ -28,7 +30,7 @@ OFTEN = ["output/checkpoint steps=2", "output/field steps=2"]
 FRICTION = {"contacts": {"ball on clay": {"friction": {"type": "coulomb", "coefficient": 0.2}}}}
 MOTION = {"mesh motion": {"boundary": {"focus": "ball", "size near focus": 0.05, "near distance": 0.1, "growth": 0.2}}}
 PENALTY = "contacts/ball on clay/type=penalty"
-# name: deck, overlay, settings
+# name: deck or what makes its text, overlay, settings
 CASES = {
     "contact": (BALL, deck_text("over", {}), ["mesh/cells={5, 5}"]),
     "friction": (BALL, deck_text("over", FRICTION), ["mesh/cells={5, 5}", PENALTY]),
@@ -36,6 +38,8 @@ CASES = {
     "friction and mesh motion": (BALL, deck_text("over", {**FRICTION, **MOTION}), [PENALTY]),
     "free body": (ANCHOR, deck_text("over", {}), []),
     "two surfaces": (BLOCKS, SLIDE, []),
+    "remeshing": (ball, remeshing(5, WALL, FOCUS), []),
+    "remeshing, sizes from the error": (ball, remeshing(5, {**WALL, **ADAPTIVE}, FOCUS, ESTIMATE), []),
 }
 
 
@@ -45,9 +49,12 @@ class Case:
     def __init__(self, name, ranks, folder):
         deck, overlay, settings = CASES[name]
         self.ranks = ranks
-        self.folder = folder / f"{name} {ranks}".replace(" ", "_")
+        self.folder = folder / f"{name} {ranks}".replace(" ", "_").replace(",", "")
         self.folder.mkdir()
         (self.folder / "over.xml").write_text(overlay)
+        if callable(deck):
+            (self.folder / "deck.xml").write_text(deck())
+            deck = "deck.xml"
         self.arguments = ["run", "-q", deck, "over.xml"]
         for setting in [*settings, *OFTEN, "output/name=run"]:
             self.arguments += ["--set", setting]
@@ -118,7 +125,7 @@ def run(count, seed, folder):
     cases = {}
     wanted = [(name, ranks) for ranks in (1, 2) for name in CASES]
     if count < len(wanted):  # a sample has a case or two of each kind
-        wanted = [("friction and mesh motion", 1), ("contact", 2)]
+        wanted = [("friction and mesh motion", 1), ("contact", 2), ("remeshing, sizes from the error", 1), ("remeshing", 2)]
     for k in range(count):
         key = wanted[k % len(wanted)]
         if key not in cases:

@@ -54,7 +54,7 @@ TEST(MeshRenewal, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
     EXPECT_NEAR(was.plan->largest_side(was.x, State()), 1, 1e-9);
     const Positions x = drawn_out(was.x);
     EXPECT_NEAR(was.plan->largest_side(x, State()), 3.3, 0.3);
-    const RenewedMesh made = was.plan->make(x, State(), 0.2);
+    const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
     const auto mesh = mesh_of(made);
     const WholeMesh whole(*mesh);
     const Positions now = whole.gather(mesh->coordinates());
@@ -93,7 +93,7 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
   boundary.bind(was.whole, was.x, {}, deck.root(), nullptr);
   const MeshRenewal plan(was.whole, boundary, RenewalParameters(), was.deck.root());
   const Positions x = drawn_out(was.x);
-  const RenewedMesh made = plan.make(x, State(), 0.2);
+  const RenewedMesh made = plan.make(x, State(), 0.2, nullptr);
   for (std::size_t k = 0; k < made.paths.size(); ++k) {
     if (!made.paths[k].sets.count("top")) continue;
     ASSERT_EQ(made.paths[k].nodes.size(), boundary.paths()[k].nodes.size());
@@ -105,14 +105,14 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
 
 TEST(MeshRenewal, RefusesAMeshThatIsTooPoor) {
   Renewed was(CellShape::tri6);
-  EXPECT_THROW(was.plan->make(was.x, State(), 0.99), NoTriangulation);
+  EXPECT_THROW(was.plan->make(was.x, State(), 0.99, nullptr), NoTriangulation);
 }
 
 TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   Renewed was(CellShape::tri6);
   Positions x = was.x;
   for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 2.5 * p[1]};
-  const RenewedMesh made = was.plan->make(x, State(), 0.2);
+  const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
   const auto mesh = mesh_of(made);
   const WholeMesh whole(*mesh);
   const Positions now = whole.gather(mesh->coordinates());
@@ -154,6 +154,44 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   const double before = 1.2 * grains(whole, block, now, Geometry::axisymmetric, there, 2, 0);
   EXPECT_NEAR(restore_all_grains(whole, block, now, Geometry::axisymmetric, there, 2, 0, before), 1 / 6.0, 1e-12);
   EXPECT_NEAR(grains(whole, block, now, Geometry::axisymmetric, there, 2, 0) / before, 1, 1e-14);
+}
+
+TEST(WantedSizes, AreWithinBoundsAndGrowNoFasterThanAllowed) {
+  const int n = 8;
+  const auto mesh = box(CellShape::tri6, n, 0);
+  const WholeMesh whole(*mesh);
+  const Positions x = whole.gather(mesh->coordinates());
+  std::vector<double> wanted;
+  for (const auto& element : whole.elements()) {
+    double far = 0;
+    for (int a = 0; a < 3; ++a) far = std::max(far, std::hypot(x[element.nodes[a]][0], x[element.nodes[a]][1]));
+    wanted.push_back(far < 0.4 ? 0.001 : 5);
+  }
+  const double growth = 0.2, smallest = 0.02;
+  const WantedSizes sizes(whole, x, wanted, {smallest, 0.1, growth});
+  EXPECT_NEAR(sizes({0, 0}), smallest, 1e-15);
+  EXPECT_NEAR(sizes({1, 1}), 0.1, 1e-15);
+  // on the bottom, the vertex at 3/8 has two small elements and a large one: (0.001^2 5)^(1/3) = 0.017 is below the
+  // bound
+  for (double at : {0.375, 0.4375, 0.5}) EXPECT_NEAR(sizes({at, 0}), smallest + growth * (at - 0.375), 1e-12) << at;
+  EXPECT_NEAR(sizes({-0.1, -0.1}), smallest, 1e-15);  // outside
+  EXPECT_NEAR(sizes.largest_ratio(), std::sqrt(2 / std::sqrt(3.0)) / n / smallest, 1e-12);
+}
+
+TEST(MeshRenewal, AdaptiveSizesAreThoseOfTheErrorOnTheBoundaryAndInside) {
+  Renewed was(CellShape::tri6, "");
+  RenewalParameters deck;
+  deck.size = RenewalParameters::Size::adaptive;
+  deck.smallest_size = 0.01;
+  deck.largest_size = 1;
+  const MeshRenewal plan(was.whole, was.boundary, deck, was.deck.root());
+  for (double size : {0.05, 0.25}) {
+    const WantedSizes sizes(was.whole, was.x, std::vector<double>(was.whole.elements().size(), size), {0.01, 1, 0.3});
+    const RenewedMesh made = plan.make(was.x, State(), 0.2, &sizes);
+    for (const MeshPath& path : made.paths) EXPECT_EQ(path.num_vertices() - 1, std::lround(1 / size));
+    const double elements = static_cast<double>(made.mesh.blocks[0].nodes.size()) / 6;
+    EXPECT_NEAR(elements, 4 / std::sqrt(3.0) / (size * size), 0.2 * elements);
+  }
 }
 
 }  // namespace

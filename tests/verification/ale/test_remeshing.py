@@ -8,19 +8,21 @@ import h5py
 import numpy as np
 
 from mudline_case import ROOT, MudlineCase, deck_text, program
-
-BALL = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
-# sides of a new boundary are up to 1.5 times as long as wanted: below that there is a new mesh whenever the steps are over
-ALWAYS = 0.1
+from remeshed_ball import ADAPTIVE, ESTIMATE, FOCUS, WALL, ball, remeshing
 
 
-def remeshing(every, more=(), boundary=()):
-    inside = {"when side above": ALWAYS, "least steps": every, "when quality below": 0.0}
-    inside.update(more)
-    parts = {"remeshing": inside}
-    if boundary:
-        parts["boundary"] = dict(boundary)
-    return deck_text("remeshing", {"mesh motion": parts})
+def block(cells):
+    """A block on rough ground, pressed from above: the stress is singular in the two corners at its foot."""
+    skeleton = {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.3}
+    return deck_text("block", {
+        "mesh": {"type": "box", "cell": "tri6", "cells": [cells, cells], "upper": [1.0, 1.0]},
+        "materials": {"soil": {"void ratio": 0.8, "skeleton": skeleton}},
+        "physics": {"ground": {"type": "solid"}},
+        "boundary conditions": {"bottom": {"type": "fixed", "set": "bottom"},
+                                "load": {"type": "pressure", "set": "top", "value": "1e3 * (t / 20)^6"}},
+        "mesh motion": {},
+        "stages": {"load": {"type": "quasi-static", "duration": 20.0, "time step": {"initial": 1.0, "maximum": 1.0}}},
+        "output": {"error estimate": True, "target error": 0.008}})
 
 
 class Remeshing(MudlineCase):
@@ -71,18 +73,49 @@ class Remeshing(MudlineCase):
         self.assertLess(np.abs(moved["mesh motion/change of solid"]).max(), 1e-11)
         self.assertLess(np.abs(moved["mesh motion/change of water"]).max(), 1e-10)
 
+    def test_sizes_from_the_error_estimate(self):
+        sizes = {"when side above": 1.3, "size": "adaptive", "smallest size": 0.005, "largest size": 0.3}
+        adaptive = self.write("remeshing.xml", remeshing(3, sizes))
+        found = self.run_deck([self.write("block.xml", block(8)), adaptive], ("output/name=adaptive",), name="adaptive")
+        elements = found["mesh/elements"][-1]
+        self.assertGreaterEqual(found["mesh/remeshings"][-1], 2)
+        self.assertLess(elements, 2 * 12 * 12)  # of a uniform mesh with more elements
+        uniform = self.run_deck(self.write("uniform.xml", block(12)), name="uniform")
+        fine = self.run_deck(self.write("fine.xml", block(40)), name="fine")
+        self.assertLess(found["mesh/stress error"][-1], 0.5 * uniform["mesh/stress error"][-1])
+        self.assertLess(found["mesh/stress error"][-1], 0.008)  # the target
+        # a mesh is too stiff: the energy tells of the true error
+        work = [run["balance/energy/stress divergence"][-1] for run in (found, uniform, fine)]
+        self.assertLess(abs(work[0] - work[2]), 0.3 * abs(work[1] - work[2]))
+        with h5py.File(os.path.join(self.folder, "results", "adaptive.h5")) as file:
+            last = file["steps"][sorted(file["steps"])[-1]]
+            corners = last["mesh/coordinates"][:][:, :2]
+        # vertices within a tenth of a corner against all others: they stand in 1.6 % of the block
+        near = np.minimum(np.hypot(corners[:, 0], corners[:, 1]), np.hypot(corners[:, 0] - 1, corners[:, 1])) < 0.1
+        self.assertGreater(near.mean(), 0.25)
+
+    def test_sizes_that_cannot_be_found_are_refused(self):
+        sizes = {"size": "adaptive", "smallest size": 0.005, "largest size": 0.3}
+        deck = self.write("block.xml", block(4))
+        for more, expected in (
+            ({**sizes, "largest size": 0.001}, "must not be smaller than the smallest size, 0.005 m"),
+            ({"smallest size": 0.001}, "smallest size"),
+            ({"size": "adaptive", "smallest size": 0.005}, "largest size"),
+        ):
+            overlay = self.write("remeshing.xml", remeshing(3, more))
+            done = program(["run", "-q", deck, overlay], folder=self.folder)
+            errors = [line for line in done.stderr.splitlines() if line.startswith("error:")]
+            self.assertEqual((done.returncode, len(errors)), (2, 1), done.stderr)
+            self.assertIn(expected, errors[0])
+
 
 class Ball(MudlineCase):
     """A ball pushed dynamically into saturated clay, on triangles that are made anew every five steps."""
 
     def setUp(self):
         super().setUp()
-        with open(BALL) as file:
-            text = file.read()
-        text = re.sub(r'    <ParameterList name="probes">.*?</ParameterList>\n', "", text, flags=re.S).replace("quad9", "tri6")
-        self.deck = self.write("ball.xml", text)
-        overlay = remeshing(5, {"wall size": 0.02}, {"focus": "ball", "size near focus": 0.02, "near distance": 0.11, "growth": 0.3})
-        self.overlay = self.write("remeshing.xml", overlay)
+        self.deck = self.write("ball.xml", ball())
+        self.overlay = self.write("remeshing.xml", remeshing(5, WALL, FOCUS))
 
     def run_ball(self, name, *extra, ranks=1):
         return self.run_deck([self.deck, self.overlay], (f"output/name={name}",), ranks, extra, name=name)
@@ -116,11 +149,31 @@ class Ball(MudlineCase):
         names = [name for name in runs[1].columns if name.startswith(("contact/", "balance/water", "body/"))]
         self.assert_same_run(runs[1], runs[2], names, "ranks")
 
+    def test_sizes_from_the_error_estimate_on_ranks_and_behind_a_restart(self):
+        self.overlay = self.write("remeshing.xml", remeshing(5, {**WALL, **ADAPTIVE}, FOCUS, ESTIMATE))
+        runs = {ranks: self.run_ball(f"whole{ranks}", ranks=ranks) for ranks in (1, 2, 4)}
+        self.assertGreaterEqual(runs[1]["mesh/remeshings"][-1], 2)
+        # before the ball touches the clay the flow is rounding, and so is its error
+        names = [name for name in runs[1].columns
+                 if name.startswith(("contact/", "balance/water", "body/", "mesh/")) and name != "mesh/flow error"]
+        estimates = [name for name in names if name.endswith("error")]  # small differences of what agrees to 1e-8
+        answers = [name for name in names if name not in estimates]
+        for ranks in (2, 4):
+            self.assert_same_run(runs[1], runs[ranks], answers, f"{ranks} ranks")
+            self.assert_same_run(runs[1], runs[ranks], estimates, f"{ranks} ranks", rounding=1e-6)
+        self.run_ball("part", "--steps", "7")
+        self.run_ball("part", "--restart")
+        self.assertEqual(self.content("part"), self.content("whole1"))
+        self.run_ball("other", "--steps", "7")  # behind a remeshing
+        self.assert_same_run(runs[1], self.run_ball("other", "--restart", ranks=2), answers, "restart on 2 ranks")
+
     def test_what_cannot_be_carried_over_is_refused(self):
         for overlay, expected in (
             ({"output": {"probes": {"tip": [0.0, 0.3]}}}, "a node is lost where the mesh is made anew"),
             ({"boundary conditions": {"far": {"type": "absorbing", "set": "right"}}},
              "the boundary condition 'far' holds forces at nodes that would move; name its set in boundary/material sides"),
+            ({"mesh motion": {"remeshing": ADAPTIVE}},
+             "'adaptive' takes the sizes from the error estimate; it needs output/error estimate = true"),
             ({"mesh": {"cell": "quad9"}}, "the mesh has cells quad9; only meshes of triangles (tri3, tri6) can be made anew"),
         ):
             more = self.write("more.xml", deck_text("more", overlay))
