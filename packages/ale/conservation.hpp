@@ -23,9 +23,6 @@ struct FreeBoundary {
                const std::vector<double>& held, const Positions& x);
 };
 
-/// Volumes of the points of a block [m3], by row of gather_points.
-std::vector<double> point_volumes(const PointTransfer& transfer, Geometry geometry, const Positions& x);
-
 /// Grains of one material in a block [m3].
 struct Grains {
   double before = 0;                                                 // the transfer

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
@@ -175,10 +176,11 @@ LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t,
                                            const std::vector<char>& was) const {
   const int points = t.block.points;
   Version result;
-  std::vector<double>& old = result.old = t.old;
+  std::vector<double> old = t.old;
   std::vector<char> known(was.size(), 0);
   for (std::size_t row = 0; row < was.size(); ++row) known[row] = was[row] == material;
   continue_rows(t, old, known);
+  for (std::size_t i = table.void_ratio; i < old.size(); i += t.columns) result.void_ratio.push_back(old[i]);
   result.now = old;
   const std::vector<StateVariable> variables = variables_of(material, table);
   remap_.transfer({t.mesh, t.block, t.patches, t.x_old, t.x_new, variables, t.columns, old, result.now});
@@ -212,9 +214,9 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
   for (int material : t.block.made_of) versions[material] = version_of(material, t, table, result.was);
   for (std::size_t row = 0; row < result.was.size(); ++row)
     for (int material : t.block.made_of) {
-      const std::size_t place = row * t.columns + table.void_ratio;
-      result.ratios.before.push_back(versions.at(material).old[place]);
-      result.ratios.after.push_back(versions.at(material).now[place]);
+      const Version& version = versions.at(material);
+      result.ratios.before.push_back(version.void_ratio[row]);
+      result.ratios.after.push_back(version.now[row * t.columns + table.void_ratio]);
     }
   for (int e : t.mesh.block_elements(t.block.block))
     for (int q = 0; q < points; ++q) {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ale/conservation.hpp"
@@ -43,8 +41,9 @@ class LayerRemap {
   std::vector<char> carry_origin(const PointTransfer& transfer, const SoilTable& table) const;
   /// What the points would be if all were of one material.
   struct Version {
-    std::vector<double> old, now;  // tables, on the old and on the new mesh
-    std::vector<char> near;        // (row) whether soil of the material was there or beside it
+    std::vector<double> now;         // table on the new mesh
+    std::vector<double> void_ratio;  // (row) on the old one
+    std::vector<char> near;          // (row) whether soil of the material was there or beside it
   };
   Version version_of(int material, const PointTransfer& transfer, const SoilTable& table,
                      const std::vector<char>& was) const;

@@ -192,8 +192,19 @@ bool Soil::layered() const {
   return std::any_of(blocks.begin(), blocks.end(), [](const SoilBlock& b) { return b.made_of.size() > 1; });
 }
 
+namespace {
+
+constexpr double ramp = 1.4;  // with it what an interface cuts off of an element is right to 2 to 4 % of it (rms)
+
+/// Height to which a material reaches at a place of the start [m].
+double top_of(const SoilMaterial& material, const Point& start) {
+  return material.has_top ? material.top(0, start) : 1e300;
+}
+
+}  // namespace
+
 int Soil::material_at(const SoilBlock& b, const Point& start) const {
-  const auto top = [&](int k) { return materials[k]->has_top ? materials[k]->top(0, start) : 1e300; };
+  const auto top = [&](int k) { return top_of(*materials[k], start); };
   const double here = height(start);
   int best = b.made_of.front();
   double lowest = top(best);
@@ -206,24 +217,17 @@ int Soil::material_at(const SoilBlock& b, const Point& start) const {
   return best;
 }
 
-namespace {
-constexpr double ramp = 1.4;  // with it what an interface cuts off of an element is right to 2 to 4 % of it (rms)
-}
-
 std::vector<double> Soil::layer_shares(const SoilBlock& b, const std::vector<Point>& starts) const {
   const std::size_t count = b.made_of.size(), points = starts.size();
-  const auto top = [&](std::size_t k) {
-    const SoilMaterial& material = *materials[b.made_of[k]];
-    return material.has_top ? material.top(0, starts.front()) : 1e300;
-  };
+  const auto top = [&](std::size_t k, const Point& start) { return top_of(*materials[b.made_of[k]], start); };
   std::vector<std::size_t> order(count);  // from the uppermost down
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return top(i) > top(k); });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t k) { return top(i, starts.front()) > top(k, starts.front()); });
   std::vector<double> shares(points * count, 0.0), above(points, 0.0), over(points);
   for (std::size_t i = 1; i <= count; ++i) {
     if (i < count) {
-      for (std::size_t q = 0; q < points; ++q)
-        over[q] = height(starts[q]) - materials[b.made_of[order[i]]]->top(0, starts[q]);
+      for (std::size_t q = 0; q < points; ++q) over[q] = height(starts[q]) - top(order[i], starts[q]);
       const auto [lowest, highest] = std::minmax_element(over.begin(), over.end());
       const double width = ramp * (*highest - *lowest) / std::sqrt(static_cast<double>(points));
       for (double& h : over) h = width > 0 ? std::clamp(0.5 + h / width, 0.0, 1.0) : (h > 0 ? 1.0 : 0.0);
