@@ -40,7 +40,7 @@ SizeField BoundaryMotion::size_field(const std::array<double, 2>& focus) const {
   };
 }
 
-void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
+void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
                           const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
                           const RenewedMesh* renewed) {
   bodies_ = bodies;
@@ -62,6 +62,8 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
   }
   if (renewed) {
     paths_ = renewed->paths;
+    for (MeshPath& path : paths_)
+      for (int& node : path.nodes) node = mesh.local_node(node);
     origins_ = renewed->origins;
     focus = renewed->focus;
   } else {

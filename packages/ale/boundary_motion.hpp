@@ -43,7 +43,7 @@ class BoundaryMotion {
   /// Finds paths and shares. InputError for unknown bodies and sets. Collective only in its errors: the same
   /// everywhere.
   /// `renewed`: the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
-  void bind(const WholeMesh& mesh, const Positions& source,
+  void bind(const GhostedMesh& mesh, const Positions& source,
             const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
             const RenewedMesh* renewed);
 

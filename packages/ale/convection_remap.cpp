@@ -20,7 +20,7 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
       low.push_back(variable.low);
       high.push_back(variable.high);
     }
-  for (int e : t.mesh.block_elements(t.block.block)) {
+  for (int e : t.mesh.own_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     bool moved = false;
     for (int a = 0; a < num_nodes(element.shape); ++a)

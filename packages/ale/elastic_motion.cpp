@@ -8,7 +8,7 @@ namespace mudline {
 
 namespace {
 
-/// Linear elastic triangles, matrix-free: y = K u for the free nodes, u given everywhere.
+/// Linear elastic triangles, matrix-free: y = K u for this rank's free nodes, u given everywhere.
 class ElasticMesh {
  public:
   ElasticMesh(const InteriorMesh& mesh, const Positions& from, double poisson) : mesh_(mesh) {
@@ -48,8 +48,13 @@ class ElasticMesh {
       }
     }
     for (std::size_t i = 0; i < u.size(); ++i)
-      if (!mesh_.movable[i / 2]) y[i] = 0;
+      if (!moves(i)) y[i] = 0;
     return y;
+  }
+  /// Whether a component belongs to a vertex of this rank that may move.
+  bool moves(std::size_t i) const {
+    const int node = static_cast<int>(i / 2);
+    return mesh_.movable[node] && mesh_.mesh.owns(node);
   }
   double diagonal(std::size_t i) const { return diagonal_[i]; }
 
@@ -60,10 +65,11 @@ class ElasticMesh {
   std::vector<double> diagonal_;
 };
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
+/// Of what is zero but at this rank's free nodes.
+double dot(const GhostedMesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+  return mesh.sum(sum);
 }
 
 }  // namespace
@@ -84,26 +90,29 @@ void ElasticMotion::move(const InteriorMesh& mesh, Positions& x) const {
   r = elastic.apply(u);
   for (double& value : r) value = -value;
   const auto precondition = [&] {
-    for (std::size_t i = 0; i < n; ++i) z[i] = mesh.movable[i / 2] ? r[i] / elastic.diagonal(i) : 0.0;
+    for (std::size_t i = 0; i < n; ++i) z[i] = elastic.moves(i) ? r[i] / elastic.diagonal(i) : 0.0;
   };
   precondition();
   p = z;
-  double rz = dot(r, z);
-  const double goal = 1e-20 * rz;
-  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(static_cast<double>(n))) && rz > goal; ++k) {
-    const std::vector<double> kp = elastic.apply(p);
-    const double alpha = rz / dot(p, kp);
+  double rz = dot(mesh.mesh, r, z);
+  const double goal = 1e-20 * rz, all = mesh.mesh.sum(static_cast<double>(2 * mesh.mesh.owned_nodes().size()));
+  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(all)) && rz > goal; ++k) {
+    std::vector<double> around = p;
+    mesh.mesh.fill(around, 2);
+    const std::vector<double> kp = elastic.apply(around);
+    const double alpha = rz / dot(mesh.mesh, p, kp);
     for (std::size_t i = 0; i < n; ++i) {
       u[i] += alpha * p[i];
       r[i] -= alpha * kp[i];
     }
     precondition();
-    const double next = dot(r, z), beta = next / rz;
+    const double next = dot(mesh.mesh, r, z), beta = next / rz;
     rz = next;
     for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
   }
   for (std::size_t i = 0; i < n; ++i)
-    if (mesh.movable[i / 2]) x[i / 2][i % 2] = from[i / 2][i % 2] + u[i];
+    if (elastic.moves(i)) x[i / 2][i % 2] = from[i / 2][i % 2] + u[i];
+  mesh.mesh.fill(x);
 }
 
 void ArtificialMotion::parameters(Parameters& p) {
@@ -116,19 +125,20 @@ void ArtificialMotion::parameters(Parameters& p) {
 void ArtificialMotion::move(const InteriorMesh& mesh, Positions& x) const {
   ElasticMotion::move(mesh, x);
   const double turn = 2 * pi;
-  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
+  for (int node : mesh.mesh.owned_nodes()) {
     if (!mesh.movable[node]) continue;
     double side = 1e300;
     for (int t : mesh.corners.at_node[node])
       for (int k : mesh.corners.triangles[t])
-        if (k != static_cast<int>(node))
+        if (k != node)
           side = std::min(
               side, std::hypot(mesh.source[k][0] - mesh.source[node][0], mesh.source[k][1] - mesh.source[node][1]));
     const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_),
-                 direction = 2.4 * static_cast<double>(node);
+                 direction = 2.4 * static_cast<double>(mesh.mesh.node_id(node));
     x[node][0] += swing * std::cos(direction);
     x[node][1] += swing * std::sin(direction);
   }
+  mesh.mesh.fill(x);
 }
 
 }  // namespace mudline

@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-CornerTriangles::CornerTriangles(const WholeMesh& mesh, const std::vector<MeshPath>& paths)
+CornerTriangles::CornerTriangles(const GhostedMesh& mesh, const std::vector<MeshPath>& paths)
     : at_node(mesh.num_nodes()), nodes_(mesh.num_nodes()) {
   std::set<int> curved;  // middle nodes on paths
   for (const MeshPath& path : paths)
@@ -58,28 +58,36 @@ void SweepLimits::parameters(Parameters& p) {
 void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
   const auto& triangles = mesh.corners.triangles;
   std::vector<std::vector<int>> neighbours(mesh.movable.size());
-  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
-    if (!mesh.movable[node]) continue;
-    std::set<int> around;
-    for (int t : mesh.corners.at_node[node])
-      if (t < mesh.corners.of_elements) around.insert(triangles[t].begin(), triangles[t].end());
-    around.erase(static_cast<int>(node));
-    neighbours[node].assign(around.begin(), around.end());
-  }
-  for (int sweep = 0; sweep < limits_.sweeps; ++sweep) {
-    double largest = 0;
-    for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
-      if (neighbours[node].empty()) continue;
-      std::array<double, 2> mean{};
-      double size = 0;
-      for (int other : neighbours[node])
-        for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
-      for (int other : neighbours[node])
-        size = std::max(size, std::hypot(x[other][0] - mean[0], x[other][1] - mean[1]));
-      largest = std::max(largest, std::hypot(mean[0] - x[node][0], mean[1] - x[node][1]) / size);
-      x[node] = mean;
+  for (const auto& nodes : mesh.colours)
+    for (int node : nodes) {
+      std::set<int> around;
+      for (int t : mesh.corners.at_node[node])
+        if (t < mesh.corners.of_elements) around.insert(triangles[t].begin(), triangles[t].end());
+      around.erase(node);
+      neighbours[node].assign(around.begin(), around.end());
     }
-    if (largest < limits_.tolerance) break;
+  sweep_by_colours(mesh, limits_, x, [&](int node) {
+    std::array<double, 2> mean{};
+    double size = 0;
+    for (int other : neighbours[node])
+      for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
+    for (int other : neighbours[node]) size = std::max(size, std::hypot(x[other][0] - mean[0], x[other][1] - mean[1]));
+    const double way = std::hypot(mean[0] - x[node][0], mean[1] - x[node][1]) / size;
+    x[node] = mean;
+    return way;
+  });
+}
+
+void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
+                      const std::function<double(int node)>& place) {
+  const int colours = static_cast<int>(mesh.colours.size());
+  for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
+    double largest = 0;
+    for (int k = 0; k < colours; ++k) {
+      for (int node : mesh.colours[sweep % 2 == 0 ? k : colours - 1 - k]) largest = std::max(largest, place(node));
+      mesh.mesh.fill(x);
+    }
+    if (mesh.mesh.largest(largest) < limits.tolerance) break;
   }
 }
 

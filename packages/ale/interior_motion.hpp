@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace mudline {
 /// element counts as bad before it folds. The ends of these tangents are further positions behind those of the nodes.
 class CornerTriangles {
  public:
-  CornerTriangles(const WholeMesh& mesh, const std::vector<MeshPath>& paths);
+  CornerTriangles(const GhostedMesh& mesh, const std::vector<MeshPath>& paths);
   /// Sets the tangents' ends behind the nodes' positions; `curve` holds the paths' nodes, middle ones among them.
   void add_tangents(const Positions& curve, Positions& x) const;
 
@@ -35,18 +36,21 @@ double twice_area(const std::array<int, 3>& triangle, const Positions& x);
 
 /// What an interior motion may look at. Positions are those of nodes, then of tangents' ends.
 struct InteriorMesh {
+  const GhostedMesh& mesh;
   const CornerTriangles& corners;
-  const Positions& source;           // of the source's mesh
-  const Positions& before;           // before any node of this relocation moved
-  const std::vector<char>& movable;  // (node) vertices that are free to move
-  double time = 0;                   // [s] of the state that the mesh carries
+  const Positions& source;                       // of the source's mesh
+  const Positions& before;                       // before any node of this relocation moved
+  const std::vector<char>& movable;              // (node) vertices that are free to move
+  const std::vector<std::vector<int>>& colours;  // those of this rank: see vertex_colours()
+  double time = 0;                               // [s] of the state that the mesh carries
 };
 
 /// Places the vertices inside when those on paths have moved: type of the deck's "mesh motion".
 class InteriorMotion {
  public:
   virtual ~InteriorMotion() = default;
-  /// `x` holds the boundary's new positions and the interior's old ones, and no triangle of it is folded. Serial, pure.
+  /// `x` holds the boundary's new positions and the interior's old ones, and no triangle of it is folded. Collective;
+  /// the result does not depend on the number of ranks.
   virtual void move(const InteriorMesh& mesh, Positions& x) const = 0;
 };
 
@@ -56,6 +60,11 @@ struct SweepLimits {
   double tolerance = 1e-3;
   void parameters(Parameters& p);
 };
+
+/// Passes over the vertices that may move, colour after colour, to and fro. `place` gives a vertex of `x` its new place
+/// and returns how far that is, as a share of its elements' size. Collective.
+void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
+                      const std::function<double(int node)>& place);
 
 /// Vertex by vertex, lowers the sum of squared inverse mean ratios of the triangles around it (Knupp 2001; Freitag &
 /// Knupp 2002), mu = |T|^2 / (2 det T), T the map from the ideal triangle: 1 at best, infinite for a flat triangle, so

@@ -71,7 +71,7 @@ struct PatchObjective {
   }
 };
 
-/// Newton's method for one vertex after the other, in alternating direction, until none moves much.
+/// Newton's method for one vertex after the other, until none moves much.
 void descend(const InteriorMesh& mesh, const std::vector<Goal>& goals, Measure measure, const SweepLimits& limits,
              Positions& x) {
   const auto& triangles = mesh.corners.triangles;
@@ -85,39 +85,27 @@ void descend(const InteriorMesh& mesh, const std::vector<Goal>& goals, Measure m
     }
     return result;
   };
-  const int nodes = static_cast<int>(mesh.movable.size());
-  for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
-    double largest = 0;
-    for (int k = 0; k < nodes; ++k) {
-      const int node = sweep % 2 == 0 ? k : nodes - 1 - k;
-      if (!mesh.movable[node]) continue;
-      const PatchObjective now = objective(node);
-      const double det = now.hessian[0] * now.hessian[2] - now.hessian[1] * now.hessian[1];
-      if (!now.valid || !(det > 0)) continue;
-      const double step[2] = {-(now.hessian[2] * now.gradient[0] - now.hessian[1] * now.gradient[1]) / det,
-                              -(now.hessian[0] * now.gradient[1] - now.hessian[1] * now.gradient[0]) / det};
-      const std::array<double, 2> from = x[node];
-      double size = 0;
-      for (int t : mesh.corners.at_node[node]) size = std::max(size, std::abs(twice_area(triangles[t], x)));
-      size = std::sqrt(size);
-      // rounding decides below this: leave the vertex where it is, so that a mesh at its optimum does not creep
-      if (std::hypot(step[0], step[1]) < 1e-9 * size) continue;
-      double factor = 1;
-      for (int cut = 0;; ++cut, factor *= 0.5) {
-        if (cut == 12) {
-          x[node] = from;
-          break;
-        }
-        x[node] = {from[0] + factor * step[0], from[1] + factor * step[1]};
-        const PatchObjective then = objective(node);
-        if (then.valid && then.value <= now.value) {
-          largest = std::max(largest, factor * std::hypot(step[0], step[1]) / size);
-          break;
-        }
-      }
+  sweep_by_colours(mesh, limits, x, [&](int node) {
+    const PatchObjective now = objective(node);
+    const double det = now.hessian[0] * now.hessian[2] - now.hessian[1] * now.hessian[1];
+    if (!now.valid || !(det > 0)) return 0.0;
+    const double step[2] = {-(now.hessian[2] * now.gradient[0] - now.hessian[1] * now.gradient[1]) / det,
+                            -(now.hessian[0] * now.gradient[1] - now.hessian[1] * now.gradient[0]) / det};
+    const std::array<double, 2> from = x[node];
+    double size = 0;
+    for (int t : mesh.corners.at_node[node]) size = std::max(size, std::abs(twice_area(triangles[t], x)));
+    size = std::sqrt(size);
+    // rounding decides below this: leave the vertex where it is, so that a mesh at its optimum does not creep
+    if (std::hypot(step[0], step[1]) < 1e-9 * size) return 0.0;
+    double factor = 1;
+    for (int cut = 0; cut < 12; ++cut, factor *= 0.5) {
+      x[node] = {from[0] + factor * step[0], from[1] + factor * step[1]};
+      const PatchObjective then = objective(node);
+      if (then.valid && then.value <= now.value) return factor * std::hypot(step[0], step[1]) / size;
     }
-    if (largest < limits.tolerance) break;
-  }
+    x[node] = from;
+    return 0.0;
+  });
 }
 
 }  // namespace

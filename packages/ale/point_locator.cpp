@@ -15,7 +15,7 @@ constexpr double edge_tolerance = 1e-10;
 /// A side of the boundary as seen from a point.
 class BoundarySide {
  public:
-  BoundarySide(const WholeMesh::Element& element, int side, const Positions& x, const std::array<double, 2>& point) {
+  BoundarySide(const GhostedMesh::Element& element, int side, const Positions& x, const std::array<double, 2>& point) {
     const std::vector<int> nodes = side_nodes(element.shape, side);
     count_ = static_cast<int>(nodes.size());
     for (int a = 0; a < count_; ++a)

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 
 namespace mudline {
 
@@ -17,7 +17,7 @@ struct MeshPlace {
 /// the boundary element next to it with reference coordinates outside the cell.
 class PointLocator {
  public:
-  PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
+  PointLocator(const GhostedMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
   MeshPlace find(const std::array<double, 2>& point, int guess) const;
   /// The nearest point of the mesh's outer boundary, for points outside.
   MeshPlace nearest_on_boundary(const std::array<double, 2>& point) const;
@@ -25,7 +25,7 @@ class PointLocator {
   bool invert(int element, const std::array<double, 2>& point, double xi[2]) const;
 
  private:
-  const WholeMesh& mesh_;
+  const GhostedMesh& mesh_;
   const Positions& x_;
 };
 

@@ -34,7 +34,7 @@ struct Polynomial {
 
 }  // namespace
 
-std::array<double, 2> Recovery::position(const WholeMesh::Element& element, const SoilBlock& block, int point,
+std::array<double, 2> Recovery::position(const GhostedMesh::Element& element, const SoilBlock& block, int point,
                                          const Positions& x) {
   std::array<double, 2> result{};
   for (int a = 0; a < block.u.nodes; ++a)
@@ -42,16 +42,32 @@ std::array<double, 2> Recovery::position(const WholeMesh::Element& element, cons
   return result;
 }
 
-RecoveryPatches::RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {
+RecoveryPatches::RecoveryPatches(const GhostedMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {
   std::map<int, std::set<int>> around;  // elements at a vertex
+  const int nodes = num_nodes(block.shape);
+  std::vector<char> needed(mesh.num_nodes(), 0);
+  const auto need = [&](const GhostedMesh::Element& element) {
+    for (int a = 0; a < num_corners(block.shape); ++a) needed[element.nodes[a]] = 1;
+  };
+  for (int e : mesh.own_elements(block.block)) need(mesh.elements()[e]);
+  for (int e : mesh.block_elements(block.block)) {
+    const auto& element = mesh.elements()[e];
+    if (std::any_of(element.nodes.begin(), element.nodes.begin() + nodes, [&](int node) { return mesh.owns(node); }))
+      need(element);
+  }
   for (int e : mesh.block_elements(block.block))
-    for (int a = 0; a < num_corners(block.shape); ++a) around[mesh.elements()[e].nodes[a]].insert(e);
+    for (int a = 0; a < num_corners(block.shape); ++a)
+      if (needed[mesh.elements()[e].nodes[a]]) around[mesh.elements()[e].nodes[a]].insert(e);
   for (auto& [node, elements] : around) {
+    cut_ = cut_ || !mesh.is_complete(node);
     while (elements.size() * block.points < enough_points) {
       std::set<int> wider = elements;
       for (int e : elements)
-        for (int other : mesh.elements()[e].neighbours)
+        for (int s = 0; s < num_sides(block.shape); ++s) {
+          const int other = mesh.elements()[e].neighbours[s];
+          cut_ = cut_ || other == GhostedMesh::unknown;
           if (other >= 0 && mesh.elements()[other].block == block.block) wider.insert(other);
+        }
       if (wider.size() == elements.size()) break;
       elements.swap(wider);
     }
@@ -60,7 +76,7 @@ RecoveryPatches::RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block) 
   }
 }
 
-Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
+Recovery::Recovery(const GhostedMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
                    const std::vector<double>& table, int columns)
     : mesh_(mesh),
       block_(block),
@@ -106,12 +122,14 @@ void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
           const bool end =
               a < 2 * corners ? b == a - corners || b == (a - corners + 1) % corners : true;  // the centre: all
           if (!end) continue;
+          if (patches.at(n[b]) < 0) continue;  // another rank's node
           sum += polynomials[patches.at(n[b])].at(x[n[a]], c);
           ++share;
         }
-        nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / share;
+        if (share > 0) nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / share;
       }
   }
+  mesh_.fill(nodal_, columns_);
 }
 
 std::vector<double> Recovery::bounded_nodes() const {
@@ -123,7 +141,7 @@ std::vector<double> Recovery::bounded_nodes() const {
     const int corners = num_corners(element.shape);
     for (int side = 0; side < corners; ++side) {
       const int other = element.neighbours[side];
-      if (other >= 0 && elements[other].block == block_.block) continue;
+      if (other == GhostedMesh::unknown || (other >= 0 && elements[other].block == block_.block)) continue;
       outer[element.nodes[side]] = outer[element.nodes[(side + 1) % corners]] = true;
       if (num_nodes(element.shape) > corners) outer[element.nodes[corners + side]] = true;
     }
@@ -140,6 +158,7 @@ std::vector<double> Recovery::bounded_nodes() const {
       const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
       if (low[i] <= high[i]) bounded[i] = std::clamp(nodal_[i], low[i], high[i]);
     }
+  mesh_.fill(bounded, columns_);
   return bounded;
 }
 
@@ -159,7 +178,7 @@ void Recovery::find_ranges() {
   }
 }
 
-void Recovery::interpolate(const WholeMesh::Element& element, const double* N, int nodes, double* values) const {
+void Recovery::interpolate(const GhostedMesh::Element& element, const double* N, int nodes, double* values) const {
   std::fill_n(values, columns_, 0.0);
   for (int a = 0; a < nodes; ++a)
     for (int c = 0; c < columns_; ++c)
@@ -188,8 +207,8 @@ std::vector<double> recovered_on(const BlockPoints& to, const BlockPoints& from,
       low.push_back(variable.low);
       high.push_back(variable.high);
     }
-  const auto& elements = to.mesh.block_elements(to.block.block);
-  std::vector<double> now(elements.size() * to.block.points * columns);
+  const auto& elements = to.mesh.own_elements(to.block.block);
+  std::vector<double> now(to.mesh.block_elements(to.block.block).size() * to.block.points * columns);
   int guess = from.mesh.block_elements(from.block.block).front();
   for (int e : elements)
     for (int q = 0; q < to.block.points; ++q) {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline::testing {
