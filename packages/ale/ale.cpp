@@ -37,9 +37,9 @@ void AleParameters::parameters(Parameters& p) {
         "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the "
         "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
-  p.section("boundary", boundary, "how boundary nodes slide");
+  p.section("boundary", boundary, "how boundary nodes slide in the plane; in space they stay material points");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
-  p.section("remeshing", renewal, "when and how the region is meshed anew; absent: it is not");
+  p.section("remeshing", renewal, "when and how the region, of triangles, is meshed anew; absent: it is not");
 }
 
 void Ale::document(Parameters& p) { AleParameters().parameters(p); }
@@ -56,8 +56,7 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
-  if (mesh_.dimension() == 3 && !interior_->in_space())
-    {
+  if (mesh_.dimension() == 3 && !interior_->in_space()) {
     const Section interior = section.section("interior");
     interior.fail(interior.text("type") + " is for meshes of the plane", "type");
   }
@@ -125,9 +124,8 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
       const int* edges = quadrilateral + 4;
       const int at = n[quadrilateral[8]];
       for (int d = 0; d < place_size; ++d)
-        x[at][d] = mesh_.on_boundary(at)
-                       ? boundary[at][d]
-                       : 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
+        x[at][d] = mesh_.on_boundary(at) ? boundary[at][d]
+                                         : 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
     };
     int all[27];
     std::iota(all, all + 27, 0);
@@ -135,8 +133,7 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
     if (shape != CellShape::hex27) continue;
     for (int s = 0; s < 6; ++s) centre(side_nodes(shape, s).data());
     for (int d = 0; d < place_size; ++d)
-      x[n[26]][d] =
-          0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
+      x[n[26]][d] = 0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
   }
 }
 
@@ -172,7 +169,8 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
   place_middles(boundary, x);
   if (deck_.conserve) keep_volume(soil_volume(mesh_, soil_, x_old), state, constraints, boundary, x);
   double largest = 0;
-  for (const Point& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
+  for (const Point& place : x_old)
+    largest = std::max({largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
   for (int node = 0; node < mesh_.num_nodes(); ++node)  // what only rounding moved stays
     if (distance(x[node], x_old[node]) < 1e-14 * largest) x[node] = x_old[node];
   return "";

@@ -184,7 +184,8 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
       result.vertices.push_back(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride));
   }
   for (int k = 0; path.stride == 2 && k < sides; ++k)
-    result.middles.push_back(kept(p) ? in_plane(x[path.nodes[2 * k + 1]]) : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
+    result.middles.push_back(kept(p) ? in_plane(x[path.nodes[2 * k + 1]])
+                                     : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
   return result;
 }
 

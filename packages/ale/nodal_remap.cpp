@@ -8,8 +8,7 @@
 
 namespace mudline {
 
-std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
-                                          const Point& x) {
+std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x) {
   const int count = nodes[2] >= 0 ? 3 : 2;
   const auto offset = [&](double xi, double(&r)[2], double(&t)[2]) {
     double N[3], dN[3];
@@ -34,8 +33,8 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
   return {xi, std::hypot(r[0], r[1])};
 }
 
-void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old,
-                             const Point& x, Place& place) const {
+void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
+                             Place& place) const {
   double least = 1e300;
   for (int k = first; k + path.stride <= last; k += path.stride) {
     const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};

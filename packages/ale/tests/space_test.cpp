@@ -37,8 +37,8 @@ std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion) {
 
 double linear(const Point& x) { return 3 - 2 * x[0] + 5 * x[1] + 0.7 * x[2]; }
 double quadratic(const Point& x) {
-  return 1 + x[0] - 2 * x[1] + x[2] + 3 * x[0] * x[1] - x[1] * x[1] + 2 * x[2] * x[2] - x[0] * x[2] + 0.5 * x[1] * x[2] +
-         0.3 * x[0] * x[0];
+  return 1 + x[0] - 2 * x[1] + x[2] + 3 * x[0] * x[1] - x[1] * x[1] + 2 * x[2] * x[2] - x[0] * x[2] +
+         0.5 * x[1] * x[2] + 0.3 * x[0] * x[0];
 }
 
 /// Inner nodes moved by a smooth field that vanishes on the boundary.
@@ -65,7 +65,8 @@ class EveryCellOfSpace : public ::testing::TestWithParam<CellShape> {
   std::vector<double> at_points(F&& field, const Positions& x) const {
     std::vector<double> result;
     for (int e : whole.block_elements(0))
-      for (int q = 0; q < block.points; ++q) result.push_back(field(Recovery::position(whole.elements()[e], block, q, x)));
+      for (int q = 0; q < block.points; ++q)
+        result.push_back(field(Recovery::position(whole.elements()[e], block, q, x)));
     return result;
   }
   template <class F>
@@ -261,7 +262,8 @@ TEST_P(EveryCellOfSpace, RowsAreContinuedLinearly) {
   std::vector<double> table = at_points(linear, start);
   const std::vector<double> exact = table;
   std::vector<char> known;
-  for (double x : at_points([](const Point& p) { return p[0]; }, start)) known.push_back(x < 0.5 && known.size() % 7 != 0);
+  for (double x : at_points([](const Point& p) { return p[0]; }, start))
+    known.push_back(x < 0.5 && known.size() % 7 != 0);
   for (std::size_t row = 0; row < table.size(); ++row)
     if (!known[row]) table[row] = 1e30;
   std::vector<double> now = table;
