@@ -216,7 +216,7 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers) : mesh_(mesh) {
   const Ids element_ids = around.records.ids();
 
   // elements, with global nodes at first
-  std::map<SideKey, ElementSide> open;
+  std::unordered_map<SideKey, ElementSide, SideKeyHash> open;
   std::vector<Ids> global_nodes;
   block_elements_.resize(mesh.blocks().size());
   for (long long id : element_ids) {
@@ -319,12 +319,14 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers) : mesh_(mesh) {
     std::vector<int>& to = node_sets_[name];
     for (long long id : ids) to.push_back(local_node(id));
   }
+  on_boundary_.assign(node_ids_.size(), 0);
   for (const auto& [place, i] : sides) {
     BoundarySide side{
         static_cast<int>(boundary[i + 2]), static_cast<int>(boundary[i + 3]), {}, {}, boundary[i + 4] != 0};
     const long long* at = &boundary[i] + head;
     for (int k = 0; k < boundary[i + 5]; ++k) side.nodes.push_back(local_node(*at++));
     for (int k = 0; k < boundary[i + 6]; ++k) side.sets.insert(names[*at++]);
+    for (int node : side.nodes) on_boundary_[node] = 1;
     boundary_.push_back(std::move(side));
   }
 
@@ -396,16 +398,16 @@ double GhostedMesh::largest(double mine) const {
 }
 
 Positions GhostedMesh::gather(const ConstCoordinateView& x) const {
-  Positions result(num_nodes());
+  Positions result(num_nodes(), Point{});
   for (int i = 0; i < mesh_.num_owned_nodes(); ++i)
-    for (int d = 0; d < place_size; ++d) result[of_mesh_[i]][d] = x(i, d);
+    for (int d = 0; d < dimension(); ++d) result[of_mesh_[i]][d] = x(i, d);
   fill(result);
   return result;
 }
 
 void GhostedMesh::scatter(const Positions& from, const CoordinateView& to) const {
   for (int i = 0; i < mesh_.num_nodes(); ++i)
-    for (int d = 0; d < place_size; ++d) to(i, d) = from[of_mesh_[i]][d];
+    for (int d = 0; d < dimension(); ++d) to(i, d) = from[of_mesh_[i]][d];
 }
 
 std::vector<double> GhostedMesh::gather(const Space& space, int field, const ConstNodalView& values) const {

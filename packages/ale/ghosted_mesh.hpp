@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -13,8 +14,15 @@
 
 namespace mudline {
 
-constexpr int place_size = 2;                                   // coordinates of a node
-using Positions = std::vector<std::array<double, place_size>>;  // [m] by node of a GhostedMesh
+constexpr int place_size = 3;          // coordinates of a node; in the plane the third is 0
+using Positions = std::vector<Point>;  // [m] by node of a GhostedMesh
+
+/// A place of a mesh in the plane.
+inline Point on_plane(const std::array<double, 2>& place) { return {place[0], place[1], 0}; }
+/// [m]
+inline double distance(const Point& a, const Point& b) {
+  return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
 
 /// This rank's elements, some layers of those of other ranks around them (ghosts), and on every rank the nodes of the
 /// boundaries of all regions. Numbers ascend with the global ones: whatever loops over them comes by the elements
@@ -45,6 +53,8 @@ class GhostedMesh {
   explicit GhostedMesh(const Mesh& mesh, int layers = whole);
 
   const Mesh& mesh() const { return mesh_; }
+  /// 2 or 3.
+  int dimension() const { return mesh_.dimension(); }
   int num_nodes() const { return static_cast<int>(node_ids_.size()); }
   long long node_id(int node) const { return node_ids_[node]; }
   /// The node of a global number that this rank has.
@@ -55,6 +65,13 @@ class GhostedMesh {
   /// Whether this rank has all elements around a node.
   bool is_complete(int node) const { return complete_[node] != 0; }
   bool is_vertex(int node) const { return vertex_[node] != 0; }
+  /// Whether a node is on the boundary of a region: on that of the mesh, or between two regions.
+  bool on_boundary(int node) const { return on_boundary_[node] != 0; }
+  /// Whether a side of an element is, as far as this rank can tell.
+  bool on_boundary(const Element& element, int side) const {
+    const int other = element.neighbours[side];
+    return other == outside || (other >= 0 && elements_[other].block != element.block);
+  }
   /// One element of a node that has any here: of a complete one the first of the whole mesh.
   int element_of(int node) const { return element_of_[node]; }
 
@@ -103,7 +120,7 @@ class GhostedMesh {
   const Mesh& mesh_;
   std::vector<long long> node_ids_;
   std::vector<int> of_mesh_, owned_nodes_;  // (the mesh's node), ascending
-  std::vector<char> owned_, complete_, vertex_;
+  std::vector<char> owned_, complete_, vertex_, on_boundary_;
   std::vector<Element> elements_;
   std::vector<std::vector<int>> block_elements_, own_elements_;
   std::vector<int> place_in_block_, element_of_;

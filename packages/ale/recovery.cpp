@@ -11,34 +11,44 @@ namespace mudline {
 
 namespace {
 
-constexpr int terms = 6;                  // of a quadratic polynomial
-constexpr std::size_t enough_points = 9;  // for a fit that does not follow noise
+/// Of a quadratic polynomial.
+template <int Dim>
+constexpr int terms = (Dim + 1) * (Dim + 2) / 2;
+
+/// Points enough for a fit that does not follow noise. In space those of few elements nearly lie on a quadric.
+std::size_t enough_points(int dimension) { return dimension == 2 ? 9 : 40; }
 
 /// Fitted around a vertex.
+template <int Dim>
 struct Polynomial {
-  std::array<double, 2> centre;
+  Point centre;
   double size;
   std::vector<double> coefficients;  // (column, term)
 
-  std::array<double, terms> basis(const std::array<double, 2>& x) const {
+  std::array<double, terms<Dim>> basis(const Point& x) const {
     const double a = (x[0] - centre[0]) / size, b = (x[1] - centre[1]) / size;
-    return {1, a, b, a * a, a * b, b * b};
+    if constexpr (Dim == 2) {
+      return {1, a, b, a * a, a * b, b * b};
+    } else {
+      const double c = (x[2] - centre[2]) / size;
+      return {1, a, b, c, a * a, a * b, b * b, b * c, c * c, c * a};
+    }
   }
-  double at(const std::array<double, 2>& x, int column) const {
+  double at(const Point& x, int column) const {
     const auto powers = basis(x);
     double sum = 0;
-    for (int k = 0; k < terms; ++k) sum += powers[k] * coefficients[terms * column + k];
+    for (int k = 0; k < terms<Dim>; ++k) sum += powers[k] * coefficients[terms<Dim> * column + k];
     return sum;
   }
 };
 
 }  // namespace
 
-std::array<double, 2> Recovery::position(const GhostedMesh::Element& element, const SoilBlock& block, int point,
-                                         const Positions& x) {
-  std::array<double, 2> result{};
+Point Recovery::position(const GhostedMesh::Element& element, const SoilBlock& block, int point, const Positions& x) {
+  Point result{};
+  const int dim = dimension(block.shape);
   for (int a = 0; a < block.u.nodes; ++a)
-    for (int d = 0; d < place_size; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
+    for (int d = 0; d < dim; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
   return result;
 }
 
@@ -60,7 +70,7 @@ RecoveryPatches::RecoveryPatches(const GhostedMesh& mesh, const SoilBlock& block
       if (needed[mesh.elements()[e].nodes[a]]) around[mesh.elements()[e].nodes[a]].insert(e);
   for (auto& [node, elements] : around) {
     cut_ = cut_ || !mesh.is_complete(node);
-    while (elements.size() * block.points < enough_points) {
+    while (elements.size() * block.points < enough_points(mesh.dimension())) {
       std::set<int> wider = elements;
       for (int e : elements)
         for (int s = 0; s < num_sides(block.shape); ++s) {
@@ -83,20 +93,22 @@ Recovery::Recovery(const GhostedMesh& mesh, const SoilBlock& block, const Recove
       table_(table),
       columns_(columns),
       nodal_(static_cast<std::size_t>(mesh.num_nodes()) * columns, 0.0) {
-  fit(patches, x);
+  mesh.dimension() == 2 ? fit<2>(patches, x) : fit<3>(patches, x);
   find_ranges();
 }
 
+template <int Dim>
 void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
-  std::vector<Polynomial> polynomials;
-  std::vector<std::array<double, 2>> places;
+  constexpr int terms = mudline::terms<Dim>;
+  std::vector<Polynomial<Dim>> polynomials;
+  std::vector<Point> places;
   for (const auto& [node, elements] : patches.patches()) {
-    Polynomial fitted{x[node], 0, std::vector<double>(terms * columns_, 0.0)};
+    Polynomial<Dim> fitted{x[node], 0, std::vector<double>(terms * columns_, 0.0)};
     places.clear();
     for (int e : elements)
       for (int q = 0; q < block_.points; ++q) {
         places.push_back(position(mesh_.elements()[e], block_, q, x));
-        fitted.size = std::max(fitted.size, std::hypot(places.back()[0] - x[node][0], places.back()[1] - x[node][1]));
+        fitted.size = std::max(fitted.size, distance(places.back(), x[node]));
       }
     double a[terms][terms] = {};
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -111,23 +123,21 @@ void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
     for (int c = 0; c < columns_; ++c) nodal_[static_cast<std::size_t>(node) * columns_ + c] = fitted.at(x[node], c);
     polynomials.push_back(std::move(fitted));
   }
-  const int corners = num_corners(block_.shape), nodes = num_nodes(block_.shape);
-  for (int e : mesh_.block_elements(block_.block)) {
-    const auto& n = mesh_.elements()[e].nodes;
-    for (int a = corners; a < nodes; ++a)
+  for (int a = num_corners(block_.shape); a < num_nodes(block_.shape); ++a) {
+    const std::vector<int> around = corners_around(block_.shape, a);
+    for (int e : mesh_.block_elements(block_.block)) {
+      const auto& n = mesh_.elements()[e].nodes;
       for (int c = 0; c < columns_; ++c) {
         double sum = 0;
         int share = 0;
-        for (int b = 0; b < corners; ++b) {
-          const bool end =
-              a < 2 * corners ? b == a - corners || b == (a - corners + 1) % corners : true;  // the centre: all
-          if (!end) continue;
+        for (int b : around) {
           if (patches.at(n[b]) < 0) continue;  // another rank's node
           sum += polynomials[patches.at(n[b])].at(x[n[a]], c);
           ++share;
         }
         if (share > 0) nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / share;
       }
+    }
   }
   mesh_.fill(nodal_, columns_);
 }
@@ -135,16 +145,14 @@ void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
 std::vector<double> Recovery::bounded_nodes() const {
   const auto& elements = mesh_.elements();
   std::vector<bool> outer(mesh_.num_nodes(), false);
+  std::vector<std::vector<int>> nodes_of;  // (side)
+  for (int side = 0; side < num_sides(block_.shape); ++side) nodes_of.push_back(side_nodes(block_.shape, side));
   std::vector<double> bounded = nodal_, low(nodal_.size(), 1e300), high(nodal_.size(), -1e300);
   for (int e : mesh_.block_elements(block_.block)) {
     const auto& element = elements[e];
-    const int corners = num_corners(element.shape);
-    for (int side = 0; side < corners; ++side) {
-      const int other = element.neighbours[side];
-      if (other == GhostedMesh::unknown || (other >= 0 && elements[other].block == block_.block)) continue;
-      outer[element.nodes[side]] = outer[element.nodes[(side + 1) % corners]] = true;
-      if (num_nodes(element.shape) > corners) outer[element.nodes[corners + side]] = true;
-    }
+    for (int side = 0; side < num_sides(element.shape); ++side)
+      if (mesh_.on_boundary(element, side))
+        for (int a : nodes_of[side]) outer[element.nodes[a]] = true;
     for (int q = 0; q < block_.points; ++q)
       for (int a = 0; a < num_nodes(element.shape); ++a)
         for (int c = 0; c < columns_; ++c) {
@@ -187,7 +195,7 @@ void Recovery::interpolate(const GhostedMesh::Element& element, const double* N,
 
 void Recovery::at(const MeshPlace& place, double* values) const {
   const auto& element = mesh_.elements()[place.element];
-  double N[9], dN[18];
+  double N[27], dN[81];
   evaluate_shape(element.shape, place.xi, N, dN);
   interpolate(element, N, num_nodes(element.shape), values);
 }

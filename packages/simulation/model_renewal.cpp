@@ -56,7 +56,7 @@ std::string moving_forces(const Model& model, const ArrayInfo& info) {
   const std::vector<double> nodes = ale.mesh().gather(model.space(), u, held);
   bool moving = false;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    moving = moving || (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / place_size));
+    moving = moving || (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / ale.mesh().dimension()));
   if (ale.mesh().any(moving))
     return "the boundary condition '" + info.name.substr(std::string(held_forces).size()) +
            "' holds forces at nodes that would move; name its set in boundary/material sides";
