@@ -29,7 +29,7 @@ struct Part {
         ghosted(*mesh, layers),
         start(ghosted.gather(mesh->coordinates())),
         paths(find_paths(ghosted, start, {}, 0.5)),
-        corners(ghosted, paths),
+        corners(ghosted),
         movable(ghosted.num_nodes(), 0),
         block(points_of(*mesh)),
         patches(ghosted, block) {
@@ -52,7 +52,7 @@ struct Part {
   GhostedMesh ghosted;
   Positions start;
   std::vector<MeshPath> paths;
-  CornerTriangles corners;
+  CornerSimplices corners;
   std::vector<char> movable;
   SoilBlock block;
   RecoveryPatches patches;

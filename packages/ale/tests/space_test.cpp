@@ -7,6 +7,7 @@
 #include "ale/nodal_remap.hpp"
 #include "ale/quality.hpp"
 #include "ale/remap.hpp"
+#include "ale/vertex_colours.hpp"
 #include "ale_mesh.hpp"
 #include "core/deck.hpp"
 
@@ -92,6 +93,8 @@ class EveryCellOfSpace : public ::testing::TestWithParam<CellShape> {
   RecoveryPatches patches{whole, block};
   Positions start = whole.gather(mesh->coordinates());
   CornerSimplices corners{whole};
+  std::vector<char> movable = inner();
+  std::vector<std::vector<int>> colours = vertex_colours(whole, movable);
   std::vector<StateVariable> variables{{"f", 1, "-"}};
 };
 INSTANTIATE_TEST_SUITE_P(Space, EveryCellOfSpace,
@@ -140,7 +143,7 @@ TEST_P(EveryCellOfSpace, TheSimplicesOfTheElementsFillThemAndTheirIdealsAreAtRes
   EXPECT_GT(lowest_determinant(source), 0);
   for (const bool optimises : {true, false}) {
     Positions x = source;
-    const InteriorMesh inside{corners, source, source, inner()};
+    const InteriorMesh inside{whole, corners, source, source, movable, colours};
     optimises ? OptimisationMotion().move(inside, x) : ElasticMotion().move(inside, x);
     for (int node = 0; node < whole.num_nodes(); ++node) EXPECT_EQ(x[node], source[node]);
   }
@@ -163,14 +166,14 @@ TEST_P(EveryCellOfSpace, TheInsideFollowsThePushedBoundaryAndNothingFolds) {
     if (type == 1) motion = std::make_unique<ElasticMotion>();
     if (type == 2) motion = std::make_unique<LaplaceMotion>();
     Positions x = pushed;
-    motion->move({corners, source, source, inner()}, x);
+    motion->move({whole, corners, source, source, movable, colours}, x);
     if (type < 2) {
       EXPECT_GT(lowest_determinant(x), 1.2 * before) << type;
     }
     int moved = 0;
     for (int node = 0; node < whole.num_nodes(); ++node) {
       moved += x[node] != pushed[node];
-      if (!inner()[node]) {
+      if (!movable[node]) {
         EXPECT_EQ(x[node], pushed[node]);
       }
     }
@@ -182,14 +185,14 @@ TEST_P(EveryCellOfSpace, TheInsideFollowsThePushedBoundaryAndNothingFolds) {
 TEST_P(EveryCellOfSpace, OptimisationBringsTheMeshBack) {
   Positions source = start, x = start;
   for (int node = 0; node < whole.num_nodes(); ++node)
-    for (int d = 0; d < 3 && inner()[node]; ++d) x[node][d] += 0.06 * std::sin(1.7 * node + 2.1 * d);
+    for (int d = 0; d < 3 && movable[node]; ++d) x[node][d] += 0.06 * std::sin(1.7 * node + 2.1 * d);
   corners.add_tangents(start, source);
   corners.add_tangents(start, x);
   ASSERT_GT(lowest_determinant(x), 0);
   double largest = 0;
   for (int node = 0; node < whole.num_nodes(); ++node) largest = std::max(largest, distance(x[node], source[node]));
   ASSERT_GT(largest, 0.07);
-  OptimisationMotion().move({corners, source, source, inner()}, x);
+  OptimisationMotion().move({whole, corners, source, source, movable, colours}, x);
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (whole.is_vertex(node)) {
       EXPECT_LT(distance(x[node], source[node]), 2e-3);
