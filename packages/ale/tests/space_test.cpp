@@ -8,32 +8,12 @@
 #include "ale/quality.hpp"
 #include "ale/remap.hpp"
 #include "ale_mesh.hpp"
-#include "core/deck.hpp"
 
 namespace mudline {
 namespace {
 
+using testing::cube;
 using testing::points_of;
-
-/// A unit cube of n by n by n cells, or of the six tetrahedra of each, with inner vertices scattered.
-std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion) {
-  Deck deck;
-  const std::string cells = std::to_string(n);
-  deck.overlay(
-      "<ParameterList name=\"deck\"><ParameterList name=\"mesh\">"
-      "<Parameter name=\"type\" type=\"string\" value=\"box\"/>"
-      "<Parameter name=\"geometry\" type=\"string\" value=\"three-dimensional\"/>"
-      "<Parameter name=\"cell\" type=\"string\" value=\"" +
-          std::string(name(shape)) + "\"/><Parameter name=\"cells\" type=\"Array(int)\" value=\"{" + cells + ", " +
-          cells + ", " + cells +
-          "}\"/><Parameter name=\"upper\" type=\"Array(double)\" value=\"{1.0, 1.0, 1.0}\"/>"
-          "<Parameter name=\"distortion\" type=\"double\" value=\"" +
-          std::to_string(distortion) + "\"/></ParameterList></ParameterList>",
-      "cube.xml");
-  Registry<MeshSource> sources("mesh");
-  register_mesh_sources(sources);
-  return make_mesh(Tpetra::getDefaultComm(), sources, deck.root().section("mesh"));
-}
 
 double linear(const Point& x) { return 3 - 2 * x[0] + 5 * x[1] + 0.7 * x[2]; }
 double quadratic(const Point& x) {
