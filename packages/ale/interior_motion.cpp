@@ -152,7 +152,8 @@ void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
 
 void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
-  registry.add<WinslowMotion>("Winslow", "harmonic map back to the source's mesh, for the plane; never folds an element");
+  registry.add<WinslowMotion>("Winslow",
+                              "harmonic map back to the source's mesh, for the plane; never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
   registry.add<ArtificialMotion>("artificial",
                                  "elastic, and a swing of every vertex: shows what the remap does to a solution");
