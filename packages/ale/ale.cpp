@@ -119,6 +119,10 @@ bool Ale::folded(const Positions& x) const {
 }
 
 void Ale::place_middles(Positions& x) const {
+  int all[27];
+  std::iota(all, all + 27, 0);
+  std::vector<std::vector<int>> faces;
+  for (int s = 0; s < num_sides(CellShape::hex27); ++s) faces.push_back(side_nodes(CellShape::hex27, s));
   for (const auto& element : mesh_.elements()) {
     if (order(element.shape) == 1) continue;
     const CellShape shape = element.shape;
@@ -141,11 +145,9 @@ void Ale::place_middles(Positions& x) const {
       for (int d = 0; d < place_size && !mesh_.on_boundary(at); ++d)
         x[at][d] = 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
     };
-    int all[27];
-    std::iota(all, all + 27, 0);
     if (shape == CellShape::quad9) centre(all);
     if (shape != CellShape::hex27) continue;
-    for (int s = 0; s < 6; ++s) centre(side_nodes(shape, s).data());
+    for (const auto& face : faces) centre(face.data());
     for (int d = 0; d < place_size; ++d)
       x[n[26]][d] = 0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
   }

@@ -94,7 +94,7 @@ class SeenSide {
     place = at;
     return true;
   }
-  /// Inside of the face: Gauss and Newton's method from the middle and from its corners' sides of it.
+  /// Inside of the face, by Gauss and Newton's method from its middle and from halfway to each corner.
   bool inside(double& least, std::array<double, 2>& place) const {
     bool found = false;
     const auto centre = cell_centre(shape_);

@@ -130,9 +130,9 @@ TEST_P(EveryCellOfSpace, NearestOnTheBoundaryBeatsEveryOtherPointOfIt) {
       for (int s = 0; s < num_sides(GetParam()); ++s) {
         if (whole.elements()[e].neighbours[s] >= 0) continue;
         const bool triangle = is_simplex(GetParam());
-        for (int i = 0; i <= 40; ++i)
-          for (int j = 0; j <= (triangle ? 40 - i : 40); ++j) {
-            std::array<double, 2> on{i / 40.0, j / 40.0};
+        for (int i = 0; i <= 20; ++i)
+          for (int j = 0; j <= (triangle ? 20 - i : 20); ++j) {
+            std::array<double, 2> on{i / 20.0, j / 20.0};
             for (double& c : on) c = triangle ? c : 2 * c - 1;
             MeshPlace there{e, {}};
             const auto xi = on_side(GetParam(), s, on);
@@ -141,7 +141,7 @@ TEST_P(EveryCellOfSpace, NearestOnTheBoundaryBeatsEveryOtherPointOfIt) {
           }
       }
     EXPECT_LE(found, least + 1e-12);
-    EXPECT_GE(found, least - 5e-3);  // how far apart the places are
+    EXPECT_GE(found, least - 1e-2);  // how far apart the places are
   }
 }
 
