@@ -48,9 +48,9 @@ void Ale::document(Parameters& p) { AleParameters().parameters(p); }
 namespace {
 
 /// With as many layers of other ranks' elements as the recovery around this rank's own ones needs: two, and more where
-/// corners of the mesh have few elements.
+/// corners of the mesh have few elements. In the plane layers are cheap, and more of them let ranks meet less often.
 GhostedMesh with_patches(const Mesh& mesh, const Soil& soil) {
-  for (int layers = 2;; ++layers) {
+  for (int layers = mesh.dimension() == 2 ? 4 : 2;; ++layers) {
     GhostedMesh result(mesh, layers);
     const bool cut = std::any_of(soil.blocks.begin(), soil.blocks.end(),
                                  [&](const SoilBlock& b) { return RecoveryPatches(result, b).cut(); });

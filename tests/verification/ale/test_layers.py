@@ -125,7 +125,7 @@ class Layers(MudlineCase):
     def test_layers_on_ranks_and_after_a_restart(self):
         def swing(name, ranks=1, extra=()):
             settings = ["output/name=" + name, "output/checkpoint steps=10"]
-            return self.consolidate(40, SWING, 2, 8.0, settings=settings, ranks=ranks, extra=extra, name=name)
+            return self.consolidate(40, SWING, 2, 5.0, settings=settings, ranks=ranks, extra=extra, name=name)
 
         def content(name):
             with open(os.path.join(self.folder, "results", name + ".csv"), "rb") as file:
@@ -135,7 +135,7 @@ class Layers(MudlineCase):
         self.assertGreater(one["mesh motion/points of another material"][-1], 5)
         names = [name for name in one.columns if re.match("probe/.*(y|pressure)$|balance/grains|mesh motion/points|mesh/quality", name)]
         self.assertGreater(len(names), 6)
-        for ranks in (2, 3):
+        for ranks in (2,):
             self.assert_same_run(one, swing(f"on{ranks}", ranks), names, f"{ranks} ranks")
         swing("parts", 2, ["--steps", "10"])
         self.assertNotEqual(content("parts"), content("on2"))
