@@ -125,7 +125,7 @@ class Layers(MudlineCase):
     def test_layers_on_ranks_and_after_a_restart(self):
         def swing(name, ranks=1, extra=()):
             settings = ["output/name=" + name, "output/checkpoint steps=10"]
-            return self.consolidate(40, SWING, 2, 5.0, settings=settings, ranks=ranks, extra=extra, name=name)
+            return self.consolidate(40, SWING, 2, 8.0, settings=settings, ranks=ranks, extra=extra, name=name)
 
         def content(name):
             with open(os.path.join(self.folder, "results", name + ".csv"), "rb") as file:
