@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/function.hpp"
+#include "discretisation/shapes.hpp"
+
+namespace mudline {
+
+struct SurfaceFace;
+
+/// Where a point of a face is: reference coordinates of the face's shape.
+using FacePlace = std::array<double, 2>;
+
+/// [m]
+Point face_point(const SurfaceFace& face, const FacePlace& place, const std::vector<Point>& x);
+/// Outwards, as long as the area per reference area [m2].
+Point face_normal(const SurfaceFace& face, const FacePlace& place, const std::vector<Point>& x);
+
+/// The point of a face, curved as it is, that is nearest to another.
+struct NearestOnFace {
+  FacePlace place;
+  double distance;  // [m]
+  bool inside;      // not on an edge of the face
+};
+NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const std::vector<Point>& x);
+
+}  // namespace mudline
