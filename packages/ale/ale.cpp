@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "ale/conservation.hpp"
 #include "ale/quality.hpp"
 #include "core/guarded.hpp"
 #include "discretisation/mesh_quality.hpp"
+#include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
 
@@ -48,12 +50,14 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
       soil_(soil),
       mesh_(space.mesh()),
       source_(mesh_.gather(space.mesh().coordinates())),
-      corners_(mesh_, {}) {
+      corners_(mesh_) {
   section.allow_sections({"interior", "boundary", "remap", "remeshing"});
   Parameters p(section);
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
+  if (mesh_.dimension() == 3 && !interior_->in_space())
+    section.section("interior").fail("is for meshes of the plane", "type");
   for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);
@@ -63,13 +67,9 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
     renewals_ = renewed->number;
     renewed_after_ = renewed->step;
   }
-  corners_ = CornerTriangles(mesh_, deck_.boundary.paths());
   corners_.add_tangents(source_, source_);
-  on_path_.assign(mesh_.num_nodes(), 0);
-  movable_.assign(mesh_.num_nodes(), 0);
-  for (const MeshPath& path : deck_.boundary.paths())
-    for (int node : path.nodes) on_path_[node] = 1;
-  for (int node = 0; node < mesh_.num_nodes(); ++node) movable_[node] = mesh_.is_vertex(node) && !on_path_[node];
+  for (int node = 0; node < mesh_.num_nodes(); ++node)
+    movable_.push_back(mesh_.is_vertex(node) && !mesh_.on_boundary(node));
 }
 
 std::string Ale::problem(const StateStore& store) const {
@@ -95,30 +95,45 @@ bool Ale::due(int step, const State& committed) const {
 double Ale::quality(const State& state) const { return mesh_quality(mesh_.mesh(), state.coordinates).lowest; }
 
 bool Ale::folded(const Positions& x) const {
-  for (const auto& t : corners_.triangles)
-    if (!(twice_area(t, x) > 0)) return true;
+  for (const Simplex& t : corners_.simplices)
+    if (!(determinant(t, x) > 0)) return true;
   return false;
 }
 
 void Ale::place_middles(const Positions& boundary, Positions& x) const {
   for (const auto& element : mesh_.elements()) {
     if (order(element.shape) == 1) continue;
-    const int corners = num_corners(element.shape);
+    const CellShape shape = element.shape;
     const auto& n = element.nodes;
-    for (int s = 0; s < corners; ++s) {
-      const int middle = n[corners + s];
+    const int corners = num_corners(shape), middles = corners + num_edges(shape);
+    const auto sum = [&](const int* first, const int* last, int d) {
+      double all = 0;
+      for (; first != last; ++first) all += x[n[*first]][d];
+      return all;
+    };
+    for (int a = corners; a < middles; ++a) {
+      const auto [from, to] = edge_corners(shape, a - corners);
       for (int d = 0; d < place_size; ++d)
-        x[middle][d] = on_path_[middle] ? boundary[middle][d] : 0.5 * (x[n[s]][d] + x[n[(s + 1) % corners]][d]);
+        x[n[a]][d] = mesh_.on_boundary(n[a]) ? boundary[n[a]][d] : 0.5 * (x[n[from]][d] + x[n[to]][d]);
     }
-    if (corners == 3) continue;
-    for (int d = 0; d < place_size; ++d) {  // transfinite: exact for straight sides
-      double sides = 0, ends = 0;
-      for (int s = 0; s < 4; ++s) {
-        sides += x[n[4 + s]][d];
-        ends += x[n[s]][d];
-      }
-      x[n[8]][d] = 0.5 * sides - 0.25 * ends;
-    }
+    if (is_simplex(shape)) continue;
+    // centres are transfinite: exact for straight edges
+    const auto centre = [&](const int* quadrilateral) {  // its corners, middles and centre
+      const int* edges = quadrilateral + 4;
+      const int at = n[quadrilateral[8]];
+      for (int d = 0; d < place_size; ++d)
+        x[at][d] = mesh_.on_boundary(at)
+                       ? boundary[at][d]
+                       : 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
+    };
+    int all[27];
+    std::iota(all, all + 27, 0);
+    if (shape == CellShape::quad9) centre(all);
+    if (shape != CellShape::hex27) continue;
+    for (int s = 0; s < 6; ++s) centre(side_nodes(shape, s).data());
+    for (int d = 0; d < place_size; ++d)
+      x[n[26]][d] =
+          0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
   }
 }
 
@@ -133,7 +148,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
     Positions next = x, curve = boundary;
     const double share = done + part;
     for (int node = 0; node < mesh_.num_nodes(); ++node) {
-      if (!on_path_[node]) continue;
+      if (!mesh_.on_boundary(node)) continue;
       for (int d = 0; share < 1 && d < place_size; ++d)
         curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
       next[node] = curve[node];
@@ -154,9 +169,9 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
   place_middles(boundary, x);
   if (deck_.conserve) keep_volume(soil_volume(mesh_, soil_, x_old), state, constraints, boundary, x);
   double largest = 0;
-  for (const auto& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1])});
+  for (const Point& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
   for (int node = 0; node < mesh_.num_nodes(); ++node)  // what only rounding moved stays
-    if (std::hypot(x[node][0] - x_old[node][0], x[node][1] - x_old[node][1]) < 1e-14 * largest) x[node] = x_old[node];
+    if (distance(x[node], x_old[node]) < 1e-14 * largest) x[node] = x_old[node];
   return "";
 }
 
@@ -188,10 +203,8 @@ void Ale::keep_volume(double volume, const State& state, const Constraints& cons
 double Ale::largest_motion(const Positions& x_old, const Positions& x_new) const {
   double largest = 0;
   for (int i = 0; i < corners_.of_elements; ++i) {
-    const auto& t = corners_.triangles[i];
-    for (int node : t)
-      largest = std::max(largest, std::hypot(x_new[node][0] - x_old[node][0], x_new[node][1] - x_old[node][1]) /
-                                      std::sqrt(twice_area(t, x_old)));
+    const Simplex& t = corners_.simplices[i];
+    for (int node : t) largest = std::max(largest, distance(x_new[node], x_old[node]) / size(t, x_old));
   }
   return largest;
 }
@@ -327,9 +340,8 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   receipt.quality = lowest_quality(mesh_, x_new, &worst);
   // a mesh that was no better is not made worse by moving it
   if (receipt.quality < std::min(deck_.lowest_quality, 0.9 * receipt.quality_before)) {
-    const auto& at = x_new[mesh_.elements()[worst].nodes[0]];
-    receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at (" + number(at[0]) +
-                   ", " + number(at[1]) + ")";
+    receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at " +
+                   place_text(x_new[mesh_.elements()[worst].nodes[0]], mesh_.dimension());
     return receipt;
   }
   receipt.largest_motion = largest_motion(x_old, x_new);

@@ -137,12 +137,12 @@ class Ale {
   WholeMesh mesh_;
   std::vector<RecoveryPatches> patches_;  // (block)
   Positions source_;                      // and the ends of its tangents
-  CornerTriangles corners_;
+  CornerSimplices corners_;
   std::unique_ptr<InteriorMotion> interior_;
   std::unique_ptr<Remap> remap_;
   std::unique_ptr<MeshRenewal> renewal_;
   int renewals_ = 0, renewed_after_ = 0;  // meshes made on the way, step of the last one
-  std::vector<char> on_path_, movable_;   // (node)
+  std::vector<char> movable_;             // (node)
 };
 
 }  // namespace mudline

@@ -141,7 +141,7 @@ void shift_pressures(const Soil& soil, const WholeMesh& mesh, const std::vector<
 }  // namespace
 
 void Ale::keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const {
-  const int u = soil_.displacement;
+  const int u = soil_.displacement, dim = mesh_.dimension();
   const std::vector<double> held = prescribed(u, constraints);
   std::vector<double> v = mesh_.gather(space_, u, to.rate);
   const auto inventory = [&](const std::vector<double>& velocity) {
@@ -150,19 +150,19 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   };
   const auto on_free = [&](const std::vector<double>& base, int d, double shift) {
     std::vector<double> result = base;
-    for (std::size_t i = d; i < result.size(); i += place_size)
+    for (std::size_t i = d; i < result.size(); i += dim)
       if (held[i] == 0) result[i] += shift;
     return result;
   };
   const std::vector<double> zero(v.size(), 0.0);
-  double mass[place_size];  // that moves with the free nodes
-  for (int d = 0; d < place_size; ++d) mass[d] = inventory(on_free(zero, d, 1)).momentum[d];
+  double mass[place_size] = {};  // that moves with the free nodes
+  for (int d = 0; d < dim; ++d) mass[d] = inventory(on_free(zero, d, 1)).momentum[d];
   std::vector<double> fixed = v;  // the velocities that are prescribed
   for (std::size_t i = 0; i < v.size(); ++i)
     if (held[i] == 0) fixed[i] = 0;
   for (int round = 0; round < 2; ++round) {  // the second one removes the rounding of the first
     const Inventory now = inventory(v);
-    for (int d = 0; d < place_size; ++d)
+    for (int d = 0; d < dim; ++d)
       if (mass[d] > 0) v = on_free(v, d, (before.momentum[d] - now.momentum[d]) / mass[d]);
   }
   const Inventory now = inventory(v);
@@ -170,7 +170,7 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   // v = mean + deviation, whose momentum is zero: less of the deviation takes energy and leaves the momentum
   std::vector<double> mean = fixed;
   const Inventory at_fixed = inventory(fixed);
-  for (int d = 0; d < place_size; ++d)
+  for (int d = 0; d < dim; ++d)
     if (mass[d] > 0) mean = on_free(mean, d, (now.momentum[d] - at_fixed.momentum[d]) / mass[d]);
   std::vector<double> deviation = v;
   for (std::size_t i = 0; i < v.size(); ++i) deviation[i] -= mean[i];

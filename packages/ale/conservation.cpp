@@ -11,9 +11,8 @@ namespace mudline {
 
 namespace {
 
-constexpr int dim = place_size;
-
 /// Map of one element at one quadrature point; factor det: volume.
+template <int dim>
 struct PointMap : CellMap<dim> {
   Dual<dim> around, place[dim];  // measure at the point, the point [m], with derivatives by the point
   double factor = 0;
@@ -28,19 +27,41 @@ struct PointMap : CellMap<dim> {
         for (int k = 0; k < dim; ++k) gradient[i][k] += at * block.u.dN(q, a, k);
       }
     }
-    compute(gradient);
+    this->compute(gradient);
     around = measure(geometry, place);
     factor = block.u.weights(q) * around.v;
   }
-  double volume() const { return factor * det; }
+  double volume() const { return factor * this->det; }
   /// Adds the derivative of the volume by the place of node a.
   void add_gradient(const SoilBlock& block, int q, int a, std::array<double, dim>& to) const {
     double slope[1][dim];
-    gradients(&block.u.dN(q, a, 0), slope);
+    this->gradients(&block.u.dN(q, a, 0), slope);
     for (int i = 0; i < dim; ++i)
-      to[i] += volume() * slope[0][i] + around.d[i] * block.u.weights(q) * block.u.N(q, a) * det;
+      to[i] += volume() * slope[0][i] + around.d[i] * block.u.weights(q) * block.u.N(q, a) * this->det;
   }
 };
+
+/// What a quadrature point stands for.
+struct PointPart {
+  double volume;  // [m3; plane strain: per metre]
+  double size;    // root of the map's determinant [m]
+  Point place;
+};
+
+template <int dim>
+PointPart part_in(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
+                  Geometry geometry) {
+  const PointMap<dim> map(element, block, q, x, geometry);
+  PointPart part{map.volume(), dim == 2 ? std::sqrt(std::abs(map.det)) : std::cbrt(std::abs(map.det)), {}};
+  for (int i = 0; i < dim; ++i) part.place[i] = map.place[i].v;
+  return part;
+}
+
+PointPart part(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
+               Geometry geometry) {
+  return geometry == Geometry::space ? part_in<3>(element, block, q, x, geometry)
+                                     : part_in<2>(element, block, q, x, geometry);
+}
 
 }  // namespace
 
@@ -48,13 +69,22 @@ double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x) 
   double sum = 0;
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block))
-      for (int q = 0; q < block.points; ++q) sum += PointMap(mesh.elements()[e], block, q, x, soil.geometry).volume();
+      for (int q = 0; q < block.points; ++q) sum += part(mesh.elements()[e], block, q, x, soil.geometry).volume;
   return sum;
 }
 
 FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                            const std::vector<double>& held, const Positions& x) {
-  std::vector<std::array<double, dim>> gradient(mesh.num_nodes(), {0, 0});  // of the volume
+  mesh.dimension() == 2 ? find<2>(mesh, soil, freedom, held, x) : find<3>(mesh, soil, freedom, held, x);
+}
+
+template <int dim>
+void FreeBoundary::find(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+                        const std::vector<double>& held, const Positions& x) {
+  const auto length = [](const std::array<double, dim>& g) {
+    return dim == 2 ? std::hypot(g[0], g[1]) : std::hypot(g[0], g[1], g[dim - 1]);
+  };
+  std::vector<std::array<double, dim>> gradient(mesh.num_nodes(), std::array<double, dim>{});  // of the volume
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block)) {
       const auto& element = mesh.elements()[e];
@@ -62,19 +92,19 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
                        [&](int node) { return freedom[node] > 0; }))
         continue;
       for (int q = 0; q < block.points; ++q) {
-        const PointMap at(element, block, q, x, soil.geometry);
+        const PointMap<dim> at(element, block, q, x, soil.geometry);
         for (int a = 0; a < block.u.nodes; ++a) at.add_gradient(block, q, a, gradient[element.nodes[a]]);
       }
     }
   double largest = 0;
   for (int node = 0; node < mesh.num_nodes(); ++node)
-    if (freedom[node] > 0) largest = std::max(largest, std::hypot(gradient[node][0], gradient[node][1]));
+    if (freedom[node] > 0) largest = std::max(largest, length(gradient[node]));
   for (int node = 0; node < mesh.num_nodes(); ++node) {
     if (!(freedom[node] > 0)) continue;
     const auto& g = gradient[node];
-    const double size = std::hypot(g[0], g[1]);
+    const double size = length(g);
     if (!(size > 1e-6 * largest)) continue;  // rounding would choose its direction
-    Mover mover{node, {0, 0}};
+    Mover mover{node, {}};
     double share = 0;  // of the normal that is left
     for (int i = 0; i < dim; ++i) {
       if (held[dim * node + i] != 0) continue;
@@ -99,7 +129,7 @@ std::vector<double> shares_of(const PointTransfer& t, const Soil& soil, int orig
     if (count == 1) break;
     const std::size_t first = t.mesh.first_row(e, t.block.points);
     for (int q = 0; q < t.block.points; ++q)
-      for (int d = 0; d < dim; ++d) starts[q][d] = table[(first + q) * t.columns + origin + 1 + d];
+      for (int d = 0; d < t.mesh.dimension(); ++d) starts[q][d] = table[(first + q) * t.columns + origin + 1 + d];
     const std::vector<double> shares = soil.layer_shares(t.block, starts);
     std::copy(shares.begin(), shares.end(), result.begin() + static_cast<std::ptrdiff_t>(first * count));
   }
@@ -160,14 +190,14 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
     const auto& element = t.mesh.elements()[e];
     for (int q = 0; q < t.block.points; ++q) {
       const std::size_t row = t.mesh.first_row(e, t.block.points) + q;
-      const PointMap old(element, t.block, q, t.x_old, soil.geometry), now(element, t.block, q, t.x_new, soil.geometry);
-      volumes[row] = now.volume();
-      const double way = std::hypot(now.place[0].v - old.place[0].v, now.place[1].v - old.place[1].v);
-      ways[row] = std::min(1.0, way / std::sqrt(std::abs(old.det)));
+      const PointPart old = part(element, t.block, q, t.x_old, soil.geometry),
+                      now = part(element, t.block, q, t.x_new, soil.geometry);
+      volumes[row] = now.volume;
+      ways[row] = std::min(1.0, distance(now.place, old.place) / old.size);
       const double before = t.old[row * t.columns + void_ratio], after = t.now[row * t.columns + void_ratio];
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t k = row * count + i;
-        const double had = was[k] * old.volume(), has = is[k] * now.volume();
+        const double had = was[k] * old.volume, has = is[k] * now.volume;
         const double loss = had / (1 + before) - has / (1 + after);
         const double smooth = layered ? had / (1 + ratios.before[k]) - has / (1 + ratios.after[k]) : loss;
         grains[i].before += had / (1 + before);
@@ -194,7 +224,7 @@ double grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x,
   double sum = 0;
   for (int e : mesh.block_elements(block.block))
     for (int q = 0; q < block.points; ++q)
-      sum += PointMap(mesh.elements()[e], block, q, x, geometry).volume() /
+      sum += part(mesh.elements()[e], block, q, x, geometry).volume /
              (1 + table[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * columns + column]);
   return sum;
 }

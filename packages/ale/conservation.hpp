@@ -13,7 +13,7 @@ double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x);
 struct FreeBoundary {
   struct Mover {
     int node;
-    std::array<double, 2> normal;
+    Point normal;
   };
   std::vector<Mover> movers;
   double area = 0;  // change of volume per common distance [m2]
@@ -21,6 +21,11 @@ struct FreeBoundary {
   /// `freedom`: (node) 0 to 1; `held`: (node, component) nonzero where the displacement is prescribed.
   FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                const std::vector<double>& held, const Positions& x);
+
+ private:
+  template <int Dim>
+  void find(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+            const std::vector<double>& held, const Positions& x);
 };
 
 /// Grains of one material in a block [m3].

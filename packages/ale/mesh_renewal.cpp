@@ -179,12 +179,12 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
   for (int v = 0; v <= sides; ++v) {
     const bool end = v == 0 || v == sides;
     if (kept(p) || end)
-      result.vertices.push_back(x[path.nodes[kept(p) ? v * path.stride : v == 0 ? 0 : last]]);
+      result.vertices.push_back(in_plane(x[path.nodes[kept(p) ? v * path.stride : v == 0 ? 0 : last]]));
     else
       result.vertices.push_back(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride));
   }
   for (int k = 0; path.stride == 2 && k < sides; ++k)
-    result.middles.push_back(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
+    result.middles.push_back(kept(p) ? in_plane(x[path.nodes[2 * k + 1]]) : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
   return result;
 }
 

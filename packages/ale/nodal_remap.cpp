@@ -9,12 +9,12 @@
 namespace mudline {
 
 std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
-                                          const std::array<double, 2>& x) {
+                                          const Point& x) {
   const int count = nodes[2] >= 0 ? 3 : 2;
   const auto offset = [&](double xi, double(&r)[2], double(&t)[2]) {
     double N[3], dN[3];
     evaluate_line(count, xi, N, dN);
-    for (int d = 0; d < place_size; ++d) {
+    for (int d = 0; d < 2; ++d) {
       r[d] = x[d];
       t[d] = 0;
       for (int a = 0; a < count; ++a) {
@@ -35,7 +35,7 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
 }
 
 void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old,
-                             const std::array<double, 2>& x, Place& place) const {
+                             const Point& x, Place& place) const {
   double least = 1e300;
   for (int k = first; k + path.stride <= last; k += path.stride) {
     const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};
@@ -58,7 +58,7 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
     }
     const MeshPlace place = locator.find(x_new[node], mesh.element_of(node));
     places_[node].element = place.element;
-    std::copy(place.xi, place.xi + 2, places_[node].xi);
+    std::copy(place.xi, place.xi + 3, places_[node].xi);
   }
   for (const MeshPath& path : paths)
     for (int i = 1; i + 1 < static_cast<int>(path.nodes.size()); ++i) {
@@ -83,7 +83,7 @@ NodalRemap::NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths
       int& near = guess.emplace(element.block, from.block_elements(element.block).front()).first->second;
       const MeshPlace found = locator.find(x_new[element.nodes[a]], near);
       near = place.element = found.element;
-      std::copy(found.xi, found.xi + 2, place.xi);
+      std::copy(found.xi, found.xi + 3, place.xi);
     }
   for (std::size_t p = 0; p < paths_to.size(); ++p) put_on_new_path(paths_from[p], paths_to[p], x_old, x_new);
 }
@@ -106,7 +106,7 @@ void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, cons
 std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support,
                                       bool limited) const {
   std::vector<double> now(places_.size() * components, 0.0);
-  double N[9], dN[18];
+  double N[27], dN[81];
   for (int node = 0; node < to_.num_nodes(); ++node) {
     const Place& place = places_[node];
     if (support == Support::vertices && !to_.is_vertex(node)) continue;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -10,7 +9,7 @@ namespace mudline {
 
 /// Place on a side, in [-1, 1], nearest to x, and its distance [m]. `nodes`: ends, middle or -1.
 std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
-                                          const std::array<double, 2>& x);
+                                          const Point& x);
 
 /// How the values at the nodes of the old mesh make those at the moved nodes: rows of a sparse interpolation, by the
 /// shape functions of the field in the old mesh. The values of nodes on paths come from the boundary alone, so that
@@ -31,13 +30,12 @@ class NodalRemap {
   struct Place {
     int same = -1;  // node of the old mesh that is at its place
     int element = -1;
-    double xi[2] = {0, 0};
+    double xi[3] = {0, 0, 0};
     int side_nodes[3] = {-1, -1, -1};  // of the old boundary, for nodes on paths: ends, middle or -1
     double along = 0;
   };
   /// The nearest place on sides of an old path, from the vertex `first` to the vertex `last`.
-  void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const std::array<double, 2>& x,
-                   Place& place) const;
+  void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x, Place& place) const;
   void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);
 
   const WholeMesh &mesh_, &to_;

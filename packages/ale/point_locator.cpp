@@ -15,11 +15,11 @@ constexpr double edge_tolerance = 1e-10;
 /// A side of the boundary as seen from a point.
 class BoundarySide {
  public:
-  BoundarySide(const WholeMesh::Element& element, int side, const Positions& x, const std::array<double, 2>& point) {
+  BoundarySide(const WholeMesh::Element& element, int side, const Positions& x, const Point& point) {
     const std::vector<int> nodes = side_nodes(element.shape, side);
     count_ = static_cast<int>(nodes.size());
     for (int a = 0; a < count_; ++a)
-      for (int i = 0; i < place_size; ++i) off_[a][i] = x[element.nodes[nodes[a]]][i] - point[i];
+      for (int i = 0; i < 2; ++i) off_[a][i] = x[element.nodes[nodes[a]]][i] - point[i];
   }
   double chord() const { return std::hypot(off_[1][0] - off_[0][0], off_[1][1] - off_[0][1]); }
   double distance(double t) const {
@@ -47,7 +47,7 @@ class BoundarySide {
     evaluate_line(count_, t, N, dN);
     std::array<double, 2> result{};
     for (int a = 0; a < count_; ++a)
-      for (int i = 0; i < place_size; ++i) result[i] += (slope ? dN : N)[a] * off_[a][i];
+      for (int i = 0; i < 2; ++i) result[i] += (slope ? dN : N)[a] * off_[a][i];
     return result;
   }
   double off_[3][2];
@@ -56,12 +56,12 @@ class BoundarySide {
 
 }  // namespace
 
-bool PointLocator::invert(int e, const std::array<double, 2>& point, double xi[2]) const {
+bool PointLocator::invert(int e, const Point& point, double xi[3]) const {
   const auto& element = mesh_.elements()[e];
   return ElementMap(element.shape, [&](int a) { return x_[element.nodes[a]].data(); }).invert(point.data(), xi);
 }
 
-MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) const {
+MeshPlace PointLocator::find(const Point& point, int guess) const {
   const auto& elements = mesh_.elements();
   std::set<int> seen;
   MeshPlace best;
@@ -69,13 +69,13 @@ MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) cons
   int here = guess;
   for (int step = 0; step < 200 && here >= 0; ++step) {
     seen.insert(here);
-    double xi[2];
+    double xi[3] = {0, 0, 0};
     const bool inverted = invert(here, point, xi);
     const CellShape shape = elements[here].shape;
     const double off = inverted ? outside_cell(shape, xi) : 1e200;
     if (off < least) {
       least = off;
-      best = {here, {xi[0], xi[1]}};
+      best = {here, {xi[0], xi[1], xi[2]}};
     }
     if (off <= edge_tolerance) return best;
     // on through the side that the point is farthest beyond; where that is closed, through the next best
@@ -94,18 +94,18 @@ MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) cons
   if (least < 0.1) return best;  // just beyond a curved boundary
   // the walk was caught in a corner: look everywhere
   for (int e : mesh_.block_elements(elements[guess].block)) {
-    double xi[2];
+    double xi[3] = {0, 0, 0};
     if (!invert(e, point, xi)) continue;
     const double off = outside_cell(elements[e].shape, xi);
     if (off >= least) continue;
     least = off;
-    best = {e, {xi[0], xi[1]}};
+    best = {e, {xi[0], xi[1], xi[2]}};
     if (off <= edge_tolerance) break;
   }
   return best;
 }
 
-MeshPlace PointLocator::nearest_on_boundary(const std::array<double, 2>& point) const {
+MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {
   constexpr int samples = 8;  // of a side: a parabola has no more than three places where its distance is stationary
   MeshPlace best;
   double least = 1e300;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "ale/whole_mesh.hpp"
 
 namespace mudline {
@@ -9,7 +7,7 @@ namespace mudline {
 /// Where a point lies in the mesh: element and its reference coordinates.
 struct MeshPlace {
   int element = -1;
-  double xi[2] = {0, 0};
+  double xi[3] = {0, 0, 0};
 };
 
 /// Finds points in a mesh by walking from a guess to the neighbour in whose direction the point lies; exact on curved
@@ -18,11 +16,11 @@ struct MeshPlace {
 class PointLocator {
  public:
   PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
-  MeshPlace find(const std::array<double, 2>& point, int guess) const;
-  /// The nearest point of the mesh's outer boundary, for points outside.
-  MeshPlace nearest_on_boundary(const std::array<double, 2>& point) const;
+  MeshPlace find(const Point& point, int guess) const;
+  /// In the plane: the nearest point of the mesh's outer boundary, for points outside.
+  MeshPlace nearest_on_boundary(const Point& point) const;
   /// Inverse of the isoparametric map of one element. False where Newton's method finds none.
-  bool invert(int element, const std::array<double, 2>& point, double xi[2]) const;
+  bool invert(int element, const Point& point, double xi[3]) const;
 
  private:
   const WholeMesh& mesh_;

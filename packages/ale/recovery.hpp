@@ -28,7 +28,7 @@ class RecoveryPatches {
 
 /// A continuous field recovered from values at the quadrature points of one block: around every vertex a quadratic
 /// polynomial is fitted, by least squares, to the points of the elements that touch it (Zienkiewicz & Zhu 1992), so
-/// that slopes are of second order; middle nodes take the mean of what their two ends' polynomials say there. Linear
+/// that slopes are of second order; middle nodes take the mean of what the polynomials of the corners around say there. Linear
 /// fields are reproduced exactly, also on curved elements.
 class Recovery {
  public:
@@ -46,11 +46,11 @@ class Recovery {
     return range_[static_cast<std::size_t>(mesh_.first_row(element, 1)) * columns_ + column];
   }
   /// Position of a quadrature point.
-  static std::array<double, 2> position(const WholeMesh::Element& element, const SoilBlock& block, int point,
-                                        const Positions& x);
+  static Point position(const WholeMesh::Element& element, const SoilBlock& block, int point, const Positions& x);
 
  private:
   /// Fills nodal_.
+  template <int Dim>
   void fit(const RecoveryPatches& patches, const Positions& x);
   /// Fills range_ from nodal_.
   void find_ranges();

@@ -70,7 +70,7 @@ void WantedSizes::bound_growth(double growth) {
 }
 
 double WantedSizes::in_block(const std::array<double, 2>& place, std::size_t block, double& outside) const {
-  const MeshPlace found = PointLocator(mesh_, x_).find(place, nearby_[block]);
+  const MeshPlace found = PointLocator(mesh_, x_).find(on_plane(place), nearby_[block]);
   nearby_[block] = found.element;
   const auto& element = mesh_.elements()[found.element];
   const int corners = num_corners(element.shape);

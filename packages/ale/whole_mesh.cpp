@@ -3,6 +3,9 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
+#include <unordered_map>
+
+#include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
 
@@ -25,17 +28,20 @@ std::vector<T> merge_flags(const Mesh& mesh, const std::vector<T>& mine) {
   return all;
 }
 
-std::array<int, 2> ends(const WholeMesh::Element& element, int side) {
-  const int corners = num_corners(element.shape);
-  const int a = element.nodes[side], b = element.nodes[(side + 1) % corners];
-  return {std::min(a, b), std::max(a, b)};
+constexpr int most_sides = std::tuple_size<decltype(WholeMesh::Element::neighbours)>::value;
+
+SideKey key_of(const WholeMesh::Element& element, int side) {
+  long long corners[4];
+  int count = 0;
+  for (int a : side_nodes(linear_partner(element.shape), side)) corners[count++] = element.nodes[a];
+  return sorted_key(corners, count);
 }
 
 }  // namespace
 
 WholeMesh::WholeMesh(const Mesh& mesh) : mesh_(mesh) {
   const int count = static_cast<int>(mesh.num_global_elements());
-  constexpr int width = 11;
+  constexpr int width = 2 + std::tuple_size<decltype(Element::nodes)>::value;
   std::vector<int> table(static_cast<std::size_t>(count) * width, 0);
   for (std::size_t b = 0; b < mesh.blocks().size(); ++b) {
     const ElementBlock& block = mesh.blocks()[b];
@@ -51,10 +57,10 @@ WholeMesh::WholeMesh(const Mesh& mesh) : mesh_(mesh) {
   element_of_.assign(num_nodes(), -1);
   vertex_.assign(num_nodes(), 0);
   block_elements_.resize(mesh.blocks().size());
-  std::map<std::array<int, 2>, ElementSide> open;
+  std::unordered_map<SideKey, ElementSide, SideKeyHash> open;
   for (int e = 0; e < count; ++e) {
     const int* row = &table[e * width];
-    Element element{static_cast<CellShape>(row[1]), row[0], {}, {-1, -1, -1, -1}};
+    Element element{static_cast<CellShape>(row[1]), row[0], {}, {-1, -1, -1, -1, -1, -1}};
     std::copy(row + 2, row + width, element.nodes.begin());
     for (int a = 0; a < mudline::num_nodes(element.shape); ++a) {
       if (element_of_[element.nodes[a]] < 0) element_of_[element.nodes[a]] = e;
@@ -62,7 +68,7 @@ WholeMesh::WholeMesh(const Mesh& mesh) : mesh_(mesh) {
     }
     elements_.push_back(element);
     for (int s = 0; s < num_sides(element.shape); ++s) {
-      const auto key = ends(element, s);
+      const SideKey key = key_of(element, s);
       const auto found = open.find(key);
       if (found == open.end()) {
         open[key] = {e, s};
@@ -75,13 +81,19 @@ WholeMesh::WholeMesh(const Mesh& mesh) : mesh_(mesh) {
     place_in_block_.push_back(static_cast<int>(block_elements_[element.block].size()));
     block_elements_[element.block].push_back(e);
   }
+  on_boundary_.assign(num_nodes(), 0);
+  for (const Element& element : elements_)
+    for (int s = 0; s < num_sides(element.shape); ++s)
+      if (on_boundary(element, s))
+        for (int a : side_nodes(element.shape, s)) on_boundary_[element.nodes[a]] = 1;
   for (const auto& [name, sides] : mesh.side_sets()) {
-    std::vector<int> flags(static_cast<std::size_t>(count) * 4, 0);
-    for (const Side& side : sides) flags[mesh.blocks()[side.block].global_ids[side.element] * 4 + side.side] = 1;
+    std::vector<int> flags(static_cast<std::size_t>(count) * most_sides, 0);
+    for (const Side& side : sides)
+      flags[mesh.blocks()[side.block].global_ids[side.element] * most_sides + side.side] = 1;
     flags = merge(mesh, flags);
     std::vector<ElementSide>& to = side_sets_[name];
-    for (int i = 0; i < count * 4; ++i)
-      if (flags[i]) to.push_back({i / 4, i % 4});
+    for (std::size_t i = 0; i < flags.size(); ++i)
+      if (flags[i]) to.push_back({static_cast<int>(i / most_sides), static_cast<int>(i % most_sides)});
   }
   for (const auto& [name, nodes] : mesh.node_sets()) {
     std::vector<int> flags(num_nodes(), 0);
@@ -94,18 +106,19 @@ WholeMesh::WholeMesh(const Mesh& mesh) : mesh_(mesh) {
 }
 
 Positions WholeMesh::gather(const ConstCoordinateView& x) const {
-  std::vector<double> table(place_size * static_cast<std::size_t>(num_nodes()), 0.0);
+  const int dim = dimension();
+  std::vector<double> table(dim * static_cast<std::size_t>(num_nodes()), 0.0);
   for (int i = 0; i < mesh_.num_owned_nodes(); ++i)
-    for (int d = 0; d < place_size; ++d) table[place_size * mesh_.node_ids()[i] + d] = x(i, d);
+    for (int d = 0; d < dim; ++d) table[dim * mesh_.node_ids()[i] + d] = x(i, d);
   table = merge(mesh_, table);
-  Positions result(num_nodes());
-  for (int i = 0; i < num_nodes(); ++i) std::copy_n(&table[place_size * i], place_size, result[i].begin());
+  Positions result(num_nodes(), Point{});
+  for (int i = 0; i < num_nodes(); ++i) std::copy_n(&table[dim * static_cast<std::size_t>(i)], dim, result[i].begin());
   return result;
 }
 
 void WholeMesh::scatter(const Positions& from, const CoordinateView& to) const {
   for (int i = 0; i < mesh_.num_nodes(); ++i)
-    for (int d = 0; d < place_size; ++d) to(i, d) = from[mesh_.node_ids()[i]][d];
+    for (int d = 0; d < dimension(); ++d) to(i, d) = from[mesh_.node_ids()[i]][d];
 }
 
 std::vector<double> WholeMesh::gather(const Space& space, int field, const ConstNodalView& values) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,18 +11,25 @@
 
 namespace mudline {
 
-constexpr int place_size = 2;                                   // coordinates of a node
-using Positions = std::vector<std::array<double, place_size>>;  // [m] by global node
+constexpr int place_size = 3;          // coordinates of a node; in the plane the third is 0
+using Positions = std::vector<Point>;  // [m] by global node
+
+/// A place of a mesh in the plane.
+inline Point on_plane(const std::array<double, 2>& place) { return {place[0], place[1], 0}; }
+/// [m]
+inline double distance(const Point& a, const Point& b) {
+  return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
 
 /// The whole mesh on every rank, by global numbers. Mesh motion and remap are worked out on it by every rank alike, so
-/// their results do not depend on the number of ranks; a plane mesh of 10^5 elements takes some 10 MB.
+/// their results do not depend on the number of ranks; a mesh of 10^5 elements takes some 20 MB.
 class WholeMesh {
  public:
   struct Element {
     CellShape shape;
     int block;
-    std::array<int, 9> nodes;       // global ids
-    std::array<int, 4> neighbours;  // element across each side; -1: none
+    std::array<int, 27> nodes;      // global ids
+    std::array<int, 6> neighbours;  // element across each side; -1: none
   };
   struct ElementSide {
     int element, side;
@@ -32,12 +40,21 @@ class WholeMesh {
 
   const Mesh& mesh() const { return mesh_; }
   int num_nodes() const { return static_cast<int>(mesh_.num_global_nodes()); }
+  /// 2 or 3.
+  int dimension() const { return mesh_.dimension(); }
   const std::vector<Element>& elements() const { return elements_; }
   const std::map<std::string, std::vector<ElementSide>>& side_sets() const { return side_sets_; }
   const std::map<std::string, std::vector<int>>& node_sets() const { return node_sets_; }
   /// One element of every node.
   int element_of(int node) const { return element_of_[node]; }
   bool is_vertex(int node) const { return vertex_[node] != 0; }
+  /// Whether a node is on the boundary of a region: on that of the mesh, or between two regions.
+  bool on_boundary(int node) const { return on_boundary_[node] != 0; }
+  /// Whether a side of an element is.
+  bool on_boundary(const Element& element, int side) const {
+    const int other = element.neighbours[side];
+    return other < 0 || elements_[other].block != element.block;
+  }
 
   /// Positions of all nodes from every rank's own ones. Collective.
   Positions gather(const ConstCoordinateView& x) const;
@@ -61,7 +78,7 @@ class WholeMesh {
   std::vector<Element> elements_;
   std::vector<std::vector<int>> block_elements_;
   std::vector<int> place_in_block_, element_of_;
-  std::vector<char> vertex_;
+  std::vector<char> vertex_, on_boundary_;
   std::map<std::string, std::vector<ElementSide>> side_sets_;
   std::map<std::string, std::vector<int>> node_sets_;
 };

@@ -86,7 +86,7 @@ void BodyWay::find_corner(const WholeMesh& mesh, const std::string& surface) {
     for (const auto& [node, count] : met) {
       double r = positions_[node][0];
       if (count != 1 || r < 1e-9 * reach_ || r > reach_ * (1 - 1e-9)) continue;
-      const ContourFoot foot = foot_at({0, 0}, positions_[node]);
+      const ContourFoot foot = foot_at({0, 0}, in_plane(positions_[node]));
       const bool on_flank = std::abs(foot.gap) < 0.02 * radius_ && std::abs(foot.normal[0]) > 0.3;
       if (on_flank) r = radius_;  // a mould that fits
       if (corner_ == 0 || std::abs(std::log(r / radius_)) < std::abs(std::log(corner_ / radius_))) corner_ = r;
@@ -106,7 +106,7 @@ void BodyWay::find_boundaries(const Model& model, const WholeMesh& mesh) {
       if (blocks[one].region == blocks[two].region) continue;
       if (!model.ale() && model.soil()->blocks[one].made_of == model.soil()->blocks[two].made_of) continue;
       const std::vector<int> ends = nodes_of(mesh, e, s);
-      const Vec &a = positions_[ends[0]], &b = positions_[ends[1]];
+      const Vec a = in_plane(positions_[ends[0]]), b = in_plane(positions_[ends[1]]);
       const std::string name = "'" + blocks[one].region + "' and '" + blocks[two].region + "'";
       const double length = distance(a, b);
       boundaries_.push_back({a, {(b[0] - a[0]) / length, (b[1] - a[1]) / length}, name});
@@ -122,7 +122,7 @@ ContourFoot BodyWay::foot_at(const Vec& displacement, const Vec& point) const {
 
 double BodyWay::gap(const Vec& displacement) const {
   double least = 1e300;
-  for (int node : surface_) least = std::min(least, gap_at(displacement, positions_[node]));
+  for (int node : surface_) least = std::min(least, gap_at(displacement, in_plane(positions_[node])));
   return least;
 }
 

@@ -55,7 +55,7 @@ std::string moving_forces(const Model& model, const ArrayInfo& info) {
   const Ale& ale = *model.ale();
   const std::vector<double> nodes = ale.mesh().gather(model.space(), u, held);
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / place_size))
+    if (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / ale.mesh().dimension()))
       return "the boundary condition '" + info.name.substr(std::string(held_forces).size()) +
              "' holds forces at nodes that would move; name its set in boundary/material sides";
   return "";

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ale/point_locator.hpp"
+#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -13,7 +14,7 @@ namespace mudline {
 namespace {
 
 /// Reference coordinates moved into the cell.
-void into_cell(CellShape shape, double (&xi)[2]) {
+void into_cell(CellShape shape, double (&xi)[3]) {
   if (num_corners(shape) == 4) {
     for (double& c : xi) c = std::clamp(c, -1.0, 1.0);
     return;
@@ -97,8 +98,7 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
 
 void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
                           const Positions& x, const std::vector<double>* error, std::vector<HistoryValue>& row) const {
-  const Point there = place(probe, state);
-  const std::array<double, 2> at{there[0], there[1]};
+  const Point at = place(probe, state);
   const PointLocator locator(*mesh_, x);
   const double rounding = 1e-9 * model_.mesh().bounds().extent();
   MeshPlace best;
@@ -109,10 +109,9 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
     const auto& element = mesh_->elements()[here.element];
     into_cell(element.shape, here.xi);
     evaluate_shape(element.shape, here.xi, N, dN);
-    double off[2] = {at[0], at[1]};
-    for (int a = 0; a < num_nodes(element.shape); ++a)
-      for (int i = 0; i < 2; ++i) off[i] -= N[a] * x[element.nodes[a]][i];
-    const double distance = std::hypot(off[0], off[1]);
+    Point off = at;
+    for (int a = 0; a < num_nodes(element.shape); ++a) off = plus(off, -N[a], x[element.nodes[a]]);
+    const double distance = length(off);
     if (distance >= least) continue;
     least = distance;
     best = here;
