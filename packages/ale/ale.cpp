@@ -122,9 +122,8 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
       const int* edges = quadrilateral + 4;
       const int at = n[quadrilateral[8]];
       for (int d = 0; d < place_size; ++d)
-        x[at][d] = mesh_.on_boundary(at)
-                       ? boundary[at][d]
-                       : 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
+        x[at][d] = mesh_.on_boundary(at) ? boundary[at][d]
+                                         : 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
     };
     int all[27];
     std::iota(all, all + 27, 0);
@@ -132,8 +131,7 @@ void Ale::place_middles(const Positions& boundary, Positions& x) const {
     if (shape != CellShape::hex27) continue;
     for (int s = 0; s < 6; ++s) centre(side_nodes(shape, s).data());
     for (int d = 0; d < place_size; ++d)
-      x[n[26]][d] =
-          0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
+      x[n[26]][d] = 0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
   }
 }
 
@@ -169,7 +167,8 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
   place_middles(boundary, x);
   if (deck_.conserve) keep_volume(soil_volume(mesh_, soil_, x_old), state, constraints, boundary, x);
   double largest = 0;
-  for (const Point& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
+  for (const Point& place : x_old)
+    largest = std::max({largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
   for (int node = 0; node < mesh_.num_nodes(); ++node)  // what only rounding moved stays
     if (distance(x[node], x_old[node]) < 1e-14 * largest) x[node] = x_old[node];
   return "";
@@ -287,7 +286,7 @@ void Ale::carry_points(StateStore& store, const Positions& x_old, const Position
 }
 
 void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
-  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new);
+  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new, &deck_.boundary.surfaces());
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     for (const NodalView& values : {to.value, to.rate, to.acceleration}) {

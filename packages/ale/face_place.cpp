@@ -16,7 +16,7 @@ constexpr double rounding = 1e-14;
 /// A face at one place.
 struct FaceMap {
   Point at{}, along[2] = {};
-  FaceMap(const SurfaceFace& face, const FacePlace& place, const std::vector<Point>& x) {
+  FaceMap(const SurfaceFace& face, const FacePlace& place, const Positions& x) {
     double N[9], dN[18];
     evaluate_shape(face.shape, place.data(), N, dN);
     for (int a = 0; a < num_nodes(face.shape); ++a) {
@@ -43,7 +43,7 @@ FacePlace on_edge(const SurfaceFace& face, int edge, double share) {
   return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
 }
 
-double nearest_share(const SurfaceFace& face, int edge, const Point& point, const std::vector<Point>& x) {
+double nearest_share(const SurfaceFace& face, int edge, const Point& point, const Positions& x) {
   const auto ends = edge_corners(face.shape, edge);
   const auto a = reference_node(face.shape, ends[0]), b = reference_node(face.shape, ends[1]);
   double share = 0.5;
@@ -62,16 +62,16 @@ double nearest_share(const SurfaceFace& face, int edge, const Point& point, cons
 
 }  // namespace
 
-Point face_point(const SurfaceFace& face, const FacePlace& place, const std::vector<Point>& x) {
+Point face_point(const SurfaceFace& face, const FacePlace& place, const Positions& x) {
   return FaceMap(face, place, x).at;
 }
 
-Point face_normal(const SurfaceFace& face, const FacePlace& place, const std::vector<Point>& x) {
+Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positions& x) {
   const FaceMap map(face, place, x);
   return cross(map.along[0], map.along[1]);
 }
 
-NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const std::vector<Point>& x) {
+NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const Positions& x) {
   const auto centre = cell_centre(face.shape);
   NearestOnFace best{{centre[0], centre[1]}, 1e300, false};
   FacePlace place = best.place;

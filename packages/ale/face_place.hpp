@@ -1,10 +1,8 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
-#include "core/function.hpp"
-#include "discretisation/shapes.hpp"
+#include "ale/whole_mesh.hpp"
 
 namespace mudline {
 
@@ -14,9 +12,9 @@ struct SurfaceFace;
 using FacePlace = std::array<double, 2>;
 
 /// [m]
-Point face_point(const SurfaceFace& face, const FacePlace& place, const std::vector<Point>& x);
+Point face_point(const SurfaceFace& face, const FacePlace& place, const Positions& x);
 /// Outwards, as long as the area per reference area [m2].
-Point face_normal(const SurfaceFace& face, const FacePlace& place, const std::vector<Point>& x);
+Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positions& x);
 
 /// The point of a face, curved as it is, that is nearest to another.
 struct NearestOnFace {
@@ -24,6 +22,6 @@ struct NearestOnFace {
   double distance;  // [m]
   bool inside;      // not on an edge of the face
 };
-NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const std::vector<Point>& x);
+NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const Positions& x);
 
 }  // namespace mudline

@@ -21,11 +21,11 @@ double angle_between(const Point& a, const Point& b) { return std::atan2(length(
 
 class SurfaceSplitter {
  public:
-  SurfaceSplitter(std::vector<SurfaceFace> faces, int num_nodes, const std::vector<Point>& source,
-                  const std::set<int>& corners, double corner_angle, const std::function<bool(int)>& on_body)
+  SurfaceSplitter(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
+                  double corner_angle, const std::function<bool(int)>& on_body)
       : x_(source), corners_(corners), angle_(corner_angle), on_body_(on_body) {
     result_.faces = std::move(faces);
-    result_.patch_of.assign(num_nodes, -1);
+    result_.patch_of.assign(source.size(), -1);
     find_edges();
     for (Edge& edge : edges_) edge.feature = divides(edge);
     for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -152,7 +152,7 @@ class SurfaceSplitter {
     result_.curves.push_back(std::move(path));
   }
 
-  const std::vector<Point>& x_;
+  const Positions& x_;
   const std::set<int>& corners_;
   double angle_;
   const std::function<bool(int)>& on_body_;
@@ -163,10 +163,33 @@ class SurfaceSplitter {
 
 }  // namespace
 
-MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, int num_nodes, const std::vector<Point>& source,
-                            const std::set<int>& corners, double corner_angle,
-                            const std::function<bool(int node)>& on_body) {
-  return SurfaceSplitter(std::move(faces), num_nodes, source, corners, corner_angle, on_body).split();
+std::vector<SurfaceFace> boundary_faces(const WholeMesh& mesh) {
+  std::map<std::pair<int, int>, std::set<std::string>> sets;
+  for (const auto& [name, sides] : mesh.side_sets())
+    for (const auto& side : sides) sets[{side.element, side.side}].insert(name);
+  const auto& elements = mesh.elements();
+  std::vector<SurfaceFace> faces;
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e)
+    for (int s = 0; s < num_sides(elements[e].shape); ++s) {
+      if (!mesh.on_boundary(elements[e], s)) continue;
+      const int other = elements[e].neighbours[s];
+      if (other >= 0 && elements[other].block < elements[e].block) continue;
+      SurfaceFace face{side_shape(elements[e].shape), {}, sets[{e, s}]};
+      const std::vector<int> local = side_nodes(elements[e].shape, s);
+      for (std::size_t a = 0; a < local.size(); ++a) face.nodes[a] = elements[e].nodes[local[a]];
+      face.outer = other < 0;
+      face.block = elements[e].block;
+      face.other = other < 0 ? -1 : elements[other].block;
+      for (int t = 0; other >= 0 && t < num_sides(elements[other].shape); ++t)
+        if (elements[other].neighbours[t] == e) face.sets.insert(sets[{other, t}].begin(), sets[{other, t}].end());
+      faces.push_back(face);
+    }
+  return faces;
+}
+
+MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
+                            double corner_angle, const std::function<bool(int node)>& on_body) {
+  return SurfaceSplitter(std::move(faces), source, corners, corner_angle, on_body).split();
 }
 
 }  // namespace mudline

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "ale/mesh_paths.hpp"
-#include "core/function.hpp"
-#include "discretisation/shapes.hpp"
 
 namespace mudline {
 
@@ -38,14 +36,16 @@ struct MeshSurfaces {
   std::vector<int> patch_of;  // (node) the patch that it is inside; -1: none
 };
 
+/// The faces of the boundaries of all regions.
+std::vector<SurfaceFace> boundary_faces(const WholeMesh& mesh);
+
 /// Splits faces into patches. Two neighbours belong to different patches where more than two faces meet, where the side
 /// sets or the regions beside them change, and where their normals in the source's mesh differ by more than
 /// `corner_angle` [rad] at the middle of the edge and that does not lie on a body there (`on_body` of a node): the soil
 /// slides past an edge of the body. The edges between patches form curves, which end where more or fewer than two meet,
 /// at the nodes `corners` and where they turn by more than the angle off a body. A curve has the side sets of all faces
 /// beside it. `corners` inside patches are material points as well.
-MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, int num_nodes, const std::vector<Point>& source,
-                            const std::set<int>& corners, double corner_angle,
-                            const std::function<bool(int node)>& on_body);
+MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
+                            double corner_angle, const std::function<bool(int node)>& on_body);
 
 }  // namespace mudline

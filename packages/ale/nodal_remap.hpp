@@ -4,19 +4,21 @@
 #include <vector>
 
 #include "ale/mesh_paths.hpp"
+#include "ale/surface_motion.hpp"
 
 namespace mudline {
 
 /// Place on a side, in [-1, 1], nearest to x, and its distance [m]. `nodes`: ends, middle or -1.
-std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
-                                          const Point& x);
+std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x);
 
 /// How the values at the nodes of the old mesh make those at the moved nodes: rows of a sparse interpolation, by the
-/// shape functions of the field in the old mesh. The values of nodes on paths come from the boundary alone, so that
-/// what is prescribed along it stays as it is; nodes that did not move keep theirs to the last bit.
+/// shape functions of the field in the old mesh. The values of nodes on paths and surfaces come from these alone, so
+/// that what is prescribed along them stays as it is; nodes that did not move keep theirs to the last bit.
 class NodalRemap {
  public:
-  NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old, const Positions& x_new);
+  /// `surfaces`: in space, of which the paths are the edges.
+  NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old, const Positions& x_new,
+             const SurfaceMotion* surfaces = nullptr);
   /// Another mesh of the same regions, with the same paths in the same order.
   NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
              const WholeMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
@@ -31,11 +33,13 @@ class NodalRemap {
     int same = -1;  // node of the old mesh that is at its place
     int element = -1;
     double xi[3] = {0, 0, 0};
-    int side_nodes[3] = {-1, -1, -1};  // of the old boundary, for nodes on paths: ends, middle or -1
-    double along = 0;
+    CellShape side{};  // of the old boundary, for nodes on paths and surfaces
+    std::array<int, 9> side_nodes{-1};
+    FacePlace along{};
   };
   /// The nearest place on sides of an old path, from the vertex `first` to the vertex `last`.
-  void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x, Place& place) const;
+  void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
+                   Place& place) const;
   void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);
 
   const WholeMesh &mesh_, &to_;

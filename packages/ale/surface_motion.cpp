@@ -23,7 +23,7 @@ std::array<Point, 2> tangents(const Point& normal) {
   return {first, cross(normal, first)};
 }
 
-Point area_vector(const std::array<int, 3>& nodes, const std::vector<Point>& x) {
+Point area_vector(const std::array<int, 3>& nodes, const Positions& x) {
   return cross(minus(x[nodes[1]], x[nodes[0]]), minus(x[nodes[2]], x[nodes[0]]));
 }
 
@@ -34,7 +34,7 @@ Point unit(const Point& a) { return scaled(1 / std::max(length(a), 1e-300), a); 
 struct RingObjective {
   double value = 0, gradient[2] = {0, 0}, hessian[3] = {0, 0, 0};  // xx, xy, yy
 
-  void add(const std::array<int, 3>& nodes, const double (&w)[3][2], int moving, const std::vector<Point>& x,
+  void add(const std::array<int, 3>& nodes, const double (&w)[3][2], int moving, const Positions& x,
            const std::array<Point, 2>& along) {
     Point t[2] = {};
     for (int v = 0; v < 3; ++v)
@@ -64,7 +64,7 @@ struct RingObjective {
 
 }  // namespace
 
-SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const std::vector<Point>& source, std::vector<char> slides,
+SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides,
                              double largest_slide)
     : surfaces_(std::move(surfaces)), slides_(std::move(slides)), largest_slide_(largest_slide) {
   at_.resize(source.size());
@@ -72,7 +72,7 @@ SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const std::vector<Point>& so
   collect(source);
 }
 
-void SurfaceMotion::collect(const std::vector<Point>& source) {
+void SurfaceMotion::collect(const Positions& source) {
   patches_.resize(surfaces_.patches.size());
   std::vector<char> known(source.size(), 0);
   std::map<int, std::vector<int>> touching;  // faces by node
@@ -133,7 +133,7 @@ void SurfaceMotion::collect(const std::vector<Point>& source) {
     }
 }
 
-void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const std::vector<Point>& source) {
+void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions& source) {
   const Point p = minus(source[nodes[1]], source[nodes[0]]), q = minus(source[nodes[2]], source[nodes[0]]);
   const Point e = unit(p);
   const double a = length(p), b = dot(q, e), c = length(plus(q, -b, e)), scale = std::sqrt(a * c);  // size is free
@@ -148,11 +148,11 @@ void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const std::vecto
   corners_.push_back(corner);
 }
 
-double SurfaceMotion::edge_of(const Middle& middle, const std::vector<Point>& x) {
+double SurfaceMotion::edge_of(const Middle& middle, const Positions& x) {
   return length(minus(x[middle.ends[1]], x[middle.ends[0]]));
 }
 
-Point SurfaceMotion::middle_of(const Middle& middle, const std::vector<Point>& x) {
+Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
   Point sum{};
   if (middle.sides.empty()) {
     for (int node : middle.ends) sum = plus(sum, 0.5, x[node]);
@@ -163,7 +163,7 @@ Point SurfaceMotion::middle_of(const Middle& middle, const std::vector<Point>& x
   return sum;
 }
 
-double SurfaceMotion::drift_of(const Middle& middle, const std::vector<Point>& x) const {
+double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
   Point normal{};
   for (const auto& [face, place] : middle.on)
     normal = plus(normal, 1, unit(face_normal(surfaces_.faces[face], place, x)));
@@ -171,7 +171,7 @@ double SurfaceMotion::drift_of(const Middle& middle, const std::vector<Point>& x
   return length(plus(off, -dot(off, unit(normal)), unit(normal))) / edge_of(middle, x);
 }
 
-SurfaceMotion::Plane SurfaceMotion::plane_of(const Patch& patch, const std::vector<Point>& x) const {
+SurfaceMotion::Plane SurfaceMotion::plane_of(const Patch& patch, const Positions& x) const {
   Plane plane;
   if (patch.faces.empty()) return plane;
   const Point origin = x[surfaces_.faces[patch.faces.front()].nodes[0]];
@@ -192,11 +192,11 @@ SurfaceMotion::Plane SurfaceMotion::plane_of(const Patch& patch, const std::vect
   return plane;
 }
 
-Point SurfaceMotion::at(const SurfacePlace& place, const std::vector<Point>& x) const {
+Point SurfaceMotion::at(const SurfacePlace& place, const Positions& x) const {
   return face_point(surfaces_.faces[place.face], place.xi, x);
 }
 
-SurfacePlace SurfaceMotion::nearest(int node, int guess, const std::vector<Point>& x_old, const Point& point) const {
+SurfacePlace SurfaceMotion::nearest(int node, int guess, const Positions& x_old, const Point& point) const {
   const auto look = [&](int f) { return nearest_on_face(surfaces_.faces[f], point, x_old); };
   if (guess >= 0) {
     const NearestOnFace there = look(guess);
@@ -219,20 +219,30 @@ SurfacePlace SurfaceMotion::nearest(int node, int guess, const std::vector<Point
   return best;
 }
 
-SurfacePlace SurfaceMotion::place(int node, const std::vector<Point>& x_old, const Point& x) const {
+SurfacePlace SurfaceMotion::place(int node, const Positions& x_old, const Point& x) const {
   return nearest(node, -1, x_old, x);
 }
 
-std::vector<double> SurfaceMotion::edges_around(const std::vector<Point>& x) const {
-  std::vector<double> result(x.size(), 0.0);
-  for (const Patch& patch : patches_) {
-    for (int node : patch.vertices) result[node] = shortest_edge(node, x);
-    for (const Middle& middle : patch.middles) result[middle.node] = edge_of(middle, x);
+std::vector<std::pair<int, double>> SurfaceMotion::outer_nodes(const Positions& x) const {
+  std::vector<std::pair<int, double>> result;
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    if (!surfaces_.patches[p].outer) continue;
+    for (int node : patches_[p].vertices) result.emplace_back(node, shortest_edge(node, x));
+    for (const Middle& middle : patches_[p].middles) result.emplace_back(middle.node, edge_of(middle, x));
   }
   return result;
 }
 
-double SurfaceMotion::shortest_edge(int node, const std::vector<Point>& x) const {
+std::vector<int> SurfaceMotion::nodes() const {
+  std::vector<int> result;
+  for (const Patch& patch : patches_) {
+    result.insert(result.end(), patch.vertices.begin(), patch.vertices.end());
+    for (const Middle& middle : patch.middles) result.push_back(middle.node);
+  }
+  return result;
+}
+
+double SurfaceMotion::shortest_edge(int node, const Positions& x) const {
   double shortest = 1e300;
   for (int c : at_[node])
     for (int other : corners_[c].nodes)
@@ -243,7 +253,7 @@ double SurfaceMotion::shortest_edge(int node, const std::vector<Point>& x) const
 /// One relocation: the old surface, and where its nodes are by now.
 class SurfaceMotion::Step {
  public:
-  Step(const SurfaceMotion& surface, const std::vector<Point>& x_old, std::vector<Point>& x)
+  Step(const SurfaceMotion& surface, const Positions& x_old, Positions& x)
       : surface_(surface), x_old_(x_old), x_(x), on_(x.size()) {
     for (const Patch& patch : surface.patches_) planes_.push_back(surface.plane_of(patch, x_old));
     for (const Corner& corner : surface.corners_) normals_.push_back(area_vector(corner.nodes, x_old));
@@ -300,7 +310,7 @@ class SurfaceMotion::Step {
     return std::any_of(around.begin(), around.end(), [&](int corner) { return folded(corner); });
   }
 
-  Point normal_at(int node, const std::vector<Point>& x) const {
+  Point normal_at(int node, const Positions& x) const {
     Point sum{};
     for (int c : surface_.at_[node]) sum = plus(sum, 1, unit(area_vector(surface_.corners_[c].nodes, x)));
     return unit(sum);
@@ -411,21 +421,21 @@ class SurfaceMotion::Step {
   }
 
   const SurfaceMotion& surface_;
-  const std::vector<Point>& x_old_;
-  std::vector<Point>& x_;
+  const Positions& x_old_;
+  Positions& x_;
   std::vector<SurfacePlace> on_;  // (node) of the old surface
   std::vector<Plane> planes_;     // (patch)
-  std::vector<Point> normals_;    // (corner) as long as twice its area
+  Positions normals_;             // (corner) as long as twice its area
   std::map<int, double> gaps_;    // of old nodes
 };
 
-void SurfaceMotion::move(const std::vector<Point>& x_old, const BodySearch& body, std::vector<Point>& x) const {
-  const std::vector<Point> wanted = x;
+void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positions& x) const {
+  const Positions wanted = x;
   x = x_old;
   Step step(*this, x_old, x);
   for (double done = 0, part = 1; done < 1 && part >= 1.0 / 64;) {
     const double share = done + part;
-    const std::vector<Point> before = x;
+    const Positions before = x;
     for (const MeshPath& curve : surfaces_.curves)
       for (int node : curve.nodes)
         x[node] = share < 1 ? plus(x_old[node], share, minus(wanted[node], x_old[node])) : wanted[node];

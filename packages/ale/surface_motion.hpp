@@ -37,19 +37,21 @@ class SurfaceMotion {
   SurfaceMotion() = default;
   /// `largest_slide`: share of the way to the opposite edges of the faces around that a vertex moves at most at once.
   /// `slides`: (patch) whether its nodes may.
-  SurfaceMotion(MeshSurfaces surfaces, const std::vector<Point>& source, std::vector<char> slides,
-                double largest_slide);
+  SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides, double largest_slide);
 
   /// `x_old`: all nodes before they move. `x`: the same, but for the nodes of curves, which are where they are wanted;
   /// becomes the new places of the nodes on surfaces. Where a curve's motion would fold faces, its nodes go only as
   /// far as the others can follow.
-  void move(const std::vector<Point>& x_old, const BodySearch& body, std::vector<Point>& x) const;
+  void move(const Positions& x_old, const BodySearch& body, Positions& x) const;
   /// Nearest place of the old surface to a node inside a patch that is at `x` now.
-  SurfacePlace place(int node, const std::vector<Point>& x_old, const Point& x) const;
+  SurfacePlace place(int node, const Positions& x_old, const Point& x) const;
 
   const MeshSurfaces& surfaces() const { return surfaces_; }
-  /// (node) length of the shortest edge of the faces around a node inside a sliding patch [m]; 0 elsewhere.
-  std::vector<double> edges_around(const std::vector<Point>& x) const;
+  /// Nodes inside the sliding patches of the mesh's outer boundary, and the length of the edge that a middle is on, or
+  /// of the shortest edge at a vertex [m].
+  std::vector<std::pair<int, double>> outer_nodes(const Positions& x) const;
+  /// Nodes inside sliding patches.
+  std::vector<int> nodes() const;
 
  private:
   /// What a corner of a face strives for: T = sum over its three nodes v of x_v w_v^T.
@@ -78,18 +80,18 @@ class SurfaceMotion {
   };
   class Step;  // one relocation
 
-  void collect(const std::vector<Point>& source);
-  void add_corner(const std::array<int, 3>& nodes, const std::vector<Point>& source);
-  Plane plane_of(const Patch& patch, const std::vector<Point>& x) const;
-  static double edge_of(const Middle& middle, const std::vector<Point>& x);
+  void collect(const Positions& source);
+  void add_corner(const std::array<int, 3>& nodes, const Positions& source);
+  Plane plane_of(const Patch& patch, const Positions& x) const;
+  static double edge_of(const Middle& middle, const Positions& x);
   /// Between its ends, along straight edges.
-  static Point middle_of(const Middle& middle, const std::vector<Point>& x);
+  static Point middle_of(const Middle& middle, const Positions& x);
   /// How far it is along the surface from there, as a share of the edge.
-  double drift_of(const Middle& middle, const std::vector<Point>& x) const;
-  double shortest_edge(int node, const std::vector<Point>& x) const;
-  Point at(const SurfacePlace& place, const std::vector<Point>& x) const;
+  double drift_of(const Middle& middle, const Positions& x) const;
+  double shortest_edge(int node, const Positions& x) const;
+  Point at(const SurfacePlace& place, const Positions& x) const;
   /// `guess`: face to look at first; -1: none.
-  SurfacePlace nearest(int node, int guess, const std::vector<Point>& x_old, const Point& point) const;
+  SurfacePlace nearest(int node, int guess, const Positions& x_old, const Point& point) const;
 
   MeshSurfaces surfaces_;
   std::vector<char> slides_;  // (patch)

@@ -11,7 +11,7 @@
 namespace mudline {
 namespace {
 
-using Places = std::vector<Point>;
+using Places = Positions;
 using Map = std::function<Point(double, double)>;
 
 /// Faces of n by m cells over [0, 1]^2, with the nodes of quadratic shapes.
@@ -52,8 +52,7 @@ struct Grid {
     return x;
   }
   SurfaceMotion motion(const Places& source, double slide = 0.4) const {
-    MeshSurfaces surfaces =
-        split_surfaces(faces, static_cast<int>(source.size()), source, {}, pi / 6, [](int) { return false; });
+    MeshSurfaces surfaces = split_surfaces(faces, source, {}, pi / 6, [](int) { return false; });
     const std::vector<char> slides(surfaces.patches.size(), 1);
     return {std::move(surfaces), source, slides, slide};
   }
@@ -105,20 +104,20 @@ TEST(MeshSurfaces, ABoxHasSixPatchesTwelveCurvesAndMaterialCorners) {
     faces.push_back(face);
   }
   const auto off = [](int) { return false; };
-  const MeshSurfaces box = split_surfaces(faces, 8, corner, {}, pi / 6, off);
+  const MeshSurfaces box = split_surfaces(faces, corner, {}, pi / 6, off);
   EXPECT_EQ(box.patches.size(), 6u);
   EXPECT_EQ(box.curves.size(), 12u);
   for (int node : box.patch_of) EXPECT_EQ(node, -1);
   // on a body its edges do not count, but where the set changes
   const auto on = [](int) { return true; };
-  const MeshSurfaces smooth = split_surfaces(faces, 8, corner, {}, pi / 6, on);
+  const MeshSurfaces smooth = split_surfaces(faces, corner, {}, pi / 6, on);
   EXPECT_EQ(smooth.patches.size(), 2u);
   ASSERT_EQ(smooth.curves.size(), 1u);  // a closed curve around the top, cut somewhere
   EXPECT_EQ(smooth.curves[0].nodes.size(), 5u);
   EXPECT_EQ(smooth.curves[0].nodes.front(), smooth.curves[0].nodes.back());
   EXPECT_EQ(std::count(smooth.patch_of.begin(), smooth.patch_of.end(), -1), 4);
   // a named corner ends it where it is told
-  const MeshSurfaces named = split_surfaces(faces, 8, corner, {faces[5].nodes[2]}, pi / 6, on);
+  const MeshSurfaces named = split_surfaces(faces, corner, {faces[5].nodes[2]}, pi / 6, on);
   ASSERT_EQ(named.curves.size(), 1u);
   EXPECT_EQ(named.curves[0].nodes.front(), faces[5].nodes[2]);
 }
@@ -127,9 +126,9 @@ TEST(MeshSurfaces, RegionsDivide) {
   const Places x = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
   std::vector<SurfaceFace> faces = {{CellShape::quad4, {0, 1, 2, 3}, {}}, {CellShape::quad4, {1, 4, 5, 2}, {}}};
   const auto off = [](int) { return false; };
-  EXPECT_EQ(split_surfaces(faces, 6, x, {}, 0.5, off).patches.size(), 1u);
+  EXPECT_EQ(split_surfaces(faces, x, {}, 0.5, off).patches.size(), 1u);
   faces[1].block = 1;
-  EXPECT_EQ(split_surfaces(faces, 6, x, {}, 0.5, off).patches.size(), 2u);
+  EXPECT_EQ(split_surfaces(faces, x, {}, 0.5, off).patches.size(), 2u);
 }
 
 TEST(FacePlace, NearestPointOfACurvedFace) {
