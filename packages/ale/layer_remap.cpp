@@ -39,8 +39,9 @@ struct Spread {
     for (int sweep = 0; sweep < 20; ++sweep)
       for (int p = 0; p < 3; ++p) {
         const int q = (p + 1) % 3;
-        const double angle = 0.5 * std::atan2(2 * a[p][q], a[p][p] - a[q][q]), c = std::cos(angle),
-                     s = std::sin(angle);
+        const double apart = a[p][p] - a[q][q],
+                     angle = 0.5 * std::atan2(std::copysign(2.0, apart) * a[p][q], std::abs(apart)),
+                     c = std::cos(angle), s = std::sin(angle);
         const auto turn = [&](double& x, double& y) {
           const double old = x;
           x = c * x + s * y;

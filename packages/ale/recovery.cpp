@@ -15,8 +15,8 @@ namespace {
 template <int Dim>
 constexpr int terms = (Dim + 1) * (Dim + 2) / 2;
 
-/// Points enough for a fit that does not follow noise.
-std::size_t enough_points(int dimension) { return 3 * (dimension == 2 ? terms<2> : terms<3>) / 2; }
+/// Points enough for a fit that does not follow noise. In space those of few elements nearly lie on a quadric.
+std::size_t enough_points(int dimension) { return dimension == 2 ? 9 : 40; }
 
 /// Fitted around a vertex.
 template <int Dim>

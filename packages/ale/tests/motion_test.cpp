@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ale/interior_motion.hpp"
+#include "ale/mesh_paths.hpp"
 #include "ale/path_curve.hpp"
 #include "ale/quality.hpp"
 #include "ale_mesh.hpp"
@@ -100,7 +101,7 @@ struct PushedBox {
         whole(*mesh),
         source(whole.gather(mesh->coordinates())),
         paths(find_paths(whole, source, {}, 0.5)),
-        corners(whole, paths) {
+        corners(whole) {
     corners.add_tangents(source, source);
     movable.assign(whole.num_nodes(), 0);
     for (int node = 0; node < whole.num_nodes(); ++node) movable[node] = whole.is_vertex(node);
@@ -114,14 +115,14 @@ struct PushedBox {
   }
   double worst(const Positions& x) const {
     double lowest = 1e300;
-    for (const auto& t : corners.triangles) lowest = std::min(lowest, twice_area(t, x));
+    for (const Simplex& t : corners.simplices) lowest = std::min(lowest, determinant(t, x));
     return lowest;
   }
   std::unique_ptr<Mesh> mesh;
   WholeMesh whole;
   Positions source, pushed;
   std::vector<MeshPath> paths;
-  CornerTriangles corners;
+  CornerSimplices corners;
   std::vector<char> movable;
 };
 
