@@ -55,7 +55,6 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
   for (const std::string& name : material_sides_) require_side_set(mesh.mesh(), section, "material sides", name);
   Point focus{};
   if (!focus_.empty()) {
-    if (mesh.dimension() == 3) section.fail("is for meshes of the plane", "focus");
     std::vector<std::string> known;
     for (const auto& [name, body] : bodies) known.push_back(name);
     if (!bodies.count(focus_)) section.fail("unknown body '" + focus_ + "'" + suggestion(focus_, known), "focus");
@@ -191,7 +190,7 @@ PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, con
   kept_[0] = boundary.axisymmetric() && all([&](int node) { return std::abs(x[node][0]) <= near; });
   if (boundary.in_space()) kept_at_ = x[path.nodes[0]];
   for (int d = 0; boundary.in_space() && d < place_size; ++d)
-    kept_[d] = all([&](int node) { return x[node][d] == kept_at_[d]; });
+    kept_[d] = all([&](int node) { return std::abs(x[node][d] - kept_at_[d]) <= near; });
   for (int node : path.nodes) {
     const auto foot = boundary.foot(state, x[node]);
     if (!foot) return;

@@ -18,7 +18,7 @@ class BoundaryMotion;
 /// The places of a path's nodes: on a smooth curve through those of now, and at the gap to the nearest body that is
 /// there now. What lies on the axis of symmetry stays there exactly: a body's normal at its tip is not parallel to the
 /// axis to the last digit, and a mesh whose nodes are beyond the axis is none. In space so does what lies in a plane
-/// normal to an axis.
+/// normal to one of its axes.
 class PathPlaces {
  public:
   PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state);
@@ -44,7 +44,7 @@ class PathPlaces {
 class BoundaryMotion {
  public:
   void parameters(Parameters& p);
-  /// Finds paths and shares, in space surfaces too. InputError for unknown bodies and sets, in space for a focus.
+  /// Finds paths and shares, in space surfaces too. InputError for unknown bodies and sets.
   /// Collective only in its errors: the same everywhere.
   /// `renewed`: the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
   void bind(const WholeMesh& mesh, const Positions& source,

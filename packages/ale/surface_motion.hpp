@@ -71,7 +71,7 @@ class SurfaceMotion {
   struct Plane {
     bool flat = false;
     Point normal{};
-    std::array<bool, 3> fixed{};  // coordinates that all its nodes share to the last bit
+    std::array<bool, 3> fixed{};  // coordinates that all its nodes share
     Point value{};                // [m]
   };
   struct Patch {
