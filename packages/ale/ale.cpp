@@ -37,9 +37,9 @@ void AleParameters::parameters(Parameters& p) {
         "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the "
         "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
-  p.section("boundary", boundary, "how boundary nodes slide");
+  p.section("boundary", boundary, "how boundary nodes slide in the plane; in space they stay material points");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
-  p.section("remeshing", renewal, "when and how the region is meshed anew; absent: it is not");
+  p.section("remeshing", renewal, "when and how the region, of triangles, is meshed anew; absent: it is not");
 }
 
 void Ale::document(Parameters& p) { AleParameters().parameters(p); }
@@ -56,8 +56,10 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
-  if (mesh_.dimension() == 3 && !interior_->in_space())
-    section.section("interior").fail("is for meshes of the plane", "type");
+  if (mesh_.dimension() == 3 && !interior_->in_space()) {
+    const Section interior = section.section("interior");
+    interior.fail(interior.text("type") + " is for meshes of the plane", "type");
+  }
   for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);

@@ -33,7 +33,8 @@ class ElasticMesh {
       for (int a = 0; a <= Dim; ++a) {
         double square = 0;
         for (int i = 0; i < Dim; ++i) square += g[a][i] * g[a][i];
-        for (int i = 0; i < Dim; ++i) diagonal_[Dim * t[a] + i] += (lambda_ + shear_) * g[a][i] * g[a][i] + shear_ * square;
+        for (int i = 0; i < Dim; ++i)
+          diagonal_[Dim * t[a] + i] += (lambda_ + shear_) * g[a][i] * g[a][i] + shear_ * square;
       }
       gradients_.push_back(g);
     }

@@ -34,7 +34,8 @@ Corners find_corners(CellShape shape) {
 const Corners& corners_of(CellShape shape) {
   static const std::map<CellShape, Corners> all = [] {
     std::map<CellShape, Corners> found;
-    for (CellShape s : {CellShape::tri3, CellShape::quad4, CellShape::tet4, CellShape::hex8}) found[s] = find_corners(s);
+    for (CellShape s : {CellShape::tri3, CellShape::quad4, CellShape::tet4, CellShape::hex8})
+      found[s] = find_corners(s);
     return found;
   }();
   return all.at(linear_partner(shape));
@@ -151,7 +152,7 @@ void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
 
 void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
-  registry.add<WinslowMotion>("Winslow", "harmonic map back to the source's mesh, never folds an element");
+  registry.add<WinslowMotion>("Winslow", "harmonic map back to the source's mesh, for the plane; never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
   registry.add<ArtificialMotion>("artificial",
                                  "elastic, and a swing of every vertex: shows what the remap does to a solution");

@@ -97,8 +97,8 @@ class OptimisationMotion : public InteriorMotion {
 };
 
 /// The map from the source's mesh is harmonic in the inverse direction (Winslow 1967): vertex by vertex, lowers its
-/// Dirichlet energy, in the plane the sum of mu weighted by the areas of the source's triangles. As smooth as Laplace's,
-/// and no element folds.
+/// Dirichlet energy, in the plane the sum of mu weighted by the areas of the source's triangles. As smooth as
+/// Laplace's, and no element folds.
 class WinslowMotion : public InteriorMotion {
  public:
   void parameters(Parameters& p) { limits_.parameters(p); }

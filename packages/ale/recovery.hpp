@@ -28,8 +28,8 @@ class RecoveryPatches {
 
 /// A continuous field recovered from values at the quadrature points of one block: around every vertex a quadratic
 /// polynomial is fitted, by least squares, to the points of the elements that touch it (Zienkiewicz & Zhu 1992), so
-/// that slopes are of second order; middle nodes take the mean of what the polynomials of the corners around say there. Linear
-/// fields are reproduced exactly, also on curved elements.
+/// that slopes are of second order; middle nodes take the mean of what the polynomials of the corners around say there.
+/// Linear fields are reproduced exactly, also on curved elements.
 class Recovery {
  public:
   /// `x`: where the points and nodes were; `table`: (row of gather_points, column).

@@ -42,8 +42,7 @@ TEST_P(EveryCell, FindsThePointsOfACurvedMesh) {
 }
 
 TEST_P(EveryCell, NearestOnStraightBoundaryIsThatOfTheBox) {
-  for (const Point at :
-       {Point{0.37, 1.8}, {-0.4, 0.61}, {1.7, 1.2}, {0.52, -1e-3}, {1 + 1e-6, 0.25}, {-3, -4}}) {
+  for (const Point at : {Point{0.37, 1.8}, {-0.4, 0.61}, {1.7, 1.2}, {0.52, -1e-3}, {1 + 1e-6, 0.25}, {-3, -4}}) {
     const auto there = position(whole, x, locator.nearest_on_boundary(at));
     for (int i = 0; i < 2; ++i)
       EXPECT_NEAR(there[i], std::min(std::max(at[i], 0.0), 1.0), 1e-13 * (1 + std::abs(at[i])))
@@ -53,8 +52,7 @@ TEST_P(EveryCell, NearestOnStraightBoundaryIsThatOfTheBox) {
 
 TEST_P(EveryCell, NearestOnCurvedBoundaryBeatsEveryOtherPointOfIt) {
   bend(0.3, 3.1);
-  for (const Point at :
-       {Point{0.37, 1.8}, {0.1, 1.3}, {1.2, 1.4}, {0.5, 1.31}, {-0.2, 0.3}}) {
+  for (const Point at : {Point{0.37, 1.8}, {0.1, 1.3}, {1.2, 1.4}, {0.5, 1.31}, {-0.2, 0.3}}) {
     const auto there = position(whole, x, locator.nearest_on_boundary(at));
     const double found = std::hypot(there[0] - at[0], there[1] - at[1]);
     double least = 1e300;

@@ -117,9 +117,7 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   const WholeMesh whole(*mesh);
   const Positions now = whole.gather(mesh->coordinates());
   EXPECT_GT(whole.num_nodes(), was.whole.num_nodes() * 3 / 2);
-  const auto quadratic = [](const Point& p) {
-    return 1 + p[0] - 2 * p[1] + 3 * p[0] * p[1] - p[1] * p[1];
-  };
+  const auto quadratic = [](const Point& p) { return 1 + p[0] - 2 * p[1] + 3 * p[0] * p[1] - p[1] * p[1]; };
   const auto linear = [](const Point& p) { return 3 - 2 * p[0] + 5 * p[1]; };
   std::vector<double> at_nodes, at_vertices;
   for (const auto& place : x) {
