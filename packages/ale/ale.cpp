@@ -37,7 +37,7 @@ void AleParameters::parameters(Parameters& p) {
         "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the "
         "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
-  p.section("boundary", boundary, "how boundary nodes slide in the plane; in space they stay material points");
+  p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
   p.section("remeshing", renewal, "when and how the region, of triangles, is meshed anew; absent: it is not");
 }

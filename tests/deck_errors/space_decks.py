@@ -210,7 +210,7 @@ DECKS = [
     wrong("motion of the plane", with_section("mesh motion", "interior", parameter("type", "string", "Winslow")),
           "mesh motion/interior/type: Winslow is for meshes of the plane", ranks=BOTH),
     wrong("sliding boundary", with_section("mesh motion", "boundary", parameter("material sides", "Array(string)", "{tops}")),
-          "mesh motion/boundary/material sides: unknown side set 'tops'", ranks=BOTH),
+          "mesh motion/boundary/material sides: unknown side set 'tops' (did you mean 'top'?)", ranks=BOTH),
     wrong("remeshing", with_section("mesh motion", "remeshing", parameter("least steps", "int", "5")),
           "mesh motion/remeshing: the mesh has cells tet10; only meshes of triangles (tri3, tri6) can be made anew"),
     wrong("shear stress by another name", beside(parameter("type", "string", "geostatic"), parameter("shear stress zx", "double", "1.0")),
