@@ -17,7 +17,7 @@ class PointLocator {
  public:
   PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
   MeshPlace find(const Point& point, int guess) const;
-  /// In the plane: the nearest point of the mesh's outer boundary, for points outside.
+  /// The nearest point of the mesh's outer boundary, for points outside.
   MeshPlace nearest_on_boundary(const Point& point) const;
   /// Inverse of the isoparametric map of one element. False where Newton's method finds none.
   bool invert(int element, const Point& point, double xi[3]) const;

@@ -15,12 +15,12 @@ namespace {
 
 /// Reference coordinates moved into the cell.
 void into_cell(CellShape shape, double (&xi)[3]) {
-  if (num_corners(shape) == 4) {
+  if (!is_simplex(shape)) {
     for (double& c : xi) c = std::clamp(c, -1.0, 1.0);
     return;
   }
   for (double& c : xi) c = std::max(c, 0.0);
-  const double sum = xi[0] + xi[1];
+  const double sum = xi[0] + xi[1] + xi[2];
   for (double& c : xi) c /= std::max(1.0, sum);
 }
 
@@ -102,7 +102,7 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
   const PointLocator locator(*mesh_, x);
   const double rounding = 1e-9 * model_.mesh().bounds().extent();
   MeshPlace best;
-  double least = 1e300, N[9], dN[18];
+  double least = 1e300, N[27], dN[81];
   for (std::size_t block = 0; block < model_.mesh().blocks().size(); ++block) {
     if (mesh_->block_elements(static_cast<int>(block)).empty()) continue;
     MeshPlace here = locator.find(at, mesh_->block_elements(static_cast<int>(block)).front());
@@ -118,8 +118,8 @@ void Probes::interpolated(const ProbeSettings& probe, const State& state, const 
   }
   if (least > rounding) best = locator.nearest_on_boundary(at);
   const auto& element = mesh_->elements()[best.element];
-  row.push_back({"probe/" + probe.name + "/position x", "m", at[0]});
-  row.push_back({"probe/" + probe.name + "/position y", "m", at[1]});
+  for (int i = 0; i < model_.mesh().dimension(); ++i)
+    row.push_back({"probe/" + probe.name + "/position " + axis_names[i], "m", at[i]});
   std::vector<int> element_here;
   int number = 0;
   for (const ElementBlock& block : model_.mesh().blocks())

@@ -9,32 +9,12 @@
 #include "ale/remap.hpp"
 #include "ale/surface_motion.hpp"
 #include "ale_mesh.hpp"
-#include "core/deck.hpp"
 
 namespace mudline {
 namespace {
 
+using testing::cube;
 using testing::points_of;
-
-/// A unit cube of n by n by n cells, or of the six tetrahedra of each, with inner vertices scattered.
-std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion) {
-  Deck deck;
-  const std::string cells = std::to_string(n);
-  deck.overlay(
-      "<ParameterList name=\"deck\"><ParameterList name=\"mesh\">"
-      "<Parameter name=\"type\" type=\"string\" value=\"box\"/>"
-      "<Parameter name=\"geometry\" type=\"string\" value=\"three-dimensional\"/>"
-      "<Parameter name=\"cell\" type=\"string\" value=\"" +
-          std::string(name(shape)) + "\"/><Parameter name=\"cells\" type=\"Array(int)\" value=\"{" + cells + ", " +
-          cells + ", " + cells +
-          "}\"/><Parameter name=\"upper\" type=\"Array(double)\" value=\"{1.0, 1.0, 1.0}\"/>"
-          "<Parameter name=\"distortion\" type=\"double\" value=\"" +
-          std::to_string(distortion) + "\"/></ParameterList></ParameterList>",
-      "cube.xml");
-  Registry<MeshSource> sources("mesh");
-  register_mesh_sources(sources);
-  return make_mesh(Tpetra::getDefaultComm(), sources, deck.root().section("mesh"));
-}
 
 double linear(const Point& x) { return 3 - 2 * x[0] + 5 * x[1] + 0.7 * x[2]; }
 double quadratic(const Point& x) {
@@ -126,6 +106,40 @@ TEST_P(EveryCellOfSpace, FindsThePointsOfACurvedMesh) {
     EXPECT_LT(outside_cell(element.shape, found.xi), 1e-9);
     const auto there = ElementMap(element.shape, [&](int a) { return x[element.nodes[a]].data(); }).at(found.xi);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(there[i], at[i], 1e-12);
+  }
+}
+
+TEST_P(EveryCellOfSpace, NearestOnTheBoundaryBeatsEveryOtherPointOfIt) {
+  Positions x = start;
+  for (Point& p : x) p[2] += 0.15 * std::sin(3 * p[0]) * std::cos(2 * p[1]) * p[2];
+  const PointLocator curved(whole, x), straight(whole, start);
+  for (const Point& at :
+       {Point{0.37, 0.6, 1.8}, {-0.4, 0.61, 0.3}, {1.7, 1.2, -0.2}, {0.5, 0.5, 1.01}, {0.2, -1e-3, 0.7}}) {
+    const auto place = [&](const MeshPlace& found, const Positions& of) {
+      const auto& element = whole.elements()[found.element];
+      return ElementMap(element.shape, [&](int a) { return of[element.nodes[a]].data(); }).at(found.xi);
+    };
+    const auto on_cube = place(straight.nearest_on_boundary(at), start);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(on_cube[i], std::clamp(at[i], 0.0, 1.0), 1e-12);
+    const MeshPlace best = curved.nearest_on_boundary(at);
+    const double found = distance(place(best, x), at);
+    double least = 1e300;
+    for (int e = 0; e < static_cast<int>(whole.elements().size()); ++e)
+      for (int s = 0; s < num_sides(GetParam()); ++s) {
+        if (whole.elements()[e].neighbours[s] >= 0) continue;
+        const bool triangle = is_simplex(GetParam());
+        for (int i = 0; i <= 40; ++i)
+          for (int j = 0; j <= (triangle ? 40 - i : 40); ++j) {
+            std::array<double, 2> on{i / 40.0, j / 40.0};
+            for (double& c : on) c = triangle ? c : 2 * c - 1;
+            MeshPlace there{e, {}};
+            const auto xi = on_side(GetParam(), s, on);
+            std::copy(xi.begin(), xi.end(), there.xi);
+            least = std::min(least, distance(place(there, x), at));
+          }
+      }
+    EXPECT_LE(found, least + 1e-12);
+    EXPECT_GE(found, least - 5e-3);  // how far apart the places are
   }
 }
 
