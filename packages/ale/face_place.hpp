@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "ale/whole_mesh.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 
@@ -15,6 +17,9 @@ using FacePlace = std::array<double, 2>;
 Point face_point(const SurfaceFace& face, const FacePlace& place, const Positions& x);
 /// Outwards, as long as the area per reference area [m2].
 Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positions& x);
+
+/// Of length 1; what has no length stays.
+inline Point unit(const Point& a) { return scaled(1 / std::max(length(a), 1e-300), a); }
 
 /// The point of a face, curved as it is, that is nearest to another.
 struct NearestOnFace {

@@ -81,7 +81,11 @@ class SurfaceMotion {
   class Step;  // one relocation
 
   void collect(const Positions& source);
+  void add_corners(const SurfaceFace& face, const Positions& source);
   void add_corner(const std::array<int, 3>& nodes, const Positions& source);
+  /// Node a of a face is inside the patch.
+  void add_node(const SurfaceFace& face, int a, Patch& patch);
+  std::vector<int> faces_near(int node, const std::vector<std::vector<int>>& touching) const;
   Plane plane_of(const Patch& patch, const Positions& x) const;
   static double edge_of(const Middle& middle, const Positions& x);
   /// Between its ends, along straight edges.
