@@ -4,7 +4,8 @@ SetFactory("OpenCASCADE");
 DefineConstant[ diameter = {0.0357, Name "diameter"} ];  // [m]
 DefineConstant[ tip_radius = {0.006, Name "tip_radius"}, shoulder_radius = {0.008, Name "shoulder_radius"} ];
 DefineConstant[ start = {0.0714, Name "start"} ];        // depth of the tip [m]
-DefineConstant[ fine = {0.004, Name "fine"} ];           // cells at the cone
+DefineConstant[ tip = {0.0025, Name "tip"} ];            // cells at the tip
+DefineConstant[ fine = {0.004, Name "fine"} ];           // at the cone
 DefineConstant[ wall = {0.01, Name "wall"} ];            // at the mudline
 DefineConstant[ coarse = {0.055, Name "coarse"} ];       // at the far boundary
 DefineConstant[ width = {0.18, Name "width"}, depth = {0.26, Name "depth"} ];
@@ -45,9 +46,11 @@ Field[2] = MathEval;
 Field[2].F = Sprintf("%g + 0.35*Abs(Sqrt(x^2 + y^2) - %g) + 2*Max(0, -z - %g)", wall, radius, start);
 Field[3] = MathEval;
 Field[3].F = Sprintf("%g", coarse);
-Field[4] = Min;
-Field[4].FieldsList = {1, 2, 3};
-Background Field = 4;
+Field[4] = MathEval;
+Field[4].F = Sprintf("%g + 0.3*Max(0, Sqrt(x^2 + y^2 + (z + %g)^2) - %g)", tip, start - tip_radius, tip_radius);
+Field[5] = Min;
+Field[5].FieldsList = {1, 2, 3, 4};
+Background Field = 5;
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.Optimize = 1;
