@@ -40,7 +40,7 @@ SizeField BoundaryMotion::size_field(const Point& focus) const {
   };
 }
 
-void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
+void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
                           const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
                           const RenewedMesh* renewed) {
   bodies_ = bodies;
@@ -63,6 +63,8 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
   }
   if (renewed) {
     paths_ = renewed->paths;
+    for (MeshPath& path : paths_)
+      for (int& node : path.nodes) node = mesh.local_node(node);
     origins_ = renewed->origins;
     focus = on_plane(renewed->focus);
   } else if (mesh.dimension() == 3) {
@@ -83,7 +85,7 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
   }
 }
 
-void BoundaryMotion::bind_surfaces(const WholeMesh& mesh, const Positions& source) {
+void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source) {
   std::set<int> corners;
   for (const std::string& name : corners_)
     for (int node : mesh.node_sets().at(name)) corners.insert(node);

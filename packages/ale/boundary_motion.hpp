@@ -47,7 +47,7 @@ class BoundaryMotion {
   /// Finds paths and shares, in space surfaces too. InputError for unknown bodies and sets.
   /// Collective only in its errors: the same everywhere.
   /// `renewed`: the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
-  void bind(const WholeMesh& mesh, const Positions& source,
+  void bind(const GhostedMesh& mesh, const Positions& source,
             const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
             const RenewedMesh* renewed);
 
@@ -74,7 +74,7 @@ class BoundaryMotion {
  private:
   bool material(const std::set<std::string>& sets) const;
   bool starts_on_body(const Point& x) const;
-  void bind_surfaces(const WholeMesh& mesh, const Positions& source);
+  void bind_surfaces(const GhostedMesh& mesh, const Positions& source);
   void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
 
   std::string focus_;

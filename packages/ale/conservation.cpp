@@ -17,7 +17,7 @@ struct PointMap : CellMap<dim> {
   Dual<dim> around, place[dim];  // measure at the point, the point [m], with derivatives by the point
   double factor = 0;
 
-  PointMap(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x, Geometry geometry) {
+  PointMap(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x, Geometry geometry) {
     double gradient[dim][dim] = {};
     for (int i = 0; i < dim; ++i) {
       place[i] = Dual<dim>(0, i);
@@ -49,7 +49,7 @@ struct PointPart {
 };
 
 template <int dim>
-PointPart part_in(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
+PointPart part_in(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
                   Geometry geometry) {
   const PointMap<dim> map(element, block, q, x, geometry);
   PointPart part{map.volume(), dim == 2 ? std::sqrt(std::abs(map.det)) : std::cbrt(std::abs(map.det)), {}};
@@ -57,7 +57,7 @@ PointPart part_in(const WholeMesh::Element& element, const SoilBlock& block, int
   return part;
 }
 
-PointPart part(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
+PointPart part(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
                Geometry geometry) {
   return geometry == Geometry::space ? part_in<3>(element, block, q, x, geometry)
                                      : part_in<2>(element, block, q, x, geometry);
@@ -65,21 +65,21 @@ PointPart part(const WholeMesh::Element& element, const SoilBlock& block, int q,
 
 }  // namespace
 
-double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x) {
+double soil_volume(const GhostedMesh& mesh, const Soil& soil, const Positions& x) {
   double sum = 0;
   for (const SoilBlock& block : soil.blocks)
-    for (int e : mesh.block_elements(block.block))
+    for (int e : mesh.own_elements(block.block))
       for (int q = 0; q < block.points; ++q) sum += part(mesh.elements()[e], block, q, x, soil.geometry).volume;
-  return sum;
+  return mesh.sum(sum);
 }
 
-FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+FreeBoundary::FreeBoundary(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                            const std::vector<double>& held, const Positions& x) {
   mesh.dimension() == 2 ? find<2>(mesh, soil, freedom, held, x) : find<3>(mesh, soil, freedom, held, x);
 }
 
 template <int dim>
-void FreeBoundary::find(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                         const std::vector<double>& held, const Positions& x) {
   const auto length = [](const std::array<double, dim>& g) {
     return dim == 2 ? std::hypot(g[0], g[1]) : std::hypot(g[0], g[1], g[dim - 1]);
@@ -97,9 +97,10 @@ void FreeBoundary::find(const WholeMesh& mesh, const Soil& soil, const std::vect
       }
     }
   double largest = 0;
-  for (int node = 0; node < mesh.num_nodes(); ++node)
+  for (int node : mesh.owned_nodes())
     if (freedom[node] > 0) largest = std::max(largest, length(gradient[node]));
-  for (int node = 0; node < mesh.num_nodes(); ++node) {
+  largest = mesh.largest(largest);
+  for (int node : mesh.owned_nodes()) {
     if (!(freedom[node] > 0)) continue;
     const auto& g = gradient[node];
     const double size = length(g);
@@ -116,6 +117,7 @@ void FreeBoundary::find(const WholeMesh& mesh, const Soil& soil, const std::vect
     area += share * freedom[node] * size;
     movers.push_back(mover);
   }
+  area = mesh.sum(area);
 }
 
 namespace {
@@ -125,7 +127,7 @@ std::vector<double> shares_of(const PointTransfer& t, const Soil& soil, int orig
   const std::size_t count = t.block.made_of.size();
   std::vector<double> result(table.size() / t.columns * count, 1.0);
   std::vector<Point> starts(t.block.points, Point{});
-  for (int e : t.mesh.block_elements(t.block.block)) {
+  for (int e : t.mesh.own_elements(t.block.block)) {
     if (count == 1) break;
     const std::size_t first = t.mesh.first_row(e, t.block.points);
     for (int q = 0; q < t.block.points; ++q)
@@ -165,6 +167,7 @@ void add_grains(const PointTransfer& t, int void_ratio, const std::vector<double
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < count; ++k)
         gained[i * count + k] += shares[row * count + i] * shares[row * count + k] * weights[row] * volumes[row];
+  for (double& entry : gained) entry = t.mesh.sum(entry);
   for (std::size_t i = 0; i < count; ++i)
     if (!(gained[i * count + i] > 0)) missing[i] = 0;
   const std::vector<double> change = solve_small(gained, missing);
@@ -186,7 +189,7 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
   std::vector<Grains> grains(count);
   std::vector<double> volumes(rows), ways(rows), lost(count, 0.0), jumped(count, 0.0);
   std::vector<double> grown(count, 0.0), volume(count, 0.0);  // [m3] of soil
-  for (int e : t.mesh.block_elements(t.block.block)) {
+  for (int e : t.mesh.own_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     for (int q = 0; q < t.block.points; ++q) {
       const std::size_t row = t.mesh.first_row(e, t.block.points) + q;
@@ -208,6 +211,8 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
       }
     }
   }
+  for (std::size_t i = 0; i < count; ++i)
+    for (double* sum : {&grains[i].before, &lost[i], &jumped[i], &grown[i], &volume[i]}) *sum = t.mesh.sum(*sum);
   for (std::size_t i = 0; layered && i < count; ++i) {
     const double by_shares = volume[i] > 0 ? -grown[i] * grains[i].before / volume[i] : 0.0;
     lost[i] -= by_shares;
@@ -219,17 +224,17 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
   return grains;
 }
 
-double grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+double grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
               const std::vector<double>& table, int columns, int column) {
   double sum = 0;
-  for (int e : mesh.block_elements(block.block))
+  for (int e : mesh.own_elements(block.block))
     for (int q = 0; q < block.points; ++q)
       sum += part(mesh.elements()[e], block, q, x, geometry).volume /
              (1 + table[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * columns + column]);
-  return sum;
+  return mesh.sum(sum);
 }
 
-double restore_all_grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+double restore_all_grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
                           std::vector<double>& table, int columns, int column, double before) {
   const double after = grains(mesh, block, x, geometry, table, columns, column);
   for (std::size_t i = column; i < table.size(); i += columns) table[i] = (1 + table[i]) * (after / before) - 1;

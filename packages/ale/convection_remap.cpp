@@ -9,7 +9,7 @@ namespace mudline {
 namespace {
 
 /// Side [m] of the square or cube of which the element is, or is half or a sixth.
-double size_of(const WholeMesh::Element& element, const Positions& x) {
+double size_of(const GhostedMesh::Element& element, const Positions& x) {
   const int corners = num_corners(element.shape);
   if (dimension(element.shape) == 3) {
     const CellShape shape = linear_partner(element.shape);
@@ -41,7 +41,7 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
       low.push_back(variable.low);
       high.push_back(variable.high);
     }
-  for (int e : t.mesh.block_elements(t.block.block)) {
+  for (int e : t.mesh.own_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     bool moved = false;
     for (int a = 0; a < num_nodes(element.shape); ++a)

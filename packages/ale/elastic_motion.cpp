@@ -9,7 +9,7 @@ namespace mudline {
 
 namespace {
 
-/// Linear elastic simplices, matrix-free: y = K u for the free nodes, u given everywhere.
+/// Linear elastic simplices, matrix-free: y = K u for this rank's free nodes, u given everywhere.
 template <int Dim>
 class ElasticMesh {
  public:
@@ -58,8 +58,13 @@ class ElasticMesh {
         }
     }
     for (std::size_t i = 0; i < u.size(); ++i)
-      if (!mesh_.movable[i / Dim]) y[i] = 0;
+      if (!moves(i)) y[i] = 0;
     return y;
+  }
+  /// Whether a component belongs to a vertex of this rank that may move.
+  bool moves(std::size_t i) const {
+    const int node = static_cast<int>(i / Dim);
+    return mesh_.movable[node] && mesh_.mesh.owns(node);
   }
   double diagonal(std::size_t i) const { return diagonal_[i]; }
 
@@ -71,10 +76,11 @@ class ElasticMesh {
   std::vector<double> diagonal_;
 };
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
+/// Of what is zero but at this rank's free nodes.
+double dot(const GhostedMesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+  return mesh.sum(sum);
 }
 
 template <int Dim>
@@ -86,26 +92,29 @@ void move_elastically(const InteriorMesh& mesh, const Positions& from, double po
   r = elastic.apply(u);
   for (double& value : r) value = -value;
   const auto precondition = [&] {
-    for (std::size_t i = 0; i < n; ++i) z[i] = mesh.movable[i / Dim] ? r[i] / elastic.diagonal(i) : 0.0;
+    for (std::size_t i = 0; i < n; ++i) z[i] = elastic.moves(i) ? r[i] / elastic.diagonal(i) : 0.0;
   };
   precondition();
   p = z;
-  double rz = dot(r, z);
-  const double goal = 1e-20 * rz;
-  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(static_cast<double>(n))) && rz > goal; ++k) {
-    const std::vector<double> kp = elastic.apply(p);
-    const double alpha = rz / dot(p, kp);
+  double rz = dot(mesh.mesh, r, z);
+  const double goal = 1e-20 * rz, all = mesh.mesh.sum(static_cast<double>(Dim * mesh.mesh.owned_nodes().size()));
+  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(all)) && rz > goal; ++k) {
+    std::vector<double> around = p;
+    mesh.mesh.fill(around, Dim);
+    const std::vector<double> kp = elastic.apply(around);
+    const double alpha = rz / dot(mesh.mesh, p, kp);
     for (std::size_t i = 0; i < n; ++i) {
       u[i] += alpha * p[i];
       r[i] -= alpha * kp[i];
     }
     precondition();
-    const double next = dot(r, z), beta = next / rz;
+    const double next = dot(mesh.mesh, r, z), beta = next / rz;
     rz = next;
     for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
   }
   for (std::size_t i = 0; i < n; ++i)
-    if (mesh.movable[i / Dim]) x[i / Dim][i % Dim] = from[i / Dim][i % Dim] + u[i];
+    if (elastic.moves(i)) x[i / Dim][i % Dim] = from[i / Dim][i % Dim] + u[i];
+  mesh.mesh.fill(x);
 }
 
 }  // namespace
@@ -133,20 +142,20 @@ void ArtificialMotion::parameters(Parameters& p) {
 void ArtificialMotion::move(const InteriorMesh& mesh, Positions& x) const {
   ElasticMotion::move(mesh, x);
   const double turn = 2 * pi;
-  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
+  for (int node : mesh.mesh.owned_nodes()) {
     if (!mesh.movable[node]) continue;
     double side = 1e300;
     for (int t : mesh.corners.at_node[node])
       for (int k : mesh.corners.simplices[t])
-        if (k != static_cast<int>(node)) side = std::min(side, distance(mesh.source[k], mesh.source[node]));
-    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_),
-                 direction = 2.4 * static_cast<double>(node);
-    const double up = mesh.corners.dimension() == 2 ? 0.0 : std::sin(1.1 * static_cast<double>(node)),
-                 across = std::sqrt(1 - up * up);
+        if (k != node) side = std::min(side, distance(mesh.source[k], mesh.source[node]));
+    const double id = static_cast<double>(mesh.mesh.node_id(node));
+    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_), direction = 2.4 * id;
+    const double up = mesh.corners.dimension() == 2 ? 0.0 : std::sin(1.1 * id), across = std::sqrt(1 - up * up);
     x[node][0] += swing * across * std::cos(direction);
     x[node][1] += swing * across * std::sin(direction);
     x[node][2] += swing * up;
   }
+  mesh.mesh.fill(x);
 }
 
 }  // namespace mudline

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "core/space_vector.hpp"
 
 namespace mudline {

@@ -43,7 +43,7 @@ const Corners& corners_of(CellShape shape) {
 
 }  // namespace
 
-CornerSimplices::CornerSimplices(const WholeMesh& mesh) : at_node(mesh.num_nodes()), nodes_(mesh.num_nodes()) {
+CornerSimplices::CornerSimplices(const GhostedMesh& mesh) : at_node(mesh.num_nodes()), nodes_(mesh.num_nodes()) {
   const Corners itself{{0, 1, 2, 3}};
   for (const auto& element : mesh.elements())
     for (const auto& local : is_simplex(element.shape) ? itself : corners_of(element.shape)) {
@@ -67,7 +67,7 @@ int CornerSimplices::tangent(int at, int other, int middle) {
 }
 
 /// In the plane: two triangles for each curved side, with the element's straight sides beside it.
-void CornerSimplices::add_curved_sides(const WholeMesh& mesh, const WholeMesh::Element& element) {
+void CornerSimplices::add_curved_sides(const GhostedMesh& mesh, const GhostedMesh::Element& element) {
   const int corners = num_corners(element.shape);
   for (int s = 0; s < corners; ++s) {
     const int a = element.nodes[s], b = element.nodes[(s + 1) % corners], middle = element.nodes[corners + s];
@@ -79,7 +79,7 @@ void CornerSimplices::add_curved_sides(const WholeMesh& mesh, const WholeMesh::E
 }
 
 /// In space: a tetrahedron for each corner where edges are curved, with the tangents of all of these.
-void CornerSimplices::add_curved_corners(const WholeMesh& mesh, const WholeMesh::Element& element) {
+void CornerSimplices::add_curved_corners(const GhostedMesh& mesh, const GhostedMesh::Element& element) {
   const int corners = num_corners(element.shape);
   for (const auto& local : corners_of(element.shape)) {
     Simplex simplex{{}, 4};
@@ -126,33 +126,43 @@ void SweepLimits::parameters(Parameters& p) {
 void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
   const auto& simplices = mesh.corners.simplices;
   std::vector<std::vector<int>> neighbours(mesh.movable.size());
-  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
-    if (!mesh.movable[node]) continue;
-    std::set<int> around;
-    for (int t : mesh.corners.at_node[node])
-      if (t < mesh.corners.of_elements) around.insert(simplices[t].begin(), simplices[t].end());
-    around.erase(static_cast<int>(node));
-    neighbours[node].assign(around.begin(), around.end());
-  }
-  for (int sweep = 0; sweep < limits_.sweeps; ++sweep) {
-    double largest = 0;
-    for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
-      if (neighbours[node].empty()) continue;
-      Point mean{};
-      double size = 0;
-      for (int other : neighbours[node])
-        for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
-      for (int other : neighbours[node]) size = std::max(size, distance(x[other], mean));
-      largest = std::max(largest, distance(mean, x[node]) / size);
-      x[node] = mean;
+  for (const auto& nodes : mesh.colours)
+    for (int node : nodes) {
+      std::set<int> around;
+      for (int t : mesh.corners.at_node[node])
+        if (t < mesh.corners.of_elements) around.insert(simplices[t].begin(), simplices[t].end());
+      around.erase(node);
+      neighbours[node].assign(around.begin(), around.end());
     }
-    if (largest < limits_.tolerance) break;
+  sweep_by_colours(mesh, limits_, x, [&](int node) {
+    Point mean{};
+    double size = 0;
+    for (int other : neighbours[node])
+      for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
+    for (int other : neighbours[node]) size = std::max(size, distance(x[other], mean));
+    const double way = distance(mean, x[node]) / size;
+    x[node] = mean;
+    return way;
+  });
+}
+
+void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
+                      const std::function<double(int node)>& place) {
+  const int colours = static_cast<int>(mesh.colours.size());
+  for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
+    double largest = 0;
+    for (int k = 0; k < colours; ++k) {
+      for (int node : mesh.colours[sweep % 2 == 0 ? k : colours - 1 - k]) largest = std::max(largest, place(node));
+      mesh.mesh.fill(x);
+    }
+    if (mesh.mesh.largest(largest) < limits.tolerance) break;
   }
 }
 
 void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
-  registry.add<WinslowMotion>("Winslow", "harmonic map back to the source's mesh, for the plane; never folds an element");
+  registry.add<WinslowMotion>("Winslow",
+                              "harmonic map back to the source's mesh, for the plane; never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
   registry.add<ArtificialMotion>("artificial",
                                  "elastic, and a swing of every vertex: shows what the remap does to a solution");

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "core/registry.hpp"
 
 namespace mudline {
@@ -25,7 +26,7 @@ struct Simplex {
 /// ends of these tangents are further positions behind those of the nodes.
 class CornerSimplices {
  public:
-  explicit CornerSimplices(const WholeMesh& mesh);
+  explicit CornerSimplices(const GhostedMesh& mesh);
   /// Sets the tangents' ends behind the nodes' positions; `curve` holds the nodes of the boundary, middle ones among
   /// them.
   void add_tangents(const Positions& curve, Positions& x) const;
@@ -40,8 +41,8 @@ class CornerSimplices {
   struct Tangent {
     int at, other, middle;
   };
-  void add_curved_sides(const WholeMesh& mesh, const WholeMesh::Element& element);
-  void add_curved_corners(const WholeMesh& mesh, const WholeMesh::Element& element);
+  void add_curved_sides(const GhostedMesh& mesh, const GhostedMesh::Element& element);
+  void add_curved_corners(const GhostedMesh& mesh, const GhostedMesh::Element& element);
   /// Adds the tangent at a node of the edge to another; the position of its end.
   int tangent(int at, int other, int middle);
 
@@ -57,18 +58,21 @@ double size(const Simplex& simplex, const Positions& x);
 
 /// What an interior motion may look at. Positions are those of nodes, then of tangents' ends.
 struct InteriorMesh {
+  const GhostedMesh& mesh;
   const CornerSimplices& corners;
-  const Positions& source;           // of the source's mesh
-  const Positions& before;           // before any node of this relocation moved
-  const std::vector<char>& movable;  // (node) vertices that are free to move
-  double time = 0;                   // [s] of the state that the mesh carries
+  const Positions& source;                       // of the source's mesh
+  const Positions& before;                       // before any node of this relocation moved
+  const std::vector<char>& movable;              // (node) vertices that are free to move
+  const std::vector<std::vector<int>>& colours;  // those of this rank: see vertex_colours()
+  double time = 0;                               // [s] of the state that the mesh carries
 };
 
 /// Places the vertices inside when those on paths have moved: type of the deck's "mesh motion".
 class InteriorMotion {
  public:
   virtual ~InteriorMotion() = default;
-  /// `x` holds the boundary's new positions and the interior's old ones, and no simplex of it is folded. Serial, pure.
+  /// `x` holds the boundary's new positions and the interior's old ones, and no simplex of it is folded. Collective;
+  /// the result does not depend on the number of ranks.
   virtual void move(const InteriorMesh& mesh, Positions& x) const = 0;
   /// Whether it is one for meshes in space too.
   virtual bool in_space() const { return true; }
@@ -80,6 +84,11 @@ struct SweepLimits {
   double tolerance = 1e-3;
   void parameters(Parameters& p);
 };
+
+/// Passes over the vertices that may move, colour after colour, to and fro. `place` gives a vertex of `x` its new place
+/// and returns how far that is, as a share of its elements' size. Collective.
+void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
+                      const std::function<double(int node)>& place);
 
 /// Vertex by vertex, lowers the sum of squared inverse mean ratios of the simplices around it (Knupp 2001; Freitag &
 /// Knupp 2002), mu = |T|^2 / (d det T^(2/d)) in d dimensions, T the map from the ideal simplex: 1 at best, infinite for

@@ -158,6 +158,11 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
       for (int c = 0; c < t.columns; ++c) table[found[k] * t.columns + c] = sums[k * t.columns + c] / planes_used[k];
       known[found[k]] = static_cast<char>(ring);
     }
+    // ghosts are at the edge of what is known here: their own ranks know better
+    t.mesh.fill_points(t.block.block, points, t.columns, table);
+    std::vector<double> rings_of(known.begin(), known.end());
+    t.mesh.fill_points(t.block.block, points, 1, rings_of);
+    known.assign(rings_of.begin(), rings_of.end());
   }
 }
 
@@ -231,7 +236,7 @@ LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t,
   remap_.transfer({t.mesh, t.block, t.patches, t.x_old, t.x_new, variables, t.columns, old, result.now});
   result.near.assign(was.size(), 1);
   const PointLocator locator(t.mesh, t.x_old);
-  for (int e : t.mesh.block_elements(t.block.block))
+  for (int e : t.mesh.own_elements(t.block.block))
     for (int q = 0; q < points; ++q) {
       const std::size_t row = t.mesh.first_row(e, points) + q;
       if (was[row] == material) continue;
@@ -263,7 +268,7 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
       result.ratios.before.push_back(version.void_ratio[row]);
       result.ratios.after.push_back(version.now[row * t.columns + table.void_ratio]);
     }
-  for (int e : t.mesh.block_elements(t.block.block))
+  for (int e : t.mesh.own_elements(t.block.block))
     for (int q = 0; q < points; ++q) {
       const int row = t.mesh.first_row(e, points) + q, material = result.is[row];
       const std::size_t first = static_cast<std::size_t>(row) * t.columns;

@@ -163,27 +163,21 @@ class SurfaceSplitter {
 
 }  // namespace
 
-std::vector<SurfaceFace> boundary_faces(const WholeMesh& mesh) {
-  std::map<std::pair<int, int>, std::set<std::string>> sets;
-  for (const auto& [name, sides] : mesh.side_sets())
-    for (const auto& side : sides) sets[{side.element, side.side}].insert(name);
-  const auto& elements = mesh.elements();
+std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh) {
   std::vector<SurfaceFace> faces;
-  for (int e = 0; e < static_cast<int>(elements.size()); ++e)
-    for (int s = 0; s < num_sides(elements[e].shape); ++s) {
-      if (!mesh.on_boundary(elements[e], s)) continue;
-      const int other = elements[e].neighbours[s];
-      if (other >= 0 && elements[other].block < elements[e].block) continue;
-      SurfaceFace face{side_shape(elements[e].shape), {}, sets[{e, s}]};
-      const std::vector<int> local = side_nodes(elements[e].shape, s);
-      for (std::size_t a = 0; a < local.size(); ++a) face.nodes[a] = elements[e].nodes[local[a]];
-      face.outer = other < 0;
-      face.block = elements[e].block;
-      face.other = other < 0 ? -1 : elements[other].block;
-      for (int t = 0; other >= 0 && t < num_sides(elements[other].shape); ++t)
-        if (elements[other].neighbours[t] == e) face.sets.insert(sets[{other, t}].begin(), sets[{other, t}].end());
-      faces.push_back(face);
-    }
+  std::map<std::set<int>, std::set<std::string>> other_sets;  // by nodes: those of the side across
+  for (const auto& side : mesh.boundary())
+    if (side.other >= 0 && side.other < side.block) other_sets[{side.nodes.begin(), side.nodes.end()}] = side.sets;
+  for (const auto& side : mesh.boundary()) {
+    if (side.other >= 0 && side.other < side.block) continue;
+    const std::map<std::size_t, CellShape> shapes{
+        {3, CellShape::tri3}, {4, CellShape::quad4}, {6, CellShape::tri6}, {9, CellShape::quad9}};
+    SurfaceFace face{shapes.at(side.nodes.size()), {}, side.sets, side.other < 0, side.block, side.other};
+    std::copy(side.nodes.begin(), side.nodes.end(), face.nodes.begin());
+    const std::set<std::string>& across = other_sets[{side.nodes.begin(), side.nodes.end()}];
+    face.sets.insert(across.begin(), across.end());
+    faces.push_back(face);
+  }
   return faces;
 }
 

@@ -37,7 +37,7 @@ struct MeshSurfaces {
 };
 
 /// The faces of the boundaries of all regions.
-std::vector<SurfaceFace> boundary_faces(const WholeMesh& mesh);
+std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh);
 
 /// Splits faces into patches. Two neighbours belong to different patches where more than two faces meet, where the side
 /// sets or the regions beside them change, and where their normals in the source's mesh differ by more than

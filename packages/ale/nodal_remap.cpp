@@ -49,11 +49,11 @@ void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Po
   }
 }
 
-NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
+NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
                        const Positions& x_new, const SurfaceMotion* surfaces)
     : mesh_(mesh), to_(mesh), places_(x_old.size()) {
   const PointLocator locator(mesh, x_old);
-  for (int node = 0; node < mesh.num_nodes(); ++node) {
+  for (int node : mesh.owned_nodes()) {
     if (x_new[node] == x_old[node]) {
       places_[node].same = node;
       continue;
@@ -65,7 +65,7 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
   for (const MeshPath& path : paths)
     for (int i = 1; i + 1 < static_cast<int>(path.nodes.size()); ++i) {
       Place& place = places_[path.nodes[i]];
-      if (place.same >= 0) continue;
+      if (place.same >= 0 || !mesh.owns(path.nodes[i])) continue;
       // a node slides less than one side
       const int first = std::max(0, (i / path.stride - 2) * path.stride),
                 last = static_cast<int>(path.nodes.size()) - 1;
@@ -74,7 +74,7 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
   if (!surfaces) return;
   for (int node : surfaces->nodes()) {
     Place& place = places_[node];
-    if (place.same >= 0) continue;
+    if (place.same >= 0 || !mesh.owns(node)) continue;
     const SurfacePlace there = surfaces->place(node, x_old, x_new[node]);
     const SurfaceFace& face = surfaces->surfaces().faces[there.face];
     place.side = face.shape;
@@ -83,15 +83,15 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
   }
 }
 
-NodalRemap::NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
-                       const WholeMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new)
+NodalRemap::NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
+                       const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new)
     : mesh_(from), to_(to), places_(x_new.size()) {
   const PointLocator locator(from, x_old);
   std::map<int, int> guess;  // by block: where the last node was found
   for (const auto& element : to.elements())
     for (int a = 0; a < num_nodes(element.shape); ++a) {
       Place& place = places_[element.nodes[a]];
-      if (place.element >= 0) continue;
+      if (place.element >= 0 || !to.owns(element.nodes[a])) continue;
       int& near = guess.emplace(element.block, from.block_elements(element.block).front()).first->second;
       const MeshPlace found = locator.find(x_new[element.nodes[a]], near);
       near = place.element = found.element;
@@ -105,6 +105,7 @@ void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, cons
   const int last = static_cast<int>(made.nodes.size()) - 1;
   for (int i = 0; i <= last; ++i) {
     Place& place = places_[made.nodes[i]];
+    if (!to_.owns(made.nodes[i])) continue;
     if (i == 0 || i == last) {
       place.same = i == 0 ? old.nodes.front() : old.nodes.back();
       continue;
@@ -119,7 +120,7 @@ std::vector<double> NodalRemap::apply(const std::vector<double>& old, int compon
                                       bool limited) const {
   std::vector<double> now(places_.size() * components, 0.0);
   double N[27], dN[81];
-  for (int node = 0; node < to_.num_nodes(); ++node) {
+  for (int node : to_.owned_nodes()) {
     const Place& place = places_[node];
     if (support == Support::vertices && !to_.is_vertex(node)) continue;
     if (place.same >= 0) {
@@ -151,6 +152,7 @@ std::vector<double> NodalRemap::apply(const std::vector<double>& old, int compon
       now[components * node + c] = limited ? std::clamp(sum, least, most) : sum;
     }
   }
+  to_.fill(now, components);
   return now;
 }
 

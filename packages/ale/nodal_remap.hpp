@@ -13,18 +13,20 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
 
 /// How the values at the nodes of the old mesh make those at the moved nodes: rows of a sparse interpolation, by the
 /// shape functions of the field in the old mesh. The values of nodes on paths and surfaces come from these alone, so
-/// that what is prescribed along them stays as it is; nodes that did not move keep theirs to the last bit.
+/// that what is prescribed along them stays as it is; nodes that did not move keep theirs to the last bit. Every rank makes
+/// its own nodes' values.
 class NodalRemap {
  public:
   /// `surfaces`: in space, of which the paths are the edges.
-  NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old, const Positions& x_new,
+  NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
+             const Positions& x_new,
              const SurfaceMotion* surfaces = nullptr);
-  /// Another mesh of the same regions, with the same paths in the same order.
-  NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
-             const WholeMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
+  /// Another mesh of the same regions, with the same paths in the same order. `from`: the whole mesh.
+  NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
+             const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
   /// `support`: which nodes carry the field; (node, component) in and out. `limited`: no value beyond those it is made
   /// of, for fields that jump from one node to the next, where quadratic shape functions overshoot remap by remap;
-  /// smooth fields lose their peaks by it.
+  /// smooth fields lose their peaks by it. Collective.
   std::vector<double> apply(const std::vector<double>& old, int components, Support support,
                             bool limited = false) const;
 
@@ -33,7 +35,7 @@ class NodalRemap {
     int same = -1;  // node of the old mesh that is at its place
     int element = -1;
     double xi[3] = {0, 0, 0};
-    CellShape side{};  // of the old boundary, for nodes on paths and surfaces
+    CellShape side{};              // of the old boundary, for nodes on paths and surfaces
     std::array<int, 9> side_nodes{-1};
     FacePlace along{};
   };
@@ -42,7 +44,7 @@ class NodalRemap {
                    Place& place) const;
   void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);
 
-  const WholeMesh &mesh_, &to_;
+  const GhostedMesh &mesh_, &to_;
   std::vector<Place> places_;
 };
 

@@ -129,7 +129,7 @@ struct PatchObjective {
   }
 };
 
-/// Newton's method for one vertex after the other, in alternating direction, until none moves much.
+/// Newton's method for one vertex after the other, until none moves much.
 template <int Dim>
 void descend(const InteriorMesh& mesh, const std::vector<Goal<Dim>>& goals, Measure measure, const SweepLimits& limits,
              Positions& x) {
@@ -144,37 +144,25 @@ void descend(const InteriorMesh& mesh, const std::vector<Goal<Dim>>& goals, Meas
     }
     return result;
   };
-  const int nodes = static_cast<int>(mesh.movable.size());
-  for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
-    double largest = 0;
-    for (int k = 0; k < nodes; ++k) {
-      const int node = sweep % 2 == 0 ? k : nodes - 1 - k;
-      if (!mesh.movable[node]) continue;
-      PatchObjective<Dim> now = objective(node);
-      double step[Dim];
-      if (!now.step(step)) continue;
-      const Point from = x[node];
-      double size = 0;
-      for (int t : mesh.corners.at_node[node]) size = std::max(size, std::abs(determinant(simplices[t], x)));
-      size = root<Dim>(size);
-      // rounding decides below this: leave the vertex where it is, so that a mesh at its optimum does not creep
-      if (length(step) < 1e-9 * size) continue;
-      double factor = 1;
-      for (int cut = 0;; ++cut, factor *= 0.5) {
-        if (cut == 12) {
-          x[node] = from;
-          break;
-        }
-        for (int i = 0; i < Dim; ++i) x[node][i] = from[i] + factor * step[i];
-        const PatchObjective<Dim> then = objective(node);
-        if (then.valid && then.value <= now.value) {
-          largest = std::max(largest, factor * length(step) / size);
-          break;
-        }
-      }
+  sweep_by_colours(mesh, limits, x, [&](int node) {
+    PatchObjective<Dim> now = objective(node);
+    double step[Dim];
+    if (!now.step(step)) return 0.0;
+    const Point from = x[node];
+    double size = 0;
+    for (int t : mesh.corners.at_node[node]) size = std::max(size, std::abs(determinant(simplices[t], x)));
+    size = root<Dim>(size);
+    // rounding decides below this: leave the vertex where it is, so that a mesh at its optimum does not creep
+    if (length(step) < 1e-9 * size) return 0.0;
+    double factor = 1;
+    for (int cut = 0; cut < 12; ++cut, factor *= 0.5) {
+      for (int i = 0; i < Dim; ++i) x[node][i] = from[i] + factor * step[i];
+      const PatchObjective<Dim> then = objective(node);
+      if (then.valid && then.value <= now.value) return factor * length(step) / size;
     }
-    if (largest < limits.tolerance) break;
-  }
+    x[node] = from;
+    return 0.0;
+  });
 }
 
 template <int Dim>

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 
 namespace mudline {
 

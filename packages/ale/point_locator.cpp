@@ -61,7 +61,7 @@ class SeenLine {
 /// A side of an element as seen from a point: the line itself in the plane, a face with its edges in space.
 class SeenSide {
  public:
-  SeenSide(const WholeMesh::Element& element, int side, const Positions& x, const Point& point)
+  SeenSide(const GhostedMesh::Element& element, int side, const Positions& x, const Point& point)
       : shape_(side_shape(element.shape)) {
     for (int a : side_nodes(element.shape, side)) off_.push_back(minus(x[element.nodes[a]], point));
   }
@@ -94,7 +94,7 @@ class SeenSide {
     place = at;
     return true;
   }
-  /// Inside of the face: Gauss and Newton's method from the middle and from its corners' sides of it.
+  /// Inside of the face, by Gauss and Newton's method from its middle and from halfway to each corner.
   bool inside(double& least, std::array<double, 2>& place) const {
     bool found = false;
     const auto centre = cell_centre(shape_);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 
 namespace mudline {
 
@@ -15,7 +15,7 @@ struct MeshPlace {
 /// the boundary element next to it with reference coordinates outside the cell.
 class PointLocator {
  public:
-  PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
+  PointLocator(const GhostedMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
   MeshPlace find(const Point& point, int guess) const;
   /// The nearest point of the mesh's outer boundary, for points outside.
   MeshPlace nearest_on_boundary(const Point& point) const;
@@ -23,7 +23,7 @@ class PointLocator {
   bool invert(int element, const Point& point, double xi[3]) const;
 
  private:
-  const WholeMesh& mesh_;
+  const GhostedMesh& mesh_;
   const Positions& x_;
 };
 

@@ -44,7 +44,7 @@ struct Polynomial {
 
 }  // namespace
 
-Point Recovery::position(const WholeMesh::Element& element, const SoilBlock& block, int point, const Positions& x) {
+Point Recovery::position(const GhostedMesh::Element& element, const SoilBlock& block, int point, const Positions& x) {
   Point result{};
   const int dim = dimension(block.shape);
   for (int a = 0; a < block.u.nodes; ++a)
@@ -52,16 +52,32 @@ Point Recovery::position(const WholeMesh::Element& element, const SoilBlock& blo
   return result;
 }
 
-RecoveryPatches::RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {
+RecoveryPatches::RecoveryPatches(const GhostedMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {
   std::map<int, std::set<int>> around;  // elements at a vertex
+  const int nodes = num_nodes(block.shape);
+  std::vector<char> needed(mesh.num_nodes(), 0);
+  const auto need = [&](const GhostedMesh::Element& element) {
+    for (int a = 0; a < num_corners(block.shape); ++a) needed[element.nodes[a]] = 1;
+  };
+  for (int e : mesh.own_elements(block.block)) need(mesh.elements()[e]);
+  for (int e : mesh.block_elements(block.block)) {
+    const auto& element = mesh.elements()[e];
+    if (std::any_of(element.nodes.begin(), element.nodes.begin() + nodes, [&](int node) { return mesh.owns(node); }))
+      need(element);
+  }
   for (int e : mesh.block_elements(block.block))
-    for (int a = 0; a < num_corners(block.shape); ++a) around[mesh.elements()[e].nodes[a]].insert(e);
+    for (int a = 0; a < num_corners(block.shape); ++a)
+      if (needed[mesh.elements()[e].nodes[a]]) around[mesh.elements()[e].nodes[a]].insert(e);
   for (auto& [node, elements] : around) {
+    cut_ = cut_ || !mesh.is_complete(node);
     while (elements.size() * block.points < enough_points(mesh.dimension())) {
       std::set<int> wider = elements;
       for (int e : elements)
-        for (int other : mesh.elements()[e].neighbours)
+        for (int s = 0; s < num_sides(block.shape); ++s) {
+          const int other = mesh.elements()[e].neighbours[s];
+          cut_ = cut_ || other == GhostedMesh::unknown;
           if (other >= 0 && mesh.elements()[other].block == block.block) wider.insert(other);
+        }
       if (wider.size() == elements.size()) break;
       elements.swap(wider);
     }
@@ -70,7 +86,7 @@ RecoveryPatches::RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block) 
   }
 }
 
-Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
+Recovery::Recovery(const GhostedMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
                    const std::vector<double>& table, int columns)
     : mesh_(mesh),
       block_(block),
@@ -113,11 +129,17 @@ void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
       const auto& n = mesh_.elements()[e].nodes;
       for (int c = 0; c < columns_; ++c) {
         double sum = 0;
-        for (int b : around) sum += polynomials[patches.at(n[b])].at(x[n[a]], c);
-        nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / static_cast<double>(around.size());
+        int share = 0;
+        for (int b : around) {
+          if (patches.at(n[b]) < 0) continue;  // another rank's node
+          sum += polynomials[patches.at(n[b])].at(x[n[a]], c);
+          ++share;
+        }
+        if (share > 0) nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / share;
       }
     }
   }
+  mesh_.fill(nodal_, columns_);
 }
 
 std::vector<double> Recovery::bounded_nodes() const {
@@ -144,6 +166,7 @@ std::vector<double> Recovery::bounded_nodes() const {
       const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
       if (low[i] <= high[i]) bounded[i] = std::clamp(nodal_[i], low[i], high[i]);
     }
+  mesh_.fill(bounded, columns_);
   return bounded;
 }
 
@@ -163,7 +186,7 @@ void Recovery::find_ranges() {
   }
 }
 
-void Recovery::interpolate(const WholeMesh::Element& element, const double* N, int nodes, double* values) const {
+void Recovery::interpolate(const GhostedMesh::Element& element, const double* N, int nodes, double* values) const {
   std::fill_n(values, columns_, 0.0);
   for (int a = 0; a < nodes; ++a)
     for (int c = 0; c < columns_; ++c)
@@ -192,8 +215,8 @@ std::vector<double> recovered_on(const BlockPoints& to, const BlockPoints& from,
       low.push_back(variable.low);
       high.push_back(variable.high);
     }
-  const auto& elements = to.mesh.block_elements(to.block.block);
-  std::vector<double> now(elements.size() * to.block.points * columns);
+  const auto& elements = to.mesh.own_elements(to.block.block);
+  std::vector<double> now(to.mesh.block_elements(to.block.block).size() * to.block.points * columns);
   int guess = from.mesh.block_elements(from.block.block).front();
   for (int e : elements)
     for (int q = 0; q < to.block.points; ++q) {

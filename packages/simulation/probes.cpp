@@ -37,7 +37,7 @@ Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings) :
     else
       moving_.push_back(probe);
   }
-  if (!moving_.empty()) mesh_ = std::make_unique<WholeMesh>(model.mesh());
+  if (!moving_.empty()) mesh_ = std::make_unique<GhostedMesh>(model.mesh());
 }
 
 Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "core/deck.hpp"
 #include "physics/soil.hpp"
 
@@ -27,7 +27,8 @@ inline void drop_unused_nodes(GlobalMesh& mesh) {
 }
 
 /// A box of n by n cells, or of triangles that halve them, with inner vertices scattered.
-inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2, double width = 1.0) {
+inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2, double width = 1.0,
+                                 Teuchos::RCP<const Teuchos::Comm<int>> comm = Tpetra::getDefaultComm()) {
   GlobalMesh global;
   const int columns = 2 * n + 1;
   for (int j = 0; j < columns; ++j)
@@ -75,7 +76,7 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
       }
   global.blocks.push_back(block);
   drop_unused_nodes(global);
-  return std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::plane_strain, std::move(global));
+  return std::make_unique<Mesh>(std::move(comm), Geometry::plane_strain, std::move(global));
 }
 
 /// A unit cube of n by n by n cells, or of the six tetrahedra of each, with inner vertices scattered.

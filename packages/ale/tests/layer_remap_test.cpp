@@ -89,7 +89,7 @@ struct Layers {
   int up;
   std::unique_ptr<Mesh> mesh;
   Space space;
-  WholeMesh whole;
+  GhostedMesh whole;
   SoilBlock block;
   RecoveryPatches patches;
   Positions start;

@@ -4,6 +4,7 @@
 #include "ale/mesh_paths.hpp"
 #include "ale/path_curve.hpp"
 #include "ale/quality.hpp"
+#include "ale/vertex_colours.hpp"
 #include "ale_mesh.hpp"
 
 namespace mudline {
@@ -46,7 +47,7 @@ TEST(CurveMeasure, PlaceInvertsAt) {
 
 TEST(MeshPaths, ABodyUnderTheBoundaryMakesNoCorner) {
   const auto mesh = box(CellShape::tri6, 4);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   Positions x = whole.gather(mesh->coordinates());
   double top = -1e300;
   for (const auto& place : x) top = std::max(top, place[1]);
@@ -67,7 +68,7 @@ TEST(MeshPaths, ABodyUnderTheBoundaryMakesNoCorner) {
 
 TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
   const auto mesh = box(CellShape::tri6, 4);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   const Positions x = whole.gather(mesh->coordinates());
   const auto paths = find_paths(whole, x, {}, 0.5);
   ASSERT_EQ(paths.size(), 4u);
@@ -85,10 +86,10 @@ TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
 
 TEST(Quality, IsOneForTheIdealShapes) {
   const auto squares = box(CellShape::quad9, 3, 0.0);
-  const WholeMesh whole(*squares);
+  const GhostedMesh whole(*squares);
   EXPECT_NEAR(lowest_quality(whole, whole.gather(squares->coordinates())), 1.0, 1e-14);
   const auto halves = box(CellShape::tri6, 3, 0.0);
-  const WholeMesh triangles(*halves);
+  const GhostedMesh triangles(*halves);
   // at the sharp corners of a halved square: sin 45 deg / sin 60 deg
   EXPECT_NEAR(lowest_quality(triangles, triangles.gather(halves->coordinates())), std::sqrt(0.5) / std::sqrt(0.75),
               1e-14);
@@ -107,6 +108,7 @@ struct PushedBox {
     for (int node = 0; node < whole.num_nodes(); ++node) movable[node] = whole.is_vertex(node);
     for (const MeshPath& path : paths)
       for (int node : path.nodes) movable[node] = 0;
+    colours = vertex_colours(whole, movable);
     pushed = source;
     for (const MeshPath& path : paths)
       for (int node : path.nodes)  // no more than the first row of elements survives
@@ -119,11 +121,13 @@ struct PushedBox {
     return lowest;
   }
   std::unique_ptr<Mesh> mesh;
-  WholeMesh whole;
+  GhostedMesh whole;
   Positions source, pushed;
   std::vector<MeshPath> paths;
   CornerSimplices corners;
+  InteriorMesh interior() const { return {whole, corners, source, source, movable, colours}; }
   std::vector<char> movable;
+  std::vector<std::vector<int>> colours;
 };
 
 TEST(InteriorMotion, UnfoldedAndBetterAfterThePush) {
@@ -137,7 +141,7 @@ TEST(InteriorMotion, UnfoldedAndBetterAfterThePush) {
       if (type == 2) motion = std::make_unique<LaplaceMotion>();
       if (type == 3) motion = std::make_unique<WinslowMotion>();
       Positions x = box.pushed;
-      motion->move({box.corners, box.source, box.source, box.movable}, x);
+      motion->move(box.interior(), x);
       EXPECT_GT(box.worst(x), 2 * box.worst(box.pushed)) << type;
       for (int node = 0; node < box.whole.num_nodes(); ++node)
         if (!box.movable[node]) {
@@ -150,9 +154,9 @@ TEST(InteriorMotion, UnfoldedAndBetterAfterThePush) {
 TEST(InteriorMotion, AMeshAtRestStays) {
   const PushedBox box(CellShape::tri6);
   Positions x = box.source;
-  OptimisationMotion().move({box.corners, box.source, box.source, box.movable}, x);
+  OptimisationMotion().move(box.interior(), x);
   for (int node = 0; node < box.whole.num_nodes(); ++node) EXPECT_EQ(x[node], box.source[node]);
-  ElasticMotion().move({box.corners, box.source, box.source, box.movable}, x);
+  ElasticMotion().move(box.interior(), x);
   for (int node = 0; node < box.whole.num_nodes(); ++node) EXPECT_EQ(x[node], box.source[node]);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using testing::box;
 
-Point position(const WholeMesh& mesh, const Positions& x, const MeshPlace& at) {
+Point position(const GhostedMesh& mesh, const Positions& x, const MeshPlace& at) {
   const auto& element = mesh.elements()[at.element];
   double N[27], dN[81];
   evaluate_shape(element.shape, at.xi, N, dN);
@@ -26,7 +26,7 @@ class EveryCell : public ::testing::TestWithParam<CellShape> {
     for (auto& p : x) p[1] += size * std::sin(wave * p[0]) * p[1];
   }
   std::unique_ptr<Mesh> mesh = box(GetParam(), 4);
-  WholeMesh whole{*mesh};
+  GhostedMesh whole{*mesh};
   Positions x = whole.gather(mesh->coordinates());
   PointLocator locator{whole, x};
 };

@@ -45,7 +45,7 @@ struct Points {
     remap.transfer({whole, block, patches, from, to, variables, 1, old, now});
     return now;
   }
-  WholeMesh whole;
+  GhostedMesh whole;
   SoilBlock block;
   RecoveryPatches patches;
   Positions start;
@@ -231,7 +231,7 @@ TEST(Conservation, TheFreeBoundaryKnowsWhatVolumeItMoves) {
 
 TEST(NodalRemap, QuadraticFieldsSurviveOnStraightElementsAndTheBoundaryKeepsItsOwn) {
   const auto mesh = box(CellShape::tri6, 6);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   const Positions x = whole.gather(mesh->coordinates());
   const auto paths = find_paths(whole, x, {}, 0.5);
   Positions to = swirled(x, 0.03, 1.0);
@@ -251,7 +251,7 @@ TEST(NodalRemap, QuadraticFieldsSurviveOnStraightElementsAndTheBoundaryKeepsItsO
 
 TEST(NodalRemap, AFieldThatJumpsKeepsItsRangeWhenLimited) {
   const auto mesh = box(CellShape::tri6, 6);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   const Positions x = whole.gather(mesh->coordinates());
   const NodalRemap remap(whole, {}, x, swirled(x, 0.03, 1.0));
   std::vector<double> step, linear, there;
