@@ -13,14 +13,13 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
 
 /// How the values at the nodes of the old mesh make those at the moved nodes: rows of a sparse interpolation, by the
 /// shape functions of the field in the old mesh. The values of nodes on paths and surfaces come from these alone, so
-/// that what is prescribed along them stays as it is; nodes that did not move keep theirs to the last bit. Every rank makes
-/// its own nodes' values.
+/// that what is prescribed along them stays as it is; nodes that did not move keep theirs to the last bit. Every rank
+/// makes its own nodes' values.
 class NodalRemap {
  public:
   /// `surfaces`: in space, of which the paths are the edges.
   NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
-             const Positions& x_new,
-             const SurfaceMotion* surfaces = nullptr);
+             const Positions& x_new, const SurfaceMotion* surfaces = nullptr);
   /// Another mesh of the same regions, with the same paths in the same order. `from`: the whole mesh.
   NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
              const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
@@ -35,7 +34,7 @@ class NodalRemap {
     int same = -1;  // node of the old mesh that is at its place
     int element = -1;
     double xi[3] = {0, 0, 0};
-    CellShape side{};              // of the old boundary, for nodes on paths and surfaces
+    CellShape side{};  // of the old boundary, for nodes on paths and surfaces
     std::array<int, 9> side_nodes{-1};
     FacePlace along{};
   };
