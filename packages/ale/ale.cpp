@@ -38,7 +38,7 @@ void AleParameters::parameters(Parameters& p) {
         "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the "
         "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
-  p.section("boundary", boundary, "how boundary nodes slide in the plane; in space they stay material points");
+  p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
   p.section("remeshing", renewal, "when and how the region, of triangles, is meshed anew; absent: it is not");
 }
@@ -316,7 +316,7 @@ void Ale::carry_points(const StateStore& store, const Positions& x_old, const Po
 }
 
 void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
-  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new);
+  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new, &deck_.boundary.surfaces());
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     for (const NodalView& values : {to.value, to.rate, to.acceleration}) {

@@ -7,6 +7,7 @@
 #include "ale/nodal_remap.hpp"
 #include "ale/quality.hpp"
 #include "ale/remap.hpp"
+#include "ale/surface_motion.hpp"
 #include "ale/vertex_colours.hpp"
 #include "ale_mesh.hpp"
 
@@ -293,6 +294,59 @@ TEST_P(EveryCellOfSpace, RowsAreContinuedLinearly) {
       EXPECT_NEAR(table[row], exact[row], 1e-11) << int(known[row]);
     }
   EXPECT_GT(continued, static_cast<int>(table.size()) / 4);
+}
+
+/// Boundary vertices slid back along plane faces, and what their nodes carry.
+TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTheFaces) {
+  const MeshSurfaces surfaces = split_surfaces(boundary_faces(whole), start, {}, 0.5, [](int) { return false; });
+  ASSERT_EQ(surfaces.patches.size(), 6u);
+  ASSERT_EQ(surfaces.curves.size(), 12u);
+  for (int node = 0; node < whole.num_nodes(); ++node) {
+    const Point& at = start[node];
+    int sides = 0;
+    for (int d = 0; d < 3; ++d) sides += at[d] == 0 || at[d] == 1;
+    EXPECT_EQ(surfaces.patch_of[node] >= 0, sides == 1);
+  }
+  const SurfaceMotion motion(surfaces, start, std::vector<char>(6, 1), 0.4);
+  // vertices inside the faces are off along them; middles, and nodes inside, follow
+  Positions x_old = start;
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    for (int d = 0; whole.is_vertex(node) && surfaces.patch_of[node] >= 0 && d < 3; ++d)
+      if (start[node][d] != 0 && start[node][d] != 1) x_old[node][d] += 0.05 * std::sin(1.7 * node + d);
+  for (const auto& element : whole.elements())
+    for (int a = num_corners(element.shape); a < num_nodes(element.shape); ++a) {
+      const std::vector<int> around = corners_around(element.shape, a);
+      Point mean{};
+      for (int c : around)
+        for (int d = 0; d < 3; ++d) mean[d] += x_old[element.nodes[c]][d] / around.size();
+      x_old[element.nodes[a]] = mean;
+    }
+  Positions x = x_old;
+  motion.move(
+      x_old, [](const Point&) { return std::optional<NearBody>(); }, x);
+  double moved = 0;
+  for (int node = 0; node < whole.num_nodes(); ++node) {
+    moved = std::max(moved, distance(x[node], x_old[node]));
+    if (!whole.on_boundary(node)) {
+      EXPECT_EQ(x[node], x_old[node]);
+    }
+    for (int d = 0; d < 3; ++d)
+      if (start[node][d] == 0 || start[node][d] == 1) {
+        EXPECT_EQ(x[node][d], start[node][d]);
+      }
+  }
+  EXPECT_GT(moved, 0.01);
+  const NodalRemap remap(whole, surfaces.curves, x_old, x, &motion);
+  EXPECT_LT(worst(remap.apply(at_nodes(linear, x_old), 1, Support::all_nodes), at_nodes(linear, x)), 1e-12);
+  // what is prescribed on a face stays as it is: the values inside do not come in
+  std::vector<double> held = at_nodes([](const Point&) { return 100.0; }, x);
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    if (whole.on_boundary(node)) held[node] = 7;
+  const std::vector<double> now = remap.apply(held, 1, Support::all_nodes);
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    if (whole.on_boundary(node)) {
+      EXPECT_NEAR(now[node], 7, 1e-13);
+    }
 }
 
 }  // namespace
