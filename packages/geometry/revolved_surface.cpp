@@ -63,7 +63,8 @@ SurfaceFoot RevolvedSurface::closest(const Point& x) const {
 }
 
 SurfaceTriangles RevolvedSurface::triangles(double chord_error) const {
-  const std::vector<PlanePoint> line = contour_.sample(0.5 * chord_error);
+  std::vector<PlanePoint> line = contour_.sample(0.5 * chord_error);
+  if (!closed()) line.push_back({0, line.back()[1]});  // what goes on for ever is cut off there
   double radius = 0;
   for (const PlanePoint& x : line) radius = std::max(radius, x[0]);
   // a chord over the angle 2 a deviates by radius (1 - cos a)

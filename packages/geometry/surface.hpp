@@ -28,7 +28,7 @@ class Surface {
   /// A box that holds the body; infinite where the body goes on for ever.
   const Bounds& bounds() const { return bounds_; }
   /// Triangles for output, within `chord_error` [m] of the surface; of a body that goes on for ever as far as it is
-  /// drawn.
+  /// drawn, and closed there.
   virtual SurfaceTriangles triangles(double chord_error) const = 0;
   /// Of what the surface encloses; all 0 of a body that goes on for ever.
   virtual SolidMoments moments() const = 0;

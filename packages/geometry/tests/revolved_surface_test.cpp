@@ -144,7 +144,9 @@ TEST(RevolvedSurface, CylinderIsExactAndGoesOn) {
   EXPECT_NEAR(pile->bounds().high[0], 0.5, 0.002);
   EXPECT_NEAR(pile->bounds().low[2], 0, 0.002);
   EXPECT_EQ(pile->moments().volume, 0);
-  EXPECT_GT(pile->triangles(0.01).facets.size(), 20u);
+  const SurfaceTriangles drawn = pile->triangles(0.01);
+  EXPECT_GT(drawn.facets.size(), 20u);
+  EXPECT_NO_THROW(closed_edges(drawn));  // with a lid where it is cut off
 }
 
 TEST(RevolvedSurface, DerivativesOfTheTorpedo) {
