@@ -15,6 +15,7 @@ namespace mudline {
 namespace {
 
 using testing::cube;
+using testing::grains;
 using testing::points_of;
 
 double linear(const Point& x) { return 3 - 2 * x[0] + 5 * x[1] + 0.7 * x[2]; }
@@ -218,7 +219,7 @@ TEST_P(EveryCellOfSpace, LinearFieldsSurviveArbitraryMotion) {
   const Positions from = swirled(start, 0.05, 0.3), to = swirled(start, 0.07, 2.0);
   const std::vector<double> old = at_points(linear, from), exact = at_points(linear, to);
   std::vector<double> now = old;
-  ConvectionRemap().transfer({whole, block, patches, from, to, variables, 1, old, now});
+  ConvectionRemap().transfer({{whole, block, from}, {whole, block, to}, patches, variables, 1, old, now});
   EXPECT_GT(worst(old, exact), 0.05);
   EXPECT_LT(worst(now, exact), 1e-12);
 }
@@ -247,19 +248,19 @@ TEST_P(EveryCellOfSpace, TheGrainsComeBackToTheLastDigits) {
   const auto ratio = [](const Point& x) { return 0.8 + 0.3 * std::sin(3 * x[0]) * std::cos(2 * x[1] + x[2]); };
   const std::vector<double> old = at_points(ratio, start);
   std::vector<double> now = old;
-  const PointTransfer transfer{whole, block, patches, start, to, variables, 1, old, now};
+  block.made_of = {0};
+  const PointTransfer transfer{{whole, block, start}, {whole, block, to}, patches, variables, 1, old, now};
   ConvectionRemap().transfer(transfer);
   Soil soil;
   soil.geometry = Geometry::space;
-  block.made_of = {0};
   soil.blocks = {block};
   EXPECT_NEAR(soil_volume(whole, soil, start), 1, 1e-13);
-  const double mass = grains(whole, block, start, soil.geometry, old, 1, 0),
-               carried = grains(whole, block, to, soil.geometry, now, 1, 0);
+  const double mass = grains(whole, block, start, soil.geometry, old),
+               carried = grains(whole, block, to, soil.geometry, now);
   const std::vector<Grains> restored = restore_grains(transfer, soil, 0, -1);
   EXPECT_GT(std::abs(carried / mass - 1), 1e-7);  // the transfer alone does not conserve
   EXPECT_NEAR(restored[0].lost(), 1 - carried / mass, 1e-13);
-  EXPECT_NEAR(grains(whole, block, to, soil.geometry, now, 1, 0) / mass, 1, 1e-13);
+  EXPECT_NEAR(grains(whole, block, to, soil.geometry, now) / mass, 1, 1e-13);
 }
 
 TEST_P(EveryCellOfSpace, NodalFieldsOfTheElementsOrderSurvive) {
@@ -285,7 +286,7 @@ TEST_P(EveryCellOfSpace, RowsAreContinuedLinearly) {
   for (std::size_t row = 0; row < table.size(); ++row)
     if (!known[row]) table[row] = 1e30;
   std::vector<double> now = table;
-  continue_rows({whole, block, patches, start, start, variables, 1, table, now}, table, known);
+  continue_rows({{whole, block, start}, {whole, block, start}, patches, variables, 1, table, now}, table, known);
   int continued = 0;
   for (std::size_t row = 0; row < table.size(); ++row)
     if (known[row] > 1) {
