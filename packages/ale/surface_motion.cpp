@@ -10,15 +10,18 @@ namespace mudline {
 
 SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides,
                              double largest_slide)
-    : surfaces_(std::move(surfaces)), slides_(std::move(slides)), largest_slide_(largest_slide) {
+    : surfaces_(std::move(surfaces)),
+      slides_(std::move(slides)),
+      largest_slide_(largest_slide),
+      nodes_(static_cast<int>(source.size())) {
   at_.resize(source.size());
   near_.resize(source.size());
   collect(source);
 }
 
-void SurfaceMotion::collect(const Positions& source) {
+void SurfaceMotion::collect(Positions source) {
   patches_.resize(surfaces_.patches.size());
-  std::vector<std::vector<int>> touching(source.size());  // faces by node
+  std::vector<std::vector<int>> touching(nodes_);  // faces by node
   for (std::size_t p = 0; p < patches_.size(); ++p) {
     if (!slides_[p]) continue;
     patches_[p].faces = surfaces_.patches[p].faces;
@@ -73,10 +76,31 @@ std::vector<int> SurfaceMotion::faces_near(int node, const std::vector<std::vect
   return {near.begin(), near.end()};
 }
 
-void SurfaceMotion::add_corners(const SurfaceFace& face, const Positions& source) {
+void SurfaceMotion::add_corners(const SurfaceFace& face, Positions& source) {
   const int corners = num_corners(face.shape);
-  for (int i = 0; i < (corners == 3 ? 1 : 4); ++i)
-    add_corner({face.nodes[i], face.nodes[(i + 1) % corners], face.nodes[(i + corners - 1) % corners]}, source);
+  const auto corner = [&](int i) { return face.nodes[(i + corners) % corners]; };
+  for (int i = 0; i < (corners == 3 ? 1 : 4); ++i) add_corner({corner(i), corner(i + 1), corner(i - 1)}, source);
+  for (int i = 0; order(face.shape) == 2 && i < corners; ++i) {
+    const int a = corner(i), b = corner(i + 1), middle = face.nodes[corners + i];
+    if (surfaces_.patch_of[middle] >= 0) continue;
+    const int end = static_cast<int>(source.size());
+    for (const Tangent& tangent : {Tangent{a, b, middle}, Tangent{b, a, middle}}) {
+      tangents_.push_back(tangent);
+      source.push_back(tangent_end(tangent, source));
+    }
+    add_corner({a, end, corner(i - 1)}, source);
+    add_corner({end + 1, b, corner(i + 2)}, source);
+  }
+}
+
+Point SurfaceMotion::tangent_end(const Tangent& tangent, const Positions& x) const {
+  // derivative of the quadratic edge at its end, over a reference length of 1
+  return plus(plus(scaled(4, x[tangent.middle]), -2, x[tangent.at]), -1, x[tangent.other]);
+}
+
+void SurfaceMotion::add_tangents(Positions& x) const {
+  x.resize(nodes_ + tangents_.size());
+  for (std::size_t i = 0; i < tangents_.size(); ++i) x[nodes_ + i] = tangent_end(tangents_[i], x);
 }
 
 void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions& source) {
@@ -90,7 +114,8 @@ void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions&
     corner.w[2][k] = inverse[1][k];
     corner.w[0][k] = -inverse[0][k] - inverse[1][k];
   }
-  for (int node : nodes) at_[node].push_back(static_cast<int>(corners_.size()));
+  for (int node : nodes)
+    if (node < nodes_) at_[node].push_back(static_cast<int>(corners_.size()));
   corners_.push_back(corner);
 }
 
@@ -194,7 +219,7 @@ double SurfaceMotion::shortest_edge(int node, const Positions& x) const {
   double shortest = 1e300;
   for (int c : at_[node])
     for (int other : corners_[c].nodes)
-      if (other != node) shortest = std::min(shortest, length(minus(x[other], x[node])));
+      if (other != node && other < nodes_) shortest = std::min(shortest, length(minus(x[other], x[node])));
   return shortest;
 }
 

@@ -24,10 +24,10 @@ using BodySearch = std::function<std::optional<NearBody>(const Point&)>;
 
 /// Slides the nodes inside the surface patches of a mesh in space along the deformed surface, which is that of the
 /// faces, curved as they are. Vertex by vertex, in its tangent plane, lowers the sum of squared inverse mean ratios of
-/// the triangles that the corners of the faces span, mu = |T|^2 / (2 |t_1 x t_2|), T = (t_1, t_2) the map from the
-/// triangle of the source's mesh (see OptimisationMotion), and puts it back on the surface. Sizes are free, and a
-/// surface that was only moved or turned stays to the last bit. Middles of edges go to the nearest place of the surface
-/// to the middle of their ends.
+/// the triangles that the corners of the faces span, also with the tangents of curved edges between patches, mu = |T|^2
+/// / (2 |t_1 x t_2|), T = (t_1, t_2) the map from the triangle of the source's mesh (see OptimisationMotion), and puts
+/// it back on the surface. Sizes are free, and a surface that was only moved or turned stays to the last bit. Middles
+/// of edges go to the nearest place of the surface to the middle of their ends.
 ///
 /// A plane patch stays plane, to the last bit where the plane is normal to an axis. On other patches a node that is
 /// nearer to a body than a quarter of an edge keeps the gap that was at its new place, so that contact pressures are
@@ -54,6 +54,10 @@ class SurfaceMotion {
   std::vector<int> nodes() const;
 
  private:
+  /// An end of a curved edge between patches: its tangent there ends at a further position behind those of the nodes.
+  struct Tangent {
+    int at, other, middle;
+  };
   /// What a corner of a face strives for: T = sum over its three nodes v of x_v w_v^T.
   struct Corner {
     std::array<int, 3> nodes;
@@ -80,8 +84,11 @@ class SurfaceMotion {
   };
   class Step;  // one relocation
 
-  void collect(const Positions& source);
-  void add_corners(const SurfaceFace& face, const Positions& source);
+  void collect(Positions source);
+  /// Of the source's mesh, to which ends of tangents are added.
+  void add_corners(const SurfaceFace& face, Positions& source);
+  Point tangent_end(const Tangent& tangent, const Positions& x) const;
+  void add_tangents(Positions& x) const;
   void add_corner(const std::array<int, 3>& nodes, const Positions& source);
   /// Node a of a face is inside the patch.
   void add_node(const SurfaceFace& face, int a, Patch& patch);
@@ -100,7 +107,9 @@ class SurfaceMotion {
   MeshSurfaces surfaces_;
   std::vector<char> slides_;  // (patch)
   double largest_slide_ = 0.4;
-  std::vector<Patch> patches_;          // those that slide
+  std::vector<Patch> patches_;  // those that slide
+  int nodes_ = 0;
+  std::vector<Tangent> tangents_;
   std::vector<Corner> corners_;         // of their faces
   std::vector<std::vector<int>> at_;    // (node) corners that touch it
   std::vector<std::vector<int>> near_;  // (node) faces that share a node with the faces around it

@@ -64,8 +64,9 @@ struct RingObjective {
 /// One relocation: the old surface, and where its nodes are by now.
 class SurfaceMotion::Step {
  public:
+  /// Positions with the ends of tangents.
   Step(const SurfaceMotion& surface, const Positions& x_old, Positions& x)
-      : surface_(surface), x_old_(x_old), x_(x), on_(x.size()) {
+      : surface_(surface), x_old_(x_old), x_(x), on_(surface.nodes_) {
     for (const Patch& patch : surface.patches_) planes_.push_back(surface.plane_of(patch, x_old));
     for (const Corner& corner : surface.corners_) normals_.push_back(area_vector(corner.nodes, x_old));
   }
@@ -242,14 +243,17 @@ class SurfaceMotion::Step {
 
 void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positions& x) const {
   const Positions wanted = x;
-  x = x_old;
-  Step step(*this, x_old, x);
+  Positions with_tangents = x_old;
+  add_tangents(with_tangents);
+  x = with_tangents;
+  Step step(*this, with_tangents, x);
   for (double done = 0, part = 1; done < 1 && part >= 1.0 / 64;) {
     const double share = done + part;
     const Positions before = x;
     for (const MeshPath& curve : surfaces_.curves)
       for (int node : curve.nodes)
         x[node] = share < 1 ? plus(x_old[node], share, minus(wanted[node], x_old[node])) : wanted[node];
+    add_tangents(x);
     if (step.folded()) {
       x = before;
       part *= 0.5;
@@ -260,6 +264,7 @@ void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positio
   }
   step.place_middles();
   step.keep_gaps(body);
+  x.resize(nodes_);
 }
 
 }  // namespace mudline
