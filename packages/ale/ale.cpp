@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "ale/conservation.hpp"
 #include "ale/quality.hpp"
 #include "core/guarded.hpp"
+#include "discretisation/agree.hpp"
 #include "discretisation/mesh_quality.hpp"
+#include "discretisation/mesh_topology.hpp"
 
 namespace mudline {
 
@@ -35,25 +38,44 @@ void AleParameters::parameters(Parameters& p) {
         "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the "
         "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
-  p.section("boundary", boundary, "how boundary nodes slide");
+  p.section("boundary", boundary, "how boundary nodes slide in the plane; in space they stay material points");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
-  p.section("remeshing", renewal, "when and how the region is meshed anew; absent: it is not");
+  p.section("remeshing", renewal, "when and how the region, of triangles, is meshed anew; absent: it is not");
 }
 
 void Ale::document(Parameters& p) { AleParameters().parameters(p); }
+
+namespace {
+
+/// With as many layers of other ranks' elements as the recovery around this rank's own ones needs: two, and more where
+/// corners of the mesh have few elements.
+GhostedMesh with_patches(const Mesh& mesh, const Soil& soil) {
+  for (int layers = 2;; ++layers) {
+    GhostedMesh result(mesh, layers);
+    const bool cut = std::any_of(soil.blocks.begin(), soil.blocks.end(),
+                                 [&](const SoilBlock& b) { return RecoveryPatches(result, b).cut(); });
+    if (!result.any(cut)) return result;
+  }
+}
+
+}  // namespace
 
 Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
          const Section& section, const MeshMotionRegistries& registries, const RenewedMesh* renewed)
     : space_(space),
       soil_(soil),
-      mesh_(space.mesh()),
+      mesh_(with_patches(space.mesh(), soil)),
       source_(mesh_.gather(space.mesh().coordinates())),
-      corners_(mesh_, {}) {
+      corners_(mesh_) {
   section.allow_sections({"interior", "boundary", "remap", "remeshing"});
   Parameters p(section);
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
+  if (mesh_.dimension() == 3 && !interior_->in_space()) {
+    const Section interior = section.section("interior");
+    interior.fail(interior.text("type") + " is for meshes of the plane", "type");
+  }
   for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);
@@ -63,13 +85,10 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
     renewals_ = renewed->number;
     renewed_after_ = renewed->step;
   }
-  corners_ = CornerTriangles(mesh_, deck_.boundary.paths());
   corners_.add_tangents(source_, source_);
-  on_path_.assign(mesh_.num_nodes(), 0);
-  movable_.assign(mesh_.num_nodes(), 0);
-  for (const MeshPath& path : deck_.boundary.paths())
-    for (int node : path.nodes) on_path_[node] = 1;
-  for (int node = 0; node < mesh_.num_nodes(); ++node) movable_[node] = mesh_.is_vertex(node) && !on_path_[node];
+  for (int node = 0; node < mesh_.num_nodes(); ++node)
+    movable_.push_back(mesh_.is_vertex(node) && !mesh_.on_boundary(node));
+  colours_ = vertex_colours(mesh_, movable_);
 }
 
 std::string Ale::problem(const StateStore& store) const {
@@ -95,30 +114,42 @@ bool Ale::due(int step, const State& committed) const {
 double Ale::quality(const State& state) const { return mesh_quality(mesh_.mesh(), state.coordinates).lowest; }
 
 bool Ale::folded(const Positions& x) const {
-  for (const auto& t : corners_.triangles)
-    if (!(twice_area(t, x) > 0)) return true;
-  return false;
+  return mesh_.any(std::any_of(corners_.simplices.begin(), corners_.simplices.end(),
+                               [&](const Simplex& t) { return !(determinant(t, x) > 0); }));
 }
 
-void Ale::place_middles(const Positions& boundary, Positions& x) const {
+void Ale::place_middles(Positions& x) const {
+  int all[27];
+  std::iota(all, all + 27, 0);
+  std::vector<std::vector<int>> faces;
+  for (int s = 0; s < num_sides(CellShape::hex27); ++s) faces.push_back(side_nodes(CellShape::hex27, s));
   for (const auto& element : mesh_.elements()) {
     if (order(element.shape) == 1) continue;
-    const int corners = num_corners(element.shape);
+    const CellShape shape = element.shape;
     const auto& n = element.nodes;
-    for (int s = 0; s < corners; ++s) {
-      const int middle = n[corners + s];
-      for (int d = 0; d < place_size; ++d)
-        x[middle][d] = on_path_[middle] ? boundary[middle][d] : 0.5 * (x[n[s]][d] + x[n[(s + 1) % corners]][d]);
+    const int corners = num_corners(shape), middles = corners + num_edges(shape);
+    const auto sum = [&](const int* first, const int* last, int d) {
+      double all = 0;
+      for (; first != last; ++first) all += x[n[*first]][d];
+      return all;
+    };
+    for (int a = corners; a < middles; ++a) {
+      const auto [from, to] = edge_corners(shape, a - corners);
+      for (int d = 0; d < place_size && !mesh_.on_boundary(n[a]); ++d) x[n[a]][d] = 0.5 * (x[n[from]][d] + x[n[to]][d]);
     }
-    if (corners == 3) continue;
-    for (int d = 0; d < place_size; ++d) {  // transfinite: exact for straight sides
-      double sides = 0, ends = 0;
-      for (int s = 0; s < 4; ++s) {
-        sides += x[n[4 + s]][d];
-        ends += x[n[s]][d];
-      }
-      x[n[8]][d] = 0.5 * sides - 0.25 * ends;
-    }
+    if (is_simplex(shape)) continue;
+    // centres are transfinite: exact for straight edges
+    const auto centre = [&](const int* quadrilateral) {  // its corners, middles and centre
+      const int* edges = quadrilateral + 4;
+      const int at = n[quadrilateral[8]];
+      for (int d = 0; d < place_size && !mesh_.on_boundary(at); ++d)
+        x[at][d] = 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
+    };
+    if (shape == CellShape::quad9) centre(all);
+    if (shape != CellShape::hex27) continue;
+    for (const auto& face : faces) centre(face.data());
+    for (int d = 0; d < place_size; ++d)
+      x[n[26]][d] = 0.5 * sum(all + 20, all + 26, d) - 0.25 * sum(all + 8, all + 20, d) + 0.125 * sum(all, all + 8, d);
   }
 }
 
@@ -133,14 +164,14 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
     Positions next = x, curve = boundary;
     const double share = done + part;
     for (int node = 0; node < mesh_.num_nodes(); ++node) {
-      if (!on_path_[node]) continue;
+      if (!mesh_.on_boundary(node)) continue;
       for (int d = 0; share < 1 && d < place_size; ++d)
         curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
       next[node] = curve[node];
     }
     corners_.add_tangents(curve, next);
     if (!folded(next)) {
-      interior_->move({corners_, source_, before, movable_, state.time}, next);
+      interior_->move({mesh_, corners_, source_, before, movable_, colours_, state.time}, next);
       if (!folded(next)) {
         done = share;
         x.swap(next);
@@ -151,12 +182,14 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
     if (part < 1.0 / 64) return "the moved boundary folds elements";
   }
   x.resize(mesh_.num_nodes());
-  place_middles(boundary, x);
-  if (deck_.conserve) keep_volume(soil_volume(mesh_, soil_, x_old), state, constraints, boundary, x);
+  place_middles(x);
+  if (deck_.conserve) keep_volume(soil_volume(mesh_, soil_, x_old), state, constraints, x);
   double largest = 0;
-  for (const auto& place : x_old) largest = std::max({largest, std::abs(place[0]), std::abs(place[1])});
+  for (const Point& place : x_old)
+    largest = std::max({largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
+  largest = mesh_.largest(largest);
   for (int node = 0; node < mesh_.num_nodes(); ++node)  // what only rounding moved stays
-    if (std::hypot(x[node][0] - x_old[node][0], x[node][1] - x_old[node][1]) < 1e-14 * largest) x[node] = x_old[node];
+    if (distance(x[node], x_old[node]) < 1e-14 * largest) x[node] = x_old[node];
   return "";
 }
 
@@ -166,8 +199,7 @@ std::vector<double> Ale::prescribed(int field, const Constraints& constraints) c
   return mesh_.gather(space_, field, mask);
 }
 
-void Ale::keep_volume(double volume, const State& state, const Constraints& constraints, Positions& boundary,
-                      Positions& x) const {
+void Ale::keep_volume(double volume, const State& state, const Constraints& constraints, Positions& x) const {
   const auto missing = [&] { return volume - soil_volume(mesh_, soil_, x); };
   const auto matters = [&](double part) { return std::abs(part) > 1e-14 * volume; };
   double part = missing();
@@ -177,23 +209,19 @@ void Ale::keep_volume(double volume, const State& state, const Constraints& cons
   if (!(free.area > 0)) return;
   for (int k = 0; k < 4 && matters(part); ++k, part = missing()) {
     for (const auto& mover : free.movers)
-      for (int d = 0; d < place_size; ++d) {
-        boundary[mover.node][d] += part / free.area * mover.normal[d];
-        x[mover.node][d] = boundary[mover.node][d];
-      }
-    place_middles(boundary, x);
+      for (int d = 0; d < place_size; ++d) x[mover.node][d] += part / free.area * mover.normal[d];
+    mesh_.fill(x);
+    place_middles(x);
   }
 }
 
 double Ale::largest_motion(const Positions& x_old, const Positions& x_new) const {
   double largest = 0;
   for (int i = 0; i < corners_.of_elements; ++i) {
-    const auto& t = corners_.triangles[i];
-    for (int node : t)
-      largest = std::max(largest, std::hypot(x_new[node][0] - x_old[node][0], x_new[node][1] - x_old[node][1]) /
-                                      std::sqrt(twice_area(t, x_old)));
+    const Simplex& t = corners_.simplices[i];
+    for (int node : t) largest = std::max(largest, distance(x_new[node], x_old[node]) / size(t, x_old));
   }
-  return largest;
+  return mesh_.largest(largest);
 }
 
 SoilTable Ale::table_of(const StateStore& store, const SoilBlock& b) const {
@@ -248,22 +276,21 @@ void Ale::carry_points(StateStore& store, const Positions& x_old, const Position
     LayerRatios ratios;
     if (b.made_of.size() > 1) {
       LayerChanges layers = LayerRemap(soil_, *remap_).transfer(transfer, columns);
-      receipt.changed += layers.changed;
-      receipt.started += layers.started;
-      if (receipt.veto.empty()) receipt.veto = layers.problem;
+      receipt.changed += static_cast<int>(mesh_.sum(layers.changed));
+      receipt.started += static_cast<int>(mesh_.sum(layers.started));
+      const std::string problem = of_first_rank(*mesh_.mesh().comm(), layers.problem);
+      if (receipt.veto.empty()) receipt.veto = problem;
       ratios = std::move(layers.ratios);
     } else {
       remap_->transfer(transfer);
     }
     if (deck_.conserve) conserve_grains(transfer, columns, ratios, here);
-    const ElementBlock& elements = space_.mesh().blocks()[b.block];
+    const std::vector<int>& own = mesh_.own_elements(b.block);
     each([&](const PointView& rows, int c, int column) {
       for (int e = 0; e < b.elements; ++e)
         for (int q = 0; q < b.points; ++q)
           rows(e * b.points + q, c) =
-              now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) *
-                      columns.columns +
-                  column];
+              now[static_cast<std::size_t>(mesh_.first_row(own[e], b.points) + q) * columns.columns + column];
     });
     for (int row = 0; b.origin >= 0 && row < b.elements * b.points; ++row)  // a number, without rounding
       to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
@@ -323,13 +350,12 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   Positions x_new;
   receipt.veto = new_positions(x_old, state, constraints, x_new);
   if (!receipt.veto.empty()) return receipt;
-  int worst = 0;
-  receipt.quality = lowest_quality(mesh_, x_new, &worst);
+  Point at{};
+  receipt.quality = lowest_quality(mesh_, x_new, &at);
   // a mesh that was no better is not made worse by moving it
   if (receipt.quality < std::min(deck_.lowest_quality, 0.9 * receipt.quality_before)) {
-    const auto& at = x_new[mesh_.elements()[worst].nodes[0]];
-    receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at (" + number(at[0]) +
-                   ", " + number(at[1]) + ")";
+    receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at " +
+                   place_text(at, mesh_.dimension());
     return receipt;
   }
   receipt.largest_motion = largest_motion(x_old, x_new);

@@ -9,9 +9,11 @@
 #include "ale/boundary_motion.hpp"
 #include "ale/interior_motion.hpp"
 #include "ale/layer_remap.hpp"
+#include "ale/mesh_change.hpp"
 #include "ale/mesh_renewal.hpp"
 #include "ale/nodal_remap.hpp"
 #include "ale/remap.hpp"
+#include "ale/vertex_colours.hpp"
 #include "physics/inventory.hpp"
 
 namespace mudline {
@@ -93,11 +95,9 @@ class Ale {
   /// Collective.
   MeshReceipt take_over(const Ale& from, const StateStore& old_store, const Constraints& constraints,
                         StateStore& store) const;
-  /// The whole mesh, and its paths.
-  const WholeMesh& mesh() const { return mesh_; }
+  /// The mesh about this rank, and the paths of the whole one.
+  const GhostedMesh& mesh() const { return mesh_; }
   const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
-  /// Values at the nodes of this mesh made from those of the mesh before: see NodalRemap.
-  NodalRemap from_mesh(const Ale& before, const Positions& x_old, const Positions& x_new) const;
 
  private:
   /// New positions of all nodes; a reason when there are none.
@@ -106,11 +106,11 @@ class Ale {
   /// (node, component) 1 where a field's value is prescribed.
   std::vector<double> prescribed(int field, const Constraints& constraints) const;
   /// Lets the free boundary give way until the soil has this volume [m3].
-  void keep_volume(double volume, const State& state, const Constraints& constraints, Positions& boundary,
-                   Positions& x) const;
+  void keep_volume(double volume, const State& state, const Constraints& constraints, Positions& x) const;
   double largest_motion(const Positions& x_old, const Positions& x_new) const;
   bool folded(const Positions& x) const;
-  void place_middles(const Positions& boundary, Positions& x) const;
+  /// Of the sides inside.
+  void place_middles(Positions& x) const;
   /// Adds what it did to the receipt.
   void carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
                     MeshReceipt& receipt) const;
@@ -125,24 +125,23 @@ class Ale {
   /// Why a receipt's masses are not what they were, "" where they are.
   std::string lost_mass(const MeshReceipt& receipt) const;
   // To another mesh: see take_over().
-  void take_nodes(const Ale& from, const State& old_state, const Positions& x_old, const Positions& x_new,
-                  State& to) const;
-  double take_points(const Ale& from, const StateStore& old_store, const Positions& x_old, const Positions& x_new,
-                     StateStore& store) const;
+  void take_nodes(const Ale& from, const State& old_state, const MeshChange& change, State& to) const;
+  double take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store) const;
   void keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const;
 
   AleParameters deck_;
   const Space& space_;
   const Soil& soil_;
-  WholeMesh mesh_;
+  GhostedMesh mesh_;
   std::vector<RecoveryPatches> patches_;  // (block)
   Positions source_;                      // and the ends of its tangents
-  CornerTriangles corners_;
+  CornerSimplices corners_;
   std::unique_ptr<InteriorMotion> interior_;
   std::unique_ptr<Remap> remap_;
   std::unique_ptr<MeshRenewal> renewal_;
-  int renewals_ = 0, renewed_after_ = 0;  // meshes made on the way, step of the last one
-  std::vector<char> on_path_, movable_;   // (node)
+  int renewals_ = 0, renewed_after_ = 0;   // meshes made on the way, step of the last one
+  std::vector<char> movable_;              // (node)
+  std::vector<std::vector<int>> colours_;  // of this rank's movable vertices
 };
 
 }  // namespace mudline

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<std::array<double, 2>> places(const MeshPath& path, const Positions& x) {
   std::vector<std::array<double, 2>> result;
-  for (int node : path.nodes) result.push_back(x[node]);
+  for (int node : path.nodes) result.push_back(in_plane(x[node]));
   return result;
 }
 
@@ -40,9 +40,14 @@ SizeField BoundaryMotion::size_field(const std::array<double, 2>& focus) const {
   };
 }
 
-void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
+void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
                           const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
                           const RenewedMesh* renewed) {
+  if (mesh.dimension() == 3) {
+    for (const std::string& name : section.parameter_names())
+      section.fail("has no meaning in three dimensions: nodes of the boundary stay material points", name);
+    return;
+  }
   bodies_ = bodies;
   axisymmetric_ = mesh.mesh().geometry() == Geometry::axisymmetric;
   for (const std::string& name : corners_)
@@ -62,11 +67,13 @@ void BoundaryMotion::bind(const WholeMesh& mesh, const Positions& source,
   }
   if (renewed) {
     paths_ = renewed->paths;
+    for (MeshPath& path : paths_)
+      for (int& node : path.nodes) node = mesh.local_node(node);
     origins_ = renewed->origins;
     focus = renewed->focus;
   } else {
     paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
-                        [&](int node) { return starts_on_body(source[node]); });
+                        [&](int node) { return starts_on_body(in_plane(source[node])); });
   }
   for (const MeshPath& path : paths_) {
     const PathCurve curve(places(path, source));
@@ -123,7 +130,7 @@ std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& sta
       const auto &before = x[path.nodes[i - 1]], &after = x[path.nodes[i + 1]];
       const double sides = path.stride * std::hypot(after[0] - before[0], after[1] - before[1]);
       result[path.nodes[i]] =
-          bodies_.empty() ? 1.0 : std::clamp(foot(state, x[path.nodes[i]])->gap / sides - 1, 0.0, 1.0);
+          bodies_.empty() ? 1.0 : std::clamp(foot(state, in_plane(x[path.nodes[i]]))->gap / sides - 1, 0.0, 1.0);
     }
   }
   return result;
@@ -154,7 +161,7 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
       s[i] = curve.parameter(i);
   }
   for (int i = 1; i < last; ++i)
-    if (s[i] != curve.parameter(i)) x[path.nodes[i]] = places.at(s[i], s[i + 1] - s[i - 1]);
+    if (s[i] != curve.parameter(i)) x[path.nodes[i]] = on_plane(places.at(s[i], s[i + 1] - s[i - 1]));
 }
 
 PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state)
@@ -163,7 +170,7 @@ PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, con
   on_axis_ = boundary.axisymmetric() &&
              std::all_of(path.nodes.begin(), path.nodes.end(), [&](int node) { return std::abs(x[node][0]) <= near; });
   for (int node : path.nodes) {
-    const auto foot = boundary.foot(state, x[node]);
+    const auto foot = boundary.foot(state, in_plane(x[node]));
     if (!foot) return;
     gaps_.push_back(foot->gap);
   }

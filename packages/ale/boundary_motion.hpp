@@ -32,18 +32,18 @@ class PathPlaces {
   bool on_axis_;              // of an axisymmetric mesh
 };
 
-/// Slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each side keeps
-/// its share of the path, measured in sides of a wanted size that is uniform, or finer near a point that travels with a
-/// body: size = near + growth (distance - near distance). The shares are those of the source's mesh, so that a boundary
-/// at rest stays as it is. Where the boundary touches a body, nodes keep the gap that was at their new place, so that
-/// contact pressures are not disturbed.
+/// In the plane: slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each
+/// side keeps its share of the path, measured in sides of a wanted size that is uniform, or finer near a point that
+/// travels with a body: size = near + growth (distance - near distance). The shares are those of the source's mesh, so
+/// that a boundary at rest stays as it is. Where the boundary touches a body, nodes keep the gap that was at their new
+/// place, so that contact pressures are not disturbed.
 class BoundaryMotion {
  public:
   void parameters(Parameters& p);
-  /// Finds paths and shares. InputError for unknown bodies and sets. Collective only in its errors: the same
-  /// everywhere.
-  /// `renewed`: the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
-  void bind(const WholeMesh& mesh, const Positions& source,
+  /// Finds paths and shares; in space there are none, nodes of the boundary stay material points. InputError for
+  /// unknown bodies and sets, in space for any entry. Collective only in its errors: the same everywhere. `renewed`:
+  /// the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
+  void bind(const GhostedMesh& mesh, const Positions& source,
             const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
             const RenewedMesh* renewed);
 

@@ -26,27 +26,29 @@ bool Ale::looks_at_error(int step, int tried) const {
 
 WantedSizes Ale::wanted_sizes(const std::vector<double>& by_element, const State& committed) const {
   const RenewalParameters& deck = renewal_->deck();
-  std::vector<double> all(mesh_.elements().size(), deck.largest_size);
+  auto whole = std::make_shared<const GhostedMesh>(mesh_.mesh());
+  std::vector<double> all(whole->elements().size(), deck.largest_size);
   std::size_t first = 0;
   for (const SoilBlock& b : soil_.blocks) {
     const PointView rows("wanted sizes", b.elements, 1);
     for (int e = 0; e < b.elements; ++e) rows(e, 0) = by_element[first + e];
     first += b.elements;
-    const std::vector<double> block = mesh_.gather_points(b.block, 1, rows);
-    for (int e : mesh_.block_elements(b.block)) all[e] = block[mesh_.first_row(e, 1)];
+    const std::vector<double> block = whole->gather_points(b.block, 1, rows);
+    for (int e : whole->block_elements(b.block)) all[e] = block[whole->first_row(e, 1)];
   }
-  return {mesh_, mesh_.gather(committed.coordinates), all, {deck.smallest_size, deck.largest_size, deck.growth}};
+  const Positions x = whole->gather(committed.coordinates);
+  return {std::move(whole), x, all, {deck.smallest_size, deck.largest_size, deck.growth}};
 }
 
 Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) const {
   const Teuchos::Comm<int>& comm = *mesh_.mesh().comm();
   const Positions x = mesh_.gather(committed.coordinates);
+  // where the mesh is poor, one that is no better helps nobody
+  const double quality = lowest_quality(mesh_, x);
   Renewal result;
   std::vector<char> bytes;
   if (comm.getRank() == 0) {
     try {
-      // where the mesh is poor, one that is no better helps nobody
-      const double quality = lowest_quality(mesh_, x);
       const double least = quality < renewal_->deck().quality_below ? quality : 0.0;
       RenewedMesh made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality), sizes);
       made.number = renewals_ + 1;
@@ -66,31 +68,23 @@ Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) c
   return result;
 }
 
-NodalRemap Ale::from_mesh(const Ale& before, const Positions& x_old, const Positions& x_new) const {
-  return {before.mesh_, before.paths(), x_old, mesh_, paths(), x_new};
-}
-
-void Ale::take_nodes(const Ale& from, const State& old_state, const Positions& x_old, const Positions& x_new,
-                     State& to) const {
-  const NodalRemap nodal = from_mesh(from, x_old, x_new);
+void Ale::take_nodes(const Ale& from, const State& old_state, const MeshChange& change, State& to) const {
   for (int f = 0; f < space_.num_fields(); ++f) {
-    const Field& field = space_.field(f);
-    if (field.support == Support::apart) continue;
+    if (space_.field(f).support == Support::apart) continue;
     const std::pair<NodalView, NodalView> pairs[] = {
         {old_state.value, to.value}, {old_state.rate, to.rate}, {old_state.acceleration, to.acceleration}};
-    for (const auto& [old, now] : pairs) {
-      const bool jumps = f == soil_.displacement && now.data() == to.value.data();
-      mesh_.scatter(space_, f,
-                    nodal.apply(from.mesh_.gather(from.space_, f, old), field.components, field.support, jumps), now);
-    }
+    for (const auto& [old, now] : pairs)
+      change.carry(from.space_, f, old, space_, f, now, f == soil_.displacement && now.data() == to.value.data());
   }
 }
 
-double Ale::take_points(const Ale& from, const StateStore& old_store, const Positions& x_old, const Positions& x_new,
+double Ale::take_points(const Ale& from, const StateStore& old_store, const MeshChange& change,
                         StateStore& store) const {
   double restored = 0;
   for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
     const SoilBlock &b = soil_.blocks[k], &b_old = from.soil_.blocks[k];
+    const BlockPoints before{change.from(), b_old, change.x_from()}, after{change.to(), b, change.x_to()};
+    const RecoveryPatches patches(change.from(), b_old);
     for (int handle = 0; handle < store.num_arrays(); ++handle) {
       const ArrayInfo& info = store.info(handle);
       if (info.block != b.block) continue;
@@ -98,22 +92,19 @@ double Ale::take_points(const Ale& from, const StateStore& old_store, const Posi
       const int columns = static_cast<int>(rows.extent(1));
       if (columns == 0) continue;
       const std::vector<double> old =
-          from.mesh_.gather_points(b_old.block, b_old.points, old_store.committed().arrays[old_store.find(info.name)]);
-      std::vector<double> now =
-          recovered_on({mesh_, b, x_new}, {from.mesh_, b_old, x_old}, from.patches_[k], old, info.variables, columns);
+          before.mesh.gather_points(b_old.block, b_old.points, old_store.committed().arrays[old_store.find(info.name)]);
+      std::vector<double> now = recovered_on(after, before, patches, old, info.variables, columns);
       if (handle == b.void_ratio && deck_.conserve) {
-        const double share = restore_all_grains(mesh_, b, x_new, soil_.geometry, now, columns, 0,
-                                                grains(from.mesh_, b_old, x_old, soil_.geometry, old, columns, 0));
+        const double share = restore_all_grains(after.mesh, b, after.x, soil_.geometry, now, columns, 0,
+                                                grains(before.mesh, b_old, before.x, soil_.geometry, old, columns, 0));
         restored = std::abs(share) > std::abs(restored) ? share : restored;
       }
-      const ElementBlock& elements = space_.mesh().blocks()[b.block];
+      const std::vector<int>& own = after.mesh.own_elements(b.block);
       for (int e = 0; e < b.elements; ++e)
         for (int q = 0; q < b.points; ++q)
           for (int c = 0; c < columns; ++c)
             rows(e * b.points + q, c) =
-                now[static_cast<std::size_t>(mesh_.first_row(static_cast<int>(elements.global_ids[e]), b.points) + q) *
-                        columns +
-                    c];
+                now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns + c];
     }
   }
   return restored;
@@ -123,7 +114,7 @@ namespace {
 
 /// What is still missing of the pore water's compression [m3] comes from one pressure that is added wherever none is
 /// held: it is spread over the whole soil, where a factor would have to be large.
-void shift_pressures(const Soil& soil, const WholeMesh& mesh, const std::vector<double>& held, double before,
+void shift_pressures(const Soil& soil, const GhostedMesh& mesh, const std::vector<double>& held, double before,
                      State& to) {
   if (soil.pressure < 0) return;
   const std::vector<double> carried = mesh.gather(*soil.space, soil.pressure, to.value);
@@ -141,7 +132,7 @@ void shift_pressures(const Soil& soil, const WholeMesh& mesh, const std::vector<
 }  // namespace
 
 void Ale::keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const {
-  const int u = soil_.displacement;
+  const int u = soil_.displacement, dim = mesh_.dimension();
   const std::vector<double> held = prescribed(u, constraints);
   std::vector<double> v = mesh_.gather(space_, u, to.rate);
   const auto inventory = [&](const std::vector<double>& velocity) {
@@ -150,19 +141,19 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   };
   const auto on_free = [&](const std::vector<double>& base, int d, double shift) {
     std::vector<double> result = base;
-    for (std::size_t i = d; i < result.size(); i += place_size)
+    for (std::size_t i = d; i < result.size(); i += dim)
       if (held[i] == 0) result[i] += shift;
     return result;
   };
   const std::vector<double> zero(v.size(), 0.0);
-  double mass[place_size];  // that moves with the free nodes
-  for (int d = 0; d < place_size; ++d) mass[d] = inventory(on_free(zero, d, 1)).momentum[d];
+  double mass[place_size] = {};  // that moves with the free nodes
+  for (int d = 0; d < dim; ++d) mass[d] = inventory(on_free(zero, d, 1)).momentum[d];
   std::vector<double> fixed = v;  // the velocities that are prescribed
   for (std::size_t i = 0; i < v.size(); ++i)
     if (held[i] == 0) fixed[i] = 0;
   for (int round = 0; round < 2; ++round) {  // the second one removes the rounding of the first
     const Inventory now = inventory(v);
-    for (int d = 0; d < place_size; ++d)
+    for (int d = 0; d < dim; ++d)
       if (mass[d] > 0) v = on_free(v, d, (before.momentum[d] - now.momentum[d]) / mass[d]);
   }
   const Inventory now = inventory(v);
@@ -170,7 +161,7 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   // v = mean + deviation, whose momentum is zero: less of the deviation takes energy and leaves the momentum
   std::vector<double> mean = fixed;
   const Inventory at_fixed = inventory(fixed);
-  for (int d = 0; d < place_size; ++d)
+  for (int d = 0; d < dim; ++d)
     if (mass[d] > 0) mean = on_free(mean, d, (now.momentum[d] - at_fixed.momentum[d]) / mass[d]);
   std::vector<double> deviation = v;
   for (std::size_t i = 0; i < v.size(); ++i) deviation[i] -= mean[i];
@@ -190,17 +181,15 @@ MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const C
   const State& old_state = old_store.committed();
   State& to = store.committed();
   const Positions x_old = from.mesh_.gather(old_state.coordinates);
-  Positions x_new = mesh_.gather(to.coordinates);
   receipt.quality_before = lowest_quality(from.mesh_, x_old);
   receipt.before = take_inventory(from.soil_, old_state);
-  if (deck_.conserve) {
-    Positions boundary = x_new;
-    keep_volume(soil_volume(from.mesh_, from.soil_, x_old), to, constraints, boundary, x_new);
-  }
+  Positions x_new = mesh_.gather(to.coordinates);
+  if (deck_.conserve) keep_volume(soil_volume(from.mesh_, from.soil_, x_old), to, constraints, x_new);
   receipt.quality = lowest_quality(mesh_, x_new);
   mesh_.scatter(x_new, to.coordinates);
-  take_nodes(from, old_state, x_old, x_new, to);
-  receipt.restored_solid = take_points(from, old_store, x_old, x_new, store);
+  const MeshChange change(from, old_state, *this, to);
+  take_nodes(from, old_state, change, to);
+  receipt.restored_solid = take_points(from, old_store, change, store);
   if (deck_.conserve) {
     keep_compression(receipt.before.compression, constraints, to);
     shift_pressures(soil_, mesh_, prescribed(std::max(soil_.pressure, 0), constraints), receipt.before.compression, to);

@@ -11,14 +11,13 @@ namespace mudline {
 
 namespace {
 
-constexpr int dim = place_size;
-
 /// Map of one element at one quadrature point; factor det: volume.
+template <int dim>
 struct PointMap : CellMap<dim> {
   Dual<dim> around, place[dim];  // measure at the point, the point [m], with derivatives by the point
   double factor = 0;
 
-  PointMap(const WholeMesh::Element& element, const SoilBlock& block, int q, const Positions& x, Geometry geometry) {
+  PointMap(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x, Geometry geometry) {
     double gradient[dim][dim] = {};
     for (int i = 0; i < dim; ++i) {
       place[i] = Dual<dim>(0, i);
@@ -28,33 +27,64 @@ struct PointMap : CellMap<dim> {
         for (int k = 0; k < dim; ++k) gradient[i][k] += at * block.u.dN(q, a, k);
       }
     }
-    compute(gradient);
+    this->compute(gradient);
     around = measure(geometry, place);
     factor = block.u.weights(q) * around.v;
   }
-  double volume() const { return factor * det; }
+  double volume() const { return factor * this->det; }
   /// Adds the derivative of the volume by the place of node a.
   void add_gradient(const SoilBlock& block, int q, int a, std::array<double, dim>& to) const {
     double slope[1][dim];
-    gradients(&block.u.dN(q, a, 0), slope);
+    this->gradients(&block.u.dN(q, a, 0), slope);
     for (int i = 0; i < dim; ++i)
-      to[i] += volume() * slope[0][i] + around.d[i] * block.u.weights(q) * block.u.N(q, a) * det;
+      to[i] += volume() * slope[0][i] + around.d[i] * block.u.weights(q) * block.u.N(q, a) * this->det;
   }
 };
 
-}  // namespace
+/// What a quadrature point stands for.
+struct PointPart {
+  double volume;  // [m3; plane strain: per metre]
+  double size;    // root of the map's determinant [m]
+  Point place;
+};
 
-double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x) {
-  double sum = 0;
-  for (const SoilBlock& block : soil.blocks)
-    for (int e : mesh.block_elements(block.block))
-      for (int q = 0; q < block.points; ++q) sum += PointMap(mesh.elements()[e], block, q, x, soil.geometry).volume();
-  return sum;
+template <int dim>
+PointPart part_in(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
+                  Geometry geometry) {
+  const PointMap<dim> map(element, block, q, x, geometry);
+  PointPart part{map.volume(), dim == 2 ? std::sqrt(std::abs(map.det)) : std::cbrt(std::abs(map.det)), {}};
+  for (int i = 0; i < dim; ++i) part.place[i] = map.place[i].v;
+  return part;
 }
 
-FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+PointPart part(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x,
+               Geometry geometry) {
+  return geometry == Geometry::space ? part_in<3>(element, block, q, x, geometry)
+                                     : part_in<2>(element, block, q, x, geometry);
+}
+
+}  // namespace
+
+double soil_volume(const GhostedMesh& mesh, const Soil& soil, const Positions& x) {
+  double sum = 0;
+  for (const SoilBlock& block : soil.blocks)
+    for (int e : mesh.own_elements(block.block))
+      for (int q = 0; q < block.points; ++q) sum += part(mesh.elements()[e], block, q, x, soil.geometry).volume;
+  return mesh.sum(sum);
+}
+
+FreeBoundary::FreeBoundary(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                            const std::vector<double>& held, const Positions& x) {
-  std::vector<std::array<double, dim>> gradient(mesh.num_nodes(), {0, 0});  // of the volume
+  mesh.dimension() == 2 ? find<2>(mesh, soil, freedom, held, x) : find<3>(mesh, soil, freedom, held, x);
+}
+
+template <int dim>
+void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+                        const std::vector<double>& held, const Positions& x) {
+  const auto length = [](const std::array<double, dim>& g) {
+    return dim == 2 ? std::hypot(g[0], g[1]) : std::hypot(g[0], g[1], g[dim - 1]);
+  };
+  std::vector<std::array<double, dim>> gradient(mesh.num_nodes(), std::array<double, dim>{});  // of the volume
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block)) {
       const auto& element = mesh.elements()[e];
@@ -62,19 +92,20 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
                        [&](int node) { return freedom[node] > 0; }))
         continue;
       for (int q = 0; q < block.points; ++q) {
-        const PointMap at(element, block, q, x, soil.geometry);
+        const PointMap<dim> at(element, block, q, x, soil.geometry);
         for (int a = 0; a < block.u.nodes; ++a) at.add_gradient(block, q, a, gradient[element.nodes[a]]);
       }
     }
   double largest = 0;
-  for (int node = 0; node < mesh.num_nodes(); ++node)
-    if (freedom[node] > 0) largest = std::max(largest, std::hypot(gradient[node][0], gradient[node][1]));
-  for (int node = 0; node < mesh.num_nodes(); ++node) {
+  for (int node : mesh.owned_nodes())
+    if (freedom[node] > 0) largest = std::max(largest, length(gradient[node]));
+  largest = mesh.largest(largest);
+  for (int node : mesh.owned_nodes()) {
     if (!(freedom[node] > 0)) continue;
     const auto& g = gradient[node];
-    const double size = std::hypot(g[0], g[1]);
+    const double size = length(g);
     if (!(size > 1e-6 * largest)) continue;  // rounding would choose its direction
-    Mover mover{node, {0, 0}};
+    Mover mover{node, {}};
     double share = 0;  // of the normal that is left
     for (int i = 0; i < dim; ++i) {
       if (held[dim * node + i] != 0) continue;
@@ -86,6 +117,7 @@ FreeBoundary::FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::v
     area += share * freedom[node] * size;
     movers.push_back(mover);
   }
+  area = mesh.sum(area);
 }
 
 namespace {
@@ -95,11 +127,11 @@ std::vector<double> shares_of(const PointTransfer& t, const Soil& soil, int orig
   const std::size_t count = t.block.made_of.size();
   std::vector<double> result(table.size() / t.columns * count, 1.0);
   std::vector<Point> starts(t.block.points, Point{});
-  for (int e : t.mesh.block_elements(t.block.block)) {
+  for (int e : t.mesh.own_elements(t.block.block)) {
     if (count == 1) break;
     const std::size_t first = t.mesh.first_row(e, t.block.points);
     for (int q = 0; q < t.block.points; ++q)
-      for (int d = 0; d < dim; ++d) starts[q][d] = table[(first + q) * t.columns + origin + 1 + d];
+      for (int d = 0; d < t.mesh.dimension(); ++d) starts[q][d] = table[(first + q) * t.columns + origin + 1 + d];
     const std::vector<double> shares = soil.layer_shares(t.block, starts);
     std::copy(shares.begin(), shares.end(), result.begin() + static_cast<std::ptrdiff_t>(first * count));
   }
@@ -135,6 +167,7 @@ void add_grains(const PointTransfer& t, int void_ratio, const std::vector<double
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < count; ++k)
         gained[i * count + k] += shares[row * count + i] * shares[row * count + k] * weights[row] * volumes[row];
+  for (double& entry : gained) entry = t.mesh.sum(entry);
   for (std::size_t i = 0; i < count; ++i)
     if (!(gained[i * count + i] > 0)) missing[i] = 0;
   const std::vector<double> change = solve_small(gained, missing);
@@ -156,18 +189,18 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
   std::vector<Grains> grains(count);
   std::vector<double> volumes(rows), ways(rows), lost(count, 0.0), jumped(count, 0.0);
   std::vector<double> grown(count, 0.0), volume(count, 0.0);  // [m3] of soil
-  for (int e : t.mesh.block_elements(t.block.block)) {
+  for (int e : t.mesh.own_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     for (int q = 0; q < t.block.points; ++q) {
       const std::size_t row = t.mesh.first_row(e, t.block.points) + q;
-      const PointMap old(element, t.block, q, t.x_old, soil.geometry), now(element, t.block, q, t.x_new, soil.geometry);
-      volumes[row] = now.volume();
-      const double way = std::hypot(now.place[0].v - old.place[0].v, now.place[1].v - old.place[1].v);
-      ways[row] = std::min(1.0, way / std::sqrt(std::abs(old.det)));
+      const PointPart old = part(element, t.block, q, t.x_old, soil.geometry),
+                      now = part(element, t.block, q, t.x_new, soil.geometry);
+      volumes[row] = now.volume;
+      ways[row] = std::min(1.0, distance(now.place, old.place) / old.size);
       const double before = t.old[row * t.columns + void_ratio], after = t.now[row * t.columns + void_ratio];
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t k = row * count + i;
-        const double had = was[k] * old.volume(), has = is[k] * now.volume();
+        const double had = was[k] * old.volume, has = is[k] * now.volume;
         const double loss = had / (1 + before) - has / (1 + after);
         const double smooth = layered ? had / (1 + ratios.before[k]) - has / (1 + ratios.after[k]) : loss;
         grains[i].before += had / (1 + before);
@@ -178,6 +211,8 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
       }
     }
   }
+  for (std::size_t i = 0; i < count; ++i)
+    for (double* sum : {&grains[i].before, &lost[i], &jumped[i], &grown[i], &volume[i]}) *sum = t.mesh.sum(*sum);
   for (std::size_t i = 0; layered && i < count; ++i) {
     const double by_shares = volume[i] > 0 ? -grown[i] * grains[i].before / volume[i] : 0.0;
     lost[i] -= by_shares;
@@ -189,17 +224,17 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
   return grains;
 }
 
-double grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+double grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
               const std::vector<double>& table, int columns, int column) {
   double sum = 0;
-  for (int e : mesh.block_elements(block.block))
+  for (int e : mesh.own_elements(block.block))
     for (int q = 0; q < block.points; ++q)
-      sum += PointMap(mesh.elements()[e], block, q, x, geometry).volume() /
+      sum += part(mesh.elements()[e], block, q, x, geometry).volume /
              (1 + table[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * columns + column]);
-  return sum;
+  return mesh.sum(sum);
 }
 
-double restore_all_grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+double restore_all_grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
                           std::vector<double>& table, int columns, int column, double before) {
   const double after = grains(mesh, block, x, geometry, table, columns, column);
   for (std::size_t i = column; i < table.size(); i += columns) table[i] = (1 + table[i]) * (after / before) - 1;

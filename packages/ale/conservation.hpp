@@ -5,22 +5,27 @@
 
 namespace mudline {
 
-/// Volume of the soil [m3; plane strain: per metre] by its own quadrature, as the balances take it.
-double soil_volume(const WholeMesh& mesh, const Soil& soil, const Positions& x);
+/// Volume of the soil [m3; plane strain: per metre] by its own quadrature, as the balances take it. Collective.
+double soil_volume(const GhostedMesh& mesh, const Soil& soil, const Positions& x);
 
 /// Directions in which nodes of the free boundary move to change the soil's volume: normals, outwards, without the
-/// prescribed components, as long as the node is free.
+/// prescribed components, as long as the node is free. Of this rank's nodes.
 struct FreeBoundary {
   struct Mover {
     int node;
-    std::array<double, 2> normal;
+    Point normal;
   };
   std::vector<Mover> movers;
-  double area = 0;  // change of volume per common distance [m2]
+  double area = 0;  // change of the whole soil's volume per common distance [m2]
 
   /// `freedom`: (node) 0 to 1; `held`: (node, component) nonzero where the displacement is prescribed.
-  FreeBoundary(const WholeMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+  FreeBoundary(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                const std::vector<double>& held, const Positions& x);
+
+ private:
+  template <int Dim>
+  void find(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
+            const std::vector<double>& held, const Positions& x);
 };
 
 /// Grains of one material in a block [m3].
@@ -42,16 +47,16 @@ struct LayerRatios {
 /// are known to some per cent of an element, and a point has the void ratio of one side only. What a layer seems to
 /// gain or lose by these is spread over all of it. It stays within what the cut elements hold: it does not add up.
 /// `ratios`: read where there are several materials. `void_ratio`, `origin`: columns, as in a SoilTable. Returns what
-/// was lost, in the order of the block's materials; nothing is done where nothing moved.
+/// was lost, in the order of the block's materials; nothing is done where nothing moved. Collective.
 std::vector<Grains> restore_grains(const PointTransfer& transfer, const Soil& soil, int void_ratio, int origin,
                                    const LayerRatios& ratios = {});
 
 /// Grains of a block of soil at x: the sum of volumes over 1 + e [m3]. `column`: that of the void ratio in a table of
-/// so many columns.
-double grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+/// so many columns. Collective.
+double grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
               const std::vector<double>& table, int columns, int column);
 /// The same by one factor for all points of a block that has `before` of them to hold; the share that was missing.
-double restore_all_grains(const WholeMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+double restore_all_grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
                           std::vector<double>& table, int columns, int column, double before);
 
 }  // namespace mudline

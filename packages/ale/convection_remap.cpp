@@ -2,8 +2,29 @@
 #include <cmath>
 
 #include "ale/remap.hpp"
+#include "discretisation/element_map.hpp"
 
 namespace mudline {
+
+namespace {
+
+/// Side [m] of the square or cube of which the element is, or is half or a sixth.
+double size_of(const GhostedMesh::Element& element, const Positions& x) {
+  const int corners = num_corners(element.shape);
+  if (dimension(element.shape) == 3) {
+    const CellShape shape = linear_partner(element.shape);
+    const ElementMap map(shape, [&](int a) { return x[element.nodes[a]].data(); });
+    return std::cbrt(std::abs(map.determinant(cell_centre(shape).data()) * (corners == 4 ? 1 : 8)));
+  }
+  double area2 = 0;
+  for (int a = 0; a < corners; ++a) {
+    const auto &p = x[element.nodes[a]], &q = x[element.nodes[(a + 1) % corners]];
+    area2 += p[0] * q[1] - p[1] * q[0];
+  }
+  return std::sqrt(std::abs(corners == 3 ? area2 : 0.5 * area2));
+}
+
+}  // namespace
 
 void ConvectionRemap::parameters(Parameters& p) {
   p.choice("scheme", scheme_, {{"upwind", Scheme::upwind}, {"incremental", Scheme::incremental}},
@@ -20,24 +41,18 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
       low.push_back(variable.low);
       high.push_back(variable.high);
     }
-  for (int e : t.mesh.block_elements(t.block.block)) {
+  for (int e : t.mesh.own_elements(t.block.block)) {
     const auto& element = t.mesh.elements()[e];
     bool moved = false;
     for (int a = 0; a < num_nodes(element.shape); ++a)
       moved = moved || t.x_new[element.nodes[a]] != t.x_old[element.nodes[a]];
     if (!moved) continue;
-    double area2 = 0;
-    const int corners = num_corners(element.shape);
-    for (int a = 0; a < corners; ++a) {
-      const auto &p = t.x_old[element.nodes[a]], &q = t.x_old[element.nodes[(a + 1) % corners]];
-      area2 += p[0] * q[1] - p[1] * q[0];
-    }
-    const double size = std::sqrt(std::abs(corners == 3 ? area2 : 0.5 * area2));
+    const double size = size_of(element, t.x_old);
     for (int q = 0; q < t.block.points; ++q) {
       const auto from = Recovery::position(element, t.block, q, t.x_old),
                  to = Recovery::position(element, t.block, q, t.x_new);
       const MeshPlace place = locator.find(to, e);
-      const double courant = std::min(1.0, std::hypot(to[0] - from[0], to[1] - from[1]) / (0.5 * size));
+      const double courant = std::min(1.0, distance(to, from) / (0.5 * size));
       const double own = scheme_ == Scheme::upwind ? 1 - courant : 1.0;
       const std::size_t row = static_cast<std::size_t>(t.mesh.first_row(e, t.block.points) + q) * t.columns;
       recovered.at(place, there.data());

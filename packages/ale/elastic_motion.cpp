@@ -3,67 +3,118 @@
 
 #include "ale/interior_motion.hpp"
 #include "core/pi.hpp"
+#include "discretisation/cell_map.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// Linear elastic triangles, matrix-free: y = K u for the free nodes, u given everywhere.
+/// Linear elastic simplices, matrix-free: y = K u for this rank's free nodes, u given everywhere.
+template <int Dim>
 class ElasticMesh {
  public:
-  ElasticMesh(const InteriorMesh& mesh, const Positions& from, double poisson) : mesh_(mesh) {
-    // E = 1 / area cancels the area of the integral
-    const double lambda = poisson / ((1 + poisson) * (1 - 2 * poisson)), shear = 0.5 / (1 + poisson);
-    diagonal_.assign(2 * mesh.movable.size(), 0.0);
+  ElasticMesh(const InteriorMesh& mesh, const Positions& from, double poisson)
+      : mesh_(mesh), lambda_(poisson / ((1 + poisson) * (1 - 2 * poisson))), shear_(0.5 / (1 + poisson)) {
+    // E = 1 / size cancels the size of the integral
+    diagonal_.assign(Dim * mesh.movable.size(), 0.0);
     for (int i = 0; i < mesh.corners.of_elements; ++i) {
-      const auto& t = mesh.corners.triangles[i];
-      Stiffness k{};
-      const double area2 = twice_area(t, from);
-      double g[3][2];
-      for (int a = 0; a < 3; ++a) {
-        const auto &b = from[t[(a + 1) % 3]], &c = from[t[(a + 2) % 3]];
-        g[a][0] = (b[1] - c[1]) / area2;
-        g[a][1] = (c[0] - b[0]) / area2;
+      const Simplex& t = mesh.corners.simplices[i];
+      CellMap<Dim> map;
+      double edges[Dim][Dim];  // dx_i / dxi_k
+      for (int i = 0; i < Dim; ++i)
+        for (int k = 0; k < Dim; ++k) edges[i][k] = from[t[k + 1]][i] - from[t[0]][i];
+      map.compute(edges);
+      Gradients g{};
+      for (int i = 0; i < Dim; ++i)
+        for (int k = 0; k < Dim; ++k) {
+          g[k + 1][i] = map.inverse[k][i];
+          g[0][i] -= map.inverse[k][i];
+        }
+      for (int a = 0; a <= Dim; ++a) {
+        double square = 0;
+        for (int i = 0; i < Dim; ++i) square += g[a][i] * g[a][i];
+        for (int i = 0; i < Dim; ++i)
+          diagonal_[Dim * t[a] + i] += (lambda_ + shear_) * g[a][i] * g[a][i] + shear_ * square;
       }
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          for (int i = 0; i < 2; ++i)
-            for (int j = 0; j < 2; ++j)
-              k[2 * a + i][2 * b + j] = lambda * g[a][i] * g[b][j] + shear * g[a][j] * g[b][i] +
-                                        (i == j ? shear * (g[a][0] * g[b][0] + g[a][1] * g[b][1]) : 0.0);
-      for (int a = 0; a < 3; ++a)
-        for (int i = 0; i < 2; ++i) diagonal_[2 * t[a] + i] += k[2 * a + i][2 * a + i];
-      stiffness_.push_back(k);
+      gradients_.push_back(g);
     }
   }
 
   std::vector<double> apply(const std::vector<double>& u) const {
     std::vector<double> y(u.size(), 0.0);
-    for (std::size_t e = 0; e < stiffness_.size(); ++e) {
-      const auto& t = mesh_.corners.triangles[e];
-      for (int a = 0; a < 6; ++a) {
-        double sum = 0;
-        for (int b = 0; b < 6; ++b) sum += stiffness_[e][a][b] * u[2 * t[b / 2] + b % 2];
-        y[2 * t[a / 2] + a % 2] += sum;
-      }
+    for (std::size_t e = 0; e < gradients_.size(); ++e) {
+      const Simplex& t = mesh_.corners.simplices[e];
+      const Gradients& g = gradients_[e];
+      double slope[Dim][Dim] = {}, spread = 0;  // du_i / dx_j
+      for (int a = 0; a <= Dim; ++a)
+        for (int i = 0; i < Dim; ++i)
+          for (int j = 0; j < Dim; ++j) slope[i][j] += u[Dim * t[a] + i] * g[a][j];
+      for (int i = 0; i < Dim; ++i) spread += slope[i][i];
+      for (int a = 0; a <= Dim; ++a)
+        for (int i = 0; i < Dim; ++i) {
+          double force = lambda_ * spread * g[a][i];
+          for (int j = 0; j < Dim; ++j) force += shear_ * (slope[i][j] + slope[j][i]) * g[a][j];
+          y[Dim * t[a] + i] += force;
+        }
     }
     for (std::size_t i = 0; i < u.size(); ++i)
-      if (!mesh_.movable[i / 2]) y[i] = 0;
+      if (!moves(i)) y[i] = 0;
     return y;
+  }
+  /// Whether a component belongs to a vertex of this rank that may move.
+  bool moves(std::size_t i) const {
+    const int node = static_cast<int>(i / Dim);
+    return mesh_.movable[node] && mesh_.mesh.owns(node);
   }
   double diagonal(std::size_t i) const { return diagonal_[i]; }
 
  private:
-  using Stiffness = std::array<std::array<double, 6>, 6>;
+  using Gradients = std::array<std::array<double, Dim>, Dim + 1>;  // of the corners' shapes [1/m]
   const InteriorMesh& mesh_;
-  std::vector<Stiffness> stiffness_;
+  double lambda_, shear_;
+  std::vector<Gradients> gradients_;
   std::vector<double> diagonal_;
 };
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
+/// Of what is zero but at this rank's free nodes.
+double dot(const GhostedMesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+  return mesh.sum(sum);
+}
+
+template <int Dim>
+void move_elastically(const InteriorMesh& mesh, const Positions& from, double poisson, Positions& x) {
+  const ElasticMesh<Dim> elastic(mesh, from, poisson);
+  const std::size_t n = Dim * mesh.movable.size();
+  std::vector<double> u(n), r, z(n, 0.0), p;
+  for (std::size_t i = 0; i < n; ++i) u[i] = x[i / Dim][i % Dim] - from[i / Dim][i % Dim];
+  r = elastic.apply(u);
+  for (double& value : r) value = -value;
+  const auto precondition = [&] {
+    for (std::size_t i = 0; i < n; ++i) z[i] = elastic.moves(i) ? r[i] / elastic.diagonal(i) : 0.0;
+  };
+  precondition();
+  p = z;
+  double rz = dot(mesh.mesh, r, z);
+  const double goal = 1e-20 * rz, all = mesh.mesh.sum(static_cast<double>(Dim * mesh.mesh.owned_nodes().size()));
+  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(all)) && rz > goal; ++k) {
+    std::vector<double> around = p;
+    mesh.mesh.fill(around, Dim);
+    const std::vector<double> kp = elastic.apply(around);
+    const double alpha = rz / dot(mesh.mesh, p, kp);
+    for (std::size_t i = 0; i < n; ++i) {
+      u[i] += alpha * p[i];
+      r[i] -= alpha * kp[i];
+    }
+    precondition();
+    const double next = dot(mesh.mesh, r, z), beta = next / rz;
+    rz = next;
+    for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (elastic.moves(i)) x[i / Dim][i % Dim] = from[i / Dim][i % Dim] + u[i];
+  mesh.mesh.fill(x);
 }
 
 }  // namespace
@@ -77,33 +128,8 @@ void ElasticMotion::parameters(Parameters& p) {
 
 void ElasticMotion::move(const InteriorMesh& mesh, Positions& x) const {
   const Positions& from = from_ == From::source ? mesh.source : mesh.before;
-  const ElasticMesh elastic(mesh, from, poisson_);
-  const std::size_t n = 2 * mesh.movable.size();
-  std::vector<double> u(n), r, z(n, 0.0), p;
-  for (std::size_t i = 0; i < n; ++i) u[i] = x[i / 2][i % 2] - from[i / 2][i % 2];
-  r = elastic.apply(u);
-  for (double& value : r) value = -value;
-  const auto precondition = [&] {
-    for (std::size_t i = 0; i < n; ++i) z[i] = mesh.movable[i / 2] ? r[i] / elastic.diagonal(i) : 0.0;
-  };
-  precondition();
-  p = z;
-  double rz = dot(r, z);
-  const double goal = 1e-20 * rz;
-  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(static_cast<double>(n))) && rz > goal; ++k) {
-    const std::vector<double> kp = elastic.apply(p);
-    const double alpha = rz / dot(p, kp);
-    for (std::size_t i = 0; i < n; ++i) {
-      u[i] += alpha * p[i];
-      r[i] -= alpha * kp[i];
-    }
-    precondition();
-    const double next = dot(r, z), beta = next / rz;
-    rz = next;
-    for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
-  }
-  for (std::size_t i = 0; i < n; ++i)
-    if (mesh.movable[i / 2]) x[i / 2][i % 2] = from[i / 2][i % 2] + u[i];
+  mesh.corners.dimension() == 2 ? move_elastically<2>(mesh, from, poisson_, x)
+                                : move_elastically<3>(mesh, from, poisson_, x);
 }
 
 void ArtificialMotion::parameters(Parameters& p) {
@@ -116,19 +142,20 @@ void ArtificialMotion::parameters(Parameters& p) {
 void ArtificialMotion::move(const InteriorMesh& mesh, Positions& x) const {
   ElasticMotion::move(mesh, x);
   const double turn = 2 * pi;
-  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
+  for (int node : mesh.mesh.owned_nodes()) {
     if (!mesh.movable[node]) continue;
     double side = 1e300;
     for (int t : mesh.corners.at_node[node])
-      for (int k : mesh.corners.triangles[t])
-        if (k != static_cast<int>(node))
-          side = std::min(
-              side, std::hypot(mesh.source[k][0] - mesh.source[node][0], mesh.source[k][1] - mesh.source[node][1]));
-    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_),
-                 direction = 2.4 * static_cast<double>(node);
-    x[node][0] += swing * std::cos(direction);
-    x[node][1] += swing * std::sin(direction);
+      for (int k : mesh.corners.simplices[t])
+        if (k != node) side = std::min(side, distance(mesh.source[k], mesh.source[node]));
+    const double id = static_cast<double>(mesh.mesh.node_id(node));
+    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_), direction = 2.4 * id;
+    const double up = mesh.corners.dimension() == 2 ? 0.0 : std::sin(1.1 * id), across = std::sqrt(1 - up * up);
+    x[node][0] += swing * across * std::cos(direction);
+    x[node][1] += swing * across * std::sin(direction);
+    x[node][2] += swing * up;
   }
+  mesh.mesh.fill(x);
 }
 
 }  // namespace mudline

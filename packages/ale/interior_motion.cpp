@@ -2,51 +2,119 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+
+#include "core/space_vector.hpp"
 
 namespace mudline {
 
-CornerTriangles::CornerTriangles(const WholeMesh& mesh, const std::vector<MeshPath>& paths)
-    : at_node(mesh.num_nodes()), nodes_(mesh.num_nodes()) {
-  std::set<int> curved;  // middle nodes on paths
-  for (const MeshPath& path : paths)
-    for (std::size_t i = 1; path.stride == 2 && i < path.nodes.size(); i += 2) curved.insert(path.nodes[i]);
-  for (const auto& element : mesh.elements()) {
-    const auto& n = element.nodes;
-    if (num_corners(element.shape) == 3)
-      triangles.push_back({n[0], n[1], n[2]});
-    else
-      for (int i = 0; i < 4; ++i) triangles.push_back({n[i], n[(i + 1) % 4], n[(i + 3) % 4]});
+namespace {
+
+using Corners = std::vector<std::array<int, 4>>;  // local ones; in the plane three
+
+/// (corner) it, and those at the other ends of its edges, positive where the cell is.
+Corners find_corners(CellShape shape) {
+  const int dim = dimension(shape);
+  Corners result;
+  for (int c = 0; c < num_corners(shape); ++c) {
+    Simplex here{{c}, dim + 1};
+    Positions x;
+    for (int e = 0, k = 1; e < num_edges(shape); ++e) {
+      const auto [a, b] = edge_corners(shape, e);
+      if (a == c || b == c) here.corner[k++] = a == c ? b : a;
+    }
+    for (int a = 0; a < num_corners(shape); ++a) x.push_back(reference_node(shape, a));
+    if (determinant(here, x) < 0) std::swap(here.corner[dim - 1], here.corner[dim]);
+    result.push_back(here.corner);
   }
-  of_elements = static_cast<int>(triangles.size());
+  return result;
+}
+
+const Corners& corners_of(CellShape shape) {
+  static const std::map<CellShape, Corners> all = [] {
+    std::map<CellShape, Corners> found;
+    for (CellShape s : {CellShape::tri3, CellShape::quad4, CellShape::tet4, CellShape::hex8})
+      found[s] = find_corners(s);
+    return found;
+  }();
+  return all.at(linear_partner(shape));
+}
+
+}  // namespace
+
+CornerSimplices::CornerSimplices(const GhostedMesh& mesh) : at_node(mesh.num_nodes()), nodes_(mesh.num_nodes()) {
+  const Corners itself{{0, 1, 2, 3}};
+  for (const auto& element : mesh.elements())
+    for (const auto& local : is_simplex(element.shape) ? itself : corners_of(element.shape)) {
+      Simplex simplex{{}, mesh.dimension() + 1};
+      for (int k = 0; k <= mesh.dimension(); ++k) simplex.corner[k] = element.nodes[local[k]];
+      simplices.push_back(simplex);
+    }
+  of_elements = static_cast<int>(simplices.size());
   for (const auto& element : mesh.elements()) {
     if (order(element.shape) == 1) continue;
-    const int corners = num_corners(element.shape);
-    for (int s = 0; s < corners; ++s) {
-      const int a = element.nodes[s], b = element.nodes[(s + 1) % corners], middle = element.nodes[corners + s];
-      if (!curved.count(middle)) continue;
-      const int first = nodes_ + static_cast<int>(tangents_.size());
-      tangents_.push_back({a, b, middle});
-      tangents_.push_back({b, a, middle});
-      triangles.push_back({a, first, element.nodes[(s + corners - 1) % corners]});
-      triangles.push_back({first + 1, b, element.nodes[(s + 2) % corners]});
-    }
+    mesh.dimension() == 2 ? add_curved_sides(mesh, element) : add_curved_corners(mesh, element);
   }
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int node : triangles[t])
+  for (std::size_t t = 0; t < simplices.size(); ++t)
+    for (int node : simplices[t])
       if (node < nodes_) at_node[node].push_back(static_cast<int>(t));
 }
 
-void CornerTriangles::add_tangents(const Positions& curve, Positions& x) const {
+int CornerSimplices::tangent(int at, int other, int middle) {
+  tangents_.push_back({at, other, middle});
+  return nodes_ + static_cast<int>(tangents_.size()) - 1;
+}
+
+/// In the plane: two triangles for each curved side, with the element's straight sides beside it.
+void CornerSimplices::add_curved_sides(const GhostedMesh& mesh, const GhostedMesh::Element& element) {
+  const int corners = num_corners(element.shape);
+  for (int s = 0; s < corners; ++s) {
+    const int a = element.nodes[s], b = element.nodes[(s + 1) % corners], middle = element.nodes[corners + s];
+    if (!mesh.on_boundary(middle)) continue;
+    const int first = tangent(a, b, middle), second = tangent(b, a, middle);
+    simplices.push_back({{a, first, element.nodes[(s + corners - 1) % corners]}, 3});
+    simplices.push_back({{second, b, element.nodes[(s + 2) % corners]}, 3});
+  }
+}
+
+/// In space: a tetrahedron for each corner where edges are curved, with the tangents of all of these.
+void CornerSimplices::add_curved_corners(const GhostedMesh& mesh, const GhostedMesh::Element& element) {
+  const int corners = num_corners(element.shape);
+  for (const auto& local : corners_of(element.shape)) {
+    Simplex simplex{{}, 4};
+    bool curved = false;
+    for (int k = 0; k < 4; ++k) simplex.corner[k] = element.nodes[local[k]];
+    for (int e = 0; e < num_edges(element.shape); ++e) {
+      const auto [a, b] = edge_corners(element.shape, e);
+      const int middle = element.nodes[corners + e];
+      if ((a != local[0] && b != local[0]) || !mesh.on_boundary(middle)) continue;
+      const int other = a == local[0] ? b : a;
+      for (int k = 1; k < 4; ++k)
+        if (local[k] == other) simplex.corner[k] = tangent(element.nodes[local[0]], element.nodes[other], middle);
+      curved = true;
+    }
+    if (curved) simplices.push_back(simplex);
+  }
+}
+
+void CornerSimplices::add_tangents(const Positions& curve, Positions& x) const {
   x.resize(nodes_ + tangents_.size());
   for (std::size_t i = 0; i < tangents_.size(); ++i)
-    for (int d = 0; d < place_size; ++d)  // derivative of the quadratic side at its end, over a reference length of 1
+    for (int d = 0; d < place_size; ++d)  // derivative of the quadratic edge at its end, over a reference length of 1
       x[nodes_ + i][d] =
           4 * curve[tangents_[i].middle][d] - 2 * curve[tangents_[i].at][d] - curve[tangents_[i].other][d];
 }
 
-double twice_area(const std::array<int, 3>& t, const Positions& x) {
-  return (x[t[1]][0] - x[t[0]][0]) * (x[t[2]][1] - x[t[0]][1]) - (x[t[1]][1] - x[t[0]][1]) * (x[t[2]][0] - x[t[0]][0]);
+double determinant(const Simplex& t, const Positions& x) {
+  const Point &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
+  if (t.corners == 3) return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  return dot(minus(b, a), cross(minus(c, a), minus(x[t[3]], a)));
+}
+
+double size(const Simplex& t, const Positions& x) {
+  const double content = std::abs(determinant(t, x));
+  return t.corners == 3 ? std::sqrt(content) : std::cbrt(content);
 }
 
 void SweepLimits::parameters(Parameters& p) {
@@ -56,36 +124,45 @@ void SweepLimits::parameters(Parameters& p) {
 }
 
 void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
-  const auto& triangles = mesh.corners.triangles;
+  const auto& simplices = mesh.corners.simplices;
   std::vector<std::vector<int>> neighbours(mesh.movable.size());
-  for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
-    if (!mesh.movable[node]) continue;
-    std::set<int> around;
-    for (int t : mesh.corners.at_node[node])
-      if (t < mesh.corners.of_elements) around.insert(triangles[t].begin(), triangles[t].end());
-    around.erase(static_cast<int>(node));
-    neighbours[node].assign(around.begin(), around.end());
-  }
-  for (int sweep = 0; sweep < limits_.sweeps; ++sweep) {
-    double largest = 0;
-    for (std::size_t node = 0; node < mesh.movable.size(); ++node) {
-      if (neighbours[node].empty()) continue;
-      std::array<double, 2> mean{};
-      double size = 0;
-      for (int other : neighbours[node])
-        for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
-      for (int other : neighbours[node])
-        size = std::max(size, std::hypot(x[other][0] - mean[0], x[other][1] - mean[1]));
-      largest = std::max(largest, std::hypot(mean[0] - x[node][0], mean[1] - x[node][1]) / size);
-      x[node] = mean;
+  for (const auto& nodes : mesh.colours)
+    for (int node : nodes) {
+      std::set<int> around;
+      for (int t : mesh.corners.at_node[node])
+        if (t < mesh.corners.of_elements) around.insert(simplices[t].begin(), simplices[t].end());
+      around.erase(node);
+      neighbours[node].assign(around.begin(), around.end());
     }
-    if (largest < limits_.tolerance) break;
+  sweep_by_colours(mesh, limits_, x, [&](int node) {
+    Point mean{};
+    double size = 0;
+    for (int other : neighbours[node])
+      for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
+    for (int other : neighbours[node]) size = std::max(size, distance(x[other], mean));
+    const double way = distance(mean, x[node]) / size;
+    x[node] = mean;
+    return way;
+  });
+}
+
+void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
+                      const std::function<double(int node)>& place) {
+  const int colours = static_cast<int>(mesh.colours.size());
+  for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
+    double largest = 0;
+    for (int k = 0; k < colours; ++k) {
+      for (int node : mesh.colours[sweep % 2 == 0 ? k : colours - 1 - k]) largest = std::max(largest, place(node));
+      mesh.mesh.fill(x);
+    }
+    if (mesh.mesh.largest(largest) < limits.tolerance) break;
   }
 }
 
 void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
-  registry.add<WinslowMotion>("Winslow", "harmonic map back to the source's mesh, never folds an element");
+  registry.add<WinslowMotion>("Winslow",
+                              "harmonic map back to the source's mesh, for the plane; never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
   registry.add<ArtificialMotion>("artificial",
                                  "elastic, and a swing of every vertex: shows what the remap does to a solution");

@@ -1,53 +1,81 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
-#include "ale/mesh_paths.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "core/registry.hpp"
 
 namespace mudline {
 
-/// The triangles that the corners of the elements span: a triangle itself, or the four corners of a quadrilateral. The
-/// mesh motion works on these; middle nodes follow. A curved side on a path spans two more, of the element's corner
-/// opposite and the side's tangents at its ends, whose areas are the Jacobians there: a side that bulges into a flat
-/// element counts as bad before it folds. The ends of these tangents are further positions behind those of the nodes.
-class CornerTriangles {
- public:
-  CornerTriangles(const WholeMesh& mesh, const std::vector<MeshPath>& paths);
-  /// Sets the tangents' ends behind the nodes' positions; `curve` holds the paths' nodes, middle ones among them.
-  void add_tangents(const Positions& curve, Positions& x) const;
+/// A triangle or, in space, a tetrahedron of positions.
+struct Simplex {
+  std::array<int, 4> corner;
+  int corners;
 
-  std::vector<std::array<int, 3>> triangles;  // positions, counter-clockwise; those of the elements first
-  int of_elements = 0;                        // how many
-  std::vector<std::vector<int>> at_node;      // (node) triangles that touch it
+  int operator[](int i) const { return corner[i]; }
+  const int* begin() const { return corner.data(); }
+  const int* end() const { return corner.data() + corners; }
+};
+
+/// The simplices that the corners of the elements span with the edges there: a triangle or tetrahedron itself, or the
+/// four corners of a quadrilateral, the eight of a hexahedron. The mesh motion works on these; middle nodes follow. A
+/// curved edge on the boundary of a region spans more, with its tangents at its ends instead of its ends: their sizes
+/// are the Jacobians there, so that an edge that bulges into a flat element counts as bad before the element folds. The
+/// ends of these tangents are further positions behind those of the nodes.
+class CornerSimplices {
+ public:
+  explicit CornerSimplices(const GhostedMesh& mesh);
+  /// Sets the tangents' ends behind the nodes' positions; `curve` holds the nodes of the boundary, middle ones among
+  /// them.
+  void add_tangents(const Positions& curve, Positions& x) const;
+  /// 2 or 3.
+  int dimension() const { return simplices.front().corners - 1; }
+
+  std::vector<Simplex> simplices;         // not folded where their determinants are positive; the elements' first
+  int of_elements = 0;                    // how many
+  std::vector<std::vector<int>> at_node;  // (node) simplices that touch it
 
  private:
   struct Tangent {
     int at, other, middle;
   };
+  void add_curved_sides(const GhostedMesh& mesh, const GhostedMesh::Element& element);
+  void add_curved_corners(const GhostedMesh& mesh, const GhostedMesh::Element& element);
+  /// Adds the tangent at a node of the edge to another; the position of its end.
+  int tangent(int at, int other, int middle);
+
   int nodes_;
   std::vector<Tangent> tangents_;
 };
 
-/// Twice the signed area of a triangle [m2].
-double twice_area(const std::array<int, 3>& triangle, const Positions& x);
+/// Determinant of the edges from the first corner: twice the signed area of a triangle [m2], six times the signed
+/// volume of a tetrahedron [m3].
+double determinant(const Simplex& simplex, const Positions& x);
+/// Its root of the dimension, without the sign: a length [m].
+double size(const Simplex& simplex, const Positions& x);
 
 /// What an interior motion may look at. Positions are those of nodes, then of tangents' ends.
 struct InteriorMesh {
-  const CornerTriangles& corners;
-  const Positions& source;           // of the source's mesh
-  const Positions& before;           // before any node of this relocation moved
-  const std::vector<char>& movable;  // (node) vertices that are free to move
-  double time = 0;                   // [s] of the state that the mesh carries
+  const GhostedMesh& mesh;
+  const CornerSimplices& corners;
+  const Positions& source;                       // of the source's mesh
+  const Positions& before;                       // before any node of this relocation moved
+  const std::vector<char>& movable;              // (node) vertices that are free to move
+  const std::vector<std::vector<int>>& colours;  // those of this rank: see vertex_colours()
+  double time = 0;                               // [s] of the state that the mesh carries
 };
 
 /// Places the vertices inside when those on paths have moved: type of the deck's "mesh motion".
 class InteriorMotion {
  public:
   virtual ~InteriorMotion() = default;
-  /// `x` holds the boundary's new positions and the interior's old ones, and no triangle of it is folded. Serial, pure.
+  /// `x` holds the boundary's new positions and the interior's old ones, and no simplex of it is folded. Collective;
+  /// the result does not depend on the number of ranks.
   virtual void move(const InteriorMesh& mesh, Positions& x) const = 0;
+  /// Whether it is one for meshes in space too.
+  virtual bool in_space() const { return true; }
 };
 
 /// When passes over the vertices end.
@@ -57,10 +85,15 @@ struct SweepLimits {
   void parameters(Parameters& p);
 };
 
-/// Vertex by vertex, lowers the sum of squared inverse mean ratios of the triangles around it (Knupp 2001; Freitag &
-/// Knupp 2002), mu = |T|^2 / (2 det T), T the map from the ideal triangle: 1 at best, infinite for a flat triangle, so
-/// that no element ever folds. The ideal is the equilateral triangle or the triangle of the source's mesh; size is
-/// free.
+/// Passes over the vertices that may move, colour after colour, to and fro. `place` gives a vertex of `x` its new place
+/// and returns how far that is, as a share of its elements' size. Collective.
+void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
+                      const std::function<double(int node)>& place);
+
+/// Vertex by vertex, lowers the sum of squared inverse mean ratios of the simplices around it (Knupp 2001; Freitag &
+/// Knupp 2002), mu = |T|^2 / (d det T^(2/d)) in d dimensions, T the map from the ideal simplex: 1 at best, infinite for
+/// a flat simplex, so that no element ever folds. The ideal is the regular simplex or that of the source's mesh; size
+/// is free.
 class OptimisationMotion : public InteriorMotion {
  public:
   void parameters(Parameters& p);
@@ -73,12 +106,13 @@ class OptimisationMotion : public InteriorMotion {
 };
 
 /// The map from the source's mesh is harmonic in the inverse direction (Winslow 1967): vertex by vertex, lowers its
-/// Dirichlet energy, the sum of mu weighted by the areas of the source's triangles. As smooth as Laplace's, and no
-/// element folds.
+/// Dirichlet energy, in the plane the sum of mu weighted by the areas of the source's triangles. As smooth as
+/// Laplace's, and no element folds.
 class WinslowMotion : public InteriorMotion {
  public:
   void parameters(Parameters& p) { limits_.parameters(p); }
   void move(const InteriorMesh& mesh, Positions& x) const override;
+  bool in_space() const override { return false; }
 
  private:
   SweepLimits limits_;
@@ -94,9 +128,9 @@ class LaplaceMotion : public InteriorMotion {
   SweepLimits limits_{200, 1e-4};
 };
 
-/// Elastic re-analysis (Nazem, Sheng & Carter 2006): the mesh as a plane elastic body whose boundary is displaced, from
-/// the source's mesh or from the present one; the stiffness of a triangle is inverse to its area, so that small
-/// elements survive.
+/// Elastic re-analysis (Nazem, Sheng & Carter 2006): the mesh as an elastic body, in plane strain or in space, whose
+/// boundary is displaced, from the source's mesh or from the present one; the stiffness of a simplex is inverse to its
+/// size, so that small elements survive.
 class ElasticMotion : public InteriorMotion {
  public:
   void parameters(Parameters& p);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/space_vector.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
 
@@ -14,52 +15,96 @@ namespace {
 constexpr int rings = 3;         // of elements around those of a material, onto which its fields are continued
 constexpr double narrow = 0.04;  // a direction in which points spread by less than the root of this has no slope
 
-/// A plane for each column, fitted to rows of a table.
+/// Second moments of places about their centre: their principal directions and the spread along each, the largest
+/// first.
+struct Spread {
+  double along[3] = {};
+  Point direction[3] = {};
+
+  Spread(int dim, const double (&moments)[3][3]) { dim == 2 ? in_plane(moments) : in_space(moments); }
+
+ private:
+  void in_plane(const double (&m)[3][3]) {
+    const double middle = 0.5 * (m[0][0] + m[1][1]), radius = std::hypot(0.5 * (m[0][0] - m[1][1]), m[0][1]),
+                 angle = 0.5 * std::atan2(2 * m[0][1], m[0][0] - m[1][1]);
+    along[0] = middle + radius;
+    along[1] = middle - radius;
+    direction[0] = {std::cos(angle), std::sin(angle), 0};
+    direction[1] = {-std::sin(angle), std::cos(angle), 0};
+  }
+  /// Jacobi's rotations.
+  void in_space(const double (&m)[3][3]) {
+    double a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // v: the directions as columns
+    std::copy(&m[0][0], &m[0][0] + 9, &a[0][0]);
+    for (int sweep = 0; sweep < 20; ++sweep)
+      for (int p = 0; p < 3; ++p) {
+        const int q = (p + 1) % 3;
+        const double apart = a[p][p] - a[q][q],
+                     angle = 0.5 * std::atan2(std::copysign(2.0, apart) * a[p][q], std::abs(apart)),
+                     c = std::cos(angle), s = std::sin(angle);
+        const auto turn = [&](double& x, double& y) {
+          const double old = x;
+          x = c * x + s * y;
+          y = c * y - s * old;
+        };
+        for (int i = 0; i < 3; ++i) turn(a[i][p], a[i][q]);
+        for (int i = 0; i < 3; ++i) turn(a[p][i], a[q][i]);
+        for (int i = 0; i < 3; ++i) turn(v[i][p], v[i][q]);
+      }
+    int order[3] = {0, 1, 2};
+    std::sort(order, order + 3, [&](int i, int k) { return a[i][i] > a[k][k]; });
+    for (int k = 0; k < 3; ++k) {
+      along[k] = a[order[k]][order[k]];
+      for (int i = 0; i < 3; ++i) direction[k][i] = v[i][order[k]];
+    }
+  }
+};
+
+/// A linear function for each column, fitted to rows of a table.
 class Planes {
  public:
-  Planes(const std::vector<std::array<double, place_size>>& places, const std::vector<const double*>& rows, int columns)
-      : columns_(columns), mean_(columns, 0.0), slope_(2 * columns, 0.0) {
+  Planes(int dim, const std::vector<Point>& places, const std::vector<const double*>& rows, int columns)
+      : dim_(dim), columns_(columns), mean_(columns, 0.0), slope_(dim * columns, 0.0) {
     const double share = 1.0 / static_cast<double>(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (int d = 0; d < place_size; ++d) centre_[d] += share * places[i][d];
+      for (int d = 0; d < dim; ++d) centre_[d] += share * places[i][d];
       for (int c = 0; c < columns; ++c) mean_[c] += share * rows[i][c];
     }
-    double xx = 0, xy = 0, yy = 0;
-    std::vector<double> by(2 * columns, 0.0);
+    double moments[3][3] = {};
+    std::vector<double> by(dim * columns, 0.0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double x = places[i][0] - centre_[0], y = places[i][1] - centre_[1];
-      xx += x * x;
-      xy += x * y;
-      yy += y * y;
-      for (int c = 0; c < columns; ++c) {
-        by[2 * c] += x * (rows[i][c] - mean_[c]);
-        by[2 * c + 1] += y * (rows[i][c] - mean_[c]);
-      }
+      const Point x = minus(places[i], centre_);
+      for (int d = 0; d < dim; ++d)
+        for (int k = 0; k < dim; ++k) moments[d][k] += x[d] * x[k];
+      for (int c = 0; c < columns; ++c)
+        for (int d = 0; d < dim; ++d) by[dim * c + d] += x[d] * (rows[i][c] - mean_[c]);
     }
     // along the principal directions of the places, as far as these spread
-    const double middle = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy),
-                 angle = 0.5 * std::atan2(2 * xy, xx - yy);
-    for (int k = 0; k < 2; ++k) {
-      const double spread = k == 0 ? middle + radius : middle - radius;
-      if (!(spread > narrow * (middle + radius)) || !(spread > 0)) continue;
+    const Spread spread(dim, moments);
+    for (int k = 0; k < dim; ++k) {
+      if (!(spread.along[k] > narrow * spread.along[0]) || !(spread.along[k] > 0)) continue;
       ++slopes_;
-      const double e[2] = {k == 0 ? std::cos(angle) : -std::sin(angle), k == 0 ? std::sin(angle) : std::cos(angle)};
+      const Point& e = spread.direction[k];
       for (int c = 0; c < columns; ++c) {
-        const double along = (e[0] * by[2 * c] + e[1] * by[2 * c + 1]) / spread;
-        slope_[2 * c] += along * e[0];
-        slope_[2 * c + 1] += along * e[1];
+        double along = 0;
+        for (int d = 0; d < dim; ++d) along += e[d] * by[dim * c + d];
+        along /= spread.along[k];
+        for (int d = 0; d < dim; ++d) slope_[dim * c + d] += along * e[d];
       }
     }
   }
-  bool resolved() const { return slopes_ == place_size; }
-  void add(const std::array<double, place_size>& at, double* to) const {
-    for (int c = 0; c < columns_; ++c)
-      to[c] += mean_[c] + slope_[2 * c] * (at[0] - centre_[0]) + slope_[2 * c + 1] * (at[1] - centre_[1]);
+  bool resolved() const { return slopes_ == dim_; }
+  void add(const Point& at, double* to) const {
+    for (int c = 0; c < columns_; ++c) {
+      double value = mean_[c];
+      for (int d = 0; d < dim_; ++d) value += slope_[dim_ * c + d] * (at[d] - centre_[d]);
+      to[c] += value;
+    }
   }
 
  private:
-  int columns_, slopes_ = 0;
-  std::array<double, place_size> centre_{};
+  int dim_, columns_, slopes_ = 0;
+  Point centre_{};
   std::vector<double> mean_, slope_;
 };
 
@@ -75,7 +120,7 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
     for (const auto& patch : t.patches.patches()) {
       std::vector<std::size_t> to;
       std::vector<const double*> rows;
-      std::vector<std::array<double, place_size>> places, there;
+      std::vector<Point> places, there;
       for (int e : patch.elements)
         for (int q = 0; q < points; ++q) {
           const std::size_t row = t.mesh.first_row(e, points) + q;
@@ -86,7 +131,7 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
           if (known[row] == 0) there.push_back(place);
         }
       if (rows.empty() || to.empty()) continue;
-      const Planes planes(places, rows, t.columns);
+      const Planes planes(t.mesh.dimension(), places, rows, t.columns);
       if (!planes.resolved() && ring < 1 + rings) continue;  // better ones come with the next ring
       const double quality = (planes.resolved() ? 1.0 : 1e-3) * static_cast<double>(rows.size());
       for (std::size_t i = 0; i < to.size(); ++i) {
@@ -113,6 +158,11 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
       for (int c = 0; c < t.columns; ++c) table[found[k] * t.columns + c] = sums[k * t.columns + c] / planes_used[k];
       known[found[k]] = static_cast<char>(ring);
     }
+    // ghosts are at the edge of what is known here: their own ranks know better
+    t.mesh.fill_points(t.block.block, points, t.columns, table);
+    std::vector<double> rings_of(known.begin(), known.end());
+    t.mesh.fill_points(t.block.block, points, 1, rings_of);
+    known.assign(rings_of.begin(), rings_of.end());
   }
 }
 
@@ -135,17 +185,17 @@ std::vector<StateVariable> LayerRemap::variables_of(int material, const SoilTabl
 
 std::vector<char> LayerRemap::carry_origin(const PointTransfer& t, const SoilTable& table) const {
   const std::size_t rows = t.old.size() / t.columns;
-  std::vector<double> old(rows * place_size);
+  const int dim = t.mesh.dimension();
+  std::vector<double> old(rows * dim);
   for (std::size_t row = 0; row < rows; ++row)
-    for (int d = 0; d < place_size; ++d) old[row * place_size + d] = t.old[row * t.columns + table.origin + 1 + d];
+    for (int d = 0; d < dim; ++d) old[row * dim + d] = t.old[row * t.columns + table.origin + 1 + d];
   std::vector<double> now = old;
-  const std::vector<StateVariable> place{{"x", 1, "m"}, {"y", 1, "m"}};
-  remap_.transfer({t.mesh, t.block, t.patches, t.x_old, t.x_new, place, place_size, old, now});
+  const std::vector<StateVariable> place{{"place at the start", dim, "m"}};
+  remap_.transfer({t.mesh, t.block, t.patches, t.x_old, t.x_new, place, dim, old, now});
   std::vector<char> material(rows);
   for (std::size_t row = 0; row < rows; ++row) {
     Point start{};
-    for (int d = 0; d < place_size; ++d)
-      start[d] = t.now[row * t.columns + table.origin + 1 + d] = now[row * place_size + d];
+    for (int d = 0; d < dim; ++d) start[d] = t.now[row * t.columns + table.origin + 1 + d] = now[row * dim + d];
     material[row] = static_cast<char>(soil_.material_at(t.block, start));
     t.now[row * t.columns + table.origin] = material[row];
   }
@@ -157,8 +207,8 @@ std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, in
   double* now = &t.now[static_cast<std::size_t>(row) * t.columns];
   const SoilMaterial& soil = *soil_.materials[material];
   InitialPoint point;
-  for (int d = 0; d < place_size; ++d) point.position[d] = now[table.origin + 1 + d];
-  point.position[2] = 0;
+  point.position = {};
+  for (int d = 0; d < t.mesh.dimension(); ++d) point.position[d] = now[table.origin + 1 + d];
   point.height = soil_.height(point.position);
   std::copy_n(now + table.stress, 6, point.stress.begin());
   point.void_ratio = now[table.void_ratio];
@@ -168,7 +218,7 @@ std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, in
   if (reason.empty()) return "";
   const auto place =
       Recovery::position(t.mesh.elements()[element], t.block, row - t.mesh.first_row(element, t.block.points), t.x_new);
-  return "the law of material '" + soil.name + "', which the soil at " + place_text({place[0], place[1], 0}, 2) +
+  return "the law of material '" + soil.name + "', which the soil at " + place_text(place, t.mesh.dimension()) +
          " has become part of, cannot start there: " + reason;
 }
 
@@ -186,7 +236,7 @@ LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t,
   remap_.transfer({t.mesh, t.block, t.patches, t.x_old, t.x_new, variables, t.columns, old, result.now});
   result.near.assign(was.size(), 1);
   const PointLocator locator(t.mesh, t.x_old);
-  for (int e : t.mesh.block_elements(t.block.block))
+  for (int e : t.mesh.own_elements(t.block.block))
     for (int q = 0; q < points; ++q) {
       const std::size_t row = t.mesh.first_row(e, points) + q;
       if (was[row] == material) continue;
@@ -218,7 +268,7 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
       result.ratios.before.push_back(version.void_ratio[row]);
       result.ratios.after.push_back(version.now[row * t.columns + table.void_ratio]);
     }
-  for (int e : t.mesh.block_elements(t.block.block))
+  for (int e : t.mesh.own_elements(t.block.block))
     for (int q = 0; q < points; ++q) {
       const int row = t.mesh.first_row(e, points) + q, material = result.is[row];
       const std::size_t first = static_cast<std::size_t>(row) * t.columns;
@@ -226,7 +276,7 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
       t.now[first + table.origin] = material;
       result.changed += result.was[row] != material;
       for (int c = 0; c < t.columns && version.near[row]; ++c)
-        if (c < table.origin || c > table.origin + place_size) t.now[first + c] = version.now[first + c];
+        if (c < table.origin || c > table.origin + t.mesh.dimension()) t.now[first + c] = version.now[first + c];
       if (version.near[row]) continue;
       ++result.started;
       const std::string problem = start(t, table, material, e, row);

@@ -17,7 +17,7 @@ struct SoilTable {
 
 /// Points that have another material than before.
 struct LayerChanges {
-  int changed = 0;      // points
+  int changed = 0;      // points of this rank
   int started = 0;      // those of them whose law starts anew, because no soil of their new material is near
   std::string problem;  // why a law cannot start; empty: none
   LayerRatios ratios;
@@ -32,7 +32,7 @@ struct LayerChanges {
 class LayerRemap {
  public:
   LayerRemap(const Soil& soil, const Remap& remap) : soil_(soil), remap_(remap) {}
-  /// `transfer`: of all columns; its variables are not read. Serial, pure, the same on every rank.
+  /// `transfer`: of all columns; its variables are not read. Of this rank's own elements. Collective.
   LayerChanges transfer(const PointTransfer& transfer, const SoilTable& table) const;
 
  private:
@@ -56,7 +56,7 @@ class LayerRemap {
 
 /// Continues the values of some rows of a block's table to the rows around them, by planes fitted to the rows at a
 /// vertex: linear fields exactly. `known`: (row) 1 for those that have values; rows that get one are given the number
-/// of the ring of elements around that they are in, from 2 on; 0 stays where there is none.
+/// of the ring of elements around that they are in, from 2 on; 0 stays where there is none. Collective.
 void continue_rows(const PointTransfer& transfer, std::vector<double>& table, std::vector<char>& known);
 
 }  // namespace mudline

@@ -15,21 +15,12 @@ struct Edge {
 };
 
 /// Sides on the outer boundary and between regions; an outer side keeps the direction of its element.
-std::vector<Edge> feature_edges(const WholeMesh& mesh) {
-  std::map<std::pair<int, int>, std::set<std::string>> sets;
-  for (const auto& [name, sides] : mesh.side_sets())
-    for (const auto& side : sides) sets[{side.element, side.side}].insert(name);
+std::vector<Edge> feature_edges(const GhostedMesh& mesh) {
   std::vector<Edge> edges;
-  const auto& elements = mesh.elements();
-  for (int e = 0; e < static_cast<int>(elements.size()); ++e)
-    for (int s = 0; s < num_sides(elements[e].shape); ++s) {
-      const int other = elements[e].neighbours[s];
-      if (other >= 0 && (other < e || elements[other].block == elements[e].block)) continue;
-      const std::vector<int> local = side_nodes(elements[e].shape, s);
-      const auto& nodes = elements[e].nodes;
-      Edge edge{nodes[local[0]], nodes[local[1]], local.size() > 2 ? nodes[local[2]] : -1, sets[{e, s}], other < 0};
-      edges.push_back(edge);
-    }
+  for (const auto& side : mesh.boundary())
+    if (side.first)
+      edges.push_back(
+          {side.nodes[0], side.nodes[1], side.nodes.size() > 2 ? side.nodes[2] : -1, side.sets, side.other < 0});
   return edges;
 }
 
@@ -41,8 +32,8 @@ double turning(const Positions& x, int before, int at, int after) {
 
 class Splitter {
  public:
-  Splitter(const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle,
-           const std::function<bool(int)>& on_body)
+  Splitter(const GhostedMesh& mesh, const Positions& source, const std::vector<std::string>& corners,
+           double corner_angle, const std::function<bool(int)>& on_body)
       : x_(source), edges_(feature_edges(mesh)), on_body_(on_body) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       at_[edges_[i].from].push_back(static_cast<int>(i));
@@ -101,7 +92,7 @@ class Splitter {
 
 }  // namespace
 
-std::vector<MeshPath> find_paths(const WholeMesh& mesh, const Positions& source,
+std::vector<MeshPath> find_paths(const GhostedMesh& mesh, const Positions& source,
                                  const std::vector<std::string>& corners, double corner_angle,
                                  const std::function<bool(int node)>& on_body) {
   return Splitter(mesh, source, corners, corner_angle, on_body).paths();

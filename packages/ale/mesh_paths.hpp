@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 
 namespace mudline {
 
@@ -24,7 +24,7 @@ struct MeshPath {
 /// `corner_angle` [rad] and does not lie on a body there (`on_body` of a node; asked only where it turns): that turns
 /// as the body does, and the soil slides past it. The ends of paths are material points.
 std::vector<MeshPath> find_paths(
-    const WholeMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle,
+    const GhostedMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle,
     const std::function<bool(int node)>& on_body = [](int) { return false; });
 
 }  // namespace mudline

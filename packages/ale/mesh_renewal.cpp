@@ -48,7 +48,7 @@ void RenewalParameters::parameters(Parameters& p) {
   p.add("time limit", time_limit, "s", positive(), "Gmsh is given up when it has not finished after this time");
 }
 
-MeshRenewal::MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
+MeshRenewal::MeshRenewal(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
                          const Section& section)
     : mesh_(mesh), boundary_(boundary), deck_(deck) {
   find_neighbours();
@@ -58,22 +58,15 @@ MeshRenewal::MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, 
 }
 
 void MeshRenewal::find_neighbours() {
-  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // directed, by nodes: element, side
-  const auto& elements = mesh_.elements();
-  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
-    const int corners = num_corners(elements[e].shape);
-    for (int s = 0; s < corners; ++s) sides[{elements[e].nodes[s], elements[e].nodes[(s + 1) % corners]}] = {e, s};
-  }
+  std::map<std::pair<int, int>, const GhostedMesh::BoundarySide*> sides;  // directed, by nodes
+  for (const auto& side : mesh_.boundary()) sides[{side.nodes[0], side.nodes[1]}] = &side;
   for (const MeshPath& path : boundary_.paths()) {
     PathNeighbours here;
     const auto look = [&](int from, int to, int& block, std::set<std::string>& sets) {
       const auto found = sides.find({from, to});
       if (found == sides.end()) return;
-      const auto [element, side] = found->second;
-      block = elements[element].block;
-      for (const auto& [name, members] : mesh_.side_sets())
-        for (const auto& member : members)
-          if (member.element == element && member.side == side) sets.insert(name);
+      block = found->second->block;
+      sets = found->second->sets;
     };
     look(path.nodes[0], path.nodes[path.stride], here.left, here.left_sets);
     look(path.nodes[path.stride], path.nodes[0], here.right, here.right_sets);
@@ -96,21 +89,21 @@ void MeshRenewal::check(const Section& section) const {
   if (adaptive() && deck_.smallest_size > deck_.largest_size)
     section.fail("must not be smaller than the smallest size, " + number_text(deck_.smallest_size) + " m",
                  "largest size");
-  for (const auto& element : mesh_.elements())
-    if (element.shape != CellShape::tri3 && element.shape != CellShape::tri6)
-      section.fail(std::string("the mesh has cells ") + name(element.shape) +
+  for (const ElementBlock& block : mesh_.mesh().blocks())
+    if (block.shape != CellShape::tri3 && block.shape != CellShape::tri6)
+      section.fail(std::string("the mesh has cells ") + name(block.shape) +
                    "; only meshes of triangles (tri3, tri6) can be made anew");
 }
 
 void MeshRenewal::check_sets(const Section& section) const {
-  std::map<std::string, std::size_t> on_paths;  // sides of each set that lie on paths whose sides all belong to it
+  std::map<std::string, double> on_paths;  // sides of each set that lie on paths whose sides all belong to it
   for (std::size_t p = 0; p < beside_.size(); ++p) {
-    const std::size_t sides = boundary_.paths()[p].num_vertices() - 1;
+    const int sides = boundary_.paths()[p].num_vertices() - 1;
     for (const auto* sets : {&beside_[p].left_sets, &beside_[p].right_sets})
       for (const std::string& name : *sets) on_paths[name] += sides;
   }
-  for (const auto& [name, sides] : mesh_.side_sets())
-    if (on_paths[name] != sides.size())
+  for (const auto& [name, sides] : mesh_.mesh().side_sets())
+    if (on_paths[name] != mesh_.sum(static_cast<double>(sides.size())))
       section.fail("the side set '" + name +
                    "' is not made of whole boundaries of regions: it would be lost where the mesh is made anew");
   for (const auto& [name, nodes] : mesh_.node_sets())
@@ -179,12 +172,13 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
   for (int v = 0; v <= sides; ++v) {
     const bool end = v == 0 || v == sides;
     if (kept(p) || end)
-      result.vertices.push_back(x[path.nodes[kept(p) ? v * path.stride : v == 0 ? 0 : last]]);
+      result.vertices.push_back(in_plane(x[path.nodes[kept(p) ? v * path.stride : v == 0 ? 0 : last]]));
     else
       result.vertices.push_back(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride));
   }
   for (int k = 0; path.stride == 2 && k < sides; ++k)
-    result.middles.push_back(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
+    result.middles.push_back(kept(p) ? in_plane(x[path.nodes[2 * k + 1]])
+                                     : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
   return result;
 }
 

@@ -43,11 +43,11 @@ struct PathNeighbours {
 class MeshRenewal {
  public:
   /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
-  MeshRenewal(const WholeMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
+  MeshRenewal(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
               const Section& section);
 
   const RenewalParameters& deck() const { return deck_; }
-  const WholeMesh& mesh() const { return mesh_; }
+  const GhostedMesh& mesh() const { return mesh_; }
   const BoundaryMotion& boundary() const { return boundary_; }
   const PathNeighbours& beside(std::size_t path) const { return beside_[path]; }
   /// Whether the path keeps its nodes.
@@ -73,7 +73,7 @@ class MeshRenewal {
   std::function<double(double s)> wanted(std::size_t path, const PathCurve& curve, const State& state,
                                          const WantedSizes* sizes) const;
 
-  const WholeMesh& mesh_;
+  const GhostedMesh& mesh_;
   const BoundaryMotion& boundary_;
   RenewalParameters deck_;
   std::vector<PathNeighbours> beside_;  // (path)

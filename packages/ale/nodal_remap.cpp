@@ -8,13 +8,12 @@
 
 namespace mudline {
 
-std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
-                                          const std::array<double, 2>& x) {
+std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x) {
   const int count = nodes[2] >= 0 ? 3 : 2;
   const auto offset = [&](double xi, double(&r)[2], double(&t)[2]) {
     double N[3], dN[3];
     evaluate_line(count, xi, N, dN);
-    for (int d = 0; d < place_size; ++d) {
+    for (int d = 0; d < 2; ++d) {
       r[d] = x[d];
       t[d] = 0;
       for (int a = 0; a < count; ++a) {
@@ -34,8 +33,8 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
   return {xi, std::hypot(r[0], r[1])};
 }
 
-void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old,
-                             const std::array<double, 2>& x, Place& place) const {
+void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
+                             Place& place) const {
   double least = 1e300;
   for (int k = first; k + path.stride <= last; k += path.stride) {
     const int nodes[3] = {path.nodes[k], path.nodes[k + path.stride], path.stride == 2 ? path.nodes[k + 1] : -1};
@@ -47,23 +46,23 @@ void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Po
   }
 }
 
-NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
+NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
                        const Positions& x_new)
     : mesh_(mesh), to_(mesh), places_(x_old.size()) {
   const PointLocator locator(mesh, x_old);
-  for (int node = 0; node < mesh.num_nodes(); ++node) {
+  for (int node : mesh.owned_nodes()) {
     if (x_new[node] == x_old[node]) {
       places_[node].same = node;
       continue;
     }
     const MeshPlace place = locator.find(x_new[node], mesh.element_of(node));
     places_[node].element = place.element;
-    std::copy(place.xi, place.xi + 2, places_[node].xi);
+    std::copy(place.xi, place.xi + 3, places_[node].xi);
   }
   for (const MeshPath& path : paths)
     for (int i = 1; i + 1 < static_cast<int>(path.nodes.size()); ++i) {
       Place& place = places_[path.nodes[i]];
-      if (place.same >= 0) continue;
+      if (place.same >= 0 || !mesh.owns(path.nodes[i])) continue;
       // a node slides less than one side
       const int first = std::max(0, (i / path.stride - 2) * path.stride),
                 last = static_cast<int>(path.nodes.size()) - 1;
@@ -71,19 +70,19 @@ NodalRemap::NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths
     }
 }
 
-NodalRemap::NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
-                       const WholeMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new)
+NodalRemap::NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
+                       const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new)
     : mesh_(from), to_(to), places_(x_new.size()) {
   const PointLocator locator(from, x_old);
   std::map<int, int> guess;  // by block: where the last node was found
   for (const auto& element : to.elements())
     for (int a = 0; a < num_nodes(element.shape); ++a) {
       Place& place = places_[element.nodes[a]];
-      if (place.element >= 0) continue;
+      if (place.element >= 0 || !to.owns(element.nodes[a])) continue;
       int& near = guess.emplace(element.block, from.block_elements(element.block).front()).first->second;
       const MeshPlace found = locator.find(x_new[element.nodes[a]], near);
       near = place.element = found.element;
-      std::copy(found.xi, found.xi + 2, place.xi);
+      std::copy(found.xi, found.xi + 3, place.xi);
     }
   for (std::size_t p = 0; p < paths_to.size(); ++p) put_on_new_path(paths_from[p], paths_to[p], x_old, x_new);
 }
@@ -93,6 +92,7 @@ void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, cons
   const int last = static_cast<int>(made.nodes.size()) - 1;
   for (int i = 0; i <= last; ++i) {
     Place& place = places_[made.nodes[i]];
+    if (!to_.owns(made.nodes[i])) continue;
     if (i == 0 || i == last) {
       place.same = i == 0 ? old.nodes.front() : old.nodes.back();
       continue;
@@ -106,8 +106,8 @@ void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, cons
 std::vector<double> NodalRemap::apply(const std::vector<double>& old, int components, Support support,
                                       bool limited) const {
   std::vector<double> now(places_.size() * components, 0.0);
-  double N[9], dN[18];
-  for (int node = 0; node < to_.num_nodes(); ++node) {
+  double N[27], dN[81];
+  for (int node : to_.owned_nodes()) {
     const Place& place = places_[node];
     if (support == Support::vertices && !to_.is_vertex(node)) continue;
     if (place.same >= 0) {
@@ -138,6 +138,7 @@ std::vector<double> NodalRemap::apply(const std::vector<double>& old, int compon
       now[components * node + c] = limited ? std::clamp(sum, least, most) : sum;
     }
   }
+  to_.fill(now, components);
   return now;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -9,21 +8,22 @@
 namespace mudline {
 
 /// Place on a side, in [-1, 1], nearest to x, and its distance [m]. `nodes`: ends, middle or -1.
-std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions,
-                                          const std::array<double, 2>& x);
+std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x);
 
 /// How the values at the nodes of the old mesh make those at the moved nodes: rows of a sparse interpolation, by the
 /// shape functions of the field in the old mesh. The values of nodes on paths come from the boundary alone, so that
-/// what is prescribed along it stays as it is; nodes that did not move keep theirs to the last bit.
+/// what is prescribed along it stays as it is; nodes that did not move keep theirs to the last bit. Every rank makes
+/// its own nodes' values.
 class NodalRemap {
  public:
-  NodalRemap(const WholeMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old, const Positions& x_new);
-  /// Another mesh of the same regions, with the same paths in the same order.
-  NodalRemap(const WholeMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
-             const WholeMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
+  NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
+             const Positions& x_new);
+  /// Another mesh of the same regions, with the same paths in the same order. `from`: the whole mesh.
+  NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
+             const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
   /// `support`: which nodes carry the field; (node, component) in and out. `limited`: no value beyond those it is made
   /// of, for fields that jump from one node to the next, where quadratic shape functions overshoot remap by remap;
-  /// smooth fields lose their peaks by it.
+  /// smooth fields lose their peaks by it. Collective.
   std::vector<double> apply(const std::vector<double>& old, int components, Support support,
                             bool limited = false) const;
 
@@ -31,16 +31,16 @@ class NodalRemap {
   struct Place {
     int same = -1;  // node of the old mesh that is at its place
     int element = -1;
-    double xi[2] = {0, 0};
+    double xi[3] = {0, 0, 0};
     int side_nodes[3] = {-1, -1, -1};  // of the old boundary, for nodes on paths: ends, middle or -1
     double along = 0;
   };
   /// The nearest place on sides of an old path, from the vertex `first` to the vertex `last`.
-  void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const std::array<double, 2>& x,
+  void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
                    Place& place) const;
   void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);
 
-  const WholeMesh &mesh_, &to_;
+  const GhostedMesh &mesh_, &to_;
   std::vector<Place> places_;
 };
 

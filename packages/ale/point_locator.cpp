@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/space_vector.hpp"
 #include "discretisation/element_map.hpp"
 
 namespace mudline {
@@ -12,26 +13,32 @@ namespace {
 
 constexpr double edge_tolerance = 1e-10;
 
-/// A side of the boundary as seen from a point.
-class BoundarySide {
+/// A line of two or three nodes as seen from a point.
+class SeenLine {
  public:
-  BoundarySide(const WholeMesh::Element& element, int side, const Positions& x, const std::array<double, 2>& point) {
-    const std::vector<int> nodes = side_nodes(element.shape, side);
-    count_ = static_cast<int>(nodes.size());
-    for (int a = 0; a < count_; ++a)
-      for (int i = 0; i < place_size; ++i) off_[a][i] = x[element.nodes[nodes[a]]][i] - point[i];
+  SeenLine(int count, const Point* off) : count_(count) { std::copy(off, off + count, off_); }
+  /// The place in [-1, 1] that is nearest, and its distance [m]. Given up where that is `least` or more.
+  std::pair<double, double> nearest(double least) const {
+    constexpr int samples = 8;  // a parabola has no more than three places where its distance is stationary
+    double place = -1, near = 1e300;
+    for (int k = 0; k <= samples; ++k) {
+      const double t = -1 + 2.0 * k / samples, here = distance(t);
+      if (here >= near) continue;
+      near = here;
+      place = t;
+    }
+    // distances change by no more than the way along the line, which even a strongly curved one has less than twice as
+    // long as its chord
+    if (near - 2 * mudline::distance(off_[1], off_[0]) / samples > least) return {place, near};
+    place = stationary(std::max(place - 2.0 / samples, -1.0), std::min(place + 2.0 / samples, 1.0));
+    return {place, distance(place)};
   }
-  double chord() const { return std::hypot(off_[1][0] - off_[0][0], off_[1][1] - off_[0][1]); }
-  double distance(double t) const {
-    const auto off = at(t, false);
-    return std::hypot(off[0], off[1]);
-  }
+
+ private:
+  double distance(double t) const { return mudline::distance(at(t, false), Point{}); }
   /// Where the distance is least, if it falls and then rises between the two.
   double stationary(double low, double high) const {
-    const auto rises = [&](double t) {
-      const auto off = at(t, false), way = at(t, true);
-      return off[0] * way[0] + off[1] * way[1] >= 0;
-    };
+    const auto rises = [&](double t) { return dot(at(t, false), at(t, true)) >= 0; };
     if (rises(low)) return low;
     if (!rises(high)) return high;
     for (int k = 0; k < 60; ++k) {
@@ -40,28 +47,92 @@ class BoundarySide {
     }
     return high;
   }
-
- private:
-  std::array<double, 2> at(double t, bool slope) const {
+  Point at(double t, bool slope) const {
     double N[3], dN[3];
     evaluate_line(count_, t, N, dN);
-    std::array<double, 2> result{};
-    for (int a = 0; a < count_; ++a)
-      for (int i = 0; i < place_size; ++i) result[i] += (slope ? dN : N)[a] * off_[a][i];
+    Point result{};
+    for (int a = 0; a < count_; ++a) result = plus(result, (slope ? dN : N)[a], off_[a]);
     return result;
   }
-  double off_[3][2];
   int count_;
+  Point off_[3];
+};
+
+/// A side of an element as seen from a point: the line itself in the plane, a face with its edges in space.
+class SeenSide {
+ public:
+  SeenSide(const GhostedMesh::Element& element, int side, const Positions& x, const Point& point)
+      : shape_(side_shape(element.shape)) {
+    for (int a : side_nodes(element.shape, side)) off_.push_back(minus(x[element.nodes[a]], point));
+  }
+  /// The nearest place, by the side's own coordinates, where its distance [m] is below `least`, which it replaces.
+  bool nearer(double& least, std::array<double, 2>& place) const {
+    if (dimension(shape_) == 1) {
+      const auto [t, here] = SeenLine(static_cast<int>(off_.size()), off_.data()).nearest(least);
+      return take({t, 0}, here, least, place);
+    }
+    double size = 0;
+    for (const Point& off : off_) size = std::max(size, distance(off, off_[0]));
+    if (length(off_[0]) - 2 * size > least) return false;
+    const int corners = num_corners(shape_);
+    bool found = false;
+    for (int e = 0; e < corners; ++e) {
+      const auto [a, b] = edge_corners(shape_, e);
+      const Point line[3] = {off_[a], off_[b], order(shape_) == 2 ? off_[corners + e] : Point{}};
+      const auto [t, here] = SeenLine(order(shape_) + 1, line).nearest(least);
+      const auto from = reference_node(shape_, a), to = reference_node(shape_, b);
+      const auto along = [&](int k) { return 0.5 * (1 - t) * from[k] + 0.5 * (1 + t) * to[k]; };
+      found = take({along(0), along(1)}, here, least, place) || found;
+    }
+    return inside(least, place) || found;
+  }
+
+ private:
+  static bool take(const std::array<double, 2>& at, double here, double& least, std::array<double, 2>& place) {
+    if (here >= least) return false;
+    least = here;
+    place = at;
+    return true;
+  }
+  /// Inside of the face, by Gauss and Newton's method from its middle and from halfway to each corner.
+  bool inside(double& least, std::array<double, 2>& place) const {
+    bool found = false;
+    const auto centre = cell_centre(shape_);
+    for (int start = 0; start <= num_corners(shape_); ++start) {
+      std::array<double, 2> xi{centre[0], centre[1]};
+      for (int k = 0; k < 2 && start > 0; ++k) xi[k] = 0.5 * (xi[k] + reference_node(shape_, start - 1)[k]);
+      for (int iteration = 0; iteration < 60; ++iteration) {
+        double N[9], dN[18];
+        evaluate_shape(shape_, xi.data(), N, dN);
+        Point r{}, along[2] = {};
+        for (std::size_t a = 0; a < off_.size(); ++a) {
+          r = plus(r, N[a], off_[a]);
+          for (int k = 0; k < 2; ++k) along[k] = plus(along[k], dN[2 * a + k], off_[a]);
+        }
+        const double aa = dot(along[0], along[0]), ab = dot(along[0], along[1]), bb = dot(along[1], along[1]),
+                     ra = dot(r, along[0]), rb = dot(r, along[1]), det = aa * bb - ab * ab;
+        if (outside_cell(shape_, xi.data()) > 0.5 || !(det > 0)) break;
+        if (outside_cell(shape_, xi.data()) <= 0) found = take(xi, length(r), least, place) || found;
+        const double step[2] = {(ab * rb - bb * ra) / det, (ab * ra - aa * rb) / det};
+        if (std::hypot(step[0], step[1]) < 1e-15) break;
+        for (int k = 0; k < 2; ++k) xi[k] += step[k];
+      }
+    }
+    return found;
+  }
+
+  CellShape shape_;
+  std::vector<Point> off_;
 };
 
 }  // namespace
 
-bool PointLocator::invert(int e, const std::array<double, 2>& point, double xi[2]) const {
+bool PointLocator::invert(int e, const Point& point, double xi[3]) const {
   const auto& element = mesh_.elements()[e];
   return ElementMap(element.shape, [&](int a) { return x_[element.nodes[a]].data(); }).invert(point.data(), xi);
 }
 
-MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) const {
+MeshPlace PointLocator::find(const Point& point, int guess) const {
   const auto& elements = mesh_.elements();
   std::set<int> seen;
   MeshPlace best;
@@ -69,13 +140,13 @@ MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) cons
   int here = guess;
   for (int step = 0; step < 200 && here >= 0; ++step) {
     seen.insert(here);
-    double xi[2];
+    double xi[3] = {0, 0, 0};
     const bool inverted = invert(here, point, xi);
     const CellShape shape = elements[here].shape;
     const double off = inverted ? outside_cell(shape, xi) : 1e200;
     if (off < least) {
       least = off;
-      best = {here, {xi[0], xi[1]}};
+      best = {here, {xi[0], xi[1], xi[2]}};
     }
     if (off <= edge_tolerance) return best;
     // on through the side that the point is farthest beyond; where that is closed, through the next best
@@ -94,43 +165,29 @@ MeshPlace PointLocator::find(const std::array<double, 2>& point, int guess) cons
   if (least < 0.1) return best;  // just beyond a curved boundary
   // the walk was caught in a corner: look everywhere
   for (int e : mesh_.block_elements(elements[guess].block)) {
-    double xi[2];
+    double xi[3] = {0, 0, 0};
     if (!invert(e, point, xi)) continue;
     const double off = outside_cell(elements[e].shape, xi);
     if (off >= least) continue;
     least = off;
-    best = {e, {xi[0], xi[1]}};
+    best = {e, {xi[0], xi[1], xi[2]}};
     if (off <= edge_tolerance) break;
   }
   return best;
 }
 
-MeshPlace PointLocator::nearest_on_boundary(const std::array<double, 2>& point) const {
-  constexpr int samples = 8;  // of a side: a parabola has no more than three places where its distance is stationary
+MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {
   MeshPlace best;
   double least = 1e300;
   for (int e = 0; e < static_cast<int>(mesh_.elements().size()); ++e) {
     const auto& element = mesh_.elements()[e];
     for (int s = 0; s < num_sides(element.shape); ++s) {
       if (element.neighbours[s] >= 0) continue;
-      const BoundarySide side(element, s, x_, point);
-      double nearest = -1, near = 1e300;
-      for (int k = 0; k <= samples; ++k) {
-        const double t = -1 + 2.0 * k / samples, here = side.distance(t);
-        if (here >= near) continue;
-        near = here;
-        nearest = t;
-      }
-      // distances change by no more than the way along the side, which even a strongly curved one has less than twice
-      // as long as its chord
-      if (near - 2 * side.chord() / samples > least) continue;
-      nearest = side.stationary(std::max(nearest - 2.0 / samples, -1.0), std::min(nearest + 2.0 / samples, 1.0));
-      near = side.distance(nearest);
-      if (near >= least) continue;
-      least = near;
+      std::array<double, 2> nearest;
+      if (!SeenSide(element, s, x_, point).nearer(least, nearest)) continue;
       best.element = e;
       const auto place = on_side(element.shape, s, nearest);
-      std::copy_n(place.begin(), 2, best.xi);
+      std::copy(place.begin(), place.end(), best.xi);
     }
   }
   return best;

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
-
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 
 namespace mudline {
 
 /// Where a point lies in the mesh: element and its reference coordinates.
 struct MeshPlace {
   int element = -1;
-  double xi[2] = {0, 0};
+  double xi[3] = {0, 0, 0};
 };
 
 /// Finds points in a mesh by walking from a guess to the neighbour in whose direction the point lies; exact on curved
@@ -17,15 +15,15 @@ struct MeshPlace {
 /// the boundary element next to it with reference coordinates outside the cell.
 class PointLocator {
  public:
-  PointLocator(const WholeMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
-  MeshPlace find(const std::array<double, 2>& point, int guess) const;
+  PointLocator(const GhostedMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
+  MeshPlace find(const Point& point, int guess) const;
   /// The nearest point of the mesh's outer boundary, for points outside.
-  MeshPlace nearest_on_boundary(const std::array<double, 2>& point) const;
+  MeshPlace nearest_on_boundary(const Point& point) const;
   /// Inverse of the isoparametric map of one element. False where Newton's method finds none.
-  bool invert(int element, const std::array<double, 2>& point, double xi[2]) const;
+  bool invert(int element, const Point& point, double xi[3]) const;
 
  private:
-  const WholeMesh& mesh_;
+  const GhostedMesh& mesh_;
   const Positions& x_;
 };
 

@@ -2,15 +2,15 @@
 
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "discretisation/element_map.hpp"
 
 namespace mudline {
 
 /// See ElementMap.
-double scaled_jacobian(const WholeMesh::Element& element, const Positions& x);
+double scaled_jacobian(const GhostedMesh::Element& element, const Positions& x);
 
-/// Smallest scaled Jacobian of the mesh; `worst`: the element where it is.
-double lowest_quality(const WholeMesh& mesh, const Positions& x, int* worst = nullptr);
+/// Smallest scaled Jacobian of the whole mesh; `worst`: a corner of the element where it is [m]. Collective.
+double lowest_quality(const GhostedMesh& mesh, const Positions& x, std::array<double, place_size>* worst = nullptr);
 
 }  // namespace mudline

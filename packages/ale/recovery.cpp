@@ -11,47 +11,73 @@ namespace mudline {
 
 namespace {
 
-constexpr int terms = 6;                  // of a quadratic polynomial
-constexpr std::size_t enough_points = 9;  // for a fit that does not follow noise
+/// Of a quadratic polynomial.
+template <int Dim>
+constexpr int terms = (Dim + 1) * (Dim + 2) / 2;
+
+/// Points enough for a fit that does not follow noise. In space those of few elements nearly lie on a quadric.
+std::size_t enough_points(int dimension) { return dimension == 2 ? 9 : 40; }
 
 /// Fitted around a vertex.
+template <int Dim>
 struct Polynomial {
-  std::array<double, 2> centre;
+  Point centre;
   double size;
   std::vector<double> coefficients;  // (column, term)
 
-  std::array<double, terms> basis(const std::array<double, 2>& x) const {
+  std::array<double, terms<Dim>> basis(const Point& x) const {
     const double a = (x[0] - centre[0]) / size, b = (x[1] - centre[1]) / size;
-    return {1, a, b, a * a, a * b, b * b};
+    if constexpr (Dim == 2) {
+      return {1, a, b, a * a, a * b, b * b};
+    } else {
+      const double c = (x[2] - centre[2]) / size;
+      return {1, a, b, c, a * a, a * b, b * b, b * c, c * c, c * a};
+    }
   }
-  double at(const std::array<double, 2>& x, int column) const {
+  double at(const Point& x, int column) const {
     const auto powers = basis(x);
     double sum = 0;
-    for (int k = 0; k < terms; ++k) sum += powers[k] * coefficients[terms * column + k];
+    for (int k = 0; k < terms<Dim>; ++k) sum += powers[k] * coefficients[terms<Dim> * column + k];
     return sum;
   }
 };
 
 }  // namespace
 
-std::array<double, 2> Recovery::position(const WholeMesh::Element& element, const SoilBlock& block, int point,
-                                         const Positions& x) {
-  std::array<double, 2> result{};
+Point Recovery::position(const GhostedMesh::Element& element, const SoilBlock& block, int point, const Positions& x) {
+  Point result{};
+  const int dim = dimension(block.shape);
   for (int a = 0; a < block.u.nodes; ++a)
-    for (int d = 0; d < place_size; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
+    for (int d = 0; d < dim; ++d) result[d] += block.u.N(point, a) * x[element.nodes[a]][d];
   return result;
 }
 
-RecoveryPatches::RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {
+RecoveryPatches::RecoveryPatches(const GhostedMesh& mesh, const SoilBlock& block) : of_node_(mesh.num_nodes(), -1) {
   std::map<int, std::set<int>> around;  // elements at a vertex
+  const int nodes = num_nodes(block.shape);
+  std::vector<char> needed(mesh.num_nodes(), 0);
+  const auto need = [&](const GhostedMesh::Element& element) {
+    for (int a = 0; a < num_corners(block.shape); ++a) needed[element.nodes[a]] = 1;
+  };
+  for (int e : mesh.own_elements(block.block)) need(mesh.elements()[e]);
+  for (int e : mesh.block_elements(block.block)) {
+    const auto& element = mesh.elements()[e];
+    if (std::any_of(element.nodes.begin(), element.nodes.begin() + nodes, [&](int node) { return mesh.owns(node); }))
+      need(element);
+  }
   for (int e : mesh.block_elements(block.block))
-    for (int a = 0; a < num_corners(block.shape); ++a) around[mesh.elements()[e].nodes[a]].insert(e);
+    for (int a = 0; a < num_corners(block.shape); ++a)
+      if (needed[mesh.elements()[e].nodes[a]]) around[mesh.elements()[e].nodes[a]].insert(e);
   for (auto& [node, elements] : around) {
-    while (elements.size() * block.points < enough_points) {
+    cut_ = cut_ || !mesh.is_complete(node);
+    while (elements.size() * block.points < enough_points(mesh.dimension())) {
       std::set<int> wider = elements;
       for (int e : elements)
-        for (int other : mesh.elements()[e].neighbours)
+        for (int s = 0; s < num_sides(block.shape); ++s) {
+          const int other = mesh.elements()[e].neighbours[s];
+          cut_ = cut_ || other == GhostedMesh::unknown;
           if (other >= 0 && mesh.elements()[other].block == block.block) wider.insert(other);
+        }
       if (wider.size() == elements.size()) break;
       elements.swap(wider);
     }
@@ -60,27 +86,29 @@ RecoveryPatches::RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block) 
   }
 }
 
-Recovery::Recovery(const WholeMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
+Recovery::Recovery(const GhostedMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
                    const std::vector<double>& table, int columns)
     : mesh_(mesh),
       block_(block),
       table_(table),
       columns_(columns),
       nodal_(static_cast<std::size_t>(mesh.num_nodes()) * columns, 0.0) {
-  fit(patches, x);
+  mesh.dimension() == 2 ? fit<2>(patches, x) : fit<3>(patches, x);
   find_ranges();
 }
 
+template <int Dim>
 void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
-  std::vector<Polynomial> polynomials;
-  std::vector<std::array<double, 2>> places;
+  constexpr int terms = mudline::terms<Dim>;
+  std::vector<Polynomial<Dim>> polynomials;
+  std::vector<Point> places;
   for (const auto& [node, elements] : patches.patches()) {
-    Polynomial fitted{x[node], 0, std::vector<double>(terms * columns_, 0.0)};
+    Polynomial<Dim> fitted{x[node], 0, std::vector<double>(terms * columns_, 0.0)};
     places.clear();
     for (int e : elements)
       for (int q = 0; q < block_.points; ++q) {
         places.push_back(position(mesh_.elements()[e], block_, q, x));
-        fitted.size = std::max(fitted.size, std::hypot(places.back()[0] - x[node][0], places.back()[1] - x[node][1]));
+        fitted.size = std::max(fitted.size, distance(places.back(), x[node]));
       }
     double a[terms][terms] = {};
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -95,38 +123,36 @@ void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
     for (int c = 0; c < columns_; ++c) nodal_[static_cast<std::size_t>(node) * columns_ + c] = fitted.at(x[node], c);
     polynomials.push_back(std::move(fitted));
   }
-  const int corners = num_corners(block_.shape), nodes = num_nodes(block_.shape);
-  for (int e : mesh_.block_elements(block_.block)) {
-    const auto& n = mesh_.elements()[e].nodes;
-    for (int a = corners; a < nodes; ++a)
+  for (int a = num_corners(block_.shape); a < num_nodes(block_.shape); ++a) {
+    const std::vector<int> around = corners_around(block_.shape, a);
+    for (int e : mesh_.block_elements(block_.block)) {
+      const auto& n = mesh_.elements()[e].nodes;
       for (int c = 0; c < columns_; ++c) {
         double sum = 0;
         int share = 0;
-        for (int b = 0; b < corners; ++b) {
-          const bool end =
-              a < 2 * corners ? b == a - corners || b == (a - corners + 1) % corners : true;  // the centre: all
-          if (!end) continue;
+        for (int b : around) {
+          if (patches.at(n[b]) < 0) continue;  // another rank's node
           sum += polynomials[patches.at(n[b])].at(x[n[a]], c);
           ++share;
         }
-        nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / share;
+        if (share > 0) nodal_[static_cast<std::size_t>(n[a]) * columns_ + c] = sum / share;
       }
+    }
   }
+  mesh_.fill(nodal_, columns_);
 }
 
 std::vector<double> Recovery::bounded_nodes() const {
   const auto& elements = mesh_.elements();
   std::vector<bool> outer(mesh_.num_nodes(), false);
+  std::vector<std::vector<int>> nodes_of;  // (side)
+  for (int side = 0; side < num_sides(block_.shape); ++side) nodes_of.push_back(side_nodes(block_.shape, side));
   std::vector<double> bounded = nodal_, low(nodal_.size(), 1e300), high(nodal_.size(), -1e300);
   for (int e : mesh_.block_elements(block_.block)) {
     const auto& element = elements[e];
-    const int corners = num_corners(element.shape);
-    for (int side = 0; side < corners; ++side) {
-      const int other = element.neighbours[side];
-      if (other >= 0 && elements[other].block == block_.block) continue;
-      outer[element.nodes[side]] = outer[element.nodes[(side + 1) % corners]] = true;
-      if (num_nodes(element.shape) > corners) outer[element.nodes[corners + side]] = true;
-    }
+    for (int side = 0; side < num_sides(element.shape); ++side)
+      if (mesh_.on_boundary(element, side))
+        for (int a : nodes_of[side]) outer[element.nodes[a]] = true;
     for (int q = 0; q < block_.points; ++q)
       for (int a = 0; a < num_nodes(element.shape); ++a)
         for (int c = 0; c < columns_; ++c) {
@@ -140,6 +166,7 @@ std::vector<double> Recovery::bounded_nodes() const {
       const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
       if (low[i] <= high[i]) bounded[i] = std::clamp(nodal_[i], low[i], high[i]);
     }
+  mesh_.fill(bounded, columns_);
   return bounded;
 }
 
@@ -159,7 +186,7 @@ void Recovery::find_ranges() {
   }
 }
 
-void Recovery::interpolate(const WholeMesh::Element& element, const double* N, int nodes, double* values) const {
+void Recovery::interpolate(const GhostedMesh::Element& element, const double* N, int nodes, double* values) const {
   std::fill_n(values, columns_, 0.0);
   for (int a = 0; a < nodes; ++a)
     for (int c = 0; c < columns_; ++c)
@@ -168,7 +195,7 @@ void Recovery::interpolate(const WholeMesh::Element& element, const double* N, i
 
 void Recovery::at(const MeshPlace& place, double* values) const {
   const auto& element = mesh_.elements()[place.element];
-  double N[9], dN[18];
+  double N[27], dN[81];
   evaluate_shape(element.shape, place.xi, N, dN);
   interpolate(element, N, num_nodes(element.shape), values);
 }
@@ -188,8 +215,8 @@ std::vector<double> recovered_on(const BlockPoints& to, const BlockPoints& from,
       low.push_back(variable.low);
       high.push_back(variable.high);
     }
-  const auto& elements = to.mesh.block_elements(to.block.block);
-  std::vector<double> now(elements.size() * to.block.points * columns);
+  const auto& elements = to.mesh.own_elements(to.block.block);
+  std::vector<double> now(to.mesh.block_elements(to.block.block).size() * to.block.points * columns);
   int guess = from.mesh.block_elements(from.block.block).front();
   for (int e : elements)
     for (int q = 0; q < to.block.points; ++q) {

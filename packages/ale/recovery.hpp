@@ -9,31 +9,35 @@
 namespace mudline {
 
 /// The elements to whose points a polynomial around each vertex of a block is fitted: those that touch it, and more
-/// around them where they have too few points. They depend on the topology alone.
+/// around them where they have too few points. They depend on the topology alone. Of the vertices that this rank needs:
+/// the corners of its own elements and of those around its own nodes.
 class RecoveryPatches {
  public:
   struct Patch {
     int node;
     std::vector<int> elements;
   };
-  RecoveryPatches(const WholeMesh& mesh, const SoilBlock& block);
+  RecoveryPatches(const GhostedMesh& mesh, const SoilBlock& block);
   const std::vector<Patch>& patches() const { return patches_; }
-  /// Number of the patch around a vertex of the block.
+  /// Number of the patch around a vertex of the block; -1: it has none.
   int at(int node) const { return of_node_[node]; }
+  /// Whether a patch wants elements that this rank does not have.
+  bool cut() const { return cut_; }
 
  private:
   std::vector<Patch> patches_;
   std::vector<int> of_node_;  // -1: no vertex of the block
+  bool cut_ = false;
 };
 
 /// A continuous field recovered from values at the quadrature points of one block: around every vertex a quadratic
 /// polynomial is fitted, by least squares, to the points of the elements that touch it (Zienkiewicz & Zhu 1992), so
-/// that slopes are of second order; middle nodes take the mean of what their two ends' polynomials say there. Linear
-/// fields are reproduced exactly, also on curved elements.
+/// that slopes are of second order; middle nodes take the mean of what the polynomials of the corners around say there.
+/// Linear fields are reproduced exactly, also on curved elements. Every rank fits what its own nodes need.
 class Recovery {
  public:
-  /// `x`: where the points and nodes were; `table`: (row of gather_points, column).
-  Recovery(const WholeMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
+  /// `x`: where the points and nodes were; `table`: (row of gather_points, column). Collective.
+  Recovery(const GhostedMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
            const std::vector<double>& table, int columns);
   /// Values of all columns at a place of the block's mesh.
   void at(const MeshPlace& place, double* values) const;
@@ -46,11 +50,11 @@ class Recovery {
     return range_[static_cast<std::size_t>(mesh_.first_row(element, 1)) * columns_ + column];
   }
   /// Position of a quadrature point.
-  static std::array<double, 2> position(const WholeMesh::Element& element, const SoilBlock& block, int point,
-                                        const Positions& x);
+  static Point position(const GhostedMesh::Element& element, const SoilBlock& block, int point, const Positions& x);
 
  private:
   /// Fills nodal_.
+  template <int Dim>
   void fit(const RecoveryPatches& patches, const Positions& x);
   /// Fills range_ from nodal_.
   void find_ranges();
@@ -58,9 +62,9 @@ class Recovery {
   const double* row(int element, int point) const {
     return &table_[static_cast<std::size_t>(mesh_.first_row(element, block_.points) + point) * columns_];
   }
-  void interpolate(const WholeMesh::Element& element, const double* N, int nodes, double* values) const;
+  void interpolate(const GhostedMesh::Element& element, const double* N, int nodes, double* values) const;
 
-  const WholeMesh& mesh_;
+  const GhostedMesh& mesh_;
   const SoilBlock& block_;
   const std::vector<double>& table_;
   int columns_;
@@ -70,13 +74,14 @@ class Recovery {
 
 /// The points of a block of a mesh whose nodes are at x.
 struct BlockPoints {
-  const WholeMesh& mesh;
+  const GhostedMesh& mesh;
   const SoilBlock& block;
   const Positions& x;
 };
 
 /// The field recovered from the table of one mesh at the points of another one of the same region: no farther than the
-/// range of the element that a point lies in reaches, and within the bounds of the variables.
+/// range of the element that a point lies in reaches, and within the bounds of the variables. Of this rank's own
+/// elements; `from`: the whole mesh. Collective.
 std::vector<double> recovered_on(const BlockPoints& to, const BlockPoints& from, const RecoveryPatches& patches,
                                  const std::vector<double>& table, const std::vector<StateVariable>& variables,
                                  int columns);

@@ -10,7 +10,7 @@ namespace mudline {
 
 /// One point array of one block, on the way from the old mesh to the new one.
 struct PointTransfer {
-  const WholeMesh& mesh;
+  const GhostedMesh& mesh;
   const SoilBlock& block;
   const RecoveryPatches& patches;
   const Positions &x_old, &x_new;
@@ -24,8 +24,8 @@ struct PointTransfer {
 class Remap {
  public:
   virtual ~Remap() = default;
-  /// Serial, pure; the same on every rank. Variables by value, tensors by component in the fixed frame. Nothing leaves
-  /// the bounds that a variable declares.
+  /// Of this rank's own elements. Collective. Variables by value, tensors by component in the fixed frame. Nothing
+  /// leaves the bounds that a variable declares.
   virtual void transfer(const PointTransfer& transfer) const = 0;
 };
 

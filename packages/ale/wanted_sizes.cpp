@@ -11,7 +11,7 @@ namespace mudline {
 namespace {
 
 /// Side [m] of the equilateral or square cell of the area of an element's corners.
-double side_length(const WholeMesh::Element& element, const Positions& x) {
+double side_length(const GhostedMesh::Element& element, const Positions& x) {
   const int corners = num_corners(element.shape);
   double twice = 0;
   for (int a = 0; a < corners; ++a) {
@@ -23,11 +23,11 @@ double side_length(const WholeMesh::Element& element, const Positions& x) {
 
 }  // namespace
 
-WantedSizes::WantedSizes(const WholeMesh& mesh, const Positions& x, const std::vector<double>& by_element,
-                         const Bounds& bounds)
-    : mesh_(mesh), x_(x), at_vertex_(x.size(), 0.0) {
+WantedSizes::WantedSizes(std::shared_ptr<const GhostedMesh> mesh, const Positions& x,
+                         const std::vector<double>& by_element, const Bounds& bounds)
+    : mesh_(std::move(mesh)), x_(x), at_vertex_(x.size(), 0.0) {
   std::vector<int> around(x.size(), 0);
-  const auto& elements = mesh.elements();
+  const auto& elements = mesh_->elements();
   for (std::size_t e = 0; e < elements.size(); ++e)
     for (int a = 0; a < num_corners(elements[e].shape); ++a) {
       at_vertex_[elements[e].nodes[a]] += std::log(by_element[e]);
@@ -37,16 +37,16 @@ WantedSizes::WantedSizes(const WholeMesh& mesh, const Positions& x, const std::v
     if (around[node] > 0)
       at_vertex_[node] = std::clamp(std::exp(at_vertex_[node] / around[node]), bounds.smallest, bounds.largest);
   bound_growth(bounds.growth);
-  for (std::size_t block = 0; block < mesh.mesh().blocks().size(); ++block)
-    nearby_.push_back(mesh.block_elements(static_cast<int>(block)).empty()
+  for (std::size_t block = 0; block < mesh_->mesh().blocks().size(); ++block)
+    nearby_.push_back(mesh_->block_elements(static_cast<int>(block)).empty()
                           ? -1
-                          : mesh.block_elements(static_cast<int>(block)).front());
+                          : mesh_->block_elements(static_cast<int>(block)).front());
 }
 
 /// From the smallest size on, as the shortest ways in a graph.
 void WantedSizes::bound_growth(double growth) {
   std::vector<std::vector<int>> beside(x_.size());
-  for (const auto& element : mesh_.elements()) {
+  for (const auto& element : mesh_->elements()) {
     const int corners = num_corners(element.shape);
     for (int a = 0; a < corners; ++a)
       for (int b = 0; b < corners; ++b)
@@ -70,9 +70,9 @@ void WantedSizes::bound_growth(double growth) {
 }
 
 double WantedSizes::in_block(const std::array<double, 2>& place, std::size_t block, double& outside) const {
-  const MeshPlace found = PointLocator(mesh_, x_).find(place, nearby_[block]);
+  const MeshPlace found = PointLocator(*mesh_, x_).find(on_plane(place), nearby_[block]);
   nearby_[block] = found.element;
-  const auto& element = mesh_.elements()[found.element];
+  const auto& element = mesh_->elements()[found.element];
   const int corners = num_corners(element.shape);
   double N[9], dN[18], sum = 0, all = 0;
   evaluate_shape(linear_partner(element.shape), found.xi, N, dN);
@@ -100,7 +100,7 @@ double WantedSizes::operator()(const std::array<double, 2>& place) const {
 
 double WantedSizes::largest_ratio() const {
   double largest = 0;
-  for (const auto& element : mesh_.elements()) {
+  for (const auto& element : mesh_->elements()) {
     const int corners = num_corners(element.shape);
     double sum = 0;
     for (int a = 0; a < corners; ++a) sum += at_vertex_[element.nodes[a]];

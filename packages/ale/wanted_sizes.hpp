@@ -1,8 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 
 namespace mudline {
 
@@ -15,8 +16,9 @@ class WantedSizes {
     double smallest, largest;  // [m]
     double growth;             // per distance
   };
-  /// `by_element`: [m] in the order of the mesh's elements. `mesh` outlives this. Serial, pure.
-  WantedSizes(const WholeMesh& mesh, const Positions& x, const std::vector<double>& by_element, const Bounds& bounds);
+  /// `mesh`: the whole one; `by_element`: [m] in the order of its elements. Serial, pure.
+  WantedSizes(std::shared_ptr<const GhostedMesh> mesh, const Positions& x, const std::vector<double>& by_element,
+              const Bounds& bounds);
   /// [m] at a place; outside of the mesh that of its edge.
   double operator()(const std::array<double, 2>& place) const;
   /// The largest ratio of the size that an element has to the one that is wanted of it.
@@ -26,7 +28,7 @@ class WantedSizes {
   void bound_growth(double growth);
   double in_block(const std::array<double, 2>& place, std::size_t block, double& outside) const;
 
-  const WholeMesh& mesh_;
+  std::shared_ptr<const GhostedMesh> mesh_;
   Positions x_;
   std::vector<double> at_vertex_;    // (node) [m]; 0 at other nodes
   mutable std::vector<int> nearby_;  // (block) where the last place was found: the search starts there

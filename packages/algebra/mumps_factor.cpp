@@ -3,13 +3,13 @@
 #include <dmumps_c.h>
 #include <mpi.h>
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_DefaultMpiComm.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "algebra/node_ordering.hpp"
+#include "algebra/raw_communicator.hpp"
 #include "algebra/tpetra_compat.hpp"
 
 namespace mudline {
@@ -18,12 +18,6 @@ namespace {
 
 constexpr int job_start = -1, job_end = -2, job_analyse = 1, job_factor = 2, job_solve = 3;
 constexpr int max_memory_relaxation = 1000;  // [%]
-
-MPI_Comm raw_communicator(const Comm& comm) {
-  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
-  if (mpi == nullptr) return MPI_COMM_SELF;
-  return *mpi->getRawMpiComm();
-}
 
 bool all_finite(const std::vector<double>& values, const Comm& comm) {
   const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });

@@ -13,7 +13,7 @@ constexpr int parts_of_a_stage = 200;
 
 using Vec = std::array<double, 2>;
 
-std::vector<int> nodes_of(const WholeMesh& mesh, int element, int side) {
+std::vector<int> nodes_of(const GhostedMesh& mesh, int element, int side) {
   std::vector<int> nodes;
   for (int k : side_nodes(mesh.elements()[element].shape, side)) nodes.push_back(mesh.elements()[element].nodes[k]);
   return nodes;
@@ -23,7 +23,7 @@ double distance(const Vec& a, const Vec& b) { return std::hypot(a[0] - b[0], a[1
 
 }  // namespace
 
-BodyWay::BodyWay(const Model& model, const RigidBody& body, const WholeMesh& mesh, const Positions& positions)
+BodyWay::BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions)
     : body_(body), positions_(positions) {
   for (const PlanePoint& p : body.contour().sample(1e-3 * body.contour().length()))
     radius_ = std::max(radius_, std::abs(p[0]));
@@ -52,7 +52,7 @@ void BodyWay::follow(const Model& model) {
   }
 }
 
-void BodyWay::find_surface(const Model& model, const WholeMesh& mesh) {
+void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
   std::set<int> nodes;
   const double middle = body_.initial_position()[0];
   for (const auto& [name, contact] : model.contacts()) {
@@ -70,7 +70,7 @@ void BodyWay::find_surface(const Model& model, const WholeMesh& mesh) {
 }
 
 /// A side set that is a part of the surface ends where the mesh was made for the body's edge.
-void BodyWay::find_corner(const WholeMesh& mesh, const std::string& surface) {
+void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
   std::set<std::pair<int, int>> whole;
   for (const auto& side : mesh.side_sets().at(surface)) whole.insert({side.element, side.side});
   for (const auto& [name, sides] : mesh.side_sets()) {
@@ -86,7 +86,7 @@ void BodyWay::find_corner(const WholeMesh& mesh, const std::string& surface) {
     for (const auto& [node, count] : met) {
       double r = positions_[node][0];
       if (count != 1 || r < 1e-9 * reach_ || r > reach_ * (1 - 1e-9)) continue;
-      const ContourFoot foot = foot_at({0, 0}, positions_[node]);
+      const ContourFoot foot = foot_at({0, 0}, in_plane(positions_[node]));
       const bool on_flank = std::abs(foot.gap) < 0.02 * radius_ && std::abs(foot.normal[0]) > 0.3;
       if (on_flank) r = radius_;  // a mould that fits
       if (corner_ == 0 || std::abs(std::log(r / radius_)) < std::abs(std::log(corner_ / radius_))) corner_ = r;
@@ -95,7 +95,7 @@ void BodyWay::find_corner(const WholeMesh& mesh, const std::string& surface) {
 }
 
 /// Where the soil changes, or where the mesh moves and regions keep their common nodes.
-void BodyWay::find_boundaries(const Model& model, const WholeMesh& mesh) {
+void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   if (surface_.empty()) return;
   const auto& blocks = model.mesh().blocks();
   for (int e = 0; e < static_cast<int>(mesh.elements().size()); ++e)
@@ -106,7 +106,7 @@ void BodyWay::find_boundaries(const Model& model, const WholeMesh& mesh) {
       if (blocks[one].region == blocks[two].region) continue;
       if (!model.ale() && model.soil()->blocks[one].made_of == model.soil()->blocks[two].made_of) continue;
       const std::vector<int> ends = nodes_of(mesh, e, s);
-      const Vec &a = positions_[ends[0]], &b = positions_[ends[1]];
+      const Vec a = in_plane(positions_[ends[0]]), b = in_plane(positions_[ends[1]]);
       const std::string name = "'" + blocks[one].region + "' and '" + blocks[two].region + "'";
       const double length = distance(a, b);
       boundaries_.push_back({a, {(b[0] - a[0]) / length, (b[1] - a[1]) / length}, name});
@@ -122,7 +122,7 @@ ContourFoot BodyWay::foot_at(const Vec& displacement, const Vec& point) const {
 
 double BodyWay::gap(const Vec& displacement) const {
   double least = 1e300;
-  for (int node : surface_) least = std::min(least, gap_at(displacement, positions_[node]));
+  for (int node : surface_) least = std::min(least, gap_at(displacement, in_plane(positions_[node])));
   return least;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "simulation/model.hpp"
 
 namespace mudline {
@@ -19,7 +19,7 @@ class BodyWay {
     std::array<double, 2> displacement;  // [m]
   };
   /// Collective for the caller's `mesh` only.
-  BodyWay(const Model& model, const RigidBody& body, const WholeMesh& mesh, const Positions& positions);
+  BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions);
 
   const RigidBody& body() const { return body_; }
   /// Largest radius of the contour, or half its width [m].
@@ -56,9 +56,9 @@ class BodyWay {
     std::string name;
   };
   void follow(const Model& model);
-  void find_surface(const Model& model, const WholeMesh& mesh);
-  void find_corner(const WholeMesh& mesh, const std::string& surface);
-  void find_boundaries(const Model& model, const WholeMesh& mesh);
+  void find_surface(const Model& model, const GhostedMesh& mesh);
+  void find_corner(const GhostedMesh& mesh, const std::string& surface);
+  void find_boundaries(const Model& model, const GhostedMesh& mesh);
   double gap(const std::array<double, 2>& displacement) const;
   ContourFoot foot_at(const std::array<double, 2>& displacement, const std::array<double, 2>& point) const;
   double gap_at(const std::array<double, 2>& displacement, const std::array<double, 2>& point) const {

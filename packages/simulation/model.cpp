@@ -81,8 +81,6 @@ void Model::read_mesh(RCP<const Comm> comm, const Section& deck, const Registrie
   } else {
     mesh_ = origin.parts_file.empty() ? make_mesh(comm, *recipe) : read_mesh_parts(comm, *recipe, origin.parts_file);
   }
-  if (mesh_->dimension() == 3 && deck.has_section("mesh motion"))
-    deck.section("mesh motion").fail("not available in three dimensions yet");
 }
 
 Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin) {

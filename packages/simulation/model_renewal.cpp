@@ -54,17 +54,17 @@ std::string moving_forces(const Model& model, const ArrayInfo& info) {
   for (int dof : dofs_of(model, info)) held(dof) = 1;
   const Ale& ale = *model.ale();
   const std::vector<double> nodes = ale.mesh().gather(model.space(), u, held);
+  bool moving = false;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / place_size))
-      return "the boundary condition '" + info.name.substr(std::string(held_forces).size()) +
-             "' holds forces at nodes that would move; name its set in boundary/material sides";
+    moving = moving || (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / ale.mesh().dimension()));
+  if (ale.mesh().any(moving))
+    return "the boundary condition '" + info.name.substr(std::string(held_forces).size()) +
+           "' holds forces at nodes that would move; name its set in boundary/material sides";
   return "";
 }
 
-Positions positions(Model& model) { return model.ale()->mesh().gather(model.store().committed().coordinates); }
-
-NodalRemap nodal_remap(Model& from, Model& to) {
-  return to.ale()->from_mesh(*from.ale(), positions(from), positions(to));
+MeshChange mesh_change(Model& from, Model& to) {
+  return {*from.ale(), from.store().committed(), *to.ale(), to.store().committed()};
 }
 
 void copy_bodies(Model& from, Model& to) {
@@ -104,7 +104,7 @@ std::string copy_common(Model& from, Model& to) {
 }
 
 void carry_contacts(Model& from, Model& to) {
-  const Positions x = positions(from);
+  const Positions x = from.ale()->mesh().gather(from.store().committed().coordinates);
   for (std::size_t k = 0; k < to.contacts().size(); ++k) {
     const Contact &old = *from.contacts()[k].second, &now = *to.contacts()[k].second;
     const SurfaceCarrier carrier(*from.ale(), x, now.partners().surface);
@@ -157,11 +157,7 @@ std::string renewal_problem(const Model& model) {
 
 NodalView carried_over(Model& from, Model& to, int field, const NodalView& values) {
   NodalView result("carried over", to.space().dofs()->num_overlap_dofs());
-  const Field& what = to.space().field(field);
-  to.ale()->mesh().scatter(to.space(), field,
-                           nodal_remap(from, to).apply(from.ale()->mesh().gather(from.space(), field, values),
-                                                       what.components, what.support),
-                           result);
+  mesh_change(from, to).carry(from.space(), field, values, to.space(), field, result);
   return result;
 }
 

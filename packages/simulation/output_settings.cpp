@@ -52,11 +52,7 @@ OutputSettings OutputSettings::read(const Section& section, const std::string& d
     reader.required(name, point, "m", "position of the probe");
     settings.probes.push_back({name, point, true, ""});
   }
-  for (const std::string& name : probes.section_names()) {
-    if (section.dimension() == 3)
-      probes.fail("a probe that is no node is not available in three dimensions yet; give the place of a node", name);
-    reader.passes_on(name, "a probe that is no node");
-  }
+  for (const std::string& name : probes.section_names()) reader.passes_on(name, "a probe that is no node");
   reader.finish();
   for (const std::string& name : probes.section_names()) {
     ProbeSettings probe{name, {}, false, ""};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ale/point_locator.hpp"
+#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 
 namespace mudline {
@@ -13,13 +14,13 @@ namespace mudline {
 namespace {
 
 /// Reference coordinates moved into the cell.
-void into_cell(CellShape shape, double (&xi)[2]) {
-  if (num_corners(shape) == 4) {
+void into_cell(CellShape shape, double (&xi)[3]) {
+  if (!is_simplex(shape)) {
     for (double& c : xi) c = std::clamp(c, -1.0, 1.0);
     return;
   }
   for (double& c : xi) c = std::max(c, 0.0);
-  const double sum = xi[0] + xi[1];
+  const double sum = xi[0] + xi[1] + xi[2];
   for (double& c : xi) c /= std::max(1.0, sum);
 }
 
@@ -36,7 +37,7 @@ Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings) :
     else
       moving_.push_back(probe);
   }
-  if (!moving_.empty()) mesh_ = std::make_unique<WholeMesh>(model.mesh());
+  if (!moving_.empty()) mesh_ = std::make_unique<GhostedMesh>(model.mesh());
 }
 
 Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
@@ -97,30 +98,28 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
 
 void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
                           const Positions& x, const std::vector<double>* error, std::vector<HistoryValue>& row) const {
-  const Point there = place(probe, state);
-  const std::array<double, 2> at{there[0], there[1]};
+  const Point at = place(probe, state);
   const PointLocator locator(*mesh_, x);
   const double rounding = 1e-9 * model_.mesh().bounds().extent();
   MeshPlace best;
-  double least = 1e300, N[9], dN[18];
+  double least = 1e300, N[27], dN[81];
   for (std::size_t block = 0; block < model_.mesh().blocks().size(); ++block) {
     if (mesh_->block_elements(static_cast<int>(block)).empty()) continue;
     MeshPlace here = locator.find(at, mesh_->block_elements(static_cast<int>(block)).front());
     const auto& element = mesh_->elements()[here.element];
     into_cell(element.shape, here.xi);
     evaluate_shape(element.shape, here.xi, N, dN);
-    double off[2] = {at[0], at[1]};
-    for (int a = 0; a < num_nodes(element.shape); ++a)
-      for (int i = 0; i < 2; ++i) off[i] -= N[a] * x[element.nodes[a]][i];
-    const double distance = std::hypot(off[0], off[1]);
+    Point off = at;
+    for (int a = 0; a < num_nodes(element.shape); ++a) off = plus(off, -N[a], x[element.nodes[a]]);
+    const double distance = length(off);
     if (distance >= least) continue;
     least = distance;
     best = here;
   }
   if (least > rounding) best = locator.nearest_on_boundary(at);
   const auto& element = mesh_->elements()[best.element];
-  row.push_back({"probe/" + probe.name + "/position x", "m", at[0]});
-  row.push_back({"probe/" + probe.name + "/position y", "m", at[1]});
+  for (int i = 0; i < model_.mesh().dimension(); ++i)
+    row.push_back({"probe/" + probe.name + "/position " + axis_names[i], "m", at[i]});
   std::vector<int> element_here;
   int number = 0;
   for (const ElementBlock& block : model_.mesh().blocks())

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
 #include "simulation/model.hpp"
 #include "simulation/output/history_file.hpp"
 #include "simulation/probe_settings.hpp"
@@ -48,7 +48,7 @@ class Probes {
   const Model& model_;
   std::vector<NodeProbe> nodes_;
   std::vector<ProbeSettings> moving_;
-  std::unique_ptr<WholeMesh> mesh_;  // for the moving ones
+  std::unique_ptr<GhostedMesh> mesh_;  // for the moving ones
 };
 
 }  // namespace mudline

@@ -133,6 +133,26 @@ class Mpi(MudlineCase):
         self.assertEqual(self.content("parts"), self.content("whole"))
         self.assertEqual(len(whole.time), 6)
 
+    def test_mesh_motion_in_space(self):
+        """The footing pressed in so far that the inside of the mesh has to follow, on 1 and 2 ranks and from a checkpoint."""
+        self.overlay = self.write("ale.xml", deck_text("ale", {"mesh motion": {"every": 1}}))
+        settings = ["mesh/cells={4, 4, 4}", "boundary conditions/load/z=-1e6*(x<2.5)*(y<2.5)", "output/checkpoint steps=2", "stages/loading/duration=0.6",
+                    "solver/newton/largest forcing=0", "solver/linear tolerance=1e-11", "solver/residual tolerance=1e-10"]
+
+        def run(name, ranks, *extra):
+            return self.run_deck([IN_SPACE, self.overlay], settings + [f"output/name={name}"], ranks=ranks, extra=extra, name=name)
+
+        one, two = run("one", 1), run("two", 2)
+        self.assertGreater(np.ptp(one["mesh/quality"]), 1e-2)
+        rounding = re.compile("/error|iterations|change of solid|change of water")
+        self.assert_same_run(one, two, [name for name in one.columns if not rounding.search(name)], "2 ranks")
+        for of, allowed in (("solid", 1e-12), ("water", 1e-6)):  # water: the volume of curved tetrahedra by quadrature
+            self.assertLess(max(np.abs(run["mesh motion/change of " + of]).max() for run in (one, two)), allowed, of)
+        for ranks, whole in ((1, "one"), (2, "two")):
+            run("parts", ranks, "--steps", "2", "--overwrite")
+            run("parts", ranks, "--restart")
+            self.assertEqual(self.content("parts"), self.content(whole))
+
     def check_contact_in_space(self, deck, exact, columns, steps):
         """Columns of a deck's contact over the ranks, and after a restart on one and two."""
         exact = exact + ["solver/newton/largest forcing=0", "solver/linear tolerance=1e-11"]

@@ -2,6 +2,7 @@
 
 From the environment: MUDLINE_BUILD, the build folder to install from; MUDLINE_CXX, its compiler.
 """
+import concurrent.futures
 import os
 import re
 import shutil
@@ -81,6 +82,12 @@ def call(*command):
         raise RuntimeError(" ".join(command) + "\n" + done.stdout[-2000:] + done.stderr[-4000:])
 
 
+def build(source):
+    call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+         "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
+    call("cmake", "--build", source + "/build")
+
+
 def text_of(path):
     with open(path) as file:
         return file.read()
@@ -91,12 +98,12 @@ def setUpModule():
     SCRATCH = tempfile.mkdtemp()
     PREFIX = os.path.join(SCRATCH, "prefix")
     call("cmake", "--install", os.environ["MUDLINE_BUILD"], "--prefix", PREFIX)
+    sources = []
     for name in ("my_clay", "heat_conduction", "my_interface", "solute"):
-        source = os.path.join(SCRATCH, name)
-        shutil.copytree(os.path.join(PREFIX, "share", "mudline", "inputs", "plugins", name), source)  # as an author has it, away from mudline's tree
-        call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
-             "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
-        call("cmake", "--build", source + "/build")
+        sources.append(os.path.join(SCRATCH, name))
+        shutil.copytree(os.path.join(PREFIX, "share", "mudline", "inputs", "plugins", name), sources[-1])  # as an author has it, away from mudline's tree
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:  # the test has two processors
+        list(pool.map(build, sources))
     mudline_case.PROGRAM = os.path.join(PREFIX, "bin", "mudline")  # the installed one
 
 
@@ -195,9 +202,7 @@ class Plugins(MudlineCase):
         source = os.path.join(self.folder, "slip")
         shutil.copytree(self.example("my_clay"), source, ignore=shutil.ignore_patterns("build"))
         self.write("slip/my_clay.cpp", text_of(source + "/my_clay.cpp").replace("two_g : 0.5 * two_g", "two_g : two_g"))
-        call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
-             "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
-        call("cmake", "--build", source + "/build")
+        build(source)
         done = program(["point", source + "/laboratory.xml", "--conformance"], folder=self.folder)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertEqual(done.stdout.count("FAILED"), 1, done.stdout)
@@ -285,9 +290,7 @@ class Plugins(MudlineCase):
             file.write("cmake_minimum_required(VERSION 3.22)\nproject(tag CXX)\nfind_package(mudline REQUIRED)\nmudline_add_plugin(tag tag.cpp)\n")
         with open(os.path.join(source, "tag.cpp"), "w") as file:
             file.write(TAG)
-        call("cmake", "-S", source, "-B", source + "/build", f"-DCMAKE_PREFIX_PATH={PREFIX}",
-             "-DCMAKE_CXX_COMPILER=" + os.environ.get("MUDLINE_CXX", "c++"), *LAUNCHER)
-        call("cmake", "--build", source + "/build")
+        build(source)
         self.write("tag.xml", f"""<ParameterList name="tag">
           <ParameterList name="plugins"><Parameter name="files" type="Array(string)" value="{{{source}/build/tag.so}}"/></ParameterList>
           <ParameterList name="physics"><ParameterList name="paint"><Parameter name="type" type="string" value="tag"/></ParameterList></ParameterList>

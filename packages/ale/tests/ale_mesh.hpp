@@ -6,7 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "ale/whole_mesh.hpp"
+#include "ale/ghosted_mesh.hpp"
+#include "core/deck.hpp"
 #include "physics/soil.hpp"
 
 namespace mudline::testing {
@@ -26,7 +27,8 @@ inline void drop_unused_nodes(GlobalMesh& mesh) {
 }
 
 /// A box of n by n cells, or of triangles that halve them, with inner vertices scattered.
-inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2, double width = 1.0) {
+inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2, double width = 1.0,
+                                 Teuchos::RCP<const Teuchos::Comm<int>> comm = Tpetra::getDefaultComm()) {
   GlobalMesh global;
   const int columns = 2 * n + 1;
   for (int j = 0; j < columns; ++j)
@@ -74,7 +76,27 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
       }
   global.blocks.push_back(block);
   drop_unused_nodes(global);
-  return std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::plane_strain, std::move(global));
+  return std::make_unique<Mesh>(std::move(comm), Geometry::plane_strain, std::move(global));
+}
+
+/// A unit cube of n by n by n cells, or of the six tetrahedra of each, with inner vertices scattered.
+inline std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion = 0.15) {
+  Deck deck;
+  const std::string cells = std::to_string(n);
+  deck.overlay(
+      "<ParameterList name=\"deck\"><ParameterList name=\"mesh\">"
+      "<Parameter name=\"type\" type=\"string\" value=\"box\"/>"
+      "<Parameter name=\"geometry\" type=\"string\" value=\"three-dimensional\"/>"
+      "<Parameter name=\"cell\" type=\"string\" value=\"" +
+          std::string(name(shape)) + "\"/><Parameter name=\"cells\" type=\"Array(int)\" value=\"{" + cells + ", " +
+          cells + ", " + cells +
+          "}\"/><Parameter name=\"upper\" type=\"Array(double)\" value=\"{1.0, 1.0, 1.0}\"/>"
+          "<Parameter name=\"distortion\" type=\"double\" value=\"" +
+          std::to_string(distortion) + "\"/></ParameterList></ParameterList>",
+      "cube.xml");
+  Registry<MeshSource> sources("mesh");
+  register_mesh_sources(sources);
+  return make_mesh(Tpetra::getDefaultComm(), sources, deck.root().section("mesh"));
 }
 
 /// What the remap needs of a soil block: quadrature and place in the mesh.

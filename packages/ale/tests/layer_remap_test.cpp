@@ -10,6 +10,7 @@ namespace mudline {
 namespace {
 
 using testing::box;
+using testing::cube;
 using testing::points_of;
 
 constexpr double interface = 0.47;  // no mesh line of what follows
@@ -29,17 +30,20 @@ class Remembers : public Skeleton {
   std::vector<StateVariable> variables_{{"height", 1, "m"}};
 };
 
-/// Two layers in a unit square: fields that are linear in each and jump between them.
+/// Two layers in a unit square or cube: fields that are linear in each and jump between them.
 struct Layers {
-  explicit Layers(CellShape shape, int n)
-      : mesh(box(shape, n)),
+  Layers(CellShape shape, int n) : Layers(dimension(shape) == 2 ? box(shape, n) : cube(shape, n)) {}
+  explicit Layers(std::unique_ptr<Mesh> made)
+      : mesh(std::move(made)),
         space(*mesh, {displacement_field()}),
         whole(*mesh),
         block(points_of(*mesh)),
         patches(whole, block),
         start(whole.gather(mesh->coordinates())) {
     soil.space = &space;
-    soil.up = {0, 1, 0};
+    up = whole.dimension() - 1;
+    soil.geometry = mesh->geometry();
+    soil.up[up] = 1;
     for (int k = 0; k < 2; ++k) {
       auto material = std::make_shared<SoilMaterial>();
       material->name = k == 0 ? "upper" : "lower";
@@ -50,25 +54,21 @@ struct Layers {
     }
     block.made_of = {0, 1};
     soil.blocks = {block};
-    table.columns = 6 + 2 + 1 + 3;
-    table.variables = {{"effective stress", 6, "Pa"},
-                       {"void ratio", 1, "-", RemapRule::mass, -1.0},
-                       {"initial void ratio", 1, "-"},
-                       {"height", 1, "m"},
-                       {"material", 1, "-"},
-                       {"x", 1, "m"},
-                       {"y", 1, "m"}};
+    table.columns = 6 + 2 + 1 + 1 + whole.dimension();
+    table.variables = {{"effective stress", 6, "Pa"},  {"void ratio", 1, "-", RemapRule::mass, -1.0},
+                       {"initial void ratio", 1, "-"}, {"height", 1, "m"},
+                       {"material", 1, "-"},           {"place at the start", whole.dimension(), "m"}};
   }
   static double field(int column, int material, double x, double y) {
     return (material == 0 ? 1.0 : -2.0) * (column + 1) + (material == 0 ? 0.3 : 0.7) * column * x -
            0.4 * (column + 2) * y;
   }
   static double ratio(int material, double x, double y) { return material == 0 ? 1.5 - 0.2 * y : 0.6 + 0.1 * x; }
-  double value(int column, int material, double x, double y) const {
-    if (column == table.void_ratio) return ratio(material, x, y);
+  double value(int column, int material, const Point& p) const {
+    if (column == table.void_ratio) return ratio(material, p[0], p[up]);
     if (column == table.origin) return material;
-    if (column > table.origin) return column == table.origin + 1 ? x : y;
-    return field(column, material, x, y);
+    if (column > table.origin) return p[column - table.origin - 1];
+    return field(column, material, p[0], p[up]) + (up == 2 ? 0.2 * material * p[1] : 0.0);
   }
   template <class F>
   void each(const Positions& x, F&& f) const {
@@ -79,17 +79,17 @@ struct Layers {
   std::vector<double> at(const Positions& x) const {
     std::vector<double> rows(block.elements * block.points * table.columns);
     each(x, [&](int row, const auto& p) {
-      for (int c = 0; c < table.columns; ++c)
-        rows[row * table.columns + c] = value(c, p[1] > interface ? 0 : 1, p[0], p[1]);
+      for (int c = 0; c < table.columns; ++c) rows[row * table.columns + c] = value(c, p[up] > interface ? 0 : 1, p);
     });
     return rows;
   }
   PointTransfer transfer(const Positions& to, const std::vector<double>& old, std::vector<double>& now) const {
     return {whole, block, patches, start, to, table.variables, table.columns, old, now};
   }
+  int up;
   std::unique_ptr<Mesh> mesh;
   Space space;
-  WholeMesh whole;
+  GhostedMesh whole;
   SoilBlock block;
   RecoveryPatches patches;
   Positions start;
@@ -98,18 +98,19 @@ struct Layers {
 };
 
 /// Inner vertices moved up and down by a share of an element; the sides stay.
-Positions swung(const Positions& x, double size) {
+Positions swung(const Layers& layers, double size) {
   const double pi = std::acos(-1.0);
-  Positions result = x;
-  for (auto& p : result) p[1] += size * std::sin(pi * p[0]) * std::sin(pi * p[1]);
+  Positions result = layers.start;
+  for (Point& p : result)
+    p[layers.up] += size * std::sin(pi * p[0]) * std::sin(pi * p[1]) * (layers.up == 2 ? std::sin(pi * p[2]) : 1.0);
   return result;
 }
 
 TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
-  for (CellShape shape : {CellShape::tri6, CellShape::quad9})
+  for (CellShape shape : {CellShape::tri6, CellShape::quad9, CellShape::tet10, CellShape::hex27})
     for (double size : {0.05, -0.05}) {
       Layers layers(shape, 8);
-      const Positions to = swung(layers.start, size);
+      const Positions to = swung(layers, size);
       const std::vector<double> old = layers.at(layers.start);
       std::vector<double> now = old;
       const ConvectionRemap remap(ConvectionRemap::Scheme::upwind, false);
@@ -121,9 +122,9 @@ TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
         const double* found = &now[row * layers.table.columns];
         const int material = static_cast<int>(found[layers.table.origin]);
         EXPECT_EQ(material, changes.is[row]);
-        EXPECT_EQ(material, p[1] > interface ? 0 : 1);
+        EXPECT_EQ(material, p[layers.up] > interface ? 0 : 1);
         for (int c = 0; c < layers.table.columns; ++c)
-          EXPECT_NEAR(found[c], layers.value(c, material, p[0], p[1]), 1e-11) << c << " at " << p[0] << " " << p[1];
+          EXPECT_NEAR(found[c], layers.value(c, material, p), 1e-11) << c << " at " << p[0] << " " << p[layers.up];
       });
     }
 }
@@ -159,7 +160,7 @@ TEST(LayerRemap, TheGrainsOfALayerDoNotJumpAndComeBackToTheLastDigits) {
   const Layers layers(CellShape::tri6, 8);
   std::vector<double> old = layers.at(layers.start);
   for (double size : {0.001, 0.01, 0.05}) {
-    const Positions to = swung(layers.start, size);
+    const Positions to = swung(layers, size);
     std::vector<double> now = old;
     const PointTransfer transfer = layers.transfer(to, old, now);
     const LayerChanges changes = LayerRemap(layers.soil, ConvectionRemap()).transfer(transfer, layers.table);
@@ -194,7 +195,7 @@ TEST(LayerRemap, ALawStartsAnewWhereNoSoilOfItsMaterialIsNear) {
     old[row * layers.table.columns + layers.table.void_ratio] = 1.5;
   });
   std::vector<double> now = old;
-  const Positions to = swung(layers.start, 0.01);
+  const Positions to = swung(layers, 0.01);
   const ConvectionRemap convection;
   const LayerRemap remap(layers.soil, convection);
   LayerChanges changes = remap.transfer(layers.transfer(to, old, now), layers.table);

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "ale/interior_motion.hpp"
+#include "ale/mesh_paths.hpp"
 #include "ale/path_curve.hpp"
 #include "ale/quality.hpp"
+#include "ale/vertex_colours.hpp"
 #include "ale_mesh.hpp"
 
 namespace mudline {
@@ -44,7 +46,7 @@ TEST(CurveMeasure, PlaceInvertsAt) {
 
 TEST(MeshPaths, ABodyUnderTheBoundaryMakesNoCorner) {
   const auto mesh = box(CellShape::tri6, 4);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   Positions x = whole.gather(mesh->coordinates());
   double top = -1e300;
   for (const auto& place : x) top = std::max(top, place[1]);
@@ -65,7 +67,7 @@ TEST(MeshPaths, ABodyUnderTheBoundaryMakesNoCorner) {
 
 TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
   const auto mesh = box(CellShape::tri6, 4);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   const Positions x = whole.gather(mesh->coordinates());
   const auto paths = find_paths(whole, x, {}, 0.5);
   ASSERT_EQ(paths.size(), 4u);
@@ -83,10 +85,10 @@ TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
 
 TEST(Quality, IsOneForTheIdealShapes) {
   const auto squares = box(CellShape::quad9, 3, 0.0);
-  const WholeMesh whole(*squares);
+  const GhostedMesh whole(*squares);
   EXPECT_NEAR(lowest_quality(whole, whole.gather(squares->coordinates())), 1.0, 1e-14);
   const auto halves = box(CellShape::tri6, 3, 0.0);
-  const WholeMesh triangles(*halves);
+  const GhostedMesh triangles(*halves);
   // at the sharp corners of a halved square: sin 45 deg / sin 60 deg
   EXPECT_NEAR(lowest_quality(triangles, triangles.gather(halves->coordinates())), std::sqrt(0.5) / std::sqrt(0.75),
               1e-14);
@@ -99,12 +101,13 @@ struct PushedBox {
         whole(*mesh),
         source(whole.gather(mesh->coordinates())),
         paths(find_paths(whole, source, {}, 0.5)),
-        corners(whole, paths) {
+        corners(whole) {
     corners.add_tangents(source, source);
     movable.assign(whole.num_nodes(), 0);
     for (int node = 0; node < whole.num_nodes(); ++node) movable[node] = whole.is_vertex(node);
     for (const MeshPath& path : paths)
       for (int node : path.nodes) movable[node] = 0;
+    colours = vertex_colours(whole, movable);
     pushed = source;
     for (const MeshPath& path : paths)
       for (int node : path.nodes)  // no more than the first row of elements survives
@@ -113,15 +116,17 @@ struct PushedBox {
   }
   double worst(const Positions& x) const {
     double lowest = 1e300;
-    for (const auto& t : corners.triangles) lowest = std::min(lowest, twice_area(t, x));
+    for (const Simplex& t : corners.simplices) lowest = std::min(lowest, determinant(t, x));
     return lowest;
   }
   std::unique_ptr<Mesh> mesh;
-  WholeMesh whole;
+  GhostedMesh whole;
   Positions source, pushed;
   std::vector<MeshPath> paths;
-  CornerTriangles corners;
+  CornerSimplices corners;
+  InteriorMesh interior() const { return {whole, corners, source, source, movable, colours}; }
   std::vector<char> movable;
+  std::vector<std::vector<int>> colours;
 };
 
 TEST(InteriorMotion, UnfoldedAndBetterAfterThePush) {
@@ -135,7 +140,7 @@ TEST(InteriorMotion, UnfoldedAndBetterAfterThePush) {
       if (type == 2) motion = std::make_unique<LaplaceMotion>();
       if (type == 3) motion = std::make_unique<WinslowMotion>();
       Positions x = box.pushed;
-      motion->move({box.corners, box.source, box.source, box.movable}, x);
+      motion->move(box.interior(), x);
       EXPECT_GT(box.worst(x), 2 * box.worst(box.pushed)) << type;
       for (int node = 0; node < box.whole.num_nodes(); ++node)
         if (!box.movable[node]) {
@@ -148,9 +153,9 @@ TEST(InteriorMotion, UnfoldedAndBetterAfterThePush) {
 TEST(InteriorMotion, AMeshAtRestStays) {
   const PushedBox box(CellShape::tri6);
   Positions x = box.source;
-  OptimisationMotion().move({box.corners, box.source, box.source, box.movable}, x);
+  OptimisationMotion().move(box.interior(), x);
   for (int node = 0; node < box.whole.num_nodes(); ++node) EXPECT_EQ(x[node], box.source[node]);
-  ElasticMotion().move({box.corners, box.source, box.source, box.movable}, x);
+  ElasticMotion().move(box.interior(), x);
   for (int node = 0; node < box.whole.num_nodes(); ++node) EXPECT_EQ(x[node], box.source[node]);
 }
 

@@ -9,13 +9,13 @@ namespace {
 
 using testing::box;
 
-std::array<double, 2> position(const WholeMesh& mesh, const Positions& x, const MeshPlace& at) {
+Point position(const GhostedMesh& mesh, const Positions& x, const MeshPlace& at) {
   const auto& element = mesh.elements()[at.element];
-  double N[9], dN[18];
+  double N[27], dN[81];
   evaluate_shape(element.shape, at.xi, N, dN);
-  std::array<double, 2> result{};
+  Point result{};
   for (int a = 0; a < num_nodes(element.shape); ++a)
-    for (int i = 0; i < 2; ++i) result[i] += N[a] * x[element.nodes[a]][i];
+    for (int i = 0; i < 3; ++i) result[i] += N[a] * x[element.nodes[a]][i];
   return result;
 }
 
@@ -26,7 +26,7 @@ class EveryCell : public ::testing::TestWithParam<CellShape> {
     for (auto& p : x) p[1] += size * std::sin(wave * p[0]) * p[1];
   }
   std::unique_ptr<Mesh> mesh = box(GetParam(), 4);
-  WholeMesh whole{*mesh};
+  GhostedMesh whole{*mesh};
   Positions x = whole.gather(mesh->coordinates());
   PointLocator locator{whole, x};
 };
@@ -35,15 +35,14 @@ INSTANTIATE_TEST_SUITE_P(PointLocator, EveryCell, ::testing::Values(CellShape::q
 TEST_P(EveryCell, FindsThePointsOfACurvedMesh) {
   bend(0.1, 3);
   for (int k = 0; k < 50; ++k) {
-    const std::array<double, 2> at{0.01 + 0.98 * (k % 7) / 6.0, 0.01 + 0.95 * (k % 11) / 10.0};
+    const Point at{0.01 + 0.98 * (k % 7) / 6.0, 0.01 + 0.95 * (k % 11) / 10.0};
     const auto there = position(whole, x, locator.find(at, k % static_cast<int>(whole.elements().size())));
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(there[i], at[i], 1e-12);
   }
 }
 
 TEST_P(EveryCell, NearestOnStraightBoundaryIsThatOfTheBox) {
-  for (const std::array<double, 2> at :
-       {std::array<double, 2>{0.37, 1.8}, {-0.4, 0.61}, {1.7, 1.2}, {0.52, -1e-3}, {1 + 1e-6, 0.25}, {-3, -4}}) {
+  for (const Point at : {Point{0.37, 1.8}, {-0.4, 0.61}, {1.7, 1.2}, {0.52, -1e-3}, {1 + 1e-6, 0.25}, {-3, -4}}) {
     const auto there = position(whole, x, locator.nearest_on_boundary(at));
     for (int i = 0; i < 2; ++i)
       EXPECT_NEAR(there[i], std::min(std::max(at[i], 0.0), 1.0), 1e-13 * (1 + std::abs(at[i])))
@@ -53,8 +52,7 @@ TEST_P(EveryCell, NearestOnStraightBoundaryIsThatOfTheBox) {
 
 TEST_P(EveryCell, NearestOnCurvedBoundaryBeatsEveryOtherPointOfIt) {
   bend(0.3, 3.1);
-  for (const std::array<double, 2> at :
-       {std::array<double, 2>{0.37, 1.8}, {0.1, 1.3}, {1.2, 1.4}, {0.5, 1.31}, {-0.2, 0.3}}) {
+  for (const Point at : {Point{0.37, 1.8}, {0.1, 1.3}, {1.2, 1.4}, {0.5, 1.31}, {-0.2, 0.3}}) {
     const auto there = position(whole, x, locator.nearest_on_boundary(at));
     const double found = std::hypot(there[0] - at[0], there[1] - at[1]);
     double least = 1e300;

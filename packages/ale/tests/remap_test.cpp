@@ -45,7 +45,7 @@ struct Points {
     remap.transfer({whole, block, patches, from, to, variables, 1, old, now});
     return now;
   }
-  WholeMesh whole;
+  GhostedMesh whole;
   SoilBlock block;
   RecoveryPatches patches;
   Positions start;
@@ -231,7 +231,7 @@ TEST(Conservation, TheFreeBoundaryKnowsWhatVolumeItMoves) {
 
 TEST(NodalRemap, QuadraticFieldsSurviveOnStraightElementsAndTheBoundaryKeepsItsOwn) {
   const auto mesh = box(CellShape::tri6, 6);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   const Positions x = whole.gather(mesh->coordinates());
   const auto paths = find_paths(whole, x, {}, 0.5);
   Positions to = swirled(x, 0.03, 1.0);
@@ -240,7 +240,7 @@ TEST(NodalRemap, QuadraticFieldsSurviveOnStraightElementsAndTheBoundaryKeepsItsO
       for (int d = 0; d < 2; ++d) to[path.nodes[i]][d] = 0.7 * x[path.nodes[i]][d] + 0.3 * x[path.nodes[i + 1]][d];
   const NodalRemap remap(whole, paths, x, to);
   std::vector<double> old, exact;
-  const auto field = [](const std::array<double, 2>& p) { return 1 + p[0] - 2 * p[1] + 3 * p[0] * p[1] - p[1] * p[1]; };
+  const auto field = [](const Point& p) { return 1 + p[0] - 2 * p[1] + 3 * p[0] * p[1] - p[1] * p[1]; };
   for (int node = 0; node < whole.num_nodes(); ++node) {
     old.push_back(field(x[node]));
     exact.push_back(field(to[node]));
@@ -251,11 +251,11 @@ TEST(NodalRemap, QuadraticFieldsSurviveOnStraightElementsAndTheBoundaryKeepsItsO
 
 TEST(NodalRemap, AFieldThatJumpsKeepsItsRangeWhenLimited) {
   const auto mesh = box(CellShape::tri6, 6);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   const Positions x = whole.gather(mesh->coordinates());
   const NodalRemap remap(whole, {}, x, swirled(x, 0.03, 1.0));
   std::vector<double> step, linear, there;
-  const auto plane = [](const std::array<double, 2>& p) { return 2 * p[0] - p[1]; };
+  const auto plane = [](const Point& p) { return 2 * p[0] - p[1]; };
   for (int node = 0; node < whole.num_nodes(); ++node) {
     step.push_back(x[node][0] < 0.4 ? -8.0 : 0.0);
     linear.push_back(plane(x[node]));

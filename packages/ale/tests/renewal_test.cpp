@@ -24,7 +24,7 @@ struct Renewed {
     plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
   }
   std::unique_ptr<Mesh> mesh;
-  WholeMesh whole;
+  GhostedMesh whole;
   Deck deck;
   Positions x;
   BoundaryMotion boundary;
@@ -35,7 +35,7 @@ std::unique_ptr<Mesh> mesh_of(const RenewedMesh& made) {
   return std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::plane_strain, made.mesh);
 }
 
-double area(const WholeMesh& mesh, const Positions& x, const SoilBlock& block) {
+double area(const GhostedMesh& mesh, const Positions& x, const SoilBlock& block) {
   Soil soil;
   soil.geometry = Geometry::plane_strain;
   soil.blocks = {block};
@@ -56,7 +56,7 @@ TEST(MeshRenewal, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
     EXPECT_NEAR(was.plan->largest_side(x, State()), 3.3, 0.3);
     const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
     const auto mesh = mesh_of(made);
-    const WholeMesh whole(*mesh);
+    const GhostedMesh whole(*mesh);
     const Positions now = whole.gather(mesh->coordinates());
     EXPECT_GT(lowest_quality(whole, now), 0.4);
     ASSERT_EQ(made.paths.size(), was.boundary.paths().size());
@@ -114,13 +114,11 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 2.5 * p[1]};
   const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
   const auto mesh = mesh_of(made);
-  const WholeMesh whole(*mesh);
+  const GhostedMesh whole(*mesh);
   const Positions now = whole.gather(mesh->coordinates());
   EXPECT_GT(whole.num_nodes(), was.whole.num_nodes() * 3 / 2);
-  const auto quadratic = [](const std::array<double, 2>& p) {
-    return 1 + p[0] - 2 * p[1] + 3 * p[0] * p[1] - p[1] * p[1];
-  };
-  const auto linear = [](const std::array<double, 2>& p) { return 3 - 2 * p[0] + 5 * p[1]; };
+  const auto quadratic = [](const Point& p) { return 1 + p[0] - 2 * p[1] + 3 * p[0] * p[1] - p[1] * p[1]; };
+  const auto linear = [](const Point& p) { return 3 - 2 * p[0] + 5 * p[1]; };
   std::vector<double> at_nodes, at_vertices;
   for (const auto& place : x) {
     at_nodes.push_back(quadratic(place));
@@ -159,10 +157,10 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
 TEST(WantedSizes, AreWithinBoundsAndGrowNoFasterThanAllowed) {
   const int n = 8;
   const auto mesh = box(CellShape::tri6, n, 0);
-  const WholeMesh whole(*mesh);
-  const Positions x = whole.gather(mesh->coordinates());
+  const auto whole = std::make_shared<const GhostedMesh>(*mesh);
+  const Positions x = whole->gather(mesh->coordinates());
   std::vector<double> wanted;
-  for (const auto& element : whole.elements()) {
+  for (const auto& element : whole->elements()) {
     double far = 0;
     for (int a = 0; a < 3; ++a) far = std::max(far, std::hypot(x[element.nodes[a]][0], x[element.nodes[a]][1]));
     wanted.push_back(far < 0.4 ? 0.001 : 5);
@@ -186,7 +184,8 @@ TEST(MeshRenewal, AdaptiveSizesAreThoseOfTheErrorOnTheBoundaryAndInside) {
   deck.largest_size = 1;
   const MeshRenewal plan(was.whole, was.boundary, deck, was.deck.root());
   for (double size : {0.05, 0.25}) {
-    const WantedSizes sizes(was.whole, was.x, std::vector<double>(was.whole.elements().size(), size), {0.01, 1, 0.3});
+    const WantedSizes sizes(std::make_shared<const GhostedMesh>(*was.mesh), was.x,
+                            std::vector<double>(was.whole.elements().size(), size), {0.01, 1, 0.3});
     const RenewedMesh made = plan.make(was.x, State(), 0.2, &sizes);
     for (const MeshPath& path : made.paths) EXPECT_EQ(path.num_vertices() - 1, std::lround(1 / size));
     const double elements = static_cast<double>(made.mesh.blocks[0].nodes.size()) / 6;

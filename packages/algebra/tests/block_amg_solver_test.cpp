@@ -40,7 +40,7 @@ TEST(BlockAmg, NoDrainedBoundary) {
 TEST(BlockAmg, FieldsThatArePrescribedThroughout) {
   cases::check_prescribed_fields<model::Problem>(at(1e-2));
   model::Settings space = cases::in_space_at(1e-2);
-  space.cells = 11;  // more pressures than multigrid's coarsest level takes
+  space.cells = 10;  // more pressures than multigrid's coarsest level takes
   cases::check_prescribed_fields<model::ProblemInSpace>(space);
 }
 
@@ -64,9 +64,8 @@ TEST(BlockAmg, SoftZoneAndUnsymmetricTangent) {
 }
 
 TEST(BlockAmg, InSpaceCountsHoldOverTimeStepAndPermeability) {
-  for (const double dt : {1e-4, 1e-1, 1e2})
-    for (const double mobility : {1e-12, 1e-8, 1e-6})
-      EXPECT_LE(cases::check_in_space(cases::in_space_at(dt, mobility)), 25);
+  constexpr double corners[][2] = {{1e-4, 1e-12}, {1e-4, 1e-6}, {1e-1, 1e-8}, {1e2, 1e-12}, {1e2, 1e-6}};
+  for (const auto& [dt, mobility] : corners) EXPECT_LE(cases::check_in_space(cases::in_space_at(dt, mobility)), 25);
 }
 
 TEST(BlockAmg, InSpaceQuasiStaticAndDry) {

@@ -454,7 +454,9 @@ std::vector<double> PenaltyContact::nodal_shear(const State& state) const {
 
 void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
   // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid, multipliers and
-  // initial gaps are history and are convected along the side, f + (s_new - s_old) df/ds
+  // initial gaps are history and are convected along the side, f + (s_new - s_old) df/ds; in space nodes of the
+  // boundary stay material points
+  if (axes() == 3) return;
   std::vector<std::pair<int, int>> convected;  // (array, column)
   if (laws_.friction()) convected = {{rows_.frictions(), 0}, {rows_.frictions(), rows_.slip_column()}};
   if (deck_.augmented())

@@ -1,7 +1,5 @@
 #include "simulation/output/collective.hpp"
 
-#include <Teuchos_DefaultMpiComm.hpp>
-
 #include <vector>
 
 namespace mudline {
@@ -19,11 +17,6 @@ std::string broadcast_from(MPI_Comm comm, const std::string& text, int root) {
 }
 
 }  // namespace
-
-MPI_Comm raw_communicator(const Teuchos::Comm<int>& comm) {
-  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
-  return mpi != nullptr ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF;
-}
 
 std::string agreed_message(MPI_Comm comm, const std::string& message) {
   int rank = 0, ranks = 1;

@@ -1,16 +1,11 @@
 #pragma once
 
-#include <mpi.h>
-
-#include <Teuchos_Comm.hpp>
-
 #include <cstdint>
 #include <string>
 
-namespace mudline {
+#include "algebra/raw_communicator.hpp"
 
-/// The MPI communicator behind `comm` (MPI_COMM_SELF for a serial one). Not a copy: do not free it.
-MPI_Comm raw_communicator(const Teuchos::Comm<int>& comm);
+namespace mudline {
 
 /// The message of the lowest rank that has one, on every rank; "" when none has. Lets all ranks throw alike.
 /// Collective.

@@ -3,6 +3,7 @@
 The references do not come from the program: settlements are sums over the layers, q h / M each; the consolidation of a layered
 column is integrated by finite volumes here; a mesh that moves must change nothing."""
 import os
+import re
 import unittest
 
 import h5py
@@ -14,6 +15,8 @@ SOFT, STIFF = 1e6, 4e6  # [Pa] confined moduli
 LOAD = 10.0  # [Pa]
 ROW = 8 / 18 / 40 / 0.47  # share of the thinner layer that a row of points of 40 cells may have
 INTERFACE = 0.528  # [m] of 1 m; no multiple of what follows, near points of 40 cells
+
+SWING = {"mesh motion": {"interior": {"type": "artificial", "amplitude": 0.2, "period": 7.0}}}
 
 
 def soil(modulus, conductivity=None, ratio=1.0, top=None):
@@ -72,13 +75,13 @@ class Layers(MudlineCase):
             found = -self.run_deck(deck)["probe/top/displacement y"][-1]
             self.assert_error(f"settlement, {cells} cells", abs(found - exact), LOAD * (1 / SOFT - 1 / STIFF) / cells * 0.5)
 
-    def consolidate(self, cells, more=None, columns=1, duration=60.0):
+    def consolidate(self, cells, more=None, columns=1, duration=60.0, **run):
         deck = self.write("column.xml", column(
             cells, {"upper": soil(SOFT, 1e-5, 1.5), "lower": soil(STIFF, 4e-6, 0.7, INTERFACE)}, {"type": "biot"},
             {"load": {"type": "traction", "set": "top", "y": -LOAD}, "drain": {"type": "pore pressure", "set": "top", "value": 0.0}},
             {"run": {"type": "quasi-static", "duration": duration,
                      "time step": {"initial": 0.05, "maximum": 1.0, "growth": 1.1}}}, columns))
-        return self.run_deck([deck] + ([self.write("swing.xml", deck_text("swing", more))] if more else []))
+        return self.run_deck([deck] + ([self.write("swing.xml", deck_text("swing", more))] if more else []), **run)
 
     def test_consolidation_of_two_layers(self):
         history = self.consolidate(40)
@@ -89,7 +92,7 @@ class Layers(MudlineCase):
 
     def test_a_swinging_mesh_changes_nothing(self):
         still = self.consolidate(40, columns=2)
-        moved = self.consolidate(40, {"mesh motion": {"interior": {"type": "artificial", "amplitude": 0.2, "period": 7.0}}}, columns=2)
+        moved = self.consolidate(40, SWING, columns=2)
         self.assertGreater(np.ptp(moved["mesh/quality"]), 0.02)  # it does swing
         self.assertGreater(moved["mesh motion/points of another material"][-1], 20)
         self.assertEqual(moved["mesh motion/laws started anew"][-1], 0)
@@ -114,6 +117,26 @@ class Layers(MudlineCase):
         for name, cells, started in (("above", upper, 1.5), ("below", lower, 0.7)):
             self.assert_error("spread of the void ratio " + name, np.ptp(ratio[cells]), 1e-3)
             self.assert_error("void ratio " + name, abs(ratio[cells].mean() - started) / (1 + started), ROW)
+
+    def test_layers_on_ranks_and_after_a_restart(self):
+        def swing(name, ranks=1, extra=()):
+            settings = ["output/name=" + name, "output/checkpoint steps=10"]
+            return self.consolidate(40, SWING, 2, 8.0, settings=settings, ranks=ranks, extra=extra, name=name)
+
+        def content(name):
+            with open(os.path.join(self.folder, "results", name + ".csv"), "rb") as file:
+                return file.read()
+
+        one = swing("one")
+        self.assertGreater(one["mesh motion/points of another material"][-1], 5)
+        names = [name for name in one.columns if re.match("probe/.*(y|pressure)$|balance/grains|mesh motion/points|mesh/quality", name)]
+        self.assertGreater(len(names), 6)
+        for ranks in (2, 3):
+            self.assert_same_run(one, swing(f"on{ranks}", ranks), names, f"{ranks} ranks")
+        swing("parts", 2, ["--steps", "10"])
+        self.assertNotEqual(content("parts"), content("on2"))
+        swing("parts", 2, ["--restart"])
+        self.assertEqual(content("parts"), content("on2"))
 
 
 if __name__ == "__main__":

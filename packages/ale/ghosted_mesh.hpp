@@ -1,0 +1,135 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "algebra/types.hpp"
+#include "framework/space.hpp"
+#include "framework/state.hpp"
+
+namespace mudline {
+
+constexpr int place_size = 3;          // coordinates of a node; in the plane the third is 0
+using Positions = std::vector<Point>;  // [m] by node of a GhostedMesh
+
+/// A place of a mesh in the plane.
+inline Point on_plane(const std::array<double, 2>& place) { return {place[0], place[1], 0}; }
+/// [m]
+inline double distance(const Point& a, const Point& b) {
+  return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/// This rank's elements, some layers of those of other ranks around them (ghosts), and on every rank the nodes of the
+/// boundaries of all regions. Numbers ascend with the global ones: whatever loops over them comes by the elements
+/// around a node in the same order on any number of ranks, and so to the same last digit. On one rank they are the
+/// global numbers.
+class GhostedMesh {
+ public:
+  static constexpr int whole = std::numeric_limits<int>::max();  // layers: all of the mesh
+  static constexpr int outside = -1, unknown = -2;               // no neighbour; one that this rank does not have
+  struct Element {
+    CellShape shape;
+    int block;
+    std::array<int, 27> nodes;
+    std::array<int, 6> neighbours;  // element across each side, outside or unknown
+  };
+  struct ElementSide {
+    int element, side;
+  };
+  /// A side on the boundary of a region.
+  struct BoundarySide {
+    int block, other;            // of its element, of the one across; other -1: on the boundary of the mesh
+    std::vector<int> nodes;      // in the order of the side's shape
+    std::set<std::string> sets;  // side sets that it belongs to
+    bool first = true;           // of the two sides between regions
+  };
+
+  /// Collective.
+  explicit GhostedMesh(const Mesh& mesh, int layers = whole);
+
+  const Mesh& mesh() const { return mesh_; }
+  /// 2 or 3.
+  int dimension() const { return mesh_.dimension(); }
+  int num_nodes() const { return static_cast<int>(node_ids_.size()); }
+  long long node_id(int node) const { return node_ids_[node]; }
+  /// The node of a global number that this rank has.
+  int local_node(long long id) const;
+  /// Nodes that this rank owns, ascending.
+  const std::vector<int>& owned_nodes() const { return owned_nodes_; }
+  bool owns(int node) const { return owned_[node] != 0; }
+  /// Whether this rank has all elements around a node.
+  bool is_complete(int node) const { return complete_[node] != 0; }
+  bool is_vertex(int node) const { return vertex_[node] != 0; }
+  /// Whether a node is on the boundary of a region: on that of the mesh, or between two regions.
+  bool on_boundary(int node) const { return on_boundary_[node] != 0; }
+  /// Whether a side of an element is, as far as this rank can tell.
+  bool on_boundary(const Element& element, int side) const {
+    const int other = element.neighbours[side];
+    return other == outside || (other >= 0 && elements_[other].block != element.block);
+  }
+  /// One element of a node that has any here: of a complete one the first of the whole mesh.
+  int element_of(int node) const { return element_of_[node]; }
+
+  const std::vector<Element>& elements() const { return elements_; }
+  /// A block's elements, ghosts among them.
+  const std::vector<int>& block_elements(int block) const { return block_elements_[block]; }
+  /// A block's elements that are this rank's own, in the mesh's order.
+  const std::vector<int>& own_elements(int block) const { return own_elements_[block]; }
+  const std::map<std::string, std::vector<ElementSide>>& side_sets() const { return side_sets_; }
+  /// Of the whole mesh: their nodes are on every rank.
+  const std::map<std::string, std::vector<int>>& node_sets() const { return node_sets_; }
+  /// Of the whole mesh, in the order of elements.
+  const std::vector<BoundarySide>& boundary() const { return boundary_; }
+
+  /// Positions from the mesh's nodes. Collective.
+  Positions gather(const ConstCoordinateView& x) const;
+  /// To the nodes that the mesh has on this rank.
+  void scatter(const Positions& from, const CoordinateView& to) const;
+  /// A field by (node, component); nodes without the field hold 0. Collective.
+  std::vector<double> gather(const Space& space, int field, const ConstNodalView& values) const;
+  void scatter(const Space& space, int field, const std::vector<double>& from, const NodalView& to) const;
+  /// Rows of a block's point array: (first_row(e) + q, columns). Collective.
+  std::vector<double> gather_points(int block, int points, const ConstPointView& rows) const;
+  /// Row of an element's first point in what gather_points returns.
+  int first_row(int element, int points) const { return place_in_block_[element] * points; }
+
+  /// Everyone takes what the owners have: values by (node, component), beyond the nodes nothing changes. Collective.
+  void fill(std::vector<double>& values, int components) const;
+  void fill(Positions& x) const;
+  /// The same of (row, column) of a block's points. Collective.
+  void fill_points(int block, int points, int columns, std::vector<double>& table) const;
+
+  double sum(double mine) const;
+  double largest(double mine) const;
+  double smallest(double mine) const { return -largest(-mine); }
+  bool any(bool mine) const { return largest(mine ? 1.0 : 0.0) > 0; }
+
+ private:
+  struct Exchange {
+    RCP<const Map> from;
+    RCP<const Import> import;  // null: there is nothing to exchange
+  };
+  Exchange exchange(const std::vector<long long>& own, const std::vector<long long>& all) const;
+  void fill(const Exchange& exchange, const std::vector<int>& own, int width, double* values) const;
+
+  const Mesh& mesh_;
+  std::vector<long long> node_ids_;
+  std::vector<int> of_mesh_, owned_nodes_;  // (the mesh's node), ascending
+  std::vector<char> owned_, complete_, vertex_, on_boundary_;
+  std::vector<Element> elements_;
+  std::vector<std::vector<int>> block_elements_, own_elements_;
+  std::vector<int> place_in_block_, element_of_;
+  std::map<std::string, std::vector<ElementSide>> side_sets_;
+  std::map<std::string, std::vector<int>> node_sets_;
+  std::vector<BoundarySide> boundary_;
+  Exchange nodes_;
+  std::vector<Exchange> points_;              // (block) by element
+  std::vector<std::vector<int>> own_places_;  // (block) of its own elements in the block
+};
+
+}  // namespace mudline
