@@ -8,9 +8,9 @@ namespace mudline {
 
 /// Chebyshev smoother on D^-1 A, started from zero: y ~ A^-1 x on the upper part of the spectrum. D holds the blocks of
 /// the diagonal of A that couple the unknowns of one node, unsymmetric as they are: a stiff contact with friction makes
-/// one direction of a node stiff, which the diagonal alone does not see. Joined nodes have one block together: a contact
-/// that presses a part of a side only leaves its nodes free to move together in soft ways, which no block of one node
-/// sees.
+/// one direction of a node stiff, which the diagonal alone does not see. Joined nodes have one block together: a
+/// contact that presses a part of a side only leaves its nodes free to move together in soft ways, which no block of
+/// one node sees.
 class NodalChebyshev : public Operator {
  public:
   struct Settings {
