@@ -38,7 +38,7 @@ void AleParameters::parameters(Parameters& p) {
         "the free boundary makes up for the volume that nodes sliding on a curved one change, the void ratio for the "
         "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
-  p.section("boundary", boundary, "how boundary nodes slide in the plane; in space they stay material points");
+  p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
   p.section("remeshing", renewal, "when and how the region, of triangles, is meshed anew; absent: it is not");
 }
@@ -48,9 +48,9 @@ void Ale::document(Parameters& p) { AleParameters().parameters(p); }
 namespace {
 
 /// With as many layers of other ranks' elements as the recovery around this rank's own ones needs: two, and more where
-/// corners of the mesh have few elements.
+/// corners of the mesh have few elements. In the plane layers are cheap, and more of them let ranks meet less often.
 GhostedMesh with_patches(const Mesh& mesh, const Soil& soil) {
-  for (int layers = 2;; ++layers) {
+  for (int layers = mesh.dimension() == 2 ? 4 : 2;; ++layers) {
     GhostedMesh result(mesh, layers);
     const bool cut = std::any_of(soil.blocks.begin(), soil.blocks.end(),
                                  [&](const SoilBlock& b) { return RecoveryPatches(result, b).cut(); });
@@ -246,62 +246,77 @@ void Ale::conserve_grains(const PointTransfer& transfer, const SoilTable& table,
   receipt.restored_grains.resize(soil_.materials.size(), 0.0);
   double worst = 0;
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    const int material = transfer.block.made_of[k];
+    const int material = transfer.after.block.made_of[k];
     receipt.restored_grains[material] += soil_.materials[material]->grain_density * grains[k].missing;
     if (std::abs(grains[k].lost()) > std::abs(worst)) worst = grains[k].lost();
   }
   if (std::abs(worst) > std::abs(receipt.restored_solid)) receipt.restored_solid = worst;
 }
 
-void Ale::carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
+void Ale::carry_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
+                      const BlockPoints& after, const StateStore& store, const State& to, const CarryingOver& how,
+                      MeshReceipt& receipt) const {
+  const SoilBlock &b_old = before.block, &b = after.block;
+  // all of the block's point data in one table: points are located and patches fitted once
+  const SoilTable columns = table_of(store, b);
+  const auto each = [&](const auto& visit) {
+    int column = 0;
+    for (int handle = 0; handle < store.num_arrays(); ++handle) {
+      const ArrayInfo& info = store.info(handle);
+      for (std::size_t c = 0; info.block == b.block && c < to.arrays[handle].extent(1); ++c, ++column)
+        visit(handle, static_cast<int>(c), column);
+    }
+  };
+  PointView table("", b_old.elements * b_old.points, columns.columns);
+  each([&](int handle, int c, int column) {
+    const PointView& rows = old_state.arrays[old_store.find(store.info(handle).name)];
+    for (int i = 0; i < b_old.elements * b_old.points; ++i) table(i, column) = rows(i, c);
+  });
+  const std::vector<double> old = before.mesh.gather_points(b_old.block, b_old.points, table);
+  std::vector<double> now = old;
+  if (&before.mesh != &after.mesh)
+    now.assign(after.mesh.block_elements(b.block).size() * b.points * columns.columns, 0.0);
+  const PointTransfer transfer{before, after, how.patches, columns.variables, columns.columns, old, now};
+  LayerRatios ratios;
+  if (b.made_of.size() > 1) {
+    LayerChanges layers = LayerRemap(soil_, how.remap).transfer(transfer, columns);
+    receipt.changed += static_cast<int>(mesh_.sum(layers.changed));
+    receipt.started += static_cast<int>(mesh_.sum(layers.started));
+    const std::string problem = of_first_rank(*mesh_.mesh().comm(), layers.problem);
+    if (receipt.veto.empty()) receipt.veto = problem;
+    ratios = std::move(layers.ratios);
+  } else {
+    how.remap.transfer(transfer);
+  }
+  if (deck_.conserve) conserve_grains(transfer, columns, ratios, receipt);
+  const std::vector<int>& own = after.mesh.own_elements(b.block);
+  each([&](int handle, int c, int column) {
+    const PointView& rows = to.arrays[handle];
+    for (int e = 0; e < b.elements; ++e)
+      for (int q = 0; q < b.points; ++q)
+        rows(e * b.points + q, c) =
+            now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns.columns + column];
+  });
+  for (int row = 0; b.origin >= 0 && row < b.elements * b.points; ++row)  // a number, without rounding
+    to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
+}
+
+void Ale::carry_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
                        MeshReceipt& receipt) const {
   MeshReceipt here;  // the shares of the parts of a motion add up
-  for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
-    const SoilBlock& b = soil_.blocks[k];
-    // all of the block's point data in one table: points are located and patches fitted once
-    const SoilTable columns = table_of(store, b);
-    const auto each = [&](const auto& visit) {
-      int column = 0;
-      for (int handle = 0; handle < store.num_arrays(); ++handle)
-        for (std::size_t c = 0; store.info(handle).block == b.block && c < to.arrays[handle].extent(1); ++c, ++column)
-          visit(to.arrays[handle], static_cast<int>(c), column);
-    };
-    PointView table("", b.elements * b.points, columns.columns);
-    each([&](const PointView& rows, int c, int column) {
-      for (int i = 0; i < b.elements * b.points; ++i) table(i, column) = rows(i, c);
-    });
-    const std::vector<double> old = mesh_.gather_points(b.block, b.points, table);
-    std::vector<double> now = old;
-    const PointTransfer transfer{mesh_, b, patches_[k], x_old, x_new, columns.variables, columns.columns, old, now};
-    LayerRatios ratios;
-    if (b.made_of.size() > 1) {
-      LayerChanges layers = LayerRemap(soil_, *remap_).transfer(transfer, columns);
-      receipt.changed += static_cast<int>(mesh_.sum(layers.changed));
-      receipt.started += static_cast<int>(mesh_.sum(layers.started));
-      const std::string problem = of_first_rank(*mesh_.mesh().comm(), layers.problem);
-      if (receipt.veto.empty()) receipt.veto = problem;
-      ratios = std::move(layers.ratios);
-    } else {
-      remap_->transfer(transfer);
-    }
-    if (deck_.conserve) conserve_grains(transfer, columns, ratios, here);
-    const std::vector<int>& own = mesh_.own_elements(b.block);
-    each([&](const PointView& rows, int c, int column) {
-      for (int e = 0; e < b.elements; ++e)
-        for (int q = 0; q < b.points; ++q)
-          rows(e * b.points + q, c) =
-              now[static_cast<std::size_t>(mesh_.first_row(own[e], b.points) + q) * columns.columns + column];
-    });
-    for (int row = 0; b.origin >= 0 && row < b.elements * b.points; ++row)  // a number, without rounding
-      to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
-  }
+  for (std::size_t k = 0; k < soil_.blocks.size(); ++k)
+    carry_block({mesh_, soil_.blocks[k], x_old}, store, to, {mesh_, soil_.blocks[k], x_new}, store, to,
+                {*remap_, patches_[k]}, here);
+  receipt.changed += here.changed;
+  receipt.started += here.started;
+  if (receipt.veto.empty()) receipt.veto = here.veto;
   receipt.restored_solid += here.restored_solid;
   receipt.restored_grains.resize(soil_.materials.size(), 0.0);
   for (std::size_t k = 0; k < here.restored_grains.size(); ++k) receipt.restored_grains[k] += here.restored_grains[k];
 }
 
 void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
-  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new);
+  const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new, &deck_.boundary.surfaces());
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     for (const NodalView& values : {to.value, to.rate, to.acceleration}) {

@@ -111,8 +111,17 @@ class Ale {
   bool folded(const Positions& x) const;
   /// Of the sides inside.
   void place_middles(Positions& x) const;
+  struct CarryingOver {
+    const Remap& remap;
+    const RecoveryPatches& patches;  // of the mesh before
+  };
+  /// All point data of one block, from the state of one store to that of another or of the same one. Adds what it did
+  /// to the receipt, veto among it.
+  void carry_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
+                   const BlockPoints& after, const StateStore& store, const State& to, const CarryingOver& how,
+                   MeshReceipt& receipt) const;
   /// Adds what it did to the receipt.
-  void carry_points(StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
+  void carry_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
                     MeshReceipt& receipt) const;
   /// What the columns of all of a block's point data in one table are, in the order of their handles.
   SoilTable table_of(const StateStore& store, const SoilBlock& block) const;
@@ -126,7 +135,8 @@ class Ale {
   std::string lost_mass(const MeshReceipt& receipt) const;
   // To another mesh: see take_over().
   void take_nodes(const Ale& from, const State& old_state, const MeshChange& change, State& to) const;
-  double take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store) const;
+  void take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
+                   MeshReceipt& receipt) const;
   void keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const;
 
   AleParameters deck_;

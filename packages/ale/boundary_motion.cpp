@@ -10,9 +10,9 @@ namespace mudline {
 
 namespace {
 
-std::vector<std::array<double, 2>> places(const MeshPath& path, const Positions& x) {
-  std::vector<std::array<double, 2>> result;
-  for (int node : path.nodes) result.push_back(in_plane(x[node]));
+Positions places(const MeshPath& path, const Positions& x) {
+  Positions result;
+  for (int node : path.nodes) result.push_back(x[node]);
   return result;
 }
 
@@ -33,22 +33,18 @@ void BoundaryMotion::parameters(Parameters& p) {
   p.add("growth", growth_, "-", non_negative(), "increase of the size per distance beyond");
 }
 
-SizeField BoundaryMotion::size_field(const std::array<double, 2>& focus) const {
-  if (focus_.empty()) return [](const std::array<double, 2>&) { return 1.0; };
-  return [this, focus](const std::array<double, 2>& x) {
-    return near_size_ + growth_ * std::max(0.0, std::hypot(x[0] - focus[0], x[1] - focus[1]) - near_distance_);
+SizeField BoundaryMotion::size_field(const Point& focus) const {
+  if (focus_.empty()) return [](const Point&) { return 1.0; };
+  return [this, focus](const Point& x) {
+    return near_size_ + growth_ * std::max(0.0, distance(x, focus) - near_distance_);
   };
 }
 
 void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
                           const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
                           const RenewedMesh* renewed) {
-  if (mesh.dimension() == 3) {
-    for (const std::string& name : section.parameter_names())
-      section.fail("has no meaning in three dimensions: nodes of the boundary stay material points", name);
-    return;
-  }
   bodies_ = bodies;
+  in_space_ = mesh.dimension() == 3;
   axisymmetric_ = mesh.mesh().geometry() == Geometry::axisymmetric;
   for (const std::string& name : corners_)
     if (!mesh.node_sets().count(name)) {
@@ -57,23 +53,25 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
       section.fail("unknown point set '" + name + "'" + suggestion(name, known), "corners");
     }
   for (const std::string& name : material_sides_) require_side_set(mesh.mesh(), section, "material sides", name);
-  std::array<double, 2> focus{};
+  Point focus{};
   if (!focus_.empty()) {
     std::vector<std::string> known;
     for (const auto& [name, body] : bodies) known.push_back(name);
     if (!bodies.count(focus_)) section.fail("unknown body '" + focus_ + "'" + suggestion(focus_, known), "focus");
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
-    focus = in_plane(bodies.at(focus_)->initial_position());
+    focus = bodies.at(focus_)->initial_position();
   }
   if (renewed) {
     paths_ = renewed->paths;
     for (MeshPath& path : paths_)
       for (int& node : path.nodes) node = mesh.local_node(node);
     origins_ = renewed->origins;
-    focus = renewed->focus;
+    focus = on_plane(renewed->focus);
+  } else if (mesh.dimension() == 3) {
+    bind_surfaces(mesh, source);
   } else {
     paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
-                        [&](int node) { return starts_on_body(in_plane(source[node])); });
+                        [&](int node) { return starts_on_body(source[node]); });
   }
   for (const MeshPath& path : paths_) {
     const PathCurve curve(places(path, source));
@@ -87,27 +85,47 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
   }
 }
 
-bool BoundaryMotion::material(const MeshPath& path) const {
+void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source) {
+  std::set<int> corners;
+  for (const std::string& name : corners_)
+    for (int node : mesh.node_sets().at(name)) corners.insert(node);
+  MeshSurfaces surfaces = split_surfaces(boundary_faces(mesh), source, corners, corner_angle_ * pi / 180,
+                                         [&](int node) { return starts_on_body(source[node]); });
+  paths_ = surfaces.curves;
+  std::vector<char> slides;
+  for (const SurfacePatch& patch : surfaces.patches) slides.push_back(!material(patch.sets));
+  surfaces_ = SurfaceMotion(std::move(surfaces), source, slides, largest_slide_);
+}
+
+bool BoundaryMotion::material(const std::set<std::string>& sets) const {
   return std::any_of(material_sides_.begin(), material_sides_.end(),
-                     [&](const std::string& name) { return path.sets.count(name) > 0; });
+                     [&](const std::string& name) { return sets.count(name) > 0; });
 }
 
-std::array<double, 2> BoundaryMotion::focus(const State& state) const {
-  return focus_.empty() ? std::array<double, 2>{} : in_plane(bodies_.at(focus_)->position(state));
+Point BoundaryMotion::focus(const State& state) const {
+  return focus_.empty() ? Point{} : bodies_.at(focus_)->position(state);
 }
 
-bool BoundaryMotion::starts_on_body(const std::array<double, 2>& x) const {
-  constexpr double near = 1e-3;  // [-] of a contour's length
+bool BoundaryMotion::starts_on_body(const Point& x) const {
+  constexpr double near = 2e-3;  // [-] of what a body reaches
   return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& entry) {
     const RigidBody& body = *entry.second;
-    return std::abs(body.closest(body.initial_placement(), x).gap) < near * body.contour().length();
+    return std::abs(body.gap(body.initial_placement(), x)) < near * body.reach();
   });
 }
 
-std::optional<ContourFoot> BoundaryMotion::foot(const State& state, const std::array<double, 2>& x) const {
-  std::optional<ContourFoot> nearest;
+std::optional<NearBody> BoundaryMotion::foot(const State& state, const Point& x) const {
+  std::optional<NearBody> nearest;
   for (const auto& [name, body] : bodies_) {
-    const ContourFoot here = body->closest(body->placement(state), x);
+    const BodyPlacement placement = body->placement(state);
+    NearBody here;
+    if (body->surface()) {
+      const SurfaceFoot there = body->foot(placement, x);
+      here = {there.gap, there.normal};
+    } else {
+      const ContourFoot there = body->closest(placement, in_plane(x));
+      here = {there.gap, on_plane(there.normal)};
+    }
     if (!nearest || here.gap < nearest->gap) nearest = here;
   }
   return nearest;
@@ -118,21 +136,24 @@ Positions BoundaryMotion::move(const Positions& x, const State& state) const {
   const SizeField size = size_field(focus(state));
   for (std::size_t p = 0; p < paths_.size(); ++p)
     if (slides_[p]) move_path(p, state, size, result);
+  if (!surfaces_.surfaces().patches.empty())
+    surfaces_.move(
+        x, [&](const Point& at) { return foot(state, at); }, result);
   return result;
 }
 
 std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& state) const {
   std::vector<double> result(x.size(), 0.0);
+  const auto free = [&](int node, double sides) {
+    return bodies_.empty() ? 1.0 : std::clamp(foot(state, x[node])->gap / sides - 1, 0.0, 1.0);
+  };
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const MeshPath& path = paths_[p];
     if (!slides_[p] || !path.outer) continue;
-    for (std::size_t i = 1; i + 1 < path.nodes.size(); ++i) {
-      const auto &before = x[path.nodes[i - 1]], &after = x[path.nodes[i + 1]];
-      const double sides = path.stride * std::hypot(after[0] - before[0], after[1] - before[1]);
-      result[path.nodes[i]] =
-          bodies_.empty() ? 1.0 : std::clamp(foot(state, in_plane(x[path.nodes[i]]))->gap / sides - 1, 0.0, 1.0);
-    }
+    for (std::size_t i = 1; i + 1 < path.nodes.size(); ++i)
+      result[path.nodes[i]] = free(path.nodes[i], path.stride * distance(x[path.nodes[i + 1]], x[path.nodes[i - 1]]));
   }
+  for (const auto& [node, edge] : surfaces_.outer_nodes(x)) result[node] = free(node, 2 * edge);
   return result;
 }
 
@@ -161,29 +182,33 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
       s[i] = curve.parameter(i);
   }
   for (int i = 1; i < last; ++i)
-    if (s[i] != curve.parameter(i)) x[path.nodes[i]] = on_plane(places.at(s[i], s[i + 1] - s[i - 1]));
+    if (s[i] != curve.parameter(i)) x[path.nodes[i]] = places.at(s[i], s[i + 1] - s[i - 1]);
 }
 
 PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state)
     : boundary_(boundary), state_(state), curve_(places(path, x)) {
   const double near = 1e-9 * curve_.length();
-  on_axis_ = boundary.axisymmetric() &&
-             std::all_of(path.nodes.begin(), path.nodes.end(), [&](int node) { return std::abs(x[node][0]) <= near; });
+  const auto all = [&](const auto& property) { return std::all_of(path.nodes.begin(), path.nodes.end(), property); };
+  kept_[0] = boundary.axisymmetric() && all([&](int node) { return std::abs(x[node][0]) <= near; });
+  if (boundary.in_space()) kept_at_ = x[path.nodes[0]];
+  for (int d = 0; boundary.in_space() && d < place_size; ++d)
+    kept_[d] = all([&](int node) { return std::abs(x[node][d] - kept_at_[d]) <= near; });
   for (int node : path.nodes) {
-    const auto foot = boundary.foot(state, in_plane(x[node]));
+    const auto foot = boundary.foot(state, x[node]);
     if (!foot) return;
     gaps_.push_back(foot->gap);
   }
 }
 
-std::array<double, 2> PathPlaces::at(double s, double span) const {
-  std::array<double, 2> to = curve_.at(s);
+Point PathPlaces::at(double s, double span) const {
+  Point to = curve_.at(s);
   const double gap = gaps_.empty() ? 1e300 : curve_.interpolate(gaps_, s);
   if (gap < 0.25 * span) {
-    const ContourFoot here = *boundary_.foot(state_, to);
-    for (int d = 0; d < 2; ++d) to[d] += (gap - here.gap) * here.normal[d];
+    const NearBody here = *boundary_.foot(state_, to);
+    for (int d = 0; d < place_size; ++d) to[d] += (gap - here.gap) * here.normal[d];
   }
-  if (on_axis_) to[0] = 0;
+  for (int d = 0; d < place_size; ++d)
+    if (kept_[d]) to[d] = kept_at_[d];
   return to;
 }
 

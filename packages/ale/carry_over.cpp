@@ -78,36 +78,15 @@ void Ale::take_nodes(const Ale& from, const State& old_state, const MeshChange& 
   }
 }
 
-double Ale::take_points(const Ale& from, const StateStore& old_store, const MeshChange& change,
-                        StateStore& store) const {
-  double restored = 0;
+void Ale::take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
+                      MeshReceipt& receipt) const {
   for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
-    const SoilBlock &b = soil_.blocks[k], &b_old = from.soil_.blocks[k];
-    const BlockPoints before{change.from(), b_old, change.x_from()}, after{change.to(), b, change.x_to()};
+    const SoilBlock& b_old = from.soil_.blocks[k];
     const RecoveryPatches patches(change.from(), b_old);
-    for (int handle = 0; handle < store.num_arrays(); ++handle) {
-      const ArrayInfo& info = store.info(handle);
-      if (info.block != b.block) continue;
-      const PointView& rows = store.committed().arrays[handle];
-      const int columns = static_cast<int>(rows.extent(1));
-      if (columns == 0) continue;
-      const std::vector<double> old =
-          before.mesh.gather_points(b_old.block, b_old.points, old_store.committed().arrays[old_store.find(info.name)]);
-      std::vector<double> now = recovered_on(after, before, patches, old, info.variables, columns);
-      if (handle == b.void_ratio && deck_.conserve) {
-        const double share = restore_all_grains(after.mesh, b, after.x, soil_.geometry, now, columns, 0,
-                                                grains(before.mesh, b_old, before.x, soil_.geometry, old, columns, 0));
-        restored = std::abs(share) > std::abs(restored) ? share : restored;
-      }
-      const std::vector<int>& own = after.mesh.own_elements(b.block);
-      for (int e = 0; e < b.elements; ++e)
-        for (int q = 0; q < b.points; ++q)
-          for (int c = 0; c < columns; ++c)
-            rows(e * b.points + q, c) =
-                now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns + c];
-    }
+    carry_block({change.from(), b_old, change.x_from()}, old_store, old_store.committed(),
+                {change.to(), soil_.blocks[k], change.x_to()}, store, store.committed(), {RecoveryRemap(), patches},
+                receipt);
   }
-  return restored;
 }
 
 namespace {
@@ -189,7 +168,8 @@ MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const C
   mesh_.scatter(x_new, to.coordinates);
   const MeshChange change(from, old_state, *this, to);
   take_nodes(from, old_state, change, to);
-  receipt.restored_solid = take_points(from, old_store, change, store);
+  take_points(from, old_store, change, store, receipt);
+  if (!receipt.veto.empty()) return receipt;
   if (deck_.conserve) {
     keep_compression(receipt.before.compression, constraints, to);
     shift_pressures(soil_, mesh_, prescribed(std::max(soil_.pressure, 0), constraints), receipt.before.compression, to);

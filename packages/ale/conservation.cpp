@@ -123,20 +123,52 @@ void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::ve
 namespace {
 
 /// (row, material of the block) what each material has of each point.
-std::vector<double> shares_of(const PointTransfer& t, const Soil& soil, int origin, const std::vector<double>& table) {
-  const std::size_t count = t.block.made_of.size();
-  std::vector<double> result(table.size() / t.columns * count, 1.0);
-  std::vector<Point> starts(t.block.points, Point{});
-  for (int e : t.mesh.own_elements(t.block.block)) {
+std::vector<double> shares_of(const BlockPoints& at, const Soil& soil, int origin, const std::vector<double>& table,
+                              int columns) {
+  const auto& [mesh, block, x] = at;
+  const std::size_t count = block.made_of.size();
+  std::vector<double> result(table.size() / columns * count, 1.0);
+  std::vector<Point> starts(block.points, Point{});
+  for (int e : mesh.own_elements(block.block)) {
     if (count == 1) break;
-    const std::size_t first = t.mesh.first_row(e, t.block.points);
-    for (int q = 0; q < t.block.points; ++q)
-      for (int d = 0; d < t.mesh.dimension(); ++d) starts[q][d] = table[(first + q) * t.columns + origin + 1 + d];
-    const std::vector<double> shares = soil.layer_shares(t.block, starts);
+    const std::size_t first = mesh.first_row(e, block.points);
+    for (int q = 0; q < block.points; ++q)
+      for (int d = 0; d < mesh.dimension(); ++d) starts[q][d] = table[(first + q) * columns + origin + 1 + d];
+    const std::vector<double> shares = soil.layer_shares(block, starts);
     std::copy(shares.begin(), shares.end(), result.begin() + static_cast<std::ptrdiff_t>(first * count));
   }
   return result;
 }
+
+/// What the points of this rank hold: (row, material of the block), (row).
+struct Held {
+  std::vector<double> shares;    // [-]
+  std::vector<double> soil;      // [m3]
+  std::vector<double> grains;    // [m3]
+  std::vector<double> smooth;    // [m3] of grains, if every material had its own void ratio there
+  std::vector<PointPart> parts;  // (row)
+
+  /// `ratios`: empty where there is one material.
+  Held(const BlockPoints& at, const Soil& soil_of, int void_ratio, int origin, const std::vector<double>& table,
+       int columns, const std::vector<double>& ratios)
+      : shares(shares_of(at, soil_of, origin, table, columns)) {
+    const auto& [mesh, block, x] = at;
+    const std::size_t count = block.made_of.size();
+    soil.resize(shares.size(), 0.0);
+    grains = smooth = soil;
+    parts.resize(shares.size() / count, {0, 1, {}});
+    for (int e : mesh.own_elements(block.block))
+      for (int q = 0; q < block.points; ++q) {
+        const std::size_t row = mesh.first_row(e, block.points) + q;
+        parts[row] = part(mesh.elements()[e], block, q, x, soil_of.geometry);
+        for (std::size_t k = row * count; k < (row + 1) * count; ++k) {
+          soil[k] = shares[k] * parts[row].volume;
+          grains[k] = soil[k] / (1 + table[row * columns + void_ratio]);
+          smooth[k] = ratios.empty() ? grains[k] : soil[k] / (1 + ratios[k]);
+        }
+      }
+  }
+};
 
 /// Solves A x = b for a small matrix that is symmetric and nearly diagonal (Gauss and Seidel).
 std::vector<double> solve_small(const std::vector<double>& A, const std::vector<double>& b) {
@@ -158,20 +190,22 @@ std::vector<double> solve_small(const std::vector<double>& A, const std::vector<
 }
 
 /// Adds `missing` grains to the materials of a block: the dry density of a point changes by its weight times one factor
-/// for each material. `volumes`, `weights`: (row), `shares`: (row, material). What finds no weight is set to 0.
-void add_grains(const PointTransfer& t, int void_ratio, const std::vector<double>& volumes,
-                const std::vector<double>& weights, const std::vector<double>& shares, std::vector<double>& missing) {
+/// for each material. What finds no weight is set to 0.
+void add_grains(const PointTransfer& t, int void_ratio, const Held& held, const std::vector<double>& weights,
+                std::vector<double>& missing) {
   const std::size_t count = missing.size();
+  const std::vector<double>& shares = held.shares;
   std::vector<double> gained(count * count, 0.0);
-  for (std::size_t row = 0; row < volumes.size(); ++row)
+  for (std::size_t row = 0; row < weights.size(); ++row)
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < count; ++k)
-        gained[i * count + k] += shares[row * count + i] * shares[row * count + k] * weights[row] * volumes[row];
-  for (double& entry : gained) entry = t.mesh.sum(entry);
+        gained[i * count + k] +=
+            shares[row * count + i] * shares[row * count + k] * weights[row] * held.parts[row].volume;
+  for (double& entry : gained) entry = t.after.mesh.sum(entry);
   for (std::size_t i = 0; i < count; ++i)
     if (!(gained[i * count + i] > 0)) missing[i] = 0;
   const std::vector<double> change = solve_small(gained, missing);
-  for (std::size_t row = 0; row < volumes.size(); ++row) {
+  for (std::size_t row = 0; row < weights.size(); ++row) {
     double& ratio = t.now[row * t.columns + void_ratio];
     double more = 0;
     for (std::size_t i = 0; i < count; ++i) more += shares[row * count + i] * change[i];
@@ -183,62 +217,35 @@ void add_grains(const PointTransfer& t, int void_ratio, const std::vector<double
 
 std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int void_ratio, int origin,
                                    const LayerRatios& ratios) {
-  const std::size_t count = t.block.made_of.size(), rows = t.now.size() / t.columns;
-  const std::vector<double> was = shares_of(t, soil, origin, t.old), is = shares_of(t, soil, origin, t.now);
-  const bool layered = count > 1;
+  const std::size_t count = t.after.block.made_of.size();
+  const Held was(t.before, soil, void_ratio, origin, t.old, t.columns, ratios.before),
+      is(t.after, soil, void_ratio, origin, t.now, t.columns, ratios.after);
+  // row by row where the rows are the same: a difference of sums would lose digits
+  const auto lost_of = [&](const std::vector<double>& had, const std::vector<double>& has, std::size_t material) {
+    double sum = 0;
+    for (std::size_t k = material; k < std::max(had.size(), has.size()); k += count)
+      sum += (k < had.size() ? had[k] : 0.0) - (k < has.size() ? has[k] : 0.0);
+    return t.after.mesh.sum(sum);
+  };
+  const std::vector<double> nothing;
   std::vector<Grains> grains(count);
-  std::vector<double> volumes(rows), ways(rows), lost(count, 0.0), jumped(count, 0.0);
-  std::vector<double> grown(count, 0.0), volume(count, 0.0);  // [m3] of soil
-  for (int e : t.mesh.own_elements(t.block.block)) {
-    const auto& element = t.mesh.elements()[e];
-    for (int q = 0; q < t.block.points; ++q) {
-      const std::size_t row = t.mesh.first_row(e, t.block.points) + q;
-      const PointPart old = part(element, t.block, q, t.x_old, soil.geometry),
-                      now = part(element, t.block, q, t.x_new, soil.geometry);
-      volumes[row] = now.volume;
-      ways[row] = std::min(1.0, distance(now.place, old.place) / old.size);
-      const double before = t.old[row * t.columns + void_ratio], after = t.now[row * t.columns + void_ratio];
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t k = row * count + i;
-        const double had = was[k] * old.volume, has = is[k] * now.volume;
-        const double loss = had / (1 + before) - has / (1 + after);
-        const double smooth = layered ? had / (1 + ratios.before[k]) - has / (1 + ratios.after[k]) : loss;
-        grains[i].before += had / (1 + before);
-        lost[i] += smooth;
-        jumped[i] += loss - smooth;
-        grown[i] += has - had;
-        volume[i] += had;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    for (double* sum : {&grains[i].before, &lost[i], &jumped[i], &grown[i], &volume[i]}) *sum = t.mesh.sum(*sum);
-  for (std::size_t i = 0; layered && i < count; ++i) {
-    const double by_shares = volume[i] > 0 ? -grown[i] * grains[i].before / volume[i] : 0.0;
+  std::vector<double> lost(count), jumped(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    grains[i].before = lost_of(was.grains, nothing, i);
+    lost[i] = lost_of(was.smooth, is.smooth, i);
+    jumped[i] = lost_of(was.grains, is.grains, i) - lost[i];
+    const double volume = lost_of(was.soil, nothing, i), grown = -lost_of(was.soil, is.soil, i);
+    const double by_shares = count > 1 && volume > 0 ? -grown * grains[i].before / volume : 0.0;
     lost[i] -= by_shares;
     jumped[i] += by_shares;
   }
-  add_grains(t, void_ratio, volumes, ways, is, lost);
+  std::vector<double> weights(is.parts.size(), 1.0);
+  for (std::size_t row = 0; t.moved() && row < weights.size(); ++row)
+    weights[row] = std::min(1.0, distance(is.parts[row].place, was.parts[row].place) / was.parts[row].size);
+  add_grains(t, void_ratio, is, weights, lost);
   for (std::size_t i = 0; i < count; ++i) grains[i].missing = lost[i];
-  if (layered) add_grains(t, void_ratio, volumes, std::vector<double>(rows, 1.0), is, jumped);
+  if (count > 1) add_grains(t, void_ratio, is, std::vector<double>(weights.size(), 1.0), jumped);
   return grains;
-}
-
-double grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
-              const std::vector<double>& table, int columns, int column) {
-  double sum = 0;
-  for (int e : mesh.own_elements(block.block))
-    for (int q = 0; q < block.points; ++q)
-      sum += part(mesh.elements()[e], block, q, x, geometry).volume /
-             (1 + table[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * columns + column]);
-  return mesh.sum(sum);
-}
-
-double restore_all_grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
-                          std::vector<double>& table, int columns, int column, double before) {
-  const double after = grains(mesh, block, x, geometry, table, columns, column);
-  for (std::size_t i = column; i < table.size(); i += columns) table[i] = (1 + table[i]) * (after / before) - 1;
-  return (before - after) / before;
 }
 
 }  // namespace mudline

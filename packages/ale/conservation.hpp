@@ -42,21 +42,14 @@ struct LayerRatios {
 };
 
 /// Makes up for the grains of each material that a transfer lost: the dry density 1/(1+e) of every point changes in
-/// proportion to how far the point moved, by one factor for each material of the block and in proportion to what the
-/// material has of the point (Soil::layer_shares). Points at rest keep theirs. Where an interface cuts elements, shares
-/// are known to some per cent of an element, and a point has the void ratio of one side only. What a layer seems to
-/// gain or lose by these is spread over all of it. It stays within what the cut elements hold: it does not add up.
-/// `ratios`: read where there are several materials. `void_ratio`, `origin`: columns, as in a SoilTable. Returns what
-/// was lost, in the order of the block's materials; nothing is done where nothing moved. Collective.
+/// proportion to how far the point moved, on another mesh by the same everywhere, by one factor for each material of
+/// the block and in proportion to what the material has of the point (Soil::layer_shares). Points at rest keep theirs.
+/// Where an interface cuts elements, shares are known to some per cent of an element, and a point has the void ratio of
+/// one side only. What a layer seems to gain or lose by these is spread over all of it. It stays within what the cut
+/// elements hold: it does not add up. `ratios`: read where there are several materials. `void_ratio`, `origin`:
+/// columns, as in a SoilTable. Returns what was lost, in the order of the block's materials; nothing is done where
+/// nothing moved. Collective.
 std::vector<Grains> restore_grains(const PointTransfer& transfer, const Soil& soil, int void_ratio, int origin,
                                    const LayerRatios& ratios = {});
-
-/// Grains of a block of soil at x: the sum of volumes over 1 + e [m3]. `column`: that of the void ratio in a table of
-/// so many columns. Collective.
-double grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
-              const std::vector<double>& table, int columns, int column);
-/// The same by one factor for all points of a block that has `before` of them to hold; the share that was missing.
-double restore_all_grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
-                          std::vector<double>& table, int columns, int column, double before);
 
 }  // namespace mudline

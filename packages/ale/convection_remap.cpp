@@ -33,28 +33,25 @@ void ConvectionRemap::parameters(Parameters& p) {
 }
 
 void ConvectionRemap::transfer(const PointTransfer& t) const {
-  const Recovery recovered(t.mesh, t.block, t.patches, t.x_old, t.old, t.columns);
-  const PointLocator locator(t.mesh, t.x_old);
-  std::vector<double> low, high, there(t.columns), here(t.columns);  // bounds; recovered
-  for (const StateVariable& variable : t.variables)
-    for (int c = 0; c < variable.components; ++c) {
-      low.push_back(variable.low);
-      high.push_back(variable.high);
-    }
-  for (int e : t.mesh.own_elements(t.block.block)) {
-    const auto& element = t.mesh.elements()[e];
+  const auto& [mesh, block, x_old] = t.before;
+  const Positions& x_new = t.after.x;
+  const Recovery recovered(mesh, block, t.patches, x_old, t.old, t.columns);
+  const PointLocator locator(mesh, x_old);
+  const ColumnBounds bounds(t.variables);
+  std::vector<double> there(t.columns), here(t.columns);  // recovered
+  for (int e : mesh.own_elements(block.block)) {
+    const auto& element = mesh.elements()[e];
     bool moved = false;
     for (int a = 0; a < num_nodes(element.shape); ++a)
-      moved = moved || t.x_new[element.nodes[a]] != t.x_old[element.nodes[a]];
+      moved = moved || x_new[element.nodes[a]] != x_old[element.nodes[a]];
     if (!moved) continue;
-    const double size = size_of(element, t.x_old);
-    for (int q = 0; q < t.block.points; ++q) {
-      const auto from = Recovery::position(element, t.block, q, t.x_old),
-                 to = Recovery::position(element, t.block, q, t.x_new);
+    const double size = size_of(element, x_old);
+    for (int q = 0; q < block.points; ++q) {
+      const auto from = Recovery::position(element, block, q, x_old), to = Recovery::position(element, block, q, x_new);
       const MeshPlace place = locator.find(to, e);
       const double courant = std::min(1.0, distance(to, from) / (0.5 * size));
       const double own = scheme_ == Scheme::upwind ? 1 - courant : 1.0;
-      const std::size_t row = static_cast<std::size_t>(t.mesh.first_row(e, t.block.points) + q) * t.columns;
+      const std::size_t row = static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * t.columns;
       recovered.at(place, there.data());
       recovered.at_point(e, q, here.data());
       for (int c = 0; c < t.columns; ++c) {
@@ -63,10 +60,37 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
           const auto &left = recovered.range(e, c), &entered = recovered.range(place.element, c);
           value = std::clamp(value, std::min(left.first, entered.first), std::max(left.second, entered.second));
         }
-        t.now[row + c] = std::clamp(value, low[c], high[c]);
+        t.now[row + c] = std::clamp(value, bounds.low[c], bounds.high[c]);
       }
     }
   }
+}
+
+ColumnBounds::ColumnBounds(const std::vector<StateVariable>& variables) {
+  for (const StateVariable& variable : variables) {
+    low.insert(low.end(), variable.components, variable.low);
+    high.insert(high.end(), variable.components, variable.high);
+  }
+}
+
+void RecoveryRemap::transfer(const PointTransfer& t) const {
+  const Recovery recovered(t.before.mesh, t.before.block, t.patches, t.before.x, t.old, t.columns);
+  const PointLocator locator(t.before.mesh, t.before.x);
+  const ColumnBounds bounds(t.variables);
+  std::vector<double> there(t.columns);
+  const auto& [mesh, block, x] = t.after;
+  int guess = t.before.mesh.block_elements(t.before.block.block).front();
+  for (int e : mesh.own_elements(block.block))
+    for (int q = 0; q < block.points; ++q) {
+      const MeshPlace place = locator.find(Recovery::position(mesh.elements()[e], block, q, x), guess);
+      guess = place.element;
+      recovered.at(place, there.data());
+      double* row = &t.now[static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * t.columns];
+      for (int c = 0; c < t.columns; ++c) {
+        const auto& range = recovered.range(place.element, c);
+        row[c] = std::clamp(std::clamp(there[c], range.first, range.second), bounds.low[c], bounds.high[c]);
+      }
+    }
 }
 
 void register_remaps(Registry<Remap>& registry) {

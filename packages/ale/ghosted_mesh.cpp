@@ -210,7 +210,7 @@ GhostedMesh::Exchange GhostedMesh::exchange(const std::vector<long long>& own,
   return {from, rcp(new Import(from, make_map({all.begin(), all.end()}, mesh_.comm())))};
 }
 
-GhostedMesh::GhostedMesh(const Mesh& mesh, int layers) : mesh_(mesh) {
+GhostedMesh::GhostedMesh(const Mesh& mesh, int layers) : mesh_(mesh), layers_(layers) {
   Surroundings around(mesh);
   around.add_layers(layers);
   const Ids element_ids = around.records.ids();

@@ -53,6 +53,7 @@ class GhostedMesh {
   explicit GhostedMesh(const Mesh& mesh, int layers = whole);
 
   const Mesh& mesh() const { return mesh_; }
+  int layers() const { return layers_; }
   /// 2 or 3.
   int dimension() const { return mesh_.dimension(); }
   int num_nodes() const { return static_cast<int>(node_ids_.size()); }
@@ -118,6 +119,7 @@ class GhostedMesh {
   void fill(const Exchange& exchange, const std::vector<int>& own, int width, double* values) const;
 
   const Mesh& mesh_;
+  int layers_;
   std::vector<long long> node_ids_;
   std::vector<int> of_mesh_, owned_nodes_;  // (the mesh's node), ascending
   std::vector<char> owned_, complete_, vertex_, on_boundary_;

@@ -152,8 +152,12 @@ void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Posit
   for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
     double largest = 0;
     for (int k = 0; k < colours; ++k) {
-      for (int node : mesh.colours[sweep % 2 == 0 ? k : colours - 1 - k]) largest = std::max(largest, place(node));
-      mesh.mesh.fill(x);
+      for (int node : mesh.colours[sweep % 2 == 0 ? k : colours - 1 - k]) {
+        const double way = place(node);
+        if (mesh.mesh.owns(node)) largest = std::max(largest, way);
+      }
+      // with every colour the outermost ghosts that are still right are one layer further in
+      if ((k + 1) % mesh.mesh.layers() == 0 || k + 1 == colours) mesh.mesh.fill(x);
     }
     if (mesh.mesh.largest(largest) < limits.tolerance) break;
   }

@@ -63,7 +63,7 @@ struct InteriorMesh {
   const Positions& source;                       // of the source's mesh
   const Positions& before;                       // before any node of this relocation moved
   const std::vector<char>& movable;              // (node) vertices that are free to move
-  const std::vector<std::vector<int>>& colours;  // those of this rank: see vertex_colours()
+  const std::vector<std::vector<int>>& colours;  // see vertex_colours()
   double time = 0;                               // [s] of the state that the mesh carries
 };
 
@@ -86,7 +86,8 @@ struct SweepLimits {
 };
 
 /// Passes over the vertices that may move, colour after colour, to and fro. `place` gives a vertex of `x` its new place
-/// and returns how far that is, as a share of its elements' size. Collective.
+/// and returns how far that is, as a share of its elements' size. Ranks place ghosts too, so that they must meet only
+/// every few colours. Collective.
 void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
                       const std::function<double(int node)>& place);
 

@@ -111,7 +111,8 @@ class Planes {
 }  // namespace
 
 void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vector<char>& known) {
-  const int points = t.block.points;
+  const auto& [mesh, block, x] = t.before;
+  const int points = block.points;
   for (int ring = 2; ring < 2 + rings; ++ring) {
     std::vector<int> pending(known.size(), -1);  // place among those that get a value
     std::vector<std::size_t> found;
@@ -123,15 +124,15 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
       std::vector<Point> places, there;
       for (int e : patch.elements)
         for (int q = 0; q < points; ++q) {
-          const std::size_t row = t.mesh.first_row(e, points) + q;
-          const auto place = Recovery::position(t.mesh.elements()[e], t.block, q, t.x_old);
+          const std::size_t row = mesh.first_row(e, points) + q;
+          const auto place = Recovery::position(mesh.elements()[e], block, q, x);
           if (known[row] != 0) rows.push_back(&table[row * t.columns]);
           if (known[row] != 0) places.push_back(place);
           if (known[row] == 0) to.push_back(row);
           if (known[row] == 0) there.push_back(place);
         }
       if (rows.empty() || to.empty()) continue;
-      const Planes planes(t.mesh.dimension(), places, rows, t.columns);
+      const Planes planes(mesh.dimension(), places, rows, t.columns);
       if (!planes.resolved() && ring < 1 + rings) continue;  // better ones come with the next ring
       const double quality = (planes.resolved() ? 1.0 : 1e-3) * static_cast<double>(rows.size());
       for (std::size_t i = 0; i < to.size(); ++i) {
@@ -159,9 +160,9 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
       known[found[k]] = static_cast<char>(ring);
     }
     // ghosts are at the edge of what is known here: their own ranks know better
-    t.mesh.fill_points(t.block.block, points, t.columns, table);
+    mesh.fill_points(block.block, points, t.columns, table);
     std::vector<double> rings_of(known.begin(), known.end());
-    t.mesh.fill_points(t.block.block, points, 1, rings_of);
+    mesh.fill_points(block.block, points, 1, rings_of);
     known.assign(rings_of.begin(), rings_of.end());
   }
 }
@@ -184,19 +185,19 @@ std::vector<StateVariable> LayerRemap::variables_of(int material, const SoilTabl
 }
 
 std::vector<char> LayerRemap::carry_origin(const PointTransfer& t, const SoilTable& table) const {
-  const std::size_t rows = t.old.size() / t.columns;
-  const int dim = t.mesh.dimension();
-  std::vector<double> old(rows * dim);
-  for (std::size_t row = 0; row < rows; ++row)
-    for (int d = 0; d < dim; ++d) old[row * dim + d] = t.old[row * t.columns + table.origin + 1 + d];
-  std::vector<double> now = old;
+  const int dim = t.before.mesh.dimension();
+  const std::size_t rows = t.now.size() / t.columns;
+  std::vector<double> old;
+  for (std::size_t first = table.origin + 1; first < t.old.size(); first += t.columns)
+    old.insert(old.end(), &t.old[first], &t.old[first] + dim);
+  std::vector<double> now = t.moved() ? old : std::vector<double>(rows * dim);
   const std::vector<StateVariable> place{{"place at the start", dim, "m"}};
-  remap_.transfer({t.mesh, t.block, t.patches, t.x_old, t.x_new, place, dim, old, now});
+  remap_.transfer({t.before, t.after, t.patches, place, dim, old, now});
   std::vector<char> material(rows);
   for (std::size_t row = 0; row < rows; ++row) {
     Point start{};
     for (int d = 0; d < dim; ++d) start[d] = t.now[row * t.columns + table.origin + 1 + d] = now[row * dim + d];
-    material[row] = static_cast<char>(soil_.material_at(t.block, start));
+    material[row] = static_cast<char>(soil_.material_at(t.after.block, start));
     t.now[row * t.columns + table.origin] = material[row];
   }
   return material;
@@ -208,7 +209,7 @@ std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, in
   const SoilMaterial& soil = *soil_.materials[material];
   InitialPoint point;
   point.position = {};
-  for (int d = 0; d < t.mesh.dimension(); ++d) point.position[d] = now[table.origin + 1 + d];
+  for (int d = 0; d < t.after.mesh.dimension(); ++d) point.position[d] = now[table.origin + 1 + d];
   point.height = soil_.height(point.position);
   std::copy_n(now + table.stress, 6, point.stress.begin());
   point.void_ratio = now[table.void_ratio];
@@ -216,67 +217,66 @@ std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, in
   const std::string reason = start_guarded(*soil.skeleton, point, state.data());
   std::copy_n(state.begin(), soil.skeleton->state_size(), now + table.law);
   if (reason.empty()) return "";
+  const auto& [mesh, block, x] = t.after;
   const auto place =
-      Recovery::position(t.mesh.elements()[element], t.block, row - t.mesh.first_row(element, t.block.points), t.x_new);
-  return "the law of material '" + soil.name + "', which the soil at " + place_text(place, t.mesh.dimension()) +
+      Recovery::position(mesh.elements()[element], block, row - mesh.first_row(element, block.points), x);
+  return "the law of material '" + soil.name + "', which the soil at " + place_text(place, mesh.dimension()) +
          " has become part of, cannot start there: " + reason;
 }
 
 LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t, const SoilTable& table,
                                            const std::vector<char>& was) const {
-  const int points = t.block.points;
   Version result;
   std::vector<double> old = t.old;
   std::vector<char> known(was.size(), 0);
   for (std::size_t row = 0; row < was.size(); ++row) known[row] = was[row] == material;
   continue_rows(t, old, known);
   for (std::size_t i = table.void_ratio; i < old.size(); i += t.columns) result.void_ratio.push_back(old[i]);
-  result.now = old;
+  result.now = t.moved() ? old : std::vector<double>(t.now.size());
   const std::vector<StateVariable> variables = variables_of(material, table);
-  remap_.transfer({t.mesh, t.block, t.patches, t.x_old, t.x_new, variables, t.columns, old, result.now});
-  result.near.assign(was.size(), 1);
-  const PointLocator locator(t.mesh, t.x_old);
-  for (int e : t.mesh.own_elements(t.block.block))
-    for (int q = 0; q < points; ++q) {
-      const std::size_t row = t.mesh.first_row(e, points) + q;
-      if (was[row] == material) continue;
-      const auto reached = [&](int element) {
-        for (int p = 0; p < points; ++p) {
-          const char ring = known[t.mesh.first_row(element, points) + p];
-          if (ring == 0 || ring > rings) return false;  // the outermost ring serves the fits of the others
-        }
-        return true;
-      };
-      result.near[row] =
-          known[row] != 0 &&
-          reached(locator.find(Recovery::position(t.mesh.elements()[e], t.block, q, t.x_new), e).element);
+  remap_.transfer({t.before, t.after, t.patches, variables, t.columns, old, result.now});
+  result.near.assign(t.now.size() / t.columns, 1);
+  const PointLocator locator(t.before.mesh, t.before.x);
+  const auto reached = [&](int element) {
+    const int points = t.before.block.points, first = t.before.mesh.first_row(element, points);
+    return std::all_of(&known[first], &known[first] + points, [](char ring) {
+      return ring != 0 && ring <= rings;  // the outermost ring serves the fits of the others
+    });
+  };
+  const auto& [mesh, block, x] = t.after;
+  int found = t.before.mesh.block_elements(t.before.block.block).front();
+  for (int e : mesh.own_elements(block.block))
+    for (int q = 0; q < block.points; ++q) {
+      const std::size_t row = mesh.first_row(e, block.points) + q;
+      if (t.moved() && was[row] == material) continue;
+      found = locator.find(Recovery::position(mesh.elements()[e], block, q, x), t.moved() ? e : found).element;
+      result.near[row] = (!t.moved() || known[row] != 0) && reached(found);
     }
   return result;
 }
 
 LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table) const {
   LayerChanges result;
-  const int points = t.block.points;
   for (std::size_t row = 0; row < t.old.size() / t.columns; ++row)
     result.was.push_back(static_cast<char>(t.old[row * t.columns + table.origin]));
+  if (!t.moved()) remap_.transfer(t);  // what a law that starts anew starts from
   result.is = carry_origin(t, table);
   std::map<int, Version> versions;
-  for (int material : t.block.made_of) versions[material] = version_of(material, t, table, result.was);
+  for (int material : t.after.block.made_of) versions[material] = version_of(material, t, table, result.was);
   for (std::size_t row = 0; row < result.was.size(); ++row)
-    for (int material : t.block.made_of) {
-      const Version& version = versions.at(material);
-      result.ratios.before.push_back(version.void_ratio[row]);
-      result.ratios.after.push_back(version.now[row * t.columns + table.void_ratio]);
-    }
-  for (int e : t.mesh.own_elements(t.block.block))
-    for (int q = 0; q < points; ++q) {
-      const int row = t.mesh.first_row(e, points) + q, material = result.is[row];
+    for (int material : t.after.block.made_of) result.ratios.before.push_back(versions.at(material).void_ratio[row]);
+  for (std::size_t first = table.void_ratio; first < t.now.size(); first += t.columns)
+    for (int material : t.after.block.made_of) result.ratios.after.push_back(versions.at(material).now[first]);
+  const auto& [mesh, block, x] = t.after;
+  for (int e : mesh.own_elements(block.block))
+    for (int q = 0; q < block.points; ++q) {
+      const int row = mesh.first_row(e, block.points) + q, material = result.is[row];
       const std::size_t first = static_cast<std::size_t>(row) * t.columns;
       const Version& version = versions.at(material);
       t.now[first + table.origin] = material;
-      result.changed += result.was[row] != material;
+      result.changed += t.moved() && result.was[row] != material;
       for (int c = 0; c < t.columns && version.near[row]; ++c)
-        if (c < table.origin || c > table.origin + t.mesh.dimension()) t.now[first + c] = version.now[first + c];
+        if (c < table.origin || c > table.origin + mesh.dimension()) t.now[first + c] = version.now[first + c];
       if (version.near[row]) continue;
       ++result.started;
       const std::string problem = start(t, table, material, e, row);

@@ -8,31 +8,32 @@
 
 namespace mudline {
 
-/// The table of a block's point data on the way to the moved mesh, with the columns that say what they are.
+/// The table of a block's point data on the way to the other mesh, with the columns that say what they are.
 struct SoilTable {
   int columns;
   int stress, void_ratio, law, origin;   // first columns; origin: number of the material, then the place at the start
   std::vector<StateVariable> variables;  // split of the columns for the widest law
 };
 
-/// Points that have another material than before.
+/// What became of the points' materials.
 struct LayerChanges {
-  int changed = 0;      // points of this rank
-  int started = 0;      // those of them whose law starts anew, because no soil of their new material is near
+  int changed = 0;      // points of this rank that have another material than before, where the mesh moved
+  int started = 0;      // points whose law starts anew, because no soil of their material was near
   std::string problem;  // why a law cannot start; empty: none
   LayerRatios ratios;
-  std::vector<char> was, is;  // (row of gather_points) number of the material
+  std::vector<char> was, is;  // (row of gather_points) number of the material before and after
 };
 
-/// Carries the point data of layered soil over. The place where the soil was at the start is remapped as any field; it
-/// is smooth, and which material stands where follows from it, so that layers stay sharp. All else jumps at interfaces:
-/// for each material the fields of its own points are continued beyond them, and its points take what is remapped from
-/// those alone. A point that changes its material so takes over stress, void ratio and law from the soil around it
-/// that has come to it; where there is none, the law starts from the stress and void ratio that the point has.
+/// Carries the point data of layered soil over, by a remap that serves any field. The place where the soil was at the
+/// start is remapped as any field; it is smooth, and which material stands where follows from it, so that layers stay
+/// sharp. All else jumps at interfaces: for each material the fields of its own points are continued beyond them, and
+/// its points take what is remapped from those alone. A point that changes its material so takes over stress, void
+/// ratio and law from the soil around it that has come to it; where there is none, the law starts from the stress and
+/// void ratio that the point has.
 class LayerRemap {
  public:
   LayerRemap(const Soil& soil, const Remap& remap) : soil_(soil), remap_(remap) {}
-  /// `transfer`: of all columns; its variables are not read. Of this rank's own elements. Collective.
+  /// `transfer`: of all columns, its variables those of the widest law. Of this rank's own elements. Collective.
   LayerChanges transfer(const PointTransfer& transfer, const SoilTable& table) const;
 
  private:

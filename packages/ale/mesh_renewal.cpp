@@ -120,9 +120,9 @@ std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const Path
   const CurveMeasure measure(curve, field);
   const PathOrigin& origin = boundary_.origins()[path];
   return [this, field, measure, &origin, &curve, &state, sizes](double s) {
-    const std::array<double, 2> place = curve.at(s);
+    const Point place = curve.at(s);
     double size = !adaptive() ? field(place) * origin.total * side_at(origin.shares, measure.at(s) / measure.total())
-                  : sizes     ? (*sizes)(place)
+                  : sizes     ? (*sizes)(in_plane(place))
                               : deck_.largest_size;
     if (deck_.wall_size > 0)
       if (const auto foot = boundary_.foot(state, place))
@@ -174,11 +174,11 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
     if (kept(p) || end)
       result.vertices.push_back(in_plane(x[path.nodes[kept(p) ? v * path.stride : v == 0 ? 0 : last]]));
     else
-      result.vertices.push_back(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride));
+      result.vertices.push_back(in_plane(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride)));
   }
   for (int k = 0; path.stride == 2 && k < sides; ++k)
-    result.middles.push_back(kept(p) ? in_plane(x[path.nodes[2 * k + 1]])
-                                     : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k]));
+    result.middles.push_back(
+        in_plane(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k])));
   return result;
 }
 

@@ -5,15 +5,16 @@
 #include <map>
 
 #include "ale/point_locator.hpp"
+#include "core/space_vector.hpp"
 
 namespace mudline {
 
 std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x) {
   const int count = nodes[2] >= 0 ? 3 : 2;
-  const auto offset = [&](double xi, double(&r)[2], double(&t)[2]) {
+  const auto offset = [&](double xi, Point& r, Point& t) {
     double N[3], dN[3];
     evaluate_line(count, xi, N, dN);
-    for (int d = 0; d < 2; ++d) {
+    for (int d = 0; d < place_size; ++d) {
       r[d] = x[d];
       t[d] = 0;
       for (int a = 0; a < count; ++a) {
@@ -22,15 +23,16 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
       }
     }
   };
-  double xi = 0, r[2], t[2];
+  double xi = 0;
+  Point r, t;
   for (int k = 0; k < 20; ++k) {  // Gauss-Newton: the foot is near the curve
     offset(xi, r, t);
-    const double step = (r[0] * t[0] + r[1] * t[1]) / (t[0] * t[0] + t[1] * t[1]);
+    const double step = dot(r, t) / dot(t, t);
     xi = std::clamp(xi + step, -1.0, 1.0);
     if (std::abs(step) < 1e-14) break;
   }
   offset(xi, r, t);
-  return {xi, std::hypot(r[0], r[1])};
+  return {xi, distance(r, {})};
 }
 
 void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
@@ -41,13 +43,14 @@ void NodalRemap::put_on_path(const MeshPath& path, int first, int last, const Po
     const auto [xi, distance] = nearest_on_side(nodes, x_old, x);
     if (distance >= least) continue;
     least = distance;
-    std::copy(nodes, nodes + 3, place.side_nodes);
-    place.along = xi;
+    place.side = path.stride == 2 ? CellShape::line3 : CellShape::line2;
+    std::copy(nodes, nodes + 3, place.side_nodes.begin());
+    place.along = {xi, 0};
   }
 }
 
 NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
-                       const Positions& x_new)
+                       const Positions& x_new, const SurfaceMotion* surfaces)
     : mesh_(mesh), to_(mesh), places_(x_old.size()) {
   const PointLocator locator(mesh, x_old);
   for (int node : mesh.owned_nodes()) {
@@ -68,6 +71,16 @@ NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& pat
                 last = static_cast<int>(path.nodes.size()) - 1;
       put_on_path(path, first, std::min(last, i + 3 * path.stride), x_old, x_new[path.nodes[i]], place);
     }
+  if (!surfaces) return;
+  for (int node : surfaces->nodes()) {
+    Place& place = places_[node];
+    if (place.same >= 0 || !mesh.owns(node)) continue;
+    const SurfacePlace there = surfaces->place(node, x_old, x_new[node]);
+    const SurfaceFace& face = surfaces->surfaces().faces[there.face];
+    place.side = face.shape;
+    place.side_nodes = face.nodes;
+    place.along = there.xi;
+  }
 }
 
 NodalRemap::NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
@@ -118,9 +131,10 @@ std::vector<double> NodalRemap::apply(const std::vector<double>& old, int compon
     int count;
     const int* from;
     if (place.side_nodes[0] >= 0) {
-      count = support == Support::all_nodes && place.side_nodes[2] >= 0 ? 3 : 2;
-      evaluate_line(count, place.along, N, dN);
-      from = place.side_nodes;
+      const CellShape shape = support == Support::vertices ? linear_partner(place.side) : place.side;
+      count = num_nodes(shape);
+      evaluate_shape(shape, place.along.data(), N, dN);
+      from = place.side_nodes.data();
     } else {
       const CellShape shape = support == Support::vertices ? linear_partner(element.shape) : element.shape;
       count = num_nodes(shape);

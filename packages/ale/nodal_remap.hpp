@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ale/mesh_paths.hpp"
+#include "ale/surface_motion.hpp"
 
 namespace mudline {
 
@@ -11,13 +12,14 @@ namespace mudline {
 std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions& positions, const Point& x);
 
 /// How the values at the nodes of the old mesh make those at the moved nodes: rows of a sparse interpolation, by the
-/// shape functions of the field in the old mesh. The values of nodes on paths come from the boundary alone, so that
-/// what is prescribed along it stays as it is; nodes that did not move keep theirs to the last bit. Every rank makes
-/// its own nodes' values.
+/// shape functions of the field in the old mesh. The values of nodes on paths and surfaces come from these alone, so
+/// that what is prescribed along them stays as it is; nodes that did not move keep theirs to the last bit. Every rank
+/// makes its own nodes' values.
 class NodalRemap {
  public:
+  /// `surfaces`: in space, of which the paths are the edges.
   NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
-             const Positions& x_new);
+             const Positions& x_new, const SurfaceMotion* surfaces = nullptr);
   /// Another mesh of the same regions, with the same paths in the same order. `from`: the whole mesh.
   NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
              const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
@@ -32,8 +34,9 @@ class NodalRemap {
     int same = -1;  // node of the old mesh that is at its place
     int element = -1;
     double xi[3] = {0, 0, 0};
-    int side_nodes[3] = {-1, -1, -1};  // of the old boundary, for nodes on paths: ends, middle or -1
-    double along = 0;
+    CellShape side{};  // of the old boundary, for nodes on paths and surfaces
+    std::array<int, 9> side_nodes{-1};
+    FacePlace along{};
   };
   /// The nearest place on sides of an old path, from the vertex `first` to the vertex `last`.
   void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,

@@ -6,15 +6,14 @@
 
 namespace mudline {
 
-PathCurve::PathCurve(std::vector<std::array<double, 2>> points) : points_(std::move(points)) {
+PathCurve::PathCurve(Positions points) : points_(std::move(points)) {
   const int n = static_cast<int>(points_.size());
   if (n < 2) throw std::logic_error("a curve needs two points");
   s_.push_back(0);
-  for (int i = 1; i < n; ++i)
-    s_.push_back(s_.back() + std::hypot(points_[i][0] - points_[i - 1][0], points_[i][1] - points_[i - 1][1]));
+  for (int i = 1; i < n; ++i) s_.push_back(s_.back() + distance(points_[i], points_[i - 1]));
   for (int i = 0; i < n; ++i) {
-    std::array<double, 2> slope{};
-    for (int d = 0; d < 2; ++d) {
+    Point slope{};
+    for (int d = 0; d < place_size; ++d) {
       const auto secant = [&](int k) { return (points_[k + 1][d] - points_[k][d]) / (s_[k + 1] - s_[k]); };
       if (n == 2) {
         slope[d] = secant(0);
@@ -34,12 +33,12 @@ int PathCurve::segment(double s) const {
   return std::clamp(static_cast<int>(std::upper_bound(s_.begin(), s_.end(), s) - s_.begin()) - 1, 0, last);
 }
 
-std::array<double, 2> PathCurve::at(double s) const {
+Point PathCurve::at(double s) const {
   const int k = segment(s);
   const double h = s_[k + 1] - s_[k], t = (s - s_[k]) / h;
   const double start = (1 + 2 * t) * (1 - t) * (1 - t), end = t * t * (3 - 2 * t);
-  std::array<double, 2> x;
-  for (int d = 0; d < 2; ++d)
+  Point x;
+  for (int d = 0; d < place_size; ++d)
     x[d] = start * points_[k][d] + end * points_[k + 1][d] +
            h * t * (1 - t) * ((1 - t) * slopes_[k][d] - t * slopes_[k + 1][d]);
   return x;

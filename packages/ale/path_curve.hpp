@@ -1,8 +1,9 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <vector>
+
+#include "ale/ghosted_mesh.hpp"
 
 namespace mudline {
 
@@ -11,23 +12,23 @@ namespace mudline {
 /// disturbs the segments beside it only.
 class PathCurve {
  public:
-  explicit PathCurve(std::vector<std::array<double, 2>> points);
+  explicit PathCurve(Positions points);
   double length() const { return s_.back(); }
   int points() const { return static_cast<int>(points_.size()); }
   /// Parameter of the given point.
   double parameter(int point) const { return s_[point]; }
-  std::array<double, 2> at(double s) const;
+  Point at(double s) const;
   /// Linear interpolation of values given at the points.
   double interpolate(const std::vector<double>& values, double s) const;
 
  private:
   int segment(double s) const;
-  std::vector<std::array<double, 2>> points_, slopes_;
+  Positions points_, slopes_;
   std::vector<double> s_;
 };
 
 /// A wanted size [m] of the sides at a place.
-using SizeField = std::function<double(const std::array<double, 2>&)>;
+using SizeField = std::function<double(const Point&)>;
 
 /// How many sides of the wanted size fit between the start of a curve and any place on it: the integral of ds / size.
 class CurveMeasure {

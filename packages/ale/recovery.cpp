@@ -204,32 +204,4 @@ void Recovery::at_point(int e, int point, double* values) const {
   interpolate(mesh_.elements()[e], &block_.u.N(point, 0), block_.u.nodes, values);
 }
 
-std::vector<double> recovered_on(const BlockPoints& to, const BlockPoints& from, const RecoveryPatches& patches,
-                                 const std::vector<double>& table, const std::vector<StateVariable>& variables,
-                                 int columns) {
-  const Recovery recovered(from.mesh, from.block, patches, from.x, table, columns);
-  const PointLocator locator(from.mesh, from.x);
-  std::vector<double> low, high, there(columns);
-  for (const StateVariable& variable : variables)
-    for (int c = 0; c < variable.components; ++c) {
-      low.push_back(variable.low);
-      high.push_back(variable.high);
-    }
-  const auto& elements = to.mesh.own_elements(to.block.block);
-  std::vector<double> now(to.mesh.block_elements(to.block.block).size() * to.block.points * columns);
-  int guess = from.mesh.block_elements(from.block.block).front();
-  for (int e : elements)
-    for (int q = 0; q < to.block.points; ++q) {
-      const MeshPlace place = locator.find(Recovery::position(to.mesh.elements()[e], to.block, q, to.x), guess);
-      guess = place.element;
-      recovered.at(place, there.data());
-      double* row = &now[static_cast<std::size_t>(to.mesh.first_row(e, to.block.points) + q) * columns];
-      for (int c = 0; c < columns; ++c) {
-        const auto& range = recovered.range(place.element, c);
-        row[c] = std::clamp(std::clamp(there[c], range.first, range.second), low[c], high[c]);
-      }
-    }
-  return now;
-}
-
 }  // namespace mudline

@@ -79,11 +79,4 @@ struct BlockPoints {
   const Positions& x;
 };
 
-/// The field recovered from the table of one mesh at the points of another one of the same region: no farther than the
-/// range of the element that a point lies in reaches, and within the bounds of the variables. Of this rank's own
-/// elements; `from`: the whole mesh. Collective.
-std::vector<double> recovered_on(const BlockPoints& to, const BlockPoints& from, const RecoveryPatches& patches,
-                                 const std::vector<double>& table, const std::vector<StateVariable>& variables,
-                                 int columns);
-
 }  // namespace mudline

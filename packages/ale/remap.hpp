@@ -8,16 +8,22 @@
 
 namespace mudline {
 
-/// One point array of one block, on the way from the old mesh to the new one.
+/// Point data of one block on the way from one mesh to another one of the same region, or to the same one moved.
 struct PointTransfer {
-  const GhostedMesh& mesh;
-  const SoilBlock& block;
-  const RecoveryPatches& patches;
-  const Positions &x_old, &x_new;
+  BlockPoints before, after;
+  const RecoveryPatches& patches;               // of the mesh before
   const std::vector<StateVariable>& variables;  // split of the columns: rules and bounds
   int columns;
-  const std::vector<double>& old;  // (row of gather_points, column)
-  std::vector<double>& now;        // in: a copy of old; out
+  const std::vector<double>& old;  // (row of gather_points, column) before
+  std::vector<double>& now;        // the same after; in: where the mesh moved, a copy of old
+  /// Whether it is the same mesh, moved.
+  bool moved() const { return &before.mesh == &after.mesh; }
+};
+
+/// Lowest and highest values of columns.
+struct ColumnBounds {
+  std::vector<double> low, high;
+  explicit ColumnBounds(const std::vector<StateVariable>& variables);
 };
 
 /// Carries the state of quadrature points over to the moved mesh: type of "remap" in the deck's "mesh motion".
@@ -44,6 +50,13 @@ class ConvectionRemap : public Remap {
  private:
   Scheme scheme_ = Scheme::upwind;
   bool limited_ = true;
+};
+
+/// The recovered field itself, for another mesh of the same region: no farther than the range of the element that a
+/// point lies in reaches. `before`: the whole mesh.
+class RecoveryRemap : public Remap {
+ public:
+  void transfer(const PointTransfer& transfer) const override;
 };
 
 void register_remaps(Registry<Remap>& registry);

@@ -299,7 +299,7 @@ double lowest_quality(const GlobalMesh& mesh) {
 RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double least_quality,
                               const WantedSizes* sizes) const {
   RenewedMesh made = Builder(*this, x, state, sizes).build();
-  made.focus = boundary_.focus(state);
+  made.focus = in_plane(boundary_.focus(state));
   const double quality = lowest_quality(made.mesh);
   if (!(quality >= least_quality))
     throw NoTriangulation("its best mesh has a scaled Jacobian of " + number_text(quality));

@@ -28,7 +28,6 @@ std::vector<std::vector<int>> vertex_colours(const GhostedMesh& mesh, const std:
   for (int node : mesh.owned_nodes())
     if (movable[node]) waiting.push_back(node);
   std::vector<double> colour(mesh.num_nodes(), -1.0);
-  std::vector<std::vector<int>> result;
   while (mesh.any(!waiting.empty())) {
     std::vector<int> later;
     for (int node : waiting) {
@@ -44,14 +43,14 @@ std::vector<std::vector<int>> vertex_colours(const GhostedMesh& mesh, const std:
       }
       const std::size_t free = std::find(taken.begin(), taken.end(), 0) - taken.begin();
       colour[node] = static_cast<double>(free);
-      if (result.size() <= free) result.resize(free + 1);
-      result[free].push_back(node);
     }
     mesh.fill(colour, 1);
     waiting.swap(later);
   }
-  result.resize(static_cast<std::size_t>(mesh.largest(static_cast<double>(result.size()))));
-  for (auto& nodes : result) std::sort(nodes.begin(), nodes.end());
+  const double most = *std::max_element(colour.begin(), colour.end());
+  std::vector<std::vector<int>> result(static_cast<std::size_t>(mesh.largest(most) + 1));
+  for (int node = 0; node < mesh.num_nodes(); ++node)
+    if (colour[node] >= 0 && mesh.is_complete(node)) result[static_cast<std::size_t>(colour[node])].push_back(node);
   return result;
 }
 

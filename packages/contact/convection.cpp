@@ -2,57 +2,79 @@
 
 #include <cmath>
 
+#include "core/space_vector.hpp"
+
 namespace mudline {
 
 namespace {
 
-/// Least squares slope of values over places.
-double slope(const std::vector<double>& at, const std::vector<double>& values) {
-  double mean_at = 0, mean = 0, top = 0, bottom = 0;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    mean_at += at[i] / at.size();
-    mean += values[i] / at.size();
-  }
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    top += (at[i] - mean_at) * (values[i] - mean);
-    bottom += (at[i] - mean_at) * (at[i] - mean_at);
-  }
-  return bottom > 0 ? top / bottom : 0.0;
+/// Directions along a side: of its first edge, and in space across that; in the plane the second is 0.
+std::array<Point, 2> directions(CellShape side, const SideCoordinates& nodes) {
+  const Point chord = minus(nodes[1], nodes[0]);
+  const double length_of_chord = std::hypot(std::hypot(chord[0], chord[1]), chord[2]);
+  std::array<Point, 2> along{};
+  for (int i = 0; i < 3; ++i) along[0][i] = chord[i] / length_of_chord;
+  if (dimension(side) == 1) return along;
+  const Point other = minus(nodes[num_corners(side) - 1], nodes[0]);
+  const Point across = plus(other, -dot(other, along[0]), along[0]);
+  along[1] = scaled(1 / length(across), across);
+  return along;
 }
-
-PlanePoint place(int node, const ConstCoordinateView& x) { return {x(node, 0), x(node, 1)}; }
 
 }  // namespace
 
-SideShifts::SideShifts(const std::vector<PlanePoint>& from, const std::vector<PlanePoint>& to,
-                       const PlanePoint& chord) {
-  measure(from, to, chord);
+SideShifts::SideShifts(const std::vector<Point>& from, const std::vector<Point>& to, CellShape side,
+                       const SideCoordinates& nodes) {
+  measure(from, to, side, nodes);
 }
 
 SideShifts::SideShifts(const SurfaceSide& side, const ConstCoordinateView& from, const ConstCoordinateView& to) {
-  std::vector<PlanePoint> before, after;
-  for (int a = 0; a < side.count; ++a) {
-    before.push_back(place(side.node[a], from));
-    after.push_back(place(side.node[a], to));
-  }
-  measure(before, after, {before[1][0] - before[0][0], before[1][1] - before[0][1]});
+  const SideCoordinates before = side_coordinates(side, from), after = side_coordinates(side, to);
+  measure({before.begin(), before.begin() + side.count}, {after.begin(), after.begin() + side.count}, side.shape,
+          before);
 }
 
-void SideShifts::measure(const std::vector<PlanePoint>& from, const std::vector<PlanePoint>& to,
-                         const PlanePoint& chord) {
-  const double length = std::hypot(chord[0], chord[1]);
-  const PlanePoint along{chord[0] / length, chord[1] / length};
+void SideShifts::measure(const std::vector<Point>& from, const std::vector<Point>& to, CellShape side,
+                         const SideCoordinates& nodes) {
+  const std::array<Point, 2> along = directions(side, nodes);
   for (std::size_t c = 0; c < from.size(); ++c) {
-    at_.push_back(from[c][0] * along[0] + from[c][1] * along[1]);
-    shift_.push_back((to[c][0] - from[c][0]) * along[0] + (to[c][1] - from[c][1]) * along[1]);
+    const Point way = minus(to[c], from[c]);
+    at_.push_back({dot(from[c], along[0]), dot(from[c], along[1])});
+    shift_.push_back({dot(way, along[0]), dot(way, along[1])});
   }
+}
+
+SideShifts::Along SideShifts::slope(const std::vector<double>& values) const {
+  Along mean_at{};
+  double mean = 0;
+  for (std::size_t c = 0; c < at_.size(); ++c) {
+    for (int k = 0; k < 2; ++k) mean_at[k] += at_[c][k] / at_.size();
+    mean += values[c] / at_.size();
+  }
+  double top[2] = {}, bottom[3] = {};  // xx, yy, xy
+  for (std::size_t c = 0; c < at_.size(); ++c) {
+    const double x = at_[c][0] - mean_at[0], y = at_[c][1] - mean_at[1];
+    top[0] += x * (values[c] - mean);
+    top[1] += y * (values[c] - mean);
+    bottom[0] += x * x;
+    bottom[1] += y * y;
+    bottom[2] += x * y;
+  }
+  Along result{};
+  if (!(bottom[0] > 0)) return result;
+  // points of one line know the slope along it only
+  const double rest = bottom[1] - bottom[2] / bottom[0] * bottom[2];
+  if (rest > 1e-9 * bottom[0]) result[1] = (top[1] - bottom[2] / bottom[0] * top[0]) / rest;
+  result[0] = result[1] == 0 ? top[0] / bottom[0] : (top[0] - bottom[2] * result[1]) / bottom[0];
+  return result;
 }
 
 void SideShifts::convect(const PointView& rows, int first, int column) const {
   std::vector<double> values;
   for (std::size_t c = 0; c < at_.size(); ++c) values.push_back(rows(first + c, column));
-  const double gradient = slope(at_, values);
-  for (std::size_t c = 0; c < at_.size(); ++c) rows(first + c, column) = values[c] + gradient * shift_[c];
+  const Along gradient = slope(values);
+  for (std::size_t c = 0; c < at_.size(); ++c)
+    rows(first + c, column) = values[c] + gradient[0] * shift_[c][0] + gradient[1] * shift_[c][1];
 }
 
 }  // namespace mudline

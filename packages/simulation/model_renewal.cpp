@@ -138,8 +138,6 @@ void carry_held_forces(Model& from, Model& to) {
 }  // namespace
 
 std::string renewal_problem(const Model& model) {
-  if (model.soil() && model.soil()->layered())
-    return "a region with layers of several materials cannot go over to another mesh yet";
   const std::set<int> of_contacts = arrays_of_contacts(model);
   for (const auto& [name, contact] : model.contacts())
     if (!contact->partners().opposite.empty())

@@ -110,4 +110,29 @@ inline SoilBlock points_of(const Mesh& mesh, int degree = 2) {
   return block;
 }
 
+/// Grains [m3] of a block at x, by the points' own volumes; void ratios in a column of a table.
+inline double grains(const GhostedMesh& mesh, const SoilBlock& block, const Positions& x, Geometry geometry,
+                     const std::vector<double>& table, int columns = 1, int column = 0) {
+  double sum = 0;
+  for (int e : mesh.block_elements(block.block)) {
+    const auto& nodes = mesh.elements()[e].nodes;
+    for (int q = 0; q < block.points; ++q) {
+      double j[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, r = 0;
+      for (int i = 0; i < mesh.dimension(); ++i)
+        for (int k = 0; k < mesh.dimension(); ++k) {
+          j[i][k] = 0;
+          for (int a = 0; a < block.u.nodes; ++a) j[i][k] += x[nodes[a]][i] * block.u.dN(q, a, k);
+        }
+      for (int a = 0; a < block.u.nodes; ++a) r += block.u.N(q, a) * x[nodes[a]][0];
+      double det = 0;
+      for (int k = 0; k < 3; ++k)
+        det += j[0][k] * (j[1][(k + 1) % 3] * j[2][(k + 2) % 3] - j[1][(k + 2) % 3] * j[2][(k + 1) % 3]);
+      const double around = geometry == Geometry::axisymmetric ? 2 * std::acos(-1.0) * r : 1.0;
+      const std::size_t row = mesh.first_row(e, block.points) + q;
+      sum += block.u.weights(q) * det * around / (1 + table[row * columns + column]);
+    }
+  }
+  return sum;
+}
+
 }  // namespace mudline::testing

@@ -170,8 +170,13 @@ TEST(GhostedMesh, PointsAndNodesAreCarriedAsOnOneRank) {
         nodal.push_back(field(part.start[node][0], part.start[node][1]));
       Carried result{old, {}, 0};
       const std::vector<StateVariable> variables{{"void ratio", 1, "-"}};
-      const PointTransfer transfer{part.ghosted, part.block, part.patches, part.start,   to,
-                                   variables,    1,          old,          result.points};
+      const PointTransfer transfer{{part.ghosted, part.block, part.start},
+                                   {part.ghosted, part.block, to},
+                                   part.patches,
+                                   variables,
+                                   1,
+                                   old,
+                                   result.points};
       ConvectionRemap().transfer(transfer);
       Soil soil;
       soil.geometry = Geometry::plane_strain;

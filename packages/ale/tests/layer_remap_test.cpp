@@ -84,7 +84,7 @@ struct Layers {
     return rows;
   }
   PointTransfer transfer(const Positions& to, const std::vector<double>& old, std::vector<double>& now) const {
-    return {whole, block, patches, start, to, table.variables, table.columns, old, now};
+    return {{whole, block, start}, {whole, block, to}, patches, table.variables, table.columns, old, now};
   }
   int up;
   std::unique_ptr<Mesh> mesh;

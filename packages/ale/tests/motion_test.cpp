@@ -13,16 +13,17 @@ namespace {
 using testing::box;
 
 TEST(PathCurve, StaysOnALineAndNearACircle) {
-  const PathCurve line({{0, 0}, {1, 2}, {1.5, 3}, {4, 8}});
+  const PathCurve line({{0, 0, 0}, {1, 2, 3}, {1.5, 3, 4.5}, {4, 8, 12}});
   for (double s : {0.3, 2.0, 2.9, 7.0}) {
     const auto x = line.at(s);
     EXPECT_NEAR(x[1], 2 * x[0], 1e-14);
+    EXPECT_NEAR(x[2], 3 * x[0], 1e-14);
   }
   double error[2];
   for (int level = 0; level < 2; ++level) {
-    std::vector<std::array<double, 2>> points;
+    Positions points;
     const int n = 8 << level;
-    for (int i = 0; i <= n; ++i) points.push_back({std::cos(1.5 * i / n), std::sin(1.5 * i / n)});
+    for (int i = 0; i <= n; ++i) points.push_back({std::cos(1.5 * i / n), std::sin(1.5 * i / n), 0});
     const PathCurve circle(points);
     error[level] = 0;
     for (int i = 0; i <= 500; ++i) {
@@ -35,10 +36,10 @@ TEST(PathCurve, StaysOnALineAndNearACircle) {
 }
 
 TEST(CurveMeasure, PlaceInvertsAt) {
-  std::vector<std::array<double, 2>> points;
-  for (int i = 0; i <= 40; ++i) points.push_back({0.125 * i, 1e-3 * std::sin(i)});
+  Positions points;
+  for (int i = 0; i <= 40; ++i) points.push_back({0.125 * i, 1e-3 * std::sin(i), 0});
   const PathCurve curve(points);
-  const CurveMeasure measure(curve, [](const std::array<double, 2>& x) { return 0.1 + 0.4 * x[0]; });
+  const CurveMeasure measure(curve, [](const Point& x) { return 0.1 + 0.4 * x[0]; });
   for (double s : {0.0, 0.4, 1.7, 3.3, curve.length()}) EXPECT_NEAR(measure.place(measure.at(s)), s, 1e-13);
   // sides of the wanted size: int ds / size over [0, 5], nearly straight
   EXPECT_NEAR(measure.total(), std::log(2.1 / 0.1) / 0.4, 0.01);

@@ -42,7 +42,7 @@ struct Points {
   }
   std::vector<double> carried(const std::vector<double>& old, const Positions& from, const Positions& to) const {
     std::vector<double> now = old;
-    remap.transfer({whole, block, patches, from, to, variables, 1, old, now});
+    remap.transfer({{whole, block, from}, {whole, block, to}, patches, variables, 1, old, now});
     return now;
   }
   GhostedMesh whole;
@@ -174,8 +174,14 @@ TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
     Soil soil;
     soil.geometry = geometry;
     points.block.made_of = {0};
-    const std::vector<Grains> restored = restore_grains(
-        {points.whole, points.block, points.patches, points.start, to, points.variables, 1, old, now}, soil, 0, -1);
+    const std::vector<Grains> restored = restore_grains({{points.whole, points.block, points.start},
+                                                         {points.whole, points.block, to},
+                                                         points.patches,
+                                                         points.variables,
+                                                         1,
+                                                         old,
+                                                         now},
+                                                        soil, 0, -1);
     const double share = restored[0].missing / restored[0].before;
     EXPECT_EQ(restored[0].lost(), share);
     EXPECT_GT(std::abs(share), 1e-7);  // the transfer alone does not conserve

@@ -13,6 +13,7 @@ namespace mudline {
 namespace {
 
 using testing::box;
+using testing::grains;
 using testing::points_of;
 
 /// A mesh of triangles with all that makes it anew.
@@ -132,7 +133,7 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
       EXPECT_NEAR(few[node], linear(now[node]), 1e-12);
     }
   }
-  const SoilBlock old_block = points_of(*was.mesh), block = points_of(*mesh);
+  SoilBlock old_block = points_of(*was.mesh), block = points_of(*mesh);
   const RecoveryPatches patches(was.whole, old_block);
   std::vector<double> table;  // a linear column, and a constant one
   for (int e : was.whole.block_elements(0))
@@ -140,8 +141,9 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
       table.push_back(linear(Recovery::position(was.whole.elements()[e], old_block, q, x)));
       table.push_back(7.25);
     }
-  std::vector<double> there =
-      recovered_on({whole, block, now}, {was.whole, old_block, x}, patches, table, {{"f", 1, "-"}, {"g", 1, "-"}}, 2);
+  std::vector<double> there(2 * whole.block_elements(0).size() * block.points);
+  const std::vector<StateVariable> variables{{"f", 1, "-"}, {"g", 1, "-"}};
+  RecoveryRemap().transfer({{was.whole, old_block, x}, {whole, block, now}, patches, variables, 2, table, there});
   for (int e : whole.block_elements(0))
     for (int q = 0; q < block.points; ++q) {
       const std::size_t row = 2 * static_cast<std::size_t>(whole.first_row(e, block.points) + q);
@@ -149,9 +151,17 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
       EXPECT_NEAR(there[row + 1], 7.25, 1e-13);
       there[row] = 1.1;  // a void ratio
     }
-  const double before = 1.2 * grains(whole, block, now, Geometry::axisymmetric, there, 2, 0);
-  EXPECT_NEAR(restore_all_grains(whole, block, now, Geometry::axisymmetric, there, 2, 0, before), 1 / 6.0, 1e-12);
-  EXPECT_NEAR(grains(whole, block, now, Geometry::axisymmetric, there, 2, 0) / before, 1, 1e-14);
+  old_block.made_of = block.made_of = {0};
+  for (std::size_t i = 0; i < table.size(); i += 2) table[i] = 0.75;
+  Soil soil;
+  soil.geometry = Geometry::axisymmetric;
+  const double before = grains(was.whole, old_block, x, soil.geometry, table, 2),
+               found = grains(whole, block, now, soil.geometry, there, 2);
+  const auto restored = restore_grains(
+      {{was.whole, old_block, x}, {whole, block, now}, patches, variables, 2, table, there}, soil, 0, -1);
+  EXPECT_NEAR(restored[0].lost(), 1 - found / before, 1e-12);
+  EXPECT_GT(restored[0].lost(), 0.1);
+  EXPECT_NEAR(grains(whole, block, now, soil.geometry, there, 2) / before, 1, 1e-14);
 }
 
 TEST(WantedSizes, AreWithinBoundsAndGrowNoFasterThanAllowed) {

@@ -7,6 +7,7 @@
 #include "ale/nodal_remap.hpp"
 #include "ale/quality.hpp"
 #include "ale/remap.hpp"
+#include "ale/surface_motion.hpp"
 #include "ale/vertex_colours.hpp"
 #include "ale_mesh.hpp"
 
@@ -14,6 +15,7 @@ namespace mudline {
 namespace {
 
 using testing::cube;
+using testing::grains;
 using testing::points_of;
 
 double linear(const Point& x) { return 3 - 2 * x[0] + 5 * x[1] + 0.7 * x[2]; }
@@ -217,7 +219,7 @@ TEST_P(EveryCellOfSpace, LinearFieldsSurviveArbitraryMotion) {
   const Positions from = swirled(start, 0.05, 0.3), to = swirled(start, 0.07, 2.0);
   const std::vector<double> old = at_points(linear, from), exact = at_points(linear, to);
   std::vector<double> now = old;
-  ConvectionRemap().transfer({whole, block, patches, from, to, variables, 1, old, now});
+  ConvectionRemap().transfer({{whole, block, from}, {whole, block, to}, patches, variables, 1, old, now});
   EXPECT_GT(worst(old, exact), 0.05);
   EXPECT_LT(worst(now, exact), 1e-12);
 }
@@ -246,19 +248,19 @@ TEST_P(EveryCellOfSpace, TheGrainsComeBackToTheLastDigits) {
   const auto ratio = [](const Point& x) { return 0.8 + 0.3 * std::sin(3 * x[0]) * std::cos(2 * x[1] + x[2]); };
   const std::vector<double> old = at_points(ratio, start);
   std::vector<double> now = old;
-  const PointTransfer transfer{whole, block, patches, start, to, variables, 1, old, now};
+  block.made_of = {0};
+  const PointTransfer transfer{{whole, block, start}, {whole, block, to}, patches, variables, 1, old, now};
   ConvectionRemap().transfer(transfer);
   Soil soil;
   soil.geometry = Geometry::space;
-  block.made_of = {0};
   soil.blocks = {block};
   EXPECT_NEAR(soil_volume(whole, soil, start), 1, 1e-13);
-  const double mass = grains(whole, block, start, soil.geometry, old, 1, 0),
-               carried = grains(whole, block, to, soil.geometry, now, 1, 0);
+  const double mass = grains(whole, block, start, soil.geometry, old),
+               carried = grains(whole, block, to, soil.geometry, now);
   const std::vector<Grains> restored = restore_grains(transfer, soil, 0, -1);
   EXPECT_GT(std::abs(carried / mass - 1), 1e-7);  // the transfer alone does not conserve
   EXPECT_NEAR(restored[0].lost(), 1 - carried / mass, 1e-13);
-  EXPECT_NEAR(grains(whole, block, to, soil.geometry, now, 1, 0) / mass, 1, 1e-13);
+  EXPECT_NEAR(grains(whole, block, to, soil.geometry, now) / mass, 1, 1e-13);
 }
 
 TEST_P(EveryCellOfSpace, NodalFieldsOfTheElementsOrderSurvive) {
@@ -284,7 +286,7 @@ TEST_P(EveryCellOfSpace, RowsAreContinuedLinearly) {
   for (std::size_t row = 0; row < table.size(); ++row)
     if (!known[row]) table[row] = 1e30;
   std::vector<double> now = table;
-  continue_rows({whole, block, patches, start, start, variables, 1, table, now}, table, known);
+  continue_rows({{whole, block, start}, {whole, block, start}, patches, variables, 1, table, now}, table, known);
   int continued = 0;
   for (std::size_t row = 0; row < table.size(); ++row)
     if (known[row] > 1) {
@@ -292,6 +294,59 @@ TEST_P(EveryCellOfSpace, RowsAreContinuedLinearly) {
       EXPECT_NEAR(table[row], exact[row], 1e-11) << int(known[row]);
     }
   EXPECT_GT(continued, static_cast<int>(table.size()) / 4);
+}
+
+/// Boundary vertices slid back along plane faces, and what their nodes carry.
+TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTheFaces) {
+  const MeshSurfaces surfaces = split_surfaces(boundary_faces(whole), start, {}, 0.5, [](int) { return false; });
+  ASSERT_EQ(surfaces.patches.size(), 6u);
+  ASSERT_EQ(surfaces.curves.size(), 12u);
+  for (int node = 0; node < whole.num_nodes(); ++node) {
+    const Point& at = start[node];
+    int sides = 0;
+    for (int d = 0; d < 3; ++d) sides += at[d] == 0 || at[d] == 1;
+    EXPECT_EQ(surfaces.patch_of[node] >= 0, sides == 1);
+  }
+  const SurfaceMotion motion(surfaces, start, std::vector<char>(6, 1), 0.4);
+  // vertices inside the faces are off along them; middles, and nodes inside, follow
+  Positions x_old = start;
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    for (int d = 0; whole.is_vertex(node) && surfaces.patch_of[node] >= 0 && d < 3; ++d)
+      if (start[node][d] != 0 && start[node][d] != 1) x_old[node][d] += 0.05 * std::sin(1.7 * node + d);
+  for (const auto& element : whole.elements())
+    for (int a = num_corners(element.shape); a < num_nodes(element.shape); ++a) {
+      const std::vector<int> around = corners_around(element.shape, a);
+      Point mean{};
+      for (int c : around)
+        for (int d = 0; d < 3; ++d) mean[d] += x_old[element.nodes[c]][d] / around.size();
+      x_old[element.nodes[a]] = mean;
+    }
+  Positions x = x_old;
+  motion.move(
+      x_old, [](const Point&) { return std::optional<NearBody>(); }, x);
+  double moved = 0;
+  for (int node = 0; node < whole.num_nodes(); ++node) {
+    moved = std::max(moved, distance(x[node], x_old[node]));
+    if (!whole.on_boundary(node)) {
+      EXPECT_EQ(x[node], x_old[node]);
+    }
+    for (int d = 0; d < 3; ++d)
+      if (start[node][d] == 0 || start[node][d] == 1) {
+        EXPECT_EQ(x[node][d], start[node][d]);
+      }
+  }
+  EXPECT_GT(moved, 0.01);
+  const NodalRemap remap(whole, surfaces.curves, x_old, x, &motion);
+  EXPECT_LT(worst(remap.apply(at_nodes(linear, x_old), 1, Support::all_nodes), at_nodes(linear, x)), 1e-12);
+  // what is prescribed on a face stays as it is: the values inside do not come in
+  std::vector<double> held = at_nodes([](const Point&) { return 100.0; }, x);
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    if (whole.on_boundary(node)) held[node] = 7;
+  const std::vector<double> now = remap.apply(held, 1, Support::all_nodes);
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    if (whole.on_boundary(node)) {
+      EXPECT_NEAR(now[node], 7, 1e-13);
+    }
 }
 
 }  // namespace

@@ -454,11 +454,10 @@ std::vector<double> PenaltyContact::nodal_shear(const State& state) const {
 
 void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
   // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid, multipliers and
-  // initial gaps are history and are convected along the side, f + (s_new - s_old) df/ds; in space nodes of the
-  // boundary stay material points
-  if (axes() == 3) return;
+  // initial gaps are history and are convected along the side, see SideShifts
   std::vector<std::pair<int, int>> convected;  // (array, column)
-  if (laws_.friction()) convected = {{rows_.frictions(), 0}, {rows_.frictions(), rows_.slip_column()}};
+  for (int column = 0; laws_.friction() && column <= rows_.slip_column(); ++column)
+    convected.emplace_back(rows_.frictions(), column);
   if (deck_.augmented())
     for (int column = 0; column <= rows_.shears(); ++column) convected.emplace_back(rows_.multipliers(), column);
   if (deck_.has_film()) convected.emplace_back(deck_.film.array(), WaterFilm::vapour_column);
@@ -469,12 +468,12 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
     const int points = first_row_[s + 1] - first_row_[s];
     const SideCoordinates before = side_coordinates(sides[s], x_old),
                           after = side_coordinates(sides[s], committed.coordinates);
-    std::vector<PlanePoint> from, to;
+    std::vector<Point> from, to;
     for (int c = 0; c < points; ++c) {
-      from.push_back(in_plane(rule(sides[s]).place(c, before)));
-      to.push_back(in_plane(rule(sides[s]).place(c, after)));
+      from.push_back(rule(sides[s]).place(c, before));
+      to.push_back(rule(sides[s]).place(c, after));
     }
-    const SideShifts shifts(from, to, {before[1][0] - before[0][0], before[1][1] - before[0][1]});
+    const SideShifts shifts(from, to, sides[s].shape, before);
     for (const auto& [array, column] : convected) shifts.convect(committed.arrays[array], first_row_[s], column);
   }
   if (!deck_.augmented()) return;

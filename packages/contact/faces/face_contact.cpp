@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/conjugate_position.hpp"
+#include "contact/convection.hpp"
 #include "contact/laws/impact_share.hpp"
 #include "core/pi.hpp"
 #include "core/space_vector.hpp"
@@ -342,6 +343,25 @@ void FaceContact::histories(const StepView& view, Report& values) {
 
 double FaceContact::step_limit(const State& committed, double) const {
   return closing_limit(context_.space, *slave_, master_->surface(), deck_.advance_limit, committed);
+}
+
+void FaceContact::relocate(const ConstCoordinateView& x_old, State& committed) {
+  // history: the shear stress from which friction goes on, and the path slid
+  const PointView& rows = committed.arrays[points_];
+  int first = 0;
+  for (const SurfaceSide& side : slave_->sides()) {
+    const ContactRule& points = rules_.at(side.shape);
+    const SideCoordinates before = side_coordinates(side, x_old), after = side_coordinates(side, committed.coordinates);
+    std::vector<Point> from, to;
+    for (int c = 0; c < points.points; ++c) {
+      from.push_back(points.place(c, before));
+      to.push_back(points.place(c, after));
+    }
+    const SideShifts shifts(from, to, side.shape, before);
+    shifts.convect(rows, first, column::slip);
+    for (int i = 0; i < 3; ++i) shifts.convect(rows, first, column::shear + i);
+    first += points.points;
+  }
 }
 
 void FaceContact::adopt(const State& evaluated, State& committed) {

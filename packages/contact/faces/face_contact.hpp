@@ -47,8 +47,7 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   Augmentation augment(const StepView&, int) override { return {}; }
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
-  /// Nothing is carried along: in space nodes of the boundary stay material points.
-  void relocate(const ConstCoordinateView&, State&) override {}
+  void relocate(const ConstCoordinateView& x_old, State& committed) override;
   void adopt(const State& evaluated, State& committed) override;
   std::vector<double> nodal_pressure(const State& state) const override;
   std::vector<double> nodal_shear(const State& state) const override;

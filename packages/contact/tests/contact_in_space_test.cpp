@@ -120,6 +120,39 @@ TEST_P(ContactInSpace, FrictionIsAVectorAgainstTheTravel) {
   EXPECT_NEAR(values.at("contact/c/friction z").value, 0, 1e-9 * normal);
 }
 
+TEST_P(ContactInSpace, HistoryStaysWhereItIsWhenTheMeshMoves) {
+  // a plate that turns a little and sticks: the shear stress is that of a twist, linear over the surface
+  const double angle = 1e-3;
+  const std::string motion =
+      function("z", "-0.01*min(t,1)") + function("rotation z", std::to_string(angle) + "*max(t-1,0)");
+  ContactModel model(Geometry::space, block(GetParam()), plate(motion, "0, 0, 0"), contact() + coulomb(0.9, 0), {},
+                     "penalty");
+  model.step(1);
+  model.step(1);
+  State& committed = model.store.committed();
+  const PointView& rows = committed.arrays[model.store.find("contact/c/friction")];
+  std::vector<Point> before;  // shear: -stiffness angle (-y, x), to first order in the angle
+  double largest = 0;
+  for (std::size_t row = 0; row < rows.extent(0); ++row) {
+    before.push_back({rows(row, 0), rows(row, 1), rows(row, 2)});
+    largest = std::max({largest, std::abs(rows(row, 0)), std::abs(rows(row, 1))});
+  }
+  ASSERT_GT(largest, 100);
+  CoordinateView old("old", committed.coordinates.extent(0), 3);
+  Kokkos::deep_copy(old, committed.coordinates);
+  for (int node = 0; node < model.mesh.num_nodes(); ++node) {
+    committed.coordinates(node, 0) += 0.05 * old(node, 0) - 0.03 * old(node, 1);
+    committed.coordinates(node, 1) += 0.02 * old(node, 0) + 0.04 * old(node, 1);
+  }
+  dynamic_cast<Carried&>(*model.contact).relocate(old, committed);
+  for (std::size_t row = 0; row < rows.extent(0); ++row) {
+    const double x = before[row][1], y = -before[row][0];  // in proportion to the place
+    EXPECT_NEAR(rows(row, 0), before[row][0] - (0.02 * x + 0.04 * y), 0.08 * angle * largest);
+    EXPECT_NEAR(rows(row, 1), before[row][1] + 0.05 * x - 0.03 * y, 0.08 * angle * largest);
+    EXPECT_NEAR(rows(row, 2), before[row][2], 1e-9 * largest);
+  }
+}
+
 TEST(ContactInSpaceFriction, SpinningPlateMakesATorque) {
   const std::string motion = function("z", "-0.01*min(t,1)") + function("rotation z", "0.2*max(t-1,0)");
   ContactModel model(Geometry::space, block("hex27"), plate(motion, "0, 0, 0"), contact() + coulomb(0.2, 0), {},

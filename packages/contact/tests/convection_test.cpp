@@ -37,9 +37,53 @@ TEST(Convection, WhatMovesAcrossTheSideChangesNothing) {
   PointView rows("rows", 2, 1);
   rows(0, 0) = 1;
   rows(1, 0) = 4;
-  SideShifts({0, 0, 0, CellShape::line2, 2, {0, 1}, 0, 1}, from, to).convect(rows, 0, 0);
+  SideShifts(SurfaceSide{0, 0, 0, CellShape::line2, 2, {0, 1}, 0, 1}, from, to).convect(rows, 0, 0);
   EXPECT_EQ(rows(0, 0), 1);
   EXPECT_EQ(rows(1, 0), 4);
+}
+
+TEST(Convection, LinearHistoryOfAFaceInSpaceStaysWhereItIs) {
+  // a slanted face, whose nodes move along it by different ways
+  for (const CellShape shape : {CellShape::tri3, CellShape::tri6, CellShape::quad4, CellShape::quad9}) {
+    const auto place = [](double s, double t) { return Point{1 + 2 * s, 2 + s + 3 * t, 0.5 * s - t}; };
+    const auto field = [](const Point& x) { return 7 - 2 * x[0] + 3 * x[1] + x[2]; };
+    SideCoordinates before{}, after{};
+    for (int a = 0; a < num_nodes(shape); ++a) {
+      const auto xi = reference_node(shape, a);
+      before[a] = place(xi[0], xi[1]);
+      after[a] = place(xi[0] + 0.1 * xi[1] + 0.07, xi[1] - 0.05 * xi[0] * xi[1]);
+    }
+    for (const int degree : {2, 5}) {
+      const ContactRule rule(ContactPoints::quadrature, shape, degree);
+      std::vector<Point> from, to;
+      PointView rows("rows", rule.points + 1, 2);
+      for (int c = 0; c < rule.points; ++c) {
+        from.push_back(rule.place(c, before));
+        to.push_back(rule.place(c, after));
+        rows(1 + c, 0) = 5;
+        rows(1 + c, 1) = field(from[c]);
+      }
+      rows(0, 1) = 100;
+      const SideShifts shifts(from, to, shape, before);
+      shifts.convect(rows, 1, 0);
+      shifts.convect(rows, 1, 1);
+      for (int c = 0; c < rule.points; ++c) {
+        EXPECT_NEAR(rows(1 + c, 0), 5, 1e-14);
+        EXPECT_NEAR(rows(1 + c, 1), field(to[c]), 1e-12);
+      }
+      EXPECT_EQ(rows(0, 1), 100);
+    }
+  }
+}
+
+TEST(Convection, OnePointOfAFaceHasNoSlope) {
+  const ContactRule rule(ContactPoints::quadrature, CellShape::tri3, 1);
+  ASSERT_EQ(rule.points, 1);
+  const SideCoordinates nodes{Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}};
+  PointView rows("rows", 1, 1);
+  rows(0, 0) = 3;
+  SideShifts({Point{0.3, 0.3, 0}}, {Point{0.4, 0.2, 0}}, CellShape::tri3, nodes).convect(rows, 0, 0);
+  EXPECT_EQ(rows(0, 0), 3);
 }
 
 }  // namespace

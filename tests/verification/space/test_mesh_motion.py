@@ -13,7 +13,9 @@ LOAD = 3452184.8694  # [Pa] a quarter of the height
 
 
 def swing(period, amplitude=0.15):
-    return deck_text("swing", {"mesh motion": {"interior": {"type": "artificial", "amplitude": amplitude, "period": float(period)}}})
+    """Of the vertices inside; the boundary goes with the soil."""
+    return deck_text("swing", {"mesh motion": {"interior": {"type": "artificial", "amplitude": amplitude, "period": float(period)},
+                                               "boundary": {"material sides": ["left", "right", "front", "back", "bottom", "top"]}}})
 
 
 class MeshMotion(SpaceCase):

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "ale/ghosted_mesh.hpp"
+#include "core/space_vector.hpp"
+
+namespace mudline {
+
+struct SurfaceFace;
+
+/// Where a point of a face is: reference coordinates of the face's shape.
+using FacePlace = std::array<double, 2>;
+
+/// [m]
+Point face_point(const SurfaceFace& face, const FacePlace& place, const Positions& x);
+/// Outwards, as long as the area per reference area [m2].
+Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positions& x);
+
+/// Of length 1; what has no length stays.
+inline Point unit(const Point& a) { return scaled(1 / std::max(length(a), 1e-300), a); }
+
+/// The point of a face, curved as it is, that is nearest to another.
+struct NearestOnFace {
+  FacePlace place;
+  double distance;  // [m]
+  bool inside;      // not on an edge of the face
+};
+NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const Positions& x);
+
+}  // namespace mudline

@@ -1,0 +1,189 @@
+#include "ale/mesh_surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ale/face_place.hpp"
+#include "core/space_vector.hpp"
+
+namespace mudline {
+
+namespace {
+
+struct Edge {
+  int a, b, middle;                       // middle -1: straight
+  std::vector<std::array<int, 2>> faces;  // (face, its edge)
+  bool feature = false, used = false;
+};
+
+double angle_between(const Point& a, const Point& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+
+class SurfaceSplitter {
+ public:
+  SurfaceSplitter(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
+                  double corner_angle, const std::function<bool(int)>& on_body)
+      : x_(source), corners_(corners), angle_(corner_angle), on_body_(on_body) {
+    result_.faces = std::move(faces);
+    result_.patch_of.assign(source.size(), -1);
+    find_edges();
+    for (Edge& edge : edges_) edge.feature = divides(edge);
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (edges_[e].feature)
+        for (int node : {edges_[e].a, edges_[e].b}) at_[node].push_back(static_cast<int>(e));
+  }
+
+  MeshSurfaces split() {
+    collect_patches();
+    collect_curves();
+    for (const SurfaceFace& face : result_.faces)
+      for (int a = 0; a < num_nodes(face.shape); ++a) result_.patch_of[face.nodes[a]] = face.patch;
+    for (const MeshPath& curve : result_.curves)
+      for (int node : curve.nodes) result_.patch_of[node] = -1;
+    for (int node : corners_) result_.patch_of[node] = -1;
+    return std::move(result_);
+  }
+
+ private:
+  void find_edges() {
+    std::map<std::array<int, 2>, int> numbers;
+    for (std::size_t f = 0; f < result_.faces.size(); ++f) {
+      const SurfaceFace& face = result_.faces[f];
+      const int corners = num_corners(face.shape);
+      for (int k = 0; k < corners; ++k) {
+        const auto ends = edge_corners(face.shape, k);
+        const int a = face.nodes[ends[0]], b = face.nodes[ends[1]];
+        const auto [found, made] =
+            numbers.emplace(std::array<int, 2>{std::min(a, b), std::max(a, b)}, static_cast<int>(edges_.size()));
+        if (made) edges_.push_back({a, b, order(face.shape) == 2 ? face.nodes[corners + k] : -1, {}});
+        edges_[found->second].faces.push_back({static_cast<int>(f), k});
+      }
+    }
+  }
+
+  Point normal_at_edge(const std::array<int, 2>& at) const {
+    const SurfaceFace& face = result_.faces[at[0]];
+    const auto ends = edge_corners(face.shape, at[1]);
+    const auto a = reference_node(face.shape, ends[0]), b = reference_node(face.shape, ends[1]);
+    return face_normal(face, {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}, x_);
+  }
+
+  bool divides(const Edge& edge) const {
+    if (edge.faces.size() != 2) return true;
+    const SurfaceFace &one = result_.faces[edge.faces[0][0]], &other = result_.faces[edge.faces[1][0]];
+    if (one.sets != other.sets || one.outer != other.outer) return true;
+    if (one.block != other.block || one.other != other.other) return true;
+    if (angle_between(normal_at_edge(edge.faces[0]), normal_at_edge(edge.faces[1])) <= angle_) return false;
+    return !(on_body_(edge.a) && on_body_(edge.b));
+  }
+
+  void collect_patches() {
+    std::vector<std::vector<int>> beside(result_.faces.size());
+    for (const Edge& edge : edges_)
+      if (!edge.feature)
+        for (int side = 0; side < 2; ++side) beside[edge.faces[side][0]].push_back(edge.faces[1 - side][0]);
+    for (std::size_t f = 0; f < result_.faces.size(); ++f) {
+      if (result_.faces[f].patch >= 0) continue;
+      SurfacePatch patch{{}, result_.faces[f].sets, result_.faces[f].outer};
+      std::vector<int> open{static_cast<int>(f)};
+      const int number = static_cast<int>(result_.patches.size());
+      result_.faces[f].patch = number;
+      while (!open.empty()) {
+        const int here = open.back();
+        open.pop_back();
+        patch.faces.push_back(here);
+        for (int next : beside[here]) {
+          if (result_.faces[next].patch >= 0) continue;
+          result_.faces[next].patch = number;
+          open.push_back(next);
+        }
+      }
+      std::sort(patch.faces.begin(), patch.faces.end());
+      result_.patches.push_back(std::move(patch));
+    }
+  }
+
+  int other_end(int edge, int node) const { return edges_[edge].a == node ? edges_[edge].b : edges_[edge].a; }
+
+  /// Of the edge at one of its ends, away from it.
+  Point direction(int edge, int node) const {
+    const Point chord = minus(x_[other_end(edge, node)], x_[node]);
+    if (edges_[edge].middle < 0) return chord;
+    return plus(scaled(4, minus(x_[edges_[edge].middle], x_[node])), -1, chord);
+  }
+
+  bool is_end(int node, const std::vector<int>& touching) const {
+    if (touching.size() != 2 || corners_.count(node)) return true;
+    if (angle_between(direction(touching[0], node), scaled(-1, direction(touching[1], node))) <= angle_) return false;
+    return !(on_body_(other_end(touching[0], node)) && on_body_(node) && on_body_(other_end(touching[1], node)));
+  }
+
+  void collect_curves() {
+    std::set<int> ends;
+    for (const auto& [node, touching] : at_)
+      if (is_end(node, touching)) ends.insert(node);
+    for (const int start : std::set<int>(ends))
+      for (int edge : at_.at(start))
+        if (!edges_[edge].used) follow(start, edge, ends);
+    for (std::size_t e = 0; e < edges_.size(); ++e)  // closed curves without a corner: cut anywhere
+      if (edges_[e].feature && !edges_[e].used) {
+        ends.insert(edges_[e].a);
+        follow(edges_[e].a, static_cast<int>(e), ends);
+      }
+  }
+
+  void follow(int start, int edge, const std::set<int>& ends) {
+    MeshPath path{{start}, edges_[edge].middle >= 0 ? 2 : 1, {}, true};
+    for (int node = start;;) {
+      Edge& here = edges_[edge];
+      here.used = true;
+      for (const auto& [f, k] : here.faces) {
+        const SurfaceFace& face = result_.faces[f];
+        path.outer = path.outer && face.outer;
+        path.sets.insert(face.sets.begin(), face.sets.end());
+      }
+      if (here.middle >= 0) path.nodes.push_back(here.middle);
+      node = other_end(edge, node);
+      path.nodes.push_back(node);
+      if (ends.count(node)) break;
+      const std::vector<int>& touching = at_.at(node);
+      edge = touching[0] == edge ? touching[1] : touching[0];
+    }
+    result_.curves.push_back(std::move(path));
+  }
+
+  const Positions& x_;
+  const std::set<int>& corners_;
+  double angle_;
+  const std::function<bool(int)>& on_body_;
+  MeshSurfaces result_;
+  std::vector<Edge> edges_;
+  std::map<int, std::vector<int>> at_;  // feature edges at a vertex
+};
+
+}  // namespace
+
+std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh) {
+  std::vector<SurfaceFace> faces;
+  std::map<std::set<int>, std::set<std::string>> other_sets;  // by nodes: those of the side across
+  for (const auto& side : mesh.boundary())
+    if (side.other >= 0 && side.other < side.block) other_sets[{side.nodes.begin(), side.nodes.end()}] = side.sets;
+  for (const auto& side : mesh.boundary()) {
+    if (side.other >= 0 && side.other < side.block) continue;
+    const std::map<std::size_t, CellShape> shapes{
+        {3, CellShape::tri3}, {4, CellShape::quad4}, {6, CellShape::tri6}, {9, CellShape::quad9}};
+    SurfaceFace face{shapes.at(side.nodes.size()), {}, side.sets, side.other < 0, side.block, side.other};
+    std::copy(side.nodes.begin(), side.nodes.end(), face.nodes.begin());
+    const std::set<std::string>& across = other_sets[{side.nodes.begin(), side.nodes.end()}];
+    face.sets.insert(across.begin(), across.end());
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
+                            double corner_angle, const std::function<bool(int node)>& on_body) {
+  return SurfaceSplitter(std::move(faces), source, corners, corner_angle, on_body).split();
+}
+
+}  // namespace mudline

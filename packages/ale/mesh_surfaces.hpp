@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ale/mesh_paths.hpp"
+
+namespace mudline {
+
+/// A face of the boundary of a region in space.
+struct SurfaceFace {
+  CellShape shape;
+  std::array<int, 9> nodes;    // global ids, in the order of the shape, as seen from outside `block`
+  std::set<std::string> sets;  // side sets that it belongs to
+  bool outer = true;           // on the boundary of the mesh, not between two regions
+  int block = 0, other = -1;   // regions on its two sides, the lower first; -1: none
+  int patch = -1;              // set by split_surfaces()
+};
+
+/// Faces that are smoothly joined: the nodes inside may slide on them.
+struct SurfacePatch {
+  std::vector<int> faces;
+  std::set<std::string> sets;  // side sets that all its faces belong to
+  bool outer = true;
+};
+
+/// The boundaries of the regions of a mesh in space, split where they have edges. A node is inside one patch, or on
+/// feature curves, whose ends are material points.
+struct MeshSurfaces {
+  std::vector<SurfaceFace> faces;
+  std::vector<SurfacePatch> patches;
+  std::vector<MeshPath> curves;
+  std::vector<int> patch_of;  // (node) the patch that it is inside; -1: none
+};
+
+/// The faces of the boundaries of all regions.
+std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh);
+
+/// Splits faces into patches. Two neighbours belong to different patches where more than two faces meet, where the side
+/// sets or the regions beside them change, and where their normals in the source's mesh differ by more than
+/// `corner_angle` [rad] at the middle of the edge and that does not lie on a body there (`on_body` of a node): the soil
+/// slides past an edge of the body. The edges between patches form curves, which end where more or fewer than two meet,
+/// at the nodes `corners` and where they turn by more than the angle off a body. A curve has the side sets of all faces
+/// beside it. `corners` inside patches are material points as well.
+MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
+                            double corner_angle, const std::function<bool(int node)>& on_body);
+
+}  // namespace mudline

@@ -1,0 +1,201 @@
+#include "ale/surface_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/space_vector.hpp"
+
+namespace mudline {
+
+SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides,
+                             double largest_slide)
+    : surfaces_(std::move(surfaces)), slides_(std::move(slides)), largest_slide_(largest_slide) {
+  at_.resize(source.size());
+  near_.resize(source.size());
+  collect(source);
+}
+
+void SurfaceMotion::collect(const Positions& source) {
+  patches_.resize(surfaces_.patches.size());
+  std::vector<std::vector<int>> touching(source.size());  // faces by node
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    if (!slides_[p]) continue;
+    patches_[p].faces = surfaces_.patches[p].faces;
+    for (int f : patches_[p].faces) {
+      const SurfaceFace& face = surfaces_.faces[f];
+      add_corners(face, source);
+      for (int a = 0; a < num_nodes(face.shape); ++a) {
+        touching[face.nodes[a]].push_back(f);
+        const bool first = touching[face.nodes[a]].size() == 1;
+        if (first && surfaces_.patch_of[face.nodes[a]] == static_cast<int>(p)) add_node(face, a, patches_[p]);
+      }
+    }
+  }
+  for (Patch& patch : patches_) {
+    for (int node : patch.vertices) near_[node] = faces_near(node, touching);
+    // centres of faces after the middles of edges, which they depend on
+    std::stable_sort(patch.middles.begin(), patch.middles.end(),
+                     [](const Middle& a, const Middle& b) { return a.sides.size() < b.sides.size(); });
+    for (Middle& middle : patch.middles) {
+      near_[middle.node] = faces_near(middle.node, touching);
+      for (int f : touching[middle.node]) {
+        const SurfaceFace& face = surfaces_.faces[f];
+        const auto here = std::find(face.nodes.begin(), face.nodes.end(), middle.node) - face.nodes.begin();
+        const auto xi = reference_node(face.shape, static_cast<int>(here));
+        middle.on.push_back({f, {xi[0], xi[1]}});
+      }
+      middle.drift = drift_of(middle, source);
+    }
+  }
+}
+
+void SurfaceMotion::add_node(const SurfaceFace& face, int a, Patch& patch) {
+  const int corners = num_corners(face.shape);
+  if (a < corners) {
+    patch.vertices.push_back(face.nodes[a]);
+    return;
+  }
+  Middle middle{face.nodes[a], {}, {}};
+  for (int c : corners_around(face.shape, a)) middle.ends.push_back(face.nodes[c]);
+  for (int k = 0; a == 2 * corners && k < corners; ++k) middle.sides.push_back(face.nodes[corners + k]);
+  patch.middles.push_back(middle);
+}
+
+std::vector<int> SurfaceMotion::faces_near(int node, const std::vector<std::vector<int>>& touching) const {
+  std::set<int> near;
+  for (int f : touching[node]) {
+    const SurfaceFace& face = surfaces_.faces[f];
+    for (int a = 0; a < num_corners(face.shape); ++a)
+      for (int other : touching[face.nodes[a]])
+        if (surfaces_.faces[other].patch == face.patch) near.insert(other);
+  }
+  return {near.begin(), near.end()};
+}
+
+void SurfaceMotion::add_corners(const SurfaceFace& face, const Positions& source) {
+  const int corners = num_corners(face.shape);
+  for (int i = 0; i < (corners == 3 ? 1 : 4); ++i)
+    add_corner({face.nodes[i], face.nodes[(i + 1) % corners], face.nodes[(i + corners - 1) % corners]}, source);
+}
+
+void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions& source) {
+  const Point p = minus(source[nodes[1]], source[nodes[0]]), q = minus(source[nodes[2]], source[nodes[0]]);
+  const Point e = unit(p);
+  const double a = length(p), b = dot(q, e), c = length(plus(q, -b, e)), scale = std::sqrt(a * c);  // size is free
+  const double inverse[2][2] = {{scale / a, -b * scale / (a * c)}, {0, scale / c}};
+  Corner corner{nodes, {}};
+  for (int k = 0; k < 2; ++k) {
+    corner.w[1][k] = inverse[0][k];
+    corner.w[2][k] = inverse[1][k];
+    corner.w[0][k] = -inverse[0][k] - inverse[1][k];
+  }
+  for (int node : nodes) at_[node].push_back(static_cast<int>(corners_.size()));
+  corners_.push_back(corner);
+}
+
+double SurfaceMotion::edge_of(const Middle& middle, const Positions& x) {
+  return length(minus(x[middle.ends[1]], x[middle.ends[0]]));
+}
+
+Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
+  Point sum{};
+  if (middle.sides.empty()) {
+    for (int node : middle.ends) sum = plus(sum, 0.5, x[node]);
+    return sum;
+  }
+  for (int node : middle.sides) sum = plus(sum, 0.5, x[node]);  // transfinite: exact for straight edges
+  for (int node : middle.ends) sum = plus(sum, -0.25, x[node]);
+  return sum;
+}
+
+double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
+  Point normal{};
+  for (const auto& [face, place] : middle.on)
+    normal = plus(normal, 1, unit(face_normal(surfaces_.faces[face], place, x)));
+  const Point off = minus(x[middle.node], middle_of(middle, x));
+  return length(plus(off, -dot(off, unit(normal)), unit(normal))) / edge_of(middle, x);
+}
+
+SurfaceMotion::Plane SurfaceMotion::plane_of(const Patch& patch, const Positions& x) const {
+  Plane plane;
+  if (patch.faces.empty()) return plane;
+  const Point origin = x[surfaces_.faces[patch.faces.front()].nodes[0]];
+  plane.value = origin;
+  Point sum{};
+  for (int f : patch.faces) sum = plus(sum, 1, face_normal(surfaces_.faces[f], {0.3, 0.3}, x));
+  plane.normal = unit(sum);
+  double extent = 0, off = 0;
+  Point beside{};
+  for (int f : patch.faces)
+    for (int a = 0; a < num_nodes(surfaces_.faces[f].shape); ++a) {
+      const Point& at = x[surfaces_.faces[f].nodes[a]];
+      extent = std::max(extent, length(minus(at, origin)));
+      off = std::max(off, std::abs(dot(minus(at, origin), plane.normal)));
+      for (int i = 0; i < 3; ++i) beside[i] = std::max(beside[i], std::abs(at[i] - origin[i]));
+    }
+  constexpr double rounding = 1e-9;
+  plane.flat = off < rounding * extent;
+  for (int i = 0; i < 3; ++i) plane.fixed[i] = beside[i] < rounding * extent;
+  return plane;
+}
+
+Point SurfaceMotion::at(const SurfacePlace& place, const Positions& x) const {
+  return face_point(surfaces_.faces[place.face], place.xi, x);
+}
+
+SurfacePlace SurfaceMotion::nearest(int node, int guess, const Positions& x_old, const Point& point) const {
+  const auto look = [&](int f) { return nearest_on_face(surfaces_.faces[f], point, x_old); };
+  if (guess >= 0) {
+    const NearestOnFace there = look(guess);
+    if (there.inside) return {guess, there.place};
+  }
+  SurfacePlace best;
+  double least = 1e300;
+  for (int f : near_[node]) {
+    const SurfaceFace& face = surfaces_.faces[f];
+    Bounds box = Bounds::nothing();
+    for (int a = 0; a < num_nodes(face.shape); ++a) box.enclose(x_old[face.nodes[a]]);
+    const Point across = scaled(0.5, minus(box.high, box.low));
+    // a curved face is not far outside the box of its nodes
+    if (length(minus(point, plus(box.low, 1, across))) - 1.5 * length(across) > least) continue;
+    const NearestOnFace there = look(f);
+    if (there.distance >= least) continue;
+    least = there.distance;
+    best = {f, there.place};
+  }
+  return best;
+}
+
+SurfacePlace SurfaceMotion::place(int node, const Positions& x_old, const Point& x) const {
+  return nearest(node, -1, x_old, x);
+}
+
+std::vector<std::pair<int, double>> SurfaceMotion::outer_nodes(const Positions& x) const {
+  std::vector<std::pair<int, double>> result;
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    if (!surfaces_.patches[p].outer) continue;
+    for (int node : patches_[p].vertices) result.emplace_back(node, shortest_edge(node, x));
+    for (const Middle& middle : patches_[p].middles) result.emplace_back(middle.node, edge_of(middle, x));
+  }
+  return result;
+}
+
+std::vector<int> SurfaceMotion::nodes() const {
+  std::vector<int> result;
+  for (const Patch& patch : patches_) {
+    result.insert(result.end(), patch.vertices.begin(), patch.vertices.end());
+    for (const Middle& middle : patch.middles) result.push_back(middle.node);
+  }
+  return result;
+}
+
+double SurfaceMotion::shortest_edge(int node, const Positions& x) const {
+  double shortest = 1e300;
+  for (int c : at_[node])
+    for (int other : corners_[c].nodes)
+      if (other != node) shortest = std::min(shortest, length(minus(x[other], x[node])));
+  return shortest;
+}
+
+}  // namespace mudline

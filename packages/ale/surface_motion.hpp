@@ -1,0 +1,109 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "ale/face_place.hpp"
+#include "ale/mesh_surfaces.hpp"
+
+namespace mudline {
+
+/// A place on a face of a mesh's surfaces.
+struct SurfacePlace {
+  int face = -1;
+  FacePlace xi{};
+};
+
+/// Of the body that is nearest to a point.
+struct NearBody {
+  double gap;    // [m]
+  Point normal;  // from the body into the soil
+};
+using BodySearch = std::function<std::optional<NearBody>(const Point&)>;
+
+/// Slides the nodes inside the surface patches of a mesh in space along the deformed surface, which is that of the
+/// faces, curved as they are. Vertex by vertex, in its tangent plane, lowers the sum of squared inverse mean ratios of
+/// the triangles that the corners of the faces span, mu = |T|^2 / (2 |t_1 x t_2|), T = (t_1, t_2) the map from the
+/// triangle of the source's mesh (see OptimisationMotion), and puts it back on the surface. Sizes are free, and a
+/// surface that was only moved or turned stays to the last bit. Middles of edges go to the nearest place of the surface
+/// to the middle of their ends.
+///
+/// A plane patch stays plane, to the last bit where the plane is normal to an axis. On other patches a node that is
+/// nearer to a body than a quarter of an edge keeps the gap that was at its new place, so that contact pressures are
+/// not disturbed.
+class SurfaceMotion {
+ public:
+  SurfaceMotion() = default;
+  /// `largest_slide`: share of the way to the opposite edges of the faces around that a vertex moves at most at once.
+  /// `slides`: (patch) whether its nodes may.
+  SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides, double largest_slide);
+
+  /// `x_old`: all nodes before they move. `x`: the same, but for the nodes of curves, which are where they are wanted;
+  /// becomes the new places of the nodes on surfaces. Where a curve's motion would fold faces, its nodes go only as
+  /// far as the others can follow.
+  void move(const Positions& x_old, const BodySearch& body, Positions& x) const;
+  /// Nearest place of the old surface to a node inside a patch that is at `x` now.
+  SurfacePlace place(int node, const Positions& x_old, const Point& x) const;
+
+  const MeshSurfaces& surfaces() const { return surfaces_; }
+  /// Nodes inside the sliding patches of the mesh's outer boundary, and the length of the edge that a middle is on, or
+  /// of the shortest edge at a vertex [m].
+  std::vector<std::pair<int, double>> outer_nodes(const Positions& x) const;
+  /// Nodes inside sliding patches.
+  std::vector<int> nodes() const;
+
+ private:
+  /// What a corner of a face strives for: T = sum over its three nodes v of x_v w_v^T.
+  struct Corner {
+    std::array<int, 3> nodes;
+    double w[3][2];
+  };
+  /// A middle of an edge or of a face inside a patch.
+  struct Middle {
+    int node;
+    std::vector<int> ends;                        // corners
+    std::vector<int> sides;                       // middles of the face's edges; empty for an edge
+    double drift = 0;                             // see drift_of(), in the source's mesh
+    std::vector<std::pair<int, FacePlace>> on{};  // its places on faces
+  };
+  /// The plane of a patch.
+  struct Plane {
+    bool flat = false;
+    Point normal{};
+    std::array<bool, 3> fixed{};  // coordinates that all its nodes share
+    Point value{};                // [m]
+  };
+  struct Patch {
+    std::vector<int> vertices, faces;
+    std::vector<Middle> middles;
+  };
+  class Step;  // one relocation
+
+  void collect(const Positions& source);
+  void add_corners(const SurfaceFace& face, const Positions& source);
+  void add_corner(const std::array<int, 3>& nodes, const Positions& source);
+  /// Node a of a face is inside the patch.
+  void add_node(const SurfaceFace& face, int a, Patch& patch);
+  std::vector<int> faces_near(int node, const std::vector<std::vector<int>>& touching) const;
+  Plane plane_of(const Patch& patch, const Positions& x) const;
+  static double edge_of(const Middle& middle, const Positions& x);
+  /// Between its ends, along straight edges.
+  static Point middle_of(const Middle& middle, const Positions& x);
+  /// How far it is along the surface from there, as a share of the edge.
+  double drift_of(const Middle& middle, const Positions& x) const;
+  double shortest_edge(int node, const Positions& x) const;
+  Point at(const SurfacePlace& place, const Positions& x) const;
+  /// `guess`: face to look at first; -1: none.
+  SurfacePlace nearest(int node, int guess, const Positions& x_old, const Point& point) const;
+
+  MeshSurfaces surfaces_;
+  std::vector<char> slides_;  // (patch)
+  double largest_slide_ = 0.4;
+  std::vector<Patch> patches_;          // those that slide
+  std::vector<Corner> corners_;         // of their faces
+  std::vector<std::vector<int>> at_;    // (node) corners that touch it
+  std::vector<std::vector<int>> near_;  // (node) faces that share a node with the faces around it
+};
+
+}  // namespace mudline

@@ -1,0 +1,265 @@
+// One relocation of the nodes on surfaces.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ale/surface_motion.hpp"
+#include "core/space_vector.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Two directions across a unit normal.
+std::array<Point, 2> tangents(const Point& normal) {
+  Point axis{};
+  int least = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(normal[i]) < std::abs(normal[least])) least = i;
+  axis[least] = 1;
+  const Point one = cross(normal, axis);
+  const Point first = scaled(1 / length(one), one);
+  return {first, cross(normal, first)};
+}
+
+Point area_vector(const std::array<int, 3>& nodes, const Positions& x) {
+  return cross(minus(x[nodes[1]], x[nodes[0]]), minus(x[nodes[2]], x[nodes[0]]));
+}
+
+/// Sum over corners of the squared inverse mean ratio, by the place of one vertex, with its gradient and a positive
+/// matrix near its Hessian (that of plane rings) in two directions.
+struct RingObjective {
+  double value = 0, gradient[2] = {0, 0}, hessian[3] = {0, 0, 0};  // xx, xy, yy
+
+  void add(const std::array<int, 3>& nodes, const double (&w)[3][2], int moving, const Positions& x,
+           const std::array<Point, 2>& along) {
+    Point t[2] = {};
+    for (int v = 0; v < 3; ++v)
+      for (int k = 0; k < 2; ++k) t[k] = plus(t[k], w[v][k], x[nodes[v]]);
+    const Point area = cross(t[0], t[1]);
+    const double J = length(area), n = dot(t[0], t[0]) + dot(t[1], t[1]), mu = n / (2 * J);
+    const double* own = w[moving];
+    const double ddn = 2 * (own[0] * own[0] + own[1] * own[1]);
+    double dn[2], dJ[2], dmu[2];
+    for (int i = 0; i < 2; ++i) {
+      dn[i] = 2 * (own[0] * dot(along[i], t[0]) + own[1] * dot(along[i], t[1]));
+      dJ[i] = dot(area, plus(scaled(own[0], cross(along[i], t[1])), own[1], cross(t[0], along[i]))) / J;
+      dmu[i] = (dn[i] - 2 * mu * dJ[i]) / (2 * J);
+    }
+    const auto second = [&](int i, int j) {
+      const double of_mu =
+          ((i == j ? ddn : 0.0) - (dn[i] * dJ[j] + dJ[i] * dn[j]) / J) / (2 * J) + n * dJ[i] * dJ[j] / (J * J * J);
+      return 2 * mu * of_mu + 2 * dmu[i] * dmu[j];
+    };
+    value += mu * mu;
+    for (int i = 0; i < 2; ++i) gradient[i] += 2 * mu * dmu[i];
+    hessian[0] += second(0, 0);
+    hessian[1] += second(0, 1);
+    hessian[2] += second(1, 1);
+  }
+};
+
+}  // namespace
+
+/// One relocation: the old surface, and where its nodes are by now.
+class SurfaceMotion::Step {
+ public:
+  Step(const SurfaceMotion& surface, const Positions& x_old, Positions& x)
+      : surface_(surface), x_old_(x_old), x_(x), on_(x.size()) {
+    for (const Patch& patch : surface.patches_) planes_.push_back(surface.plane_of(patch, x_old));
+    for (const Corner& corner : surface.corners_) normals_.push_back(area_vector(corner.nodes, x_old));
+  }
+
+  bool folded() const {
+    for (std::size_t c = 0; c < normals_.size(); ++c)
+      if (folded(static_cast<int>(c))) return true;
+    return false;
+  }
+
+  /// Passes over the vertices until none moves much.
+  void relax() {
+    constexpr int sweeps = 40;
+    constexpr double tolerance = 1e-3;  // of the size of the faces around
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      double largest = 0;
+      for (std::size_t p = 0; p < planes_.size(); ++p) {
+        const std::vector<int>& vertices = surface_.patches_[p].vertices;
+        const int count = static_cast<int>(vertices.size());
+        for (int k = 0; k < count; ++k)
+          largest = std::max(largest, improve(vertices[sweep % 2 == 0 ? k : count - 1 - k], planes_[p]));
+      }
+      if (largest < tolerance) break;
+    }
+  }
+
+  void place_middles() {
+    for (std::size_t p = 0; p < planes_.size(); ++p)
+      for (const Middle& middle : surface_.patches_[p].middles) {
+        const auto rests = [&](int node) { return x_[node] == x_old_[node]; };
+        const bool stays = std::all_of(middle.ends.begin(), middle.ends.end(), rests) &&
+                           std::all_of(middle.sides.begin(), middle.sides.end(), rests) &&
+                           surface_.drift_of(middle, x_old_) <= std::max(1e-9, 2 * middle.drift);
+        if (!stays) x_[middle.node] = on_surface(middle.node, middle_of(middle, x_), planes_[p]);
+      }
+  }
+
+  void keep_gaps(const BodySearch& body) {
+    for (std::size_t p = 0; p < planes_.size(); ++p) {
+      if (planes_[p].flat) continue;
+      const Patch& patch = surface_.patches_[p];
+      for (int node : patch.vertices) keep_gap(node, surface_.shortest_edge(node, x_old_), body);
+      for (const Middle& middle : patch.middles) keep_gap(middle.node, edge_of(middle, x_old_), body);
+    }
+  }
+
+ private:
+  bool folded(int corner) const {
+    return !(dot(area_vector(surface_.corners_[corner].nodes, x_), normals_[corner]) > 0);
+  }
+  bool folded_at(int node) const {
+    const std::vector<int>& around = surface_.at_[node];
+    return std::any_of(around.begin(), around.end(), [&](int corner) { return folded(corner); });
+  }
+
+  Point normal_at(int node, const Positions& x) const {
+    Point sum{};
+    for (int c : surface_.at_[node]) sum = plus(sum, 1, unit(area_vector(surface_.corners_[c].nodes, x)));
+    return unit(sum);
+  }
+
+  RingObjective objective(int node, const std::array<Point, 2>& along) const {
+    RingObjective result;
+    for (int c : surface_.at_[node]) {
+      const Corner& corner = surface_.corners_[c];
+      const int moving =
+          static_cast<int>(std::find(corner.nodes.begin(), corner.nodes.end(), node) - corner.nodes.begin());
+      result.add(corner.nodes, corner.w, moving, x_, along);
+    }
+    return result;
+  }
+
+  /// Moves a vertex; by which share of the size of the faces around.
+  double improve(int node, const Plane& plane) {
+    const std::array<Point, 2> along = tangents(plane.flat ? plane.normal : normal_at(node, x_));
+    const RingObjective now = objective(node, along);
+    const auto& h = now.hessian;
+    const double det = h[0] * h[2] - h[1] * h[1];
+    if (!(det > 0) || !std::isfinite(now.value)) return 0;
+    const double step[2] = {-(h[2] * now.gradient[0] - h[1] * now.gradient[1]) / det,
+                            -(h[0] * now.gradient[1] - h[1] * now.gradient[0]) / det};
+    double square = 0;
+    for (int c : surface_.at_[node]) square = std::max(square, length(area_vector(surface_.corners_[c].nodes, x_)));
+    const double size = std::sqrt(square);
+    // rounding decides below this: leave the vertex where it is, so that a surface at its optimum does not creep
+    if (std::hypot(step[0], step[1]) < 1e-9 * size) return 0;
+    const Point from = x_[node];
+    const SurfacePlace place = on_[node];
+    double factor = 1;
+    for (int cut = 0; cut < 12; ++cut, factor *= 0.5) {
+      const Point to = plus(plus(from, factor * step[0], along[0]), factor * step[1], along[1]);
+      x_[node] = on_surface(node, limited(node, to), plane);
+      if (folded_at(node) || !(objective(node, along).value <= now.value)) continue;
+      return length(minus(x_[node], from)) / size;
+    }
+    x_[node] = from;
+    on_[node] = place;
+    return 0;
+  }
+
+  /// No farther from where the vertex was than it may slide at once.
+  Point limited(int node, const Point& to) const {
+    const Point way = minus(to, x_old_[node]);
+    const double far = length(way);
+    if (!(far > 0)) return to;
+    const double limit = surface_.largest_slide_ * reach(node, way);
+    return far <= limit ? to : plus(x_old_[node], limit / far, way);
+  }
+
+  /// From a vertex to the edges opposite to it, in the direction of a way and in its tangent plane.
+  double reach(int node, const Point& way) const {
+    const std::array<Point, 2> along = tangents(normal_at(node, x_old_));
+    double u[2] = {dot(way, along[0]), dot(way, along[1])};
+    const double size = std::hypot(u[0], u[1]);
+    double nearest = 1e300;
+    for (int c : surface_.at_[node]) {
+      double ends[2][2];
+      int count = 0;
+      for (int other : surface_.corners_[c].nodes) {
+        if (other == node) continue;
+        for (int i = 0; i < 2; ++i) ends[count][i] = dot(minus(x_old_[other], x_old_[node]), along[i]);
+        ++count;
+      }
+      const double edge[2] = {ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]};
+      const double across = (u[0] * edge[1] - u[1] * edge[0]) / size;
+      if (across == 0) continue;
+      const double t = (ends[0][0] * edge[1] - ends[0][1] * edge[0]) / across;
+      const double s = (ends[0][0] * u[1] - ends[0][1] * u[0]) / size / across;
+      if (t > 0 && s > -1e-9 && s < 1 + 1e-9) nearest = std::min(nearest, t);
+    }
+    return nearest < 1e300 ? nearest : surface_.shortest_edge(node, x_old_);
+  }
+
+  Point on_surface(int node, Point to, const Plane& plane) {
+    if (!plane.flat) {
+      on_[node] = surface_.nearest(node, on_[node].face, x_old_, to);
+      return surface_.at(on_[node], x_old_);
+    }
+    for (int i = 0; i < 3; ++i)
+      if (plane.fixed[i]) to[i] = plane.value[i];
+    return to;
+  }
+
+  void keep_gap(int node, double span, const BodySearch& body) {
+    if (x_[node] == x_old_[node]) return;
+    const SurfaceFace& face = surface_.surfaces_.faces[on_[node].face];
+    double N[9], dN[18], gap = 0, least = 1e300, most = -1e300;
+    evaluate_shape(face.shape, on_[node].xi.data(), N, dN);
+    for (int a = 0; a < num_nodes(face.shape); ++a) {
+      auto known = gaps_.find(face.nodes[a]);
+      if (known == gaps_.end()) {
+        const auto there = body(x_old_[face.nodes[a]]);
+        if (!there) return;
+        known = gaps_.emplace(face.nodes[a], there->gap).first;
+      }
+      gap += N[a] * known->second;
+      least = std::min(least, known->second);
+      most = std::max(most, known->second);
+    }
+    gap = std::clamp(gap, least, most);
+    if (gap >= 0.25 * span) return;
+    const NearBody here = *body(x_[node]);
+    x_[node] = plus(x_[node], gap - here.gap, here.normal);
+  }
+
+  const SurfaceMotion& surface_;
+  const Positions& x_old_;
+  Positions& x_;
+  std::vector<SurfacePlace> on_;  // (node) of the old surface
+  std::vector<Plane> planes_;     // (patch)
+  Positions normals_;             // (corner) as long as twice its area
+  std::map<int, double> gaps_;    // of old nodes
+};
+
+void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positions& x) const {
+  const Positions wanted = x;
+  x = x_old;
+  Step step(*this, x_old, x);
+  for (double done = 0, part = 1; done < 1 && part >= 1.0 / 64;) {
+    const double share = done + part;
+    const Positions before = x;
+    for (const MeshPath& curve : surfaces_.curves)
+      for (int node : curve.nodes)
+        x[node] = share < 1 ? plus(x_old[node], share, minus(wanted[node], x_old[node])) : wanted[node];
+    if (step.folded()) {
+      x = before;
+      part *= 0.5;
+      continue;
+    }
+    step.relax();
+    done = share;
+  }
+  step.place_middles();
+  step.keep_gaps(body);
+}
+
+}  // namespace mudline
