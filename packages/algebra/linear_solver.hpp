@@ -36,6 +36,8 @@ struct BlockData {
   /// they are (2 on an edge, 4 on a quadrangle, 8 in a hexahedron); empty for vertices. The linear subspace of
   /// p-multigrid.
   std::vector<std::vector<GlobalOrdinal>> parents;
+  /// By owned displacement node: 1 where a stiff contact acts on a side of the node; empty: nowhere.
+  std::vector<char> joined;
   /// Pressure mass and Laplacian matrices on the pressure field map (no constraints applied):
   /// Q = int M/M_here Np^T Np dv, with M the mean of the constrained modulus M_here, as soft soil takes up more water
   /// under a pressure; L = int grad(Np)^T grad(Np) dv. Row map dofs.field_map(pressure), ids of the dof map.

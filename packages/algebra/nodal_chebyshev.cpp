@@ -45,8 +45,12 @@ void invert(double* block, int n) {
 
 }  // namespace
 
-NodalChebyshev::NodalChebyshev(RCP<const NodeMatrix> matrix, const Settings& settings)
-    : matrix_(matrix), settings_(settings), residual_(matrix->getDomainMap(), 1), step_(matrix->getDomainMap(), 1) {
+NodalChebyshev::NodalChebyshev(RCP<const NodeMatrix> matrix, const Settings& settings, const std::vector<char>& joined)
+    : matrix_(matrix),
+      settings_(settings),
+      joined_(*matrix, joined),
+      residual_(matrix->getDomainMap(), 1),
+      step_(matrix->getDomainMap(), 1) {
   invert_blocks();
   largest_ = estimate_largest();
 }
@@ -62,6 +66,7 @@ void NodalChebyshev::invert_blocks() {
     invert(block, n);
     std::copy_n(block, n * n, &inverse_[static_cast<std::size_t>(node) * n * n]);
   }
+  for (const int node : joined_.nodes()) std::fill_n(&inverse_[static_cast<std::size_t>(node) * n * n], n * n, 0.0F);
 }
 
 double NodalChebyshev::estimate_largest() const {
@@ -92,6 +97,11 @@ void NodalChebyshev::add_inverse(double factor, const MultiVector& x, double sha
       for (int j = 0; j < n; ++j) sum += block[j] * from(first + j, 0);
       to(first + i, 0) = (share == 0 ? 0.0 : share * to(first + i, 0)) + factor * sum;
     }
+  if (joined_.nodes().empty()) return;
+  const auto solution = joined_.solve(x).getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::size_t k = 0;
+  for (const int node : joined_.nodes())
+    for (int i = 0; i < n; ++i) to(n * node + i, 0) += factor * solution(k++, 0);
 }
 
 void NodalChebyshev::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {

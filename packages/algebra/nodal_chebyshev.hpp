@@ -2,20 +2,23 @@
 
 #include <vector>
 
-#include "algebra/node_matrix.hpp"
+#include "algebra/joined_nodes.hpp"
 
 namespace mudline {
 
 /// Chebyshev smoother on D^-1 A, started from zero: y ~ A^-1 x on the upper part of the spectrum. D holds the blocks of
 /// the diagonal of A that couple the unknowns of one node, unsymmetric as they are: a stiff contact with friction makes
-/// one direction of a node stiff, which the diagonal alone does not see.
+/// one direction of a node stiff, which the diagonal alone does not see. Joined nodes have one block together: a
+/// contact that presses a part of a side only leaves its nodes free to move together in soft ways, which no block of
+/// one node sees.
 class NodalChebyshev : public Operator {
  public:
   struct Settings {
     int degree = 2;
     double ratio = 10;  // of the largest eigenvalue to the smallest one that is smoothed
   };
-  NodalChebyshev(RCP<const NodeMatrix> matrix, const Settings& settings);
+  /// `joined`: by owned node; empty: none.
+  NodalChebyshev(RCP<const NodeMatrix> matrix, const Settings& settings, const std::vector<char>& joined = {});
 
   RCP<const Map> getDomainMap() const override { return matrix_->getDomainMap(); }
   RCP<const Map> getRangeMap() const override { return matrix_->getDomainMap(); }
@@ -35,6 +38,7 @@ class NodalChebyshev : public Operator {
   RCP<const NodeMatrix> matrix_;
   Settings settings_;
   std::vector<float> inverse_;  // (node, component, component)
+  JoinedNodes joined_;
   double largest_ = 1;
   mutable MultiVector residual_, step_;
 };

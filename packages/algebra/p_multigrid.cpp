@@ -157,8 +157,9 @@ PMultigrid::PMultigrid(const CrsMatrix& matrix, const FieldBlocks& blocks, int f
                        const BlockData& data)
     : map_(blocks.map(f)) {
   const Vertices vertices = find_vertices(field, data, map_->getComm());
-  const auto smoothed = [&](const RCP<NodeMatrix>& a, const RCP<CrsMatrix>& prolongator) {
-    const auto smoother = rcp(new NodalChebyshev(a, smoothing(data.aspect_ratio)));
+  const auto smoothed = [&](const RCP<NodeMatrix>& a, const RCP<CrsMatrix>& prolongator,
+                            const std::vector<char>& joined) {
+    const auto smoother = rcp(new NodalChebyshev(a, smoothing(data.aspect_ratio), joined));
     cycle_ = rcp(new SmoothedCycle(a, smoother, cycle_, prolongator));
   };
   AmgInput input;
@@ -174,8 +175,13 @@ PMultigrid::PMultigrid(const CrsMatrix& matrix, const FieldBlocks& blocks, int f
     input.matrix = blocks.block(matrix, f, f);
   }
   cycle_ = amg_cycle(input);
-  if (field.components == 3) smoothed(rcp(new NodeMatrix(*input.matrix, field.components)), Teuchos::null);
-  if (!prolongator.is_null()) smoothed(fine, prolongator);
+  if (field.components == 3) {
+    std::vector<char> joined;
+    for (const int node : vertices.owned)
+      if (!data.joined.empty()) joined.push_back(data.joined[node]);
+    smoothed(rcp(new NodeMatrix(*input.matrix, field.components)), Teuchos::null, joined);
+  }
+  if (!prolongator.is_null()) smoothed(fine, prolongator, data.joined);
 }
 
 void PMultigrid::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double, double) const {

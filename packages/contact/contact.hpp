@@ -60,6 +60,8 @@ class Contact : public Term, public History, public Unilateral, public Carried, 
   virtual std::vector<double> nodal_pressure(const State& state) const = 0;
   /// The same of the shear stress [Pa] on the soil, positive along the body's contour; empty without friction.
   virtual std::vector<double> nodal_shear(const State&) const { return {}; }
+  /// Sets 1, by local node, on the sides that a penalty presses somewhere: for preconditioners.
+  virtual void mark_pressed(const State&, std::vector<char>&) const {}
   /// Its arrays with their places when the nodes are at x, as far as they are not the same on every rank; empty for a
   /// contact that cannot go over to another mesh.
   virtual std::vector<SurfaceRows> surface_rows(const ConstCoordinateView&) const { return {}; }

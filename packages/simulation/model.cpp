@@ -107,7 +107,7 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
     body->set_active(false);  // until the first stage
   }
   stepper_ = std::make_unique<Stepper>(*space_, *store_, terms, *solver_,
-                                       [this](const StepView& view) { return block_data_(view); });
+                                       [this](const StepView& view) { return block_data(view); });
   if (ale_)
     if (const std::string problem = ale_->problem(*store_); !problem.empty()) deck.section("mesh motion").fail(problem);
   if (!renewed_) check_start(deck);
@@ -207,6 +207,15 @@ void Model::read_bodies(const Section& deck, const Registries& registries) {
       if (body == bodies_.end()) entry.fail("unknown body '" + entry.name() + "'" + suggestion(entry.name(), known));
       stage_motions_[{stage, entry.name()}] = body->second->read_motion(entry, registries.motions);
     }
+}
+
+BlockData Model::block_data(const StepView& view) const {
+  BlockData data = block_data_(view);
+  if (contacts_.empty()) return data;
+  data.joined.assign(mesh_->num_nodes(), 0);
+  for (const auto& [name, contact] : contacts_) contact->mark_pressed(*view.trial, data.joined);
+  data.joined.resize(mesh_->num_owned_nodes());
+  return data;
 }
 
 double Model::constrained_modulus(int block, int element) const {

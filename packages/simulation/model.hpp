@@ -79,6 +79,8 @@ class Model {
   void check_unused(const Section& deck) const;
   /// Every part of a mesh in several parts has a condition or a contact that could hold it, in whatever stage.
   void check_parts(const Section& deck, const MeshParts& parts) const;
+  /// Of the physics, with what contacts press.
+  BlockData block_data(const StepView& view) const;
   double constrained_modulus(int block, int element) const;
 
   std::unique_ptr<RenewedMesh> renewed_;

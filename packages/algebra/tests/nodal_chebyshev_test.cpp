@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <Tpetra_Core.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "algebra/tpetra_compat.hpp"
 #include "core/pi.hpp"
@@ -66,6 +68,25 @@ TEST(NodalChebyshev, SmoothsAsOnTheScalarChain) {
 TEST(NodalChebyshev, RepeatsItself) {
   const auto matrix = rcp(new NodeMatrix(*chain(3), 3));
   EXPECT_EQ(NodalChebyshev(matrix, {}).largest_eigenvalue(), NodalChebyshev(matrix, {}).largest_eigenvalue());
+}
+
+TEST(NodalChebyshev, JoinedNodesAreSolvedTogether) {
+  constexpr int n = 3;
+  const RCP<CrsMatrix> matrix = chain(n);
+  std::vector<char> joined(nodes, 1);
+  const auto blocks = rcp(new NodeMatrix(*matrix, n));
+  EXPECT_NEAR(NodalChebyshev(blocks, {}, joined).largest_eigenvalue(), 1, 1e-3);
+  std::fill_n(joined.begin() + nodes / 2, nodes / 2, 0);
+  const NodalChebyshev::Settings once{1, 10};
+  const NodalChebyshev smoother(blocks, once, joined);
+  Vector right(matrix->getRowMap()), solution(matrix->getRowMap()), product(matrix->getRowMap());
+  for (int row = 0; row < n * nodes / 2; ++row) right.replaceLocalValue(row, 1 + row % 7);
+  smoother.apply(right, solution);
+  matrix->apply(solution, product);
+  product.scale(0.5 * smoother.largest_eigenvalue() * (1.1 + 1 / once.ratio));  // the centre of what is smoothed
+  const auto given = right.getLocalViewHost(Tpetra::Access::ReadOnly),
+             found = product.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int row = 0; row < n * nodes / 2; ++row) EXPECT_NEAR(found(row, 0), given(row, 0), 1e-2) << row;
 }
 
 TEST(NodalChebyshev, ASingularBlockIsTakenByItsDiagonal) {

@@ -269,6 +269,15 @@ void PenaltyContact::look_for_touch(const StepView& view) {
   if (everywhere >= 0 && everywhere < 1e300) touch_ = everywhere + 1e-3 * surface_->shortest(view.x_old);
 }
 
+void PenaltyContact::mark_pressed(const State& state, std::vector<char>& nodes) const {
+  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
+    bool presses = false;
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) presses = presses || rows_.active(state, row);
+    const SurfaceSide& side = surface_->sides()[s];
+    for (int a = 0; presses && a < side.count; ++a) nodes[side.node[a]] = 1;
+  }
+}
+
 void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
   const SideWeights weights{weight, conserves(view) ? view.impact.conjugate : 1.0, deck_.has_film()};
   const std::vector<ContactSides> sides = look(view, positions(view));

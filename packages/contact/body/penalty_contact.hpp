@@ -89,6 +89,7 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   void adopt(const State& evaluated, State& committed) override;
   std::vector<SurfaceRows> surface_rows(const ConstCoordinateView& x) const override;
   std::vector<double> nodal_pressure(const State& state) const override;
+  void mark_pressed(const State& state, std::vector<char>& nodes) const override;
   std::vector<double> nodal_shear(const State& state) const override;
 
  protected:
