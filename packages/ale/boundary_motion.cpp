@@ -172,7 +172,7 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
     const double before = old - curve.parameter(i - stride), after = curve.parameter(i + stride) - old;
     const double slide = measure.place(shares_[p][v] * measure.total()) - old;
     // what rounding alone moves stays where it is; a squeezed side may be left at once, whatever its own length
-    if (std::abs(slide) > 1e-9 * std::min(before, after))
+    if (std::abs(slide) > 1e-12 * std::min(before, after))
       s[i] = old + std::clamp(slide, -largest_slide_ * before, largest_slide_ * after);
   }
   for (int i = 1; stride == 2 && i < last; i += 2) {

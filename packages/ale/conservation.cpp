@@ -66,7 +66,7 @@ PointPart part(const GhostedMesh::Element& element, const SoilBlock& block, int 
 }  // namespace
 
 double soil_volume(const GhostedMesh& mesh, const Soil& soil, const Positions& x) {
-  double sum = 0;
+  long double sum = 0;
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.own_elements(block.block))
       for (int q = 0; q < block.points; ++q) sum += part(mesh.elements()[e], block, q, x, soil.geometry).volume;
@@ -100,6 +100,7 @@ void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::ve
   for (int node : mesh.owned_nodes())
     if (freedom[node] > 0) largest = std::max(largest, length(gradient[node]));
   largest = mesh.largest(largest);
+  long double all = 0;
   for (int node : mesh.owned_nodes()) {
     if (!(freedom[node] > 0)) continue;
     const auto& g = gradient[node];
@@ -114,10 +115,10 @@ void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::ve
     }
     if (share < 0.1) continue;  // a roller: what is left is rounding
     for (double& component : mover.normal) component *= freedom[node];
-    area += share * freedom[node] * size;
+    all += share * freedom[node] * size;
     movers.push_back(mover);
   }
-  area = mesh.sum(area);
+  area = mesh.sum(all);
 }
 
 namespace {
@@ -195,13 +196,14 @@ void add_grains(const PointTransfer& t, int void_ratio, const Held& held, const 
                 std::vector<double>& missing) {
   const std::size_t count = missing.size();
   const std::vector<double>& shares = held.shares;
-  std::vector<double> gained(count * count, 0.0);
+  std::vector<long double> gains(count * count, 0.0);
   for (std::size_t row = 0; row < weights.size(); ++row)
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < count; ++k)
-        gained[i * count + k] +=
+        gains[i * count + k] +=
             shares[row * count + i] * shares[row * count + k] * weights[row] * held.parts[row].volume;
-  for (double& entry : gained) entry = t.after.mesh.sum(entry);
+  std::vector<double> gained;
+  for (long double entry : gains) gained.push_back(t.after.mesh.sum(entry));
   for (std::size_t i = 0; i < count; ++i)
     if (!(gained[i * count + i] > 0)) missing[i] = 0;
   const std::vector<double> change = solve_small(gained, missing);
@@ -222,7 +224,7 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
       is(t.after, soil, void_ratio, origin, t.now, t.columns, ratios.after);
   // row by row where the rows are the same: a difference of sums would lose digits
   const auto lost_of = [&](const std::vector<double>& had, const std::vector<double>& has, std::size_t material) {
-    double sum = 0;
+    long double sum = 0;
     for (std::size_t k = material; k < std::max(had.size(), has.size()); k += count)
       sum += (k < had.size() ? had[k] : 0.0) - (k < has.size() ? has[k] : 0.0);
     return t.after.mesh.sum(sum);

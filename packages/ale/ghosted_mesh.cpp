@@ -385,10 +385,10 @@ void GhostedMesh::fill_points(int block, int points, int columns, std::vector<do
   fill(points_[block], own_places_[block], points * columns, table.data());
 }
 
-double GhostedMesh::sum(double mine) const {
-  double all = mine;
-  Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_SUM, 1, &mine, &all);
-  return all;
+double GhostedMesh::sum(long double mine) const {
+  long double all = mine;
+  MPI_Allreduce(&mine, &all, 1, MPI_LONG_DOUBLE, MPI_SUM, raw_communicator(*mesh_.comm()));
+  return static_cast<double>(all);
 }
 
 double GhostedMesh::largest(double mine) const {

@@ -105,7 +105,8 @@ class GhostedMesh {
   /// The same of (row, column) of a block's points. Collective.
   void fill_points(int block, int points, int columns, std::vector<double>& table) const;
 
-  double sum(double mine) const;
+  /// Of what every rank has, in more digits than a double's, so that it hardly ever depends on the ranks.
+  double sum(long double mine) const;
   double largest(double mine) const;
   double smallest(double mine) const { return -largest(-mine); }
   bool any(bool mine) const { return largest(mine ? 1.0 : 0.0) > 0; }

@@ -153,12 +153,13 @@ void descend(const InteriorMesh& mesh, const std::vector<Goal<Dim>>& goals, Meas
     for (int t : mesh.corners.at_node[node]) size = std::max(size, std::abs(determinant(simplices[t], x)));
     size = root<Dim>(size);
     // rounding decides below this: leave the vertex where it is, so that a mesh at its optimum does not creep
-    if (length(step) < 1e-9 * size) return 0.0;
+    if (length(step) < 1e-12 * size) return 0.0;
     double factor = 1;
     for (int cut = 0; cut < 12; ++cut, factor *= 0.5) {
       for (int i = 0; i < Dim; ++i) x[node][i] = from[i] + factor * step[i];
       const PatchObjective<Dim> then = objective(node);
-      if (then.valid && then.value <= now.value) return factor * length(step) / size;
+      // near the optimum the objective is level to its last digits, which must not decide on the step
+      if (then.valid && then.value <= now.value * (1 + 1e-13)) return factor * length(step) / size;
     }
     x[node] = from;
     return 0.0;

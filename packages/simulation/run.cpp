@@ -238,7 +238,9 @@ Report Run::report_terms() {
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
   for (;;) {
     if (moves_mesh(stage)) model_->store().keep();
-    report = model_->stepper().attempt(request(stage, dt), model_->tolerances(), model_->newton());
+    Stepper& stepper = model_->stepper();
+    const std::vector<double> references = stepper.reference_floor(), sizes = stepper.size_floor();
+    report = stepper.attempt(request(stage, dt), model_->tolerances(), model_->newton());
     double next = -1;
     if (report.converged) {
       error_ = local_error(stage);
@@ -247,6 +249,8 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
       if (next > 0) report.reason = "time error " + format("%.2g", error_.ratio) + " times its tolerance";
     }
     ++rejected_;
+    stepper.reference_floor() = references;  // a step that is not made leaves nothing behind
+    stepper.size_floor() = sizes;
     if (next < 0) next = stage.control.after_failure(dt);
     const double time = model_->store().committed().time;
     if (next < 0 || stop_requested()) {
@@ -276,6 +280,11 @@ void Run::log_step(const Stage& stage, double dt, const StepReport& report) cons
 }
 
 bool Run::accept(const Stage& stage, StepReport& report) {
+  if (moves_mesh(stage) && folds_elements()) {
+    report.reason = "the step folds elements";
+    report.converged = false;
+    return false;
+  }
   balances_->add_step();
   model_->store().accept();
   report_ = report_terms();
@@ -290,6 +299,11 @@ bool Run::accept(const Stage& stage, StepReport& report) {
   look_at_mesh();
   report_mesh(report_);
   return true;
+}
+
+bool Run::folds_elements() const {
+  const Ale& ale = *model_->ale();
+  return !(ale.quality(model_->store().trial()) > 0) && ale.quality(model_->store().committed()) > 0;
 }
 
 bool Run::moves_mesh(const Stage& stage) const { return model_->ale() && stage.mesh_motion; }

@@ -54,6 +54,8 @@ class Run {
   /// be.
   bool accept(const Stage& stage, StepReport& report);
   bool moves_mesh(const Stage& stage) const;
+  /// Whether the step that was found turns elements inside out that were not before.
+  bool folds_elements() const;
   /// "" or why the mesh was not moved; the state is then undefined.
   std::string relocate_mesh();
   /// What a motion of the mesh did to the layers, in a line.
