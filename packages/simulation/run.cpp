@@ -280,7 +280,7 @@ void Run::log_step(const Stage& stage, double dt, const StepReport& report) cons
 }
 
 bool Run::accept(const Stage& stage, StepReport& report) {
-  if (moves_mesh(stage) && folds_elements()) {
+  if (moves_mesh(stage) && !stage.allow_folded && folds_elements()) {
     report.reason = "the step folds elements";
     report.converged = false;
     return false;
