@@ -7,6 +7,7 @@ Prints a markdown table over mesh, time step and mobility. Iterations per linear
 forcing' 0); the other columns are of a step with default settings. Memory is that of the whole process.
 """
 import argparse
+import collections
 import os
 import re
 import subprocess
@@ -88,27 +89,44 @@ SIDE = """<ParameterList name="%s side">
 SIDES = "".join(SIDE % (s, s, c) for s, c in (("left", "x"), ("right", "x"), ("front", "y"), ("back", "y")))
 
 
-def run(options, cells, step, mobility, forcing):
-    """(unknowns, Newton iterations, linear iterations, user seconds, MB) of one step."""
-    deck = DECK.replace("SIDES", SIDES)
-    values = {"CELLS": cells, "CELL": options.cell, "HEIGHT": float(options.height), "CONDUCTIVITY": mobility * 1e4,
-              "STAGE": "dynamic" if step < 1 else "quasi-static", "STEP": float(step), "FORCING": forcing, "SOLVER": options.solver}
+Result = collections.namedtuple("Result", "status output unknowns steps usage")
+
+
+def filled(text, values):
+    """The text with its capital words replaced by numbers."""
     for key in sorted(values, key=len, reverse=True):
-        deck = re.sub(r"\b%s\b" % key, str(values[key]), deck)
+        text = re.sub(r"\b%s\b" % key, str(values[key]), text)
+    return text
+
+
+def run_deck(program, text, settings=()):
+    """Runs a deck in a folder of its own. steps: (Newton iterations, linear iterations) of each; unknowns: None without a model."""
     with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "footing.xml"), "w") as file:
-            file.write(deck)
+        with open(os.path.join(folder, "deck.xml"), "w") as file:
+            file.write(text)
+        command = [os.path.abspath(program), "run", "deck.xml"]
+        for setting in settings:
+            command += ["--set", setting]
         environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
         with open(os.path.join(folder, "log"), "w+") as log:
-            process = subprocess.Popen([os.path.abspath(options.program), "run", "footing.xml"], cwd=folder, env=environment, stdout=log, stderr=log)
+            process = subprocess.Popen(command, cwd=folder, env=environment, stdout=log, stderr=log)
             _, status, usage = os.wait4(process.pid, 0)
             log.seek(0)
-            text = log.read()
-    found = re.search(r"newton +(\d+) +linear +(\d+)", text)
-    if status != 0 or not found:
-        raise SystemExit(text)
-    unknowns = int(re.search(r"(\d+) unknowns", text).group(1))
-    return unknowns, int(found.group(1)), int(found.group(2)), usage.ru_utime, usage.ru_maxrss / 1024
+            output = log.read()
+    unknowns = re.search(r"(\d+) unknowns", output)
+    steps = [(int(a), int(b)) for a, b in re.findall(r"newton +(\d+) +linear +(\d+)", output)]
+    return Result(status, output, int(unknowns.group(1)) if unknowns else None, steps, usage)
+
+
+def run(options, cells, step, mobility, forcing):
+    """(unknowns, Newton iterations, linear iterations, user seconds, MB) of one step."""
+    values = {"CELLS": cells, "CELL": options.cell, "HEIGHT": float(options.height), "CONDUCTIVITY": mobility * 1e4,
+              "STAGE": "dynamic" if step < 1 else "quasi-static", "STEP": float(step), "FORCING": forcing, "SOLVER": options.solver}
+    done = run_deck(options.program, filled(DECK.replace("SIDES", SIDES), values))
+    if done.status != 0 or not done.steps:
+        raise SystemExit(done.output)
+    newton, linear = done.steps[0]
+    return done.unknowns, newton, linear, done.usage.ru_utime, done.usage.ru_maxrss / 1024
 
 
 def main():

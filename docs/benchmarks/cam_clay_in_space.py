@@ -8,10 +8,7 @@ surface drains, loaded in two steps of 100 s, in which nothing flows. Iterations
 ('largest forcing' 0), the mean of all solves of the step.
 """
 import argparse
-import os
 import re
-import subprocess
-import tempfile
 
 import block_amg_in_space as box
 
@@ -50,25 +47,15 @@ def deck(cells, load, ratio):
     text = text.replace('name="duration" type="double" value="STEP"', 'name="duration" type="double" value="200"')
     values = {"CELLS": cells, "CELL": "tet10", "HEIGHT": 10.0, "CONDUCTIVITY": 1e-12, "STAGE": "quasi-static", "STEP": 100.0,
               "FORCING": 0, "SOLVER": "block amg", "RATIO": ratio}
-    for key in sorted(values, key=len, reverse=True):
-        text = re.sub(r"\b%s\b" % key, str(values[key]), text)
-    return text
+    return box.filled(text, values)
 
 
 def run(options, cells, load):
     """Unknowns, and (Newton iterations, linear iterations) of each step."""
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "clay.xml"), "w") as file:
-            file.write(deck(cells, load, options.ratio))
-        command = [os.path.abspath(options.program), "run", "clay.xml"]
-        for setting in options.set:
-            command += ["--set", setting]
-        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
-    steps = [(int(a), int(b)) for a, b in re.findall(r"newton +(\d+) +linear +(\d+)", done.stdout)]
-    if done.returncode != 0 or not steps:
-        raise SystemExit(done.stdout + done.stderr)
-    return int(re.search(r"(\d+) unknowns", done.stdout).group(1)), steps
+    done = box.run_deck(options.program, deck(cells, load, options.ratio), options.set)
+    if done.status != 0 or not done.steps:
+        raise SystemExit(done.output)
+    return done.unknowns, done.steps
 
 
 def main():

@@ -10,10 +10,7 @@ solves of the step. Newton's steps are halved where the residual grows ('largest
 circles under a rough plate, with a direct solver as well. '--solver direct' gives the Newton iterations with exact solves; a step is never cut ('failed' says so).
 """
 import argparse
-import os
 import re
-import subprocess
-import tempfile
 
 import block_amg_in_space as box
 
@@ -67,28 +64,19 @@ def deck(options, cells, soil, friction):
     text = text.replace('name="duration" type="double" value="STEP"', 'name="duration" type="double" value="%g"' % (100 * options.advances))
     values = {"CELLS": cells, "CELL": options.cell, "HEIGHT": float(options.height), "CONDUCTIVITY": options.mobility * 1e4, "STAGE": "quasi-static",
               "STEP": 100.0, "FORCING": 0, "SOLVER": options.solver, "ADVANCE": options.advance, "PENALTY": options.penalty}
-    for key in sorted(values, key=len, reverse=True):
-        text = re.sub(r"\b%s\b" % key, str(values[key]), text)
-    return text
+    return box.filled(text, values)
 
 
 def run(options, cells, soil, friction):
     """Unknowns, and (Newton iterations, linear iterations) of each step; fewer steps where one failed."""
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "plate.xml"), "w") as file:
-            file.write(deck(options, cells, soil, friction))
-        command = [os.path.abspath(options.program), "run", "plate.xml", "--set", "stages/loading/time step/minimum=100", "--set", "solver/newton/largest growth=1.2",
-                   "--set", "solver/newton/maximum iterations=25", "--set", "solver/linear solver/maximum iterations=600"]
-        for setting in options.set:
-            command += ["--set", setting]
-        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
+    settings = ["stages/loading/time step/minimum=100", "solver/newton/largest growth=1.2", "solver/newton/maximum iterations=25",
+                "solver/linear solver/maximum iterations=600"]
+    done = box.run_deck(options.program, deck(options, cells, soil, friction), settings + options.set)
     if options.log:
-        print(done.stdout + done.stderr)
-    steps = [(int(a), int(b)) for a, b in re.findall(r"newton +(\d+) +linear +(\d+)", done.stdout)]
-    if not re.search(r"(\d+) unknowns", done.stdout):
-        raise SystemExit(done.stdout + done.stderr)
-    return int(re.search(r"(\d+) unknowns", done.stdout).group(1)), steps
+        print(done.output)
+    if done.unknowns is None:
+        raise SystemExit(done.output)
+    return done.unknowns, done.steps
 
 
 def main():
