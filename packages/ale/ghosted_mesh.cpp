@@ -48,18 +48,6 @@ std::vector<Ids> exchanged(const Comm& comm, const std::vector<Ids>& to) {
   return result;
 }
 
-/// The numbers of all ranks, one after the other.
-Ids of_all_ranks(const Comm& comm, const Ids& mine) {
-  const int ranks = comm.getSize(), count = static_cast<int>(mine.size());
-  const MPI_Comm mpi = raw_communicator(comm);
-  std::vector<int> counts(ranks), offsets(ranks, 0);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, mpi);
-  for (int r = 1; r < ranks; ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
-  Ids all(offsets.back() + counts.back());
-  MPI_Allgatherv(mine.data(), count, MPI_LONG_LONG, all.data(), counts.data(), offsets.data(), MPI_LONG_LONG, mpi);
-  return all;
-}
-
 void sort_unique(Ids& ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());

@@ -3,24 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/output/collective.hpp"
+#include "algebra/raw_communicator.hpp"
 
 namespace mudline {
 
 namespace {
-
-/// The numbers of all ranks one after the other; `first`: where this rank's begin.
-std::vector<double> of_all_ranks(const Comm& comm, const std::vector<double>& mine, std::size_t& first) {
-  const MPI_Comm mpi = raw_communicator(comm);
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(comm.getSize()), offsets(comm.getSize() + 1, 0);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, mpi);
-  for (std::size_t r = 0; r < counts.size(); ++r) offsets[r + 1] = offsets[r] + counts[r];
-  std::vector<double> all(offsets.back());
-  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), offsets.data(), MPI_DOUBLE, mpi);
-  first = offsets[comm.getRank()];
-  return all;
-}
 
 std::vector<double> flat(const std::vector<Point>& places) {
   std::vector<double> result;
@@ -117,16 +104,16 @@ std::vector<std::vector<SurfaceCarrier::Row>> SurfaceCarrier::along(const std::v
 
 void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const std::vector<Point>& old_places,
                            const PointView& now, const std::vector<Point>& new_places) const {
-  std::size_t unused = 0, first = 0;
-  const auto from = along(of_all_ranks(comm_, flat(old_places), unused)),
-             to = along(of_all_ranks(comm_, flat(new_places), first));
+  std::size_t first = 0;
+  const auto from = along(of_all_ranks(comm_, flat(old_places))),
+             to = along(of_all_ranks(comm_, flat(new_places), &first));
   const int mine = static_cast<int>(first / 2), end = mine + static_cast<int>(new_places.size());
   int column = 0;
   for (const StateVariable& variable : info.variables)
     for (int c = 0; c < variable.components; ++c, ++column) {
       std::vector<double> values;
       for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
-      values = of_all_ranks(comm_, values, unused);
+      values = of_all_ranks(comm_, values);
       for (std::size_t p = 0; p < from.size(); ++p) {
         if (from[p].empty()) continue;
         std::vector<double> s, of, places;
