@@ -84,7 +84,8 @@ def main():
     figure, axes = plt.subplots(figsize=(5.2, 6), layout="constrained")
     axes.plot(q, depth / DIAMETER, "k", lw=1, label="mudline")
     axes.plot(model[inside], even[inside] / DIAMETER, "C0--", lw=1, label="filter of Boulanger and DeJong")
-    axes.step([levels[0], *levels], [0, *(tops / DIAMETER), depth[-1] / DIAMETER], "0.6", where="pre", lw=1, label="each layer alone, deep")
+    edges = np.array([0, *tops, depth[-1]]) / DIAMETER
+    axes.plot(np.repeat(levels, 2), np.repeat(edges, 2)[1:-1], "0.6", lw=1, label="each layer alone, deep")
     if len(sys.argv) > 5:
         alone = history(sys.argv[5])
         axes.plot(alone[1], alone[0] / DIAMETER, "C3:", lw=1, label="the uppermost soil alone")
