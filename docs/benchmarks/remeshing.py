@@ -35,22 +35,23 @@ def ripple(depth, force):
     return np.sqrt(np.mean(off**2)), np.abs(off).max()
 
 
-def wall(step):
+def wall(file, step):
     """Vertices on the straight shaft, from the shoulder up: height over the tip [m], contact pressure and excess pore pressure [Pa]."""
     x, tip = step["coordinates"][:, :2], step["bodies/anchor/coordinates"][:, 1].min()
-    corners = np.unique((step if "mesh" in step else step.file)["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int))
+    corners = np.unique((step if "mesh" in step else file)["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int))
     pressure = step["nodal/contact_pressure_anchor"][()]
     above = x[:, 1] - tip
     mine = corners[(pressure[corners] > 0) & (np.abs(x[corners, 0] - 0.5 * DIAMETER) < 0.03 * DIAMETER)
                    & (above[corners] > TIP) & (above[corners] < LENGTH - TAIL)]
     mine = mine[np.argsort(above[mine])]
-    return above[mine], pressure[mine], step["nodal/excess_pore_pressure"][()][mine]
+    excess = step["nodal/excess_pore_pressure"][()] if "nodal/excess_pore_pressure" in step else np.zeros_like(pressure)
+    return above[mine], pressure[mine], excess[mine]
 
 
 def off_neighbours(values):
     """Deviation of each value from the mean of its two neighbours, over that mean."""
     means = 0.5 * (values[2:] + values[:-2])
-    return np.abs(values[1:-1] - means) / np.abs(means)
+    return np.abs(values[1:-1] - means) / np.maximum(np.abs(means), 1e-300)
 
 
 def main():
@@ -71,7 +72,7 @@ def main():
                 step = file["steps"][name]
                 if not 0 < step.attrs["time"] <= history.time[end - 1]:
                     continue
-                height, contact, excess = wall(step)
+                height, contact, excess = wall(file, step)
                 if height.size < 5 or height[-1] - height[0] < 3 * DIAMETER:
                     continue
                 per_diameter.append(DIAMETER / np.diff(height).max())
