@@ -239,7 +239,6 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
   for (;;) {
     if (moves_mesh(stage)) model_->store().keep();
     Stepper& stepper = model_->stepper();
-    const std::vector<double> references = stepper.reference_floor(), sizes = stepper.size_floor();
     report = stepper.attempt(request(stage, dt), model_->tolerances(), model_->newton());
     double next = -1;
     if (report.converged) {
@@ -247,10 +246,9 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
       next = stage.control.after_error(dt, error_);
       if (next < 0 && accept(stage, report)) return true;
       if (next > 0) report.reason = "time error " + format("%.2g", error_.ratio) + " times its tolerance";
+      stepper.reject();
     }
     ++rejected_;
-    stepper.reference_floor() = references;  // a step that is not made leaves nothing behind
-    stepper.size_floor() = sizes;
     if (next < 0) next = stage.control.after_failure(dt);
     const double time = model_->store().committed().time;
     if (next < 0 || stop_requested()) {
