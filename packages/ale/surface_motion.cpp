@@ -134,12 +134,15 @@ Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
   return sum;
 }
 
+Point SurfaceMotion::normal_at(const Middle& middle, const Positions& x) const {
+  Point sum{};
+  for (const auto& [face, place] : middle.on) sum = plus(sum, 1, unit(face_normal(surfaces_.faces[face], place, x)));
+  return unit(sum);
+}
+
 double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
-  Point normal{};
-  for (const auto& [face, place] : middle.on)
-    normal = plus(normal, 1, unit(face_normal(surfaces_.faces[face], place, x)));
-  const Point off = minus(x[middle.node], middle_of(middle, x));
-  return length(plus(off, -dot(off, unit(normal)), unit(normal))) / edge_of(middle, x);
+  const Point off = minus(x[middle.node], middle_of(middle, x)), normal = normal_at(middle, x);
+  return length(plus(off, -dot(off, normal), normal)) / edge_of(middle, x);
 }
 
 SurfaceMotion::Plane SurfaceMotion::plane_of(const Patch& patch, const Positions& x) const {

@@ -27,7 +27,7 @@ using BodySearch = std::function<std::optional<NearBody>(const Point&)>;
 /// the triangles that the corners of the faces span, also with the tangents of curved edges between patches, mu = |T|^2
 /// / (2 |t_1 x t_2|), T = (t_1, t_2) the map from the triangle of the source's mesh (see OptimisationMotion), and puts
 /// it back on the surface. Sizes are free, and a surface that was only moved or turned stays to the last bit. Middles
-/// of edges go to the nearest place of the surface to the middle of their ends.
+/// of edges go to the middle of their ends, along the normal to the surface.
 ///
 /// A plane patch stays plane, to the last bit where the plane is normal to an axis. On other patches a node that is
 /// nearer to a body than a quarter of an edge keeps the gap that was at its new place, so that contact pressures are
@@ -97,6 +97,8 @@ class SurfaceMotion {
   static double edge_of(const Middle& middle, const Positions& x);
   /// Between its ends, along straight edges.
   static Point middle_of(const Middle& middle, const Positions& x);
+  /// Mean of its faces, of length 1.
+  Point normal_at(const Middle& middle, const Positions& x) const;
   /// How far it is along the surface from there, as a share of the edge.
   double drift_of(const Middle& middle, const Positions& x) const;
   double shortest_edge(int node, const Positions& x) const;

@@ -100,7 +100,7 @@ class SurfaceMotion::Step {
         const bool stays = std::all_of(middle.ends.begin(), middle.ends.end(), rests) &&
                            std::all_of(middle.sides.begin(), middle.sides.end(), rests) &&
                            surface_.drift_of(middle, x_old_) <= std::max(1e-9, 2 * middle.drift);
-        if (!stays) x_[middle.node] = on_surface(middle.node, middle_of(middle, x_), planes_[p]);
+        if (!stays) x_[middle.node] = over_middle(middle, planes_[p]);
       }
   }
 
@@ -208,6 +208,20 @@ class SurfaceMotion::Step {
     for (int i = 0; i < 3; ++i)
       if (plane.fixed[i]) to[i] = plane.value[i];
     return to;
+  }
+
+  /// Where the surface's normal through the middle of the ends meets it. Not the nearest place to that middle: where an
+  /// edge bulges by more than a quarter of its length, this is on the left when the node was on the right, and farther.
+  Point over_middle(const Middle& middle, const Plane& plane) {
+    const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
+    const double rounding = 1e-14 * edge_of(middle, x_);
+    Point at = on_surface(middle.node, centre, plane);
+    for (int k = 0; k < 20 && !plane.flat; ++k) {
+      const Point before = at;
+      at = on_surface(middle.node, plus(centre, dot(minus(at, centre), normal), normal), plane);
+      if (length(minus(at, before)) <= rounding) break;
+    }
+    return at;
   }
 
   void keep_gap(int node, double span, const BodySearch& body) {

@@ -195,6 +195,28 @@ TEST(SurfaceMotion, SkewedVerticesSlideBackOnTheCylinder) {
   }
 }
 
+TEST(SurfaceMotion, MiddlesOfEdgesThatBulgeFarDoNotSwing) {
+  const Map wrapped = [](double u, double v) {  // an edge along u goes round 120 degrees: it bulges by 0.29 of its chord
+    const double angle = 4.0 / 3 * pi * (u - 0.5);
+    return Point{std::cos(angle), std::sin(angle), 2 * v};
+  };
+  for (CellShape shape : {CellShape::tri6, CellShape::quad9}) {
+    const Grid grid(shape, 2, 2);
+    const Places source = grid.places(wrapped, 0);
+    Places x = source;
+    const int middle = grid.id(1, 2), ends[] = {grid.id(0, 2), grid.id(2, 2)};
+    x[middle] = wrapped(0.25 + 0.02, 0.5);
+    const Point chord = minus(x[ends[1]], x[ends[0]]);
+    const Places before = x;
+    grid.motion(source).move(before, no_body, x);
+    const auto along = [&](const Places& places) {
+      return dot(minus(places[middle], source[middle]), chord) / dot(chord, chord);
+    };
+    EXPECT_GT(along(before), 0.04);
+    EXPECT_LT(std::abs(along(x)), 1e-9);
+  }
+}
+
 TEST(SurfaceMotion, ASlideIsBounded) {
   const Grid grid(CellShape::quad9, 8, 6);
   const Places source = grid.places(cylinder, 0), skewed = grid.places(cylinder, 0.25);
