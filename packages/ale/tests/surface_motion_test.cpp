@@ -196,7 +196,8 @@ TEST(SurfaceMotion, SkewedVerticesSlideBackOnTheCylinder) {
 }
 
 TEST(SurfaceMotion, MiddlesOfEdgesThatBulgeFarDoNotSwing) {
-  const Map wrapped = [](double u, double v) {  // an edge along u goes round 120 degrees: it bulges by 0.29 of its chord
+  const Map wrapped = [](double u,
+                         double v) {  // an edge along u goes round 120 degrees: it bulges by 0.29 of its chord
     const double angle = 4.0 / 3 * pi * (u - 0.5);
     return Point{std::cos(angle), std::sin(angle), 2 * v};
   };
