@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ale/interior_motion.hpp"
 #include "core/pi.hpp"
 #include "core/text.hpp"
 
@@ -94,7 +95,8 @@ void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& sou
   paths_ = surfaces.curves;
   std::vector<char> slides;
   for (const SurfacePatch& patch : surfaces.patches) slides.push_back(!material(patch.sets));
-  surfaces_ = SurfaceMotion(std::move(surfaces), source, slides, largest_slide_);
+  surfaces_ =
+      SurfaceMotion(std::move(surfaces), source, slides, largest_slide_, CornerSimplices(mesh).on_boundary(mesh));
 }
 
 bool BoundaryMotion::material(const std::set<std::string>& sets) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "algebra/raw_communicator.hpp"
 #include "core/space_vector.hpp"
 
 namespace mudline {
@@ -96,6 +97,40 @@ void CornerSimplices::add_curved_corners(const GhostedMesh& mesh, const GhostedM
     }
     if (curved) simplices.push_back(simplex);
   }
+}
+
+std::vector<BoundarySimplex> CornerSimplices::on_boundary(const GhostedMesh& mesh) const {
+  constexpr int size = 8;
+  using Record = std::array<long long, size>;
+  std::vector<long long> mine;
+  for (const Simplex& simplex : simplices) {
+    Record record;
+    bool inside = false;
+    for (int k = 0; k < 4; ++k) {
+      const int place = simplex[k] - nodes_, node = place < 0 ? simplex[k] : tangents_[place].other;
+      record[k] = mesh.node_id(node);
+      record[4 + k] = place < 0 ? -1 : mesh.node_id(tangents_[place].middle);
+      inside = inside || !mesh.on_boundary(node);
+    }
+    if (!inside) mine.insert(mine.end(), record.begin(), record.end());
+  }
+  const std::vector<long long> all = of_all_ranks(*mesh.mesh().comm(), mine);
+  std::set<Record> records;  // ghosts come more than once
+  for (std::size_t i = 0; i < all.size(); i += size) {
+    Record record;
+    std::copy_n(&all[i], size, record.begin());
+    records.insert(record);
+  }
+  std::vector<BoundarySimplex> result;
+  for (const Record& record : records) {
+    BoundarySimplex simplex;
+    for (int k = 0; k < 4; ++k) {
+      simplex.nodes[k] = mesh.local_node(record[k]);
+      simplex.middles[k] = record[4 + k] < 0 ? -1 : mesh.local_node(record[4 + k]);
+    }
+    result.push_back(simplex);
+  }
+  return result;
 }
 
 void CornerSimplices::add_tangents(const Positions& curve, Positions& x) const {

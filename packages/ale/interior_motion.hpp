@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ale/ghosted_mesh.hpp"
+#include "ale/mesh_surfaces.hpp"
 #include "core/registry.hpp"
 
 namespace mudline {
@@ -32,6 +33,9 @@ class CornerSimplices {
   void add_tangents(const Positions& curve, Positions& x) const;
   /// 2 or 3.
   int dimension() const { return simplices.front().corners - 1; }
+  /// In space: of the whole mesh, on every rank in the same order, those whose nodes are all on boundaries of regions.
+  /// Collective.
+  std::vector<BoundarySimplex> on_boundary(const GhostedMesh& mesh) const;
 
   std::vector<Simplex> simplices;         // not folded where their determinants are positive; the elements' first
   int of_elements = 0;                    // how many

@@ -27,6 +27,13 @@ struct SurfacePatch {
   bool outer = true;
 };
 
+/// What a corner of an element spans whose vertices are all on the boundaries of regions, so that none inside can keep
+/// it from folding: not folded where (second, third, fourth) are right-handed about the first. See CornerSimplices.
+struct BoundarySimplex {
+  std::array<int, 4> nodes;
+  std::array<int, 4> middles;  // of the edge from the first: its tangent counts in place of its end; -1: the end
+};
+
 /// The boundaries of the regions of a mesh in space, split where they have edges. A node is inside one patch, or on
 /// feature curves, whose ends are material points.
 struct MeshSurfaces {

@@ -9,7 +9,7 @@
 namespace mudline {
 
 SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides,
-                             double largest_slide)
+                             double largest_slide, const std::vector<BoundarySimplex>& simplices)
     : surfaces_(std::move(surfaces)),
       slides_(std::move(slides)),
       largest_slide_(largest_slide),
@@ -17,6 +17,8 @@ SurfaceMotion::SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std
   at_.resize(source.size());
   near_.resize(source.size());
   collect(source);
+  tetrahedra_at_.resize(source.size());
+  for (const BoundarySimplex& simplex : simplices) add_tetrahedron(simplex, source);
 }
 
 void SurfaceMotion::collect(Positions source) {
@@ -93,9 +95,25 @@ void SurfaceMotion::add_corners(const SurfaceFace& face, Positions& source) {
   }
 }
 
-Point SurfaceMotion::tangent_end(const Tangent& tangent, const Positions& x) const {
+Point SurfaceMotion::tangent_end(const Tangent& tangent, const Positions& x) {
   // derivative of the quadratic edge at its end, over a reference length of 1
   return plus(plus(scaled(4, x[tangent.middle]), -2, x[tangent.at]), -1, x[tangent.other]);
+}
+
+std::array<Point, 4> SurfaceMotion::corners_of(const BoundarySimplex& simplex, const Positions& x) {
+  std::array<Point, 4> result;
+  for (int k = 0; k < 4; ++k) {
+    const int node = simplex.nodes[k], middle = simplex.middles[k];
+    result[k] = middle < 0 ? x[node] : tangent_end({simplex.nodes[0], node, middle}, x);
+  }
+  return result;
+}
+
+void SurfaceMotion::add_tetrahedron(const BoundarySimplex& simplex, const Positions& source) {
+  const auto slides = [&](int node) { return surfaces_.patch_of[node] >= 0 && slides_[surfaces_.patch_of[node]]; };
+  if (std::none_of(simplex.nodes.begin(), simplex.nodes.end(), slides)) return;
+  for (int node : simplex.nodes) tetrahedra_at_[node].push_back(static_cast<int>(tetrahedra_.size()));
+  tetrahedra_.push_back({simplex, IdealSimplex<3>(corners_of(simplex, source))});
 }
 
 void SurfaceMotion::add_tangents(Positions& x) const {
@@ -134,12 +152,15 @@ Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
   return sum;
 }
 
+Point SurfaceMotion::normal_at(const Middle& middle, const Positions& x) const {
+  Point sum{};
+  for (const auto& [face, place] : middle.on) sum = plus(sum, 1, unit(face_normal(surfaces_.faces[face], place, x)));
+  return unit(sum);
+}
+
 double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
-  Point normal{};
-  for (const auto& [face, place] : middle.on)
-    normal = plus(normal, 1, unit(face_normal(surfaces_.faces[face], place, x)));
-  const Point off = minus(x[middle.node], middle_of(middle, x));
-  return length(plus(off, -dot(off, unit(normal)), unit(normal))) / edge_of(middle, x);
+  const Point off = minus(x[middle.node], middle_of(middle, x)), normal = normal_at(middle, x);
+  return length(plus(off, -dot(off, normal), normal)) / edge_of(middle, x);
 }
 
 SurfaceMotion::Plane SurfaceMotion::plane_of(const Patch& patch, const Positions& x) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ale/face_place.hpp"
+#include "ale/mean_ratio.hpp"
 #include "ale/mesh_surfaces.hpp"
 
 namespace mudline {
@@ -26,8 +27,10 @@ using BodySearch = std::function<std::optional<NearBody>(const Point&)>;
 /// faces, curved as they are. Vertex by vertex, in its tangent plane, lowers the sum of squared inverse mean ratios of
 /// the triangles that the corners of the faces span, also with the tangents of curved edges between patches, mu = |T|^2
 /// / (2 |t_1 x t_2|), T = (t_1, t_2) the map from the triangle of the source's mesh (see OptimisationMotion), and puts
-/// it back on the surface. Sizes are free, and a surface that was only moved or turned stays to the last bit. Middles
-/// of edges go to the nearest place of the surface to the middle of their ends.
+/// it back on the surface. Tetrahedra that have all their corners on surfaces count as well, with the tetrahedra of the
+/// tangents of their curved edges, as for OptimisationMotion: nothing inside could repair them. Sizes are free, and a
+/// surface that was only moved or turned stays to the last bit. Middles of edges go to the middle of their ends, along
+/// the normal to the surface.
 ///
 /// A plane patch stays plane, to the last bit where the plane is normal to an axis. On other patches a node that is
 /// nearer to a body than a quarter of an edge keeps the gap that was at its new place, so that contact pressures are
@@ -37,11 +40,13 @@ class SurfaceMotion {
   SurfaceMotion() = default;
   /// `largest_slide`: share of the way to the opposite edges of the faces around that a vertex moves at most at once.
   /// `slides`: (patch) whether its nodes may.
-  SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides, double largest_slide);
+  /// `simplices`: those of the elements that have no vertex inside.
+  SurfaceMotion(MeshSurfaces surfaces, const Positions& source, std::vector<char> slides, double largest_slide,
+                const std::vector<BoundarySimplex>& simplices = {});
 
   /// `x_old`: all nodes before they move. `x`: the same, but for the nodes of curves, which are where they are wanted;
-  /// becomes the new places of the nodes on surfaces. Where a curve's motion would fold faces, its nodes go only as
-  /// far as the others can follow.
+  /// becomes the new places of the nodes on surfaces. Where a curve's motion would fold faces or such tetrahedra,
+  /// its nodes go only as far as the others can follow.
   void move(const Positions& x_old, const BodySearch& body, Positions& x) const;
   /// Nearest place of the old surface to a node inside a patch that is at `x` now.
   SurfacePlace place(int node, const Positions& x_old, const Point& x) const;
@@ -62,6 +67,11 @@ class SurfaceMotion {
   struct Corner {
     std::array<int, 3> nodes;
     double w[3][2];
+  };
+  /// A tetrahedron at a corner of an element that has no vertex inside.
+  struct Tetrahedron {
+    BoundarySimplex on;
+    IdealSimplex<3> ideal;
   };
   /// A middle of an edge or of a face inside a patch.
   struct Middle {
@@ -87,7 +97,9 @@ class SurfaceMotion {
   void collect(Positions source);
   /// Of the source's mesh, to which ends of tangents are added.
   void add_corners(const SurfaceFace& face, Positions& source);
-  Point tangent_end(const Tangent& tangent, const Positions& x) const;
+  void add_tetrahedron(const BoundarySimplex& simplex, const Positions& source);
+  static std::array<Point, 4> corners_of(const BoundarySimplex& simplex, const Positions& x);
+  static Point tangent_end(const Tangent& tangent, const Positions& x);
   void add_tangents(Positions& x) const;
   void add_corner(const std::array<int, 3>& nodes, const Positions& source);
   /// Node a of a face is inside the patch.
@@ -97,6 +109,8 @@ class SurfaceMotion {
   static double edge_of(const Middle& middle, const Positions& x);
   /// Between its ends, along straight edges.
   static Point middle_of(const Middle& middle, const Positions& x);
+  /// Mean of its faces, of length 1.
+  Point normal_at(const Middle& middle, const Positions& x) const;
   /// How far it is along the surface from there, as a share of the edge.
   double drift_of(const Middle& middle, const Positions& x) const;
   double shortest_edge(int node, const Positions& x) const;
@@ -110,9 +124,11 @@ class SurfaceMotion {
   std::vector<Patch> patches_;  // those that slide
   int nodes_ = 0;
   std::vector<Tangent> tangents_;
-  std::vector<Corner> corners_;         // of their faces
-  std::vector<std::vector<int>> at_;    // (node) corners that touch it
-  std::vector<std::vector<int>> near_;  // (node) faces that share a node with the faces around it
+  std::vector<Corner> corners_;       // of their faces
+  std::vector<std::vector<int>> at_;  // (node) corners that touch it
+  std::vector<Tetrahedron> tetrahedra_;
+  std::vector<std::vector<int>> tetrahedra_at_;  // (node)
+  std::vector<std::vector<int>> near_;           // (node) faces that share a node with the faces around it
 };
 
 }  // namespace mudline

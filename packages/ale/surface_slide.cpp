@@ -1,6 +1,7 @@
 // One relocation of the nodes on surfaces.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "ale/surface_motion.hpp"
@@ -57,6 +58,21 @@ struct RingObjective {
     hessian[1] += second(0, 1);
     hessian[2] += second(1, 1);
   }
+
+  void add(const MeanRatio<3>& space, const std::array<Point, 2>& along) {
+    value = space.valid ? value + space.value : std::numeric_limits<double>::infinity();
+    const auto second = [&](int a, int b) {
+      double sum = 0;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) sum += along[a][i] * space.hessian[std::min(i, j)][std::max(i, j)] * along[b][j];
+      return sum;
+    };
+    for (int a = 0; a < 2; ++a)
+      for (int i = 0; i < 3; ++i) gradient[a] += space.gradient[i] * along[a][i];
+    hessian[0] += second(0, 0);
+    hessian[1] += second(0, 1);
+    hessian[2] += second(1, 1);
+  }
 };
 
 }  // namespace
@@ -69,11 +85,20 @@ class SurfaceMotion::Step {
       : surface_(surface), x_old_(x_old), x_(x), on_(surface.nodes_) {
     for (const Patch& patch : surface.patches_) planes_.push_back(surface.plane_of(patch, x_old));
     for (const Corner& corner : surface.corners_) normals_.push_back(area_vector(corner.nodes, x_old));
+    for (const Tetrahedron& tetrahedron : surface.tetrahedra_) {
+      const std::array<Point, 4> corners = corners_of(tetrahedron.on, x_old);
+      std::array<Point, 4> ahead;
+      for (int k = 0; k < 4; ++k) ahead[k] = minus(corners[k], x_old[tetrahedron.on.nodes[k]]);
+      ahead_.push_back(ahead);
+      counts_.push_back(!folded(tetrahedron, ahead));
+    }
   }
 
   bool folded() const {
     for (std::size_t c = 0; c < normals_.size(); ++c)
       if (folded(static_cast<int>(c))) return true;
+    for (std::size_t t = 0; t < counts_.size(); ++t)
+      if (counts_[t] && folded(surface_.tetrahedra_[t], ahead_[t])) return true;
     return false;
   }
 
@@ -100,7 +125,7 @@ class SurfaceMotion::Step {
         const bool stays = std::all_of(middle.ends.begin(), middle.ends.end(), rests) &&
                            std::all_of(middle.sides.begin(), middle.sides.end(), rests) &&
                            surface_.drift_of(middle, x_old_) <= std::max(1e-9, 2 * middle.drift);
-        if (!stays) x_[middle.node] = on_surface(middle.node, middle_of(middle, x_), planes_[p]);
+        if (!stays) x_[middle.node] = over_middle(middle, planes_[p]);
       }
   }
 
@@ -116,6 +141,12 @@ class SurfaceMotion::Step {
  private:
   bool folded(int corner) const {
     return !(dot(area_vector(surface_.corners_[corner].nodes, x_), normals_[corner]) > 0);
+  }
+  bool folded(const Tetrahedron& tetrahedron, const std::array<Point, 4>& ahead) const {
+    const std::array<int, 4>& nodes = tetrahedron.on.nodes;
+    MeanRatio<3> ratio{Measure::mean_ratio_squared};
+    ratio.add(tetrahedron.ideal, 1, 0, [&](int k) { return plus(x_[nodes[k]], 1, ahead[k]); });
+    return !ratio.valid;
   }
   bool folded_at(int node) const {
     const std::vector<int>& around = surface_.at_[node];
@@ -136,6 +167,14 @@ class SurfaceMotion::Step {
           static_cast<int>(std::find(corner.nodes.begin(), corner.nodes.end(), node) - corner.nodes.begin());
       result.add(corner.nodes, corner.w, moving, x_, along);
     }
+    MeanRatio<3> space{Measure::mean_ratio_squared};
+    for (int t : surface_.tetrahedra_at_[node]) {
+      if (!counts_[t]) continue;
+      const std::array<int, 4>& nodes = surface_.tetrahedra_[t].on.nodes;
+      const int moving = static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
+      space.add(surface_.tetrahedra_[t].ideal, 1, moving, [&](int k) { return plus(x_[nodes[k]], 1, ahead_[t][k]); });
+    }
+    result.add(space, along);
     return result;
   }
 
@@ -210,6 +249,20 @@ class SurfaceMotion::Step {
     return to;
   }
 
+  /// Where the surface's normal through the middle of the ends meets it. Not the nearest place to that middle: where an
+  /// edge bulges by more than a quarter of its length, this is on the left when the node was on the right, and farther.
+  Point over_middle(const Middle& middle, const Plane& plane) {
+    const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
+    const double rounding = 1e-14 * edge_of(middle, x_);
+    Point at = on_surface(middle.node, centre, plane);
+    for (int k = 0; k < 20 && !plane.flat; ++k) {
+      const Point before = at;
+      at = on_surface(middle.node, plus(centre, dot(minus(at, centre), normal), normal), plane);
+      if (length(minus(at, before)) <= rounding) break;
+    }
+    return at;
+  }
+
   void keep_gap(int node, double span, const BodySearch& body) {
     if (x_[node] == x_old_[node]) return;
     const SurfaceFace& face = surface_.surfaces_.faces[on_[node].face];
@@ -238,7 +291,11 @@ class SurfaceMotion::Step {
   std::vector<SurfacePlace> on_;  // (node) of the old surface
   std::vector<Plane> planes_;     // (patch)
   Positions normals_;             // (corner) as long as twice its area
-  std::map<int, double> gaps_;    // of old nodes
+  /// (tetrahedron) from its nodes to its corners: a tangent moves with its end, as if the middle of its edge moved by
+  /// the mean of the ends.
+  std::vector<std::array<Point, 4>> ahead_;
+  std::vector<char> counts_;    // (tetrahedron) it was not folded before
+  std::map<int, double> gaps_;  // of old nodes
 };
 
 void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positions& x) const {

@@ -195,6 +195,58 @@ TEST(SurfaceMotion, SkewedVerticesSlideBackOnTheCylinder) {
   }
 }
 
+TEST(SurfaceMotion, MiddlesOfEdgesThatBulgeFarDoNotSwing) {
+  const Map wrapped = [](double u,
+                         double v) {  // an edge along u goes round 120 degrees: it bulges by 0.29 of its chord
+    const double angle = 4.0 / 3 * pi * (u - 0.5);
+    return Point{std::cos(angle), std::sin(angle), 2 * v};
+  };
+  for (CellShape shape : {CellShape::tri6, CellShape::quad9}) {
+    const Grid grid(shape, 2, 2);
+    const Places source = grid.places(wrapped, 0);
+    Places x = source;
+    const int middle = grid.id(1, 2), ends[] = {grid.id(0, 2), grid.id(2, 2)};
+    x[middle] = wrapped(0.25 + 0.02, 0.5);
+    const Point chord = minus(x[ends[1]], x[ends[0]]);
+    const Places before = x;
+    grid.motion(source).move(before, no_body, x);
+    const auto along = [&](const Places& places) {
+      return dot(minus(places[middle], source[middle]), chord) / dot(chord, chord);
+    };
+    EXPECT_GT(along(before), 0.04);
+    EXPECT_LT(std::abs(along(x)), 1e-9);
+  }
+}
+
+TEST(SurfaceMotion, VerticesGiveWayToATetrahedronWithoutAVertexInside) {
+  // it stands on a vertex of a plane, with an upright wall of three nodes beside it, which is then moved against it
+  const Grid grid(CellShape::quad9, 4, 4);
+  const auto wall = [&](double at) {
+    Places x = grid.places(flat, 0);
+    for (const Point& place : {Point{at, 0.4, 0.3}, Point{at, 0.6, 0.3}, Point{at, 0.5, 0.6}}) x.push_back(place);
+    return x;
+  };
+  const int vertex = grid.id(4, 4), first = grid.columns * grid.rows;  // the vertex lies at 1.5, cells are 0.75 wide
+  const BoundarySimplex simplex{{vertex, first, first + 2, first + 1}, {-1, -1, -1, -1}};
+  const Places source = wall(1.8);
+  MeshSurfaces surfaces = split_surfaces(grid.faces, source, {}, pi / 6, [](int) { return false; });
+  const SurfaceMotion motion(surfaces, source, {1}, 0.4, {simplex});
+  Places x = source;
+  motion.move(source, no_body, x);
+  EXPECT_EQ(x, source);
+  const auto way = [&](const Places& from) {
+    Places to = from;
+    motion.move(from, no_body, to);
+    EXPECT_EQ(to[vertex][2], from[vertex][2]);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(to[first + i], from[first + i]);
+    return to[vertex][0] - from[vertex][0];
+  };
+  EXPECT_LT(way(wall(1.55)), -0.05);
+  EXPECT_LT(way(wall(1.7)), 0);
+  EXPECT_GT(way(wall(1.9)), 0);
+  EXPECT_EQ(way(wall(1.4)), 0);  // folded before: not a matter of the surface
+}
+
 TEST(SurfaceMotion, ASlideIsBounded) {
   const Grid grid(CellShape::quad9, 8, 6);
   const Places source = grid.places(cylinder, 0), skewed = grid.places(cylinder, 0.25);

@@ -27,6 +27,9 @@ void CoulombFriction::parameters(Parameters& p) {
         "Speed along the surface at which 1/e of the difference between coefficient and kinetic coefficient is left");
   p.add("adhesion", law_.adhesion, "Pa", non_negative(),
         "Shear strength of a touching surface without normal traction");
+  p.add("full adhesion at", law_.full_adhesion_at, "Pa", non_negative(),
+        "Normal traction from which on the adhesion acts in full, below in proportion; 0: as soon as the surface "
+        "touches, so that the shear stress jumps where it opens");
   p.add("cap", cap_, "Pa",
         "Shear stress limit, a function of time and place, e.g. alpha times the undrained strength; absent: none");
   law_.capped = p.given("cap");
@@ -48,7 +51,16 @@ KOKKOS_FUNCTION ShearStrength CoulombStrength::operator()(const FrictionPoint& a
     now = kinetic + rest;
     by_rate = -rest / decay_speed;
   }
-  if (at.normal > 0) result = {adhesion + now * at.normal, now, by_rate * at.normal};
+  const double normal = at.normal > 0 ? at.normal : 0.0;
+  double stuck = adhesion, by_normal = 0;
+  if (normal < full_adhesion_at) {
+    by_normal = adhesion / full_adhesion_at;
+    stuck = by_normal * normal;
+  }
+  if (normal > 0)
+    result = {stuck + now * normal, by_normal + now, by_rate * normal};
+  else
+    result.value = stuck;
   if (!capped) return result;
   const double limit = cap > 0 ? cap : 0.0;
   return result.value > limit ? ShearStrength{limit, 0} : result;

@@ -96,12 +96,13 @@ class PointwiseFriction : public Friction {
   Law law_;
 };
 
-/// strength = adhesion + coefficient <normal>, at most the cap. With a kinetic coefficient the coefficient follows the
-/// speed, kinetic + (coefficient - kinetic) exp(-rate / decay speed).
+/// strength = adhesion min(1, <normal> / full adhesion at) + coefficient <normal>, at most the cap. With a kinetic
+/// coefficient the coefficient follows the speed, kinetic + (coefficient - kinetic) exp(-rate / decay speed).
 struct CoulombStrength {
   double coefficient = 0, adhesion = 0, kinetic = 0;
-  double decay_speed = 0;  // [m/s] 0: one coefficient at all speeds
-  double cap = 0;          // [Pa] one for all points
+  double full_adhesion_at = 0;  // [Pa] normal traction; 0: the adhesion is there as soon as the surface touches
+  double decay_speed = 0;       // [m/s] 0: one coefficient at all speeds
+  double cap = 0;               // [Pa] one for all points
   bool capped = false;
   KOKKOS_FUNCTION ShearStrength operator()(const FrictionPoint& at) const;
 };

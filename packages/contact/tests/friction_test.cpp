@@ -99,6 +99,23 @@ TEST(Friction, OpeningForgetsTheShearStressAndClosingCountsFromTouch) {
   EXPECT_NEAR(shear_rows(model, model.store.committed())(0, 0), 0.5e3, 1e-8);
 }
 
+TEST(Friction, AdhesionGrowsUpToItsNormalTraction) {
+  const auto strength = [](double normal) {
+    CoulombStrength law{0.3, 40};
+    law.full_adhesion_at = 200;
+    FrictionPoint at;
+    at.normal = normal;
+    return law(at);
+  };
+  EXPECT_EQ(strength(-10).value, 0);
+  EXPECT_EQ(strength(0).value, 0);
+  EXPECT_NEAR(strength(50).value, 10 + 15, 1e-12);
+  EXPECT_NEAR(strength(50).slope, 0.2 + 0.3, 1e-12);
+  EXPECT_NEAR(strength(200).value, 40 + 60, 1e-12);
+  EXPECT_NEAR(strength(500).value, 40 + 150, 1e-12);
+  EXPECT_NEAR(strength(500).slope, 0.3, 1e-12);
+}
+
 TEST(Friction, CoefficientFollowsTheSpeed) {
   const auto stress = [](double per_second) {
     ContactModel model =
@@ -153,6 +170,7 @@ TEST_P(EveryFriction, JacobianIsTheDifferencedResidual) {
        {Law{50, ""},
         {0.05, ""},
         {0.5, number_parameter("adhesion", 2e3)},
+        {0.5, number_parameter("adhesion", 2e3) + number_parameter("full adhesion at", 5e3)},
         {0.5, text_parameter("on", "total")},
         {0.5, number_parameter("kinetic coefficient", 0.1) + number_parameter("decay speed", 0.02)},
         {0.7, number_parameter("cap", 3e3)}})
