@@ -115,8 +115,9 @@ void MeshRenewal::check(const Section& section) const {
 void MeshRenewal::check_space(const Section& section) const {
   for (const char* entry : {"wall size", "when side above", "size"})
     if (section.has_parameter(entry))
-      section.fail("is for meshes of the plane; in space the boundary keeps its sides, and only the inside is meshed anew",
-                   entry);
+      section.fail(
+          "is for meshes of the plane; in space the boundary keeps its sides, and only the inside is meshed anew",
+          entry);
 }
 
 std::map<std::string, double> MeshRenewal::named_sides() const {
@@ -142,7 +143,8 @@ void MeshRenewal::check_sets(const Section& section) const {
     for (int node : nodes)
       if (!keeps(node))
         section.fail("the point set '" + name + "' would be lost where the mesh is made anew" +
-                     (in_space() ? ": it has points inside of a region" : "; name it in boundary/corners, or a side set "
+                     (in_space() ? ": it has points inside of a region"
+                                 : "; name it in boundary/corners, or a side set "
                                    "that it lies on in boundary/material sides"));
 }
 

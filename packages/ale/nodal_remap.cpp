@@ -96,8 +96,7 @@ double distance_to_nodes(const SurfaceFace& face, const Point& point, const Posi
 
 }  // namespace
 
-NodalRemap::NodalRemap(const Bounded& from, const Bounded& to)
-    : mesh_(from.mesh), to_(to.mesh), places_(to.x.size()) {
+NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh), to_(to.mesh), places_(to.x.size()) {
   const PointLocator locator(mesh_, from.x);
   std::map<int, int> guess;  // by block: where the last node was found
   for (const auto& element : to_.elements())
@@ -114,7 +113,7 @@ NodalRemap::NodalRemap(const Bounded& from, const Bounded& to)
 }
 
 void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {
-  std::map<Point, int> at;            // old nodes
+  std::map<Point, int> at;             // old nodes
   std::map<int, std::vector<int>> of;  // old faces by patch
   for (std::size_t f = 0; f < from.faces.size(); ++f) {
     const SurfaceFace& face = from.faces[f];

@@ -38,7 +38,11 @@ bool inside(const Place& point, const std::vector<int>& loop, const std::vector<
 class PlaneBuilder {
  public:
   PlaneBuilder(const MeshRenewal& plan, const Positions& x, const State& state, const WantedSizes* sizes)
-      : plan_(plan), paths_(plan.boundary().paths()), size_(plan.deck().growth), sizes_(sizes), simplices_(plan.mesh().mesh().blocks()) {
+      : plan_(plan),
+        paths_(plan.boundary().paths()),
+        size_(plan.deck().growth),
+        sizes_(sizes),
+        simplices_(plan.mesh().mesh().blocks()) {
     for (std::size_t p = 0; p < paths_.size(); ++p) add_path(p, plan.divided(p, x, state, sizes));
   }
 
@@ -193,8 +197,7 @@ std::vector<MeshPath> PlaneBuilder::new_paths() const {
     MeshPath path{{}, paths_[p].stride, paths_[p].sets, paths_[p].outer};
     const std::vector<int>& chain = chains_[p];
     for (std::size_t k = 0; k < chain.size(); ++k) {
-      if (k > 0 && path.stride == 2)
-        path.nodes.push_back(static_cast<int>(simplices_.middle(chain[k - 1], chain[k])));
+      if (k > 0 && path.stride == 2) path.nodes.push_back(static_cast<int>(simplices_.middle(chain[k - 1], chain[k])));
       path.nodes.push_back(static_cast<int>(simplices_.node(chain[k])));
     }
     result.push_back(std::move(path));

@@ -1,13 +1,17 @@
 // The new mesh itself in space: the boundary's faces as they are, regions within them, tetrahedra in these, and names.
+#include <Teuchos_DefaultSerialComm.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "ale/interior_motion.hpp"
 #include "ale/renewal_builder.hpp"
 #include "ale/simplex_mesh.hpp"
 #include "ale/size_around.hpp"
+#include "ale/vertex_colours.hpp"
 #include "core/pi.hpp"
 #include "core/space_vector.hpp"
 #include "discretisation/disjoint_sets.hpp"
@@ -26,7 +30,8 @@ double six_volumes(const Point& a, const Point& b, const Point& c) { return dot(
 double six_volumes(const Faces& faces, const Positions& x) {
   const Point& origin = x[faces[0][0]];
   double sum = 0;
-  for (const Face& f : faces) sum += six_volumes(minus(x[f[0]], origin), minus(x[f[1]], origin), minus(x[f[2]], origin));
+  for (const Face& f : faces)
+    sum += six_volumes(minus(x[f[0]], origin), minus(x[f[1]], origin), minus(x[f[2]], origin));
   return sum;
 }
 
@@ -84,6 +89,33 @@ std::vector<EnclosedRegion> parts(const Faces& faces, const Positions& x) {
   return result;
 }
 
+/// Moves the vertices inside so that elements come as near to regular ones as they can, those at curved faces too.
+void optimise(GlobalMesh& made, Geometry geometry) {
+  const Mesh mesh(Teuchos::rcp(new Teuchos::SerialComm<int>()), geometry, GlobalMesh(made));
+  const GhostedMesh whole(mesh);
+  Positions x = whole.gather(mesh.coordinates());
+  const CornerSimplices corners(whole);
+  corners.add_tangents(x, x);
+  std::vector<char> movable;
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    movable.push_back(whole.is_vertex(node) && !whole.on_boundary(node));
+  OptimisationMotion(OptimisationMotion::Ideal::equilateral)
+      .move({whole, corners, x, x, movable, vertex_colours(whole, movable)}, x);
+  for (std::size_t node = 0; node < made.coordinates.size(); ++node)
+    if (movable[node]) made.coordinates[node] = x[node];
+  for (const GlobalMesh::Block& block : made.blocks) {
+    const int nodes = num_nodes(block.shape), first = num_corners(block.shape);
+    for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
+      for (int a = first; a < nodes; ++a) {
+        const auto [from, to] = edge_corners(block.shape, a - first);
+        const long long middle = block.nodes[e + a];
+        if (!whole.on_boundary(static_cast<int>(middle)))
+          made.coordinates[middle] =
+              scaled(0.5, plus(made.coordinates[block.nodes[e + from]], 1, made.coordinates[block.nodes[e + to]]));
+      }
+  }
+}
+
 class SpaceBuilder {
  public:
   SpaceBuilder(const MeshRenewal& plan, const Positions& x)
@@ -95,6 +127,7 @@ class SpaceBuilder {
     fill();
     RenewedMesh result;
     made_ = simplices_.number();
+    optimise(made_, mesh_.mesh().geometry());
     find_new_nodes();
     name_sets();
     keep_surfaces(result);
@@ -121,10 +154,10 @@ class SpaceBuilder {
   const Positions& x_;
   SizeAround size_;
   SimplexMesh simplices_;
-  std::map<int, int> vertex_of_;                                // of old nodes
-  std::map<int, std::array<int, 2>> middle_of_;                 // old nodes of curved edges: their vertices
-  std::map<int, long long> new_node_;                           // of old nodes on the boundary
-  std::vector<Faces> faces_;                                    // (block), as seen from its outside
+  std::map<int, int> vertex_of_;                 // of old nodes
+  std::map<int, std::array<int, 2>> middle_of_;  // old nodes of curved edges: their vertices
+  std::map<int, long long> new_node_;            // of old nodes on the boundary
+  std::vector<Faces> faces_;                     // (block), as seen from its outside
   GlobalMesh made_;
 };
 
@@ -166,8 +199,8 @@ void SpaceBuilder::fill() {
       size_.add(scaled(1.0 / 3, plus(plus(a, 1, b), 1, c)), (distance(a, b) + distance(b, c) + distance(c, a)) / 3);
     }
   }
-  const Tetrahedra made = tetrahedra_in(vertices, regions, [this](const Point& x) { return size_(x); },
-                                        plan_.deck().time_limit);
+  const Tetrahedra made = tetrahedra_in(
+      vertices, regions, [this](const Point& x) { return size_(x); }, plan_.deck().time_limit);
   simplices_.places.insert(simplices_.places.end(), made.points.begin() + simplices_.places.size(), made.points.end());
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const auto& t : made.tetrahedra[r]) simplices_.add(block_of[r], t);
@@ -195,8 +228,7 @@ void SpaceBuilder::name_sets() {
   for (const auto& [name, unused] : mesh_.side_sets()) made_.side_sets[name];
   for (const auto& side : mesh_.boundary()) {
     const Face face{vertex_of_.at(side.nodes[0]), vertex_of_.at(side.nodes[1]), vertex_of_.at(side.nodes[2])};
-    for (const std::string& name : side.sets)
-      made_.side_sets[name].push_back(sides.at({side.block, ascending(face)}));
+    for (const std::string& name : side.sets) made_.side_sets[name].push_back(sides.at({side.block, ascending(face)}));
   }
   for (const auto& [name, nodes] : mesh_.node_sets()) {
     std::vector<long long>& to = made_.node_sets[name];

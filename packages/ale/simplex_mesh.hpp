@@ -12,9 +12,9 @@ namespace mudline {
 /// Triangles or tetrahedra on the way to a mesh: vertices, cells by block, and the middles of curved edges.
 class SimplexMesh {
  public:
-  using Ends = std::pair<int, int>;          // vertices
-  using Corners = std::array<int, 4>;        // vertices; the fourth is -1 in the plane
-  std::vector<Point> places;                 // (vertex) [m]
+  using Ends = std::pair<int, int>;    // vertices
+  using Corners = std::array<int, 4>;  // vertices; the fourth is -1 in the plane
+  std::vector<Point> places;           // (vertex) [m]
 
   /// `blocks`: of the mesh before, whose regions and shapes these have too.
   explicit SimplexMesh(const std::vector<ElementBlock>& blocks);

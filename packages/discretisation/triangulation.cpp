@@ -199,8 +199,7 @@ void check_volumes(const Tetrahedra& mesh, const std::vector<EnclosedRegion>& re
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const int origin = regions[r].faces[0][0];
     double enclosed = 0, sum = 0;
-    for (const auto& face : regions[r].faces)
-      enclosed += six_volumes(mesh.points, {origin, face[0], face[1], face[2]});
+    for (const auto& face : regions[r].faces) enclosed += six_volumes(mesh.points, {origin, face[0], face[1], face[2]});
     for (const auto& tetrahedron : mesh.tetrahedra[r]) sum += six_volumes(mesh.points, tetrahedron);
     if (!(std::abs(sum - enclosed) <= 1e-9 * enclosed)) throw NoTriangulation("its boundary cuts itself");
   }

@@ -133,8 +133,8 @@ void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const st
     }
 }
 
-void SurfaceCarrier::carry_in_space(const PointView& old, const std::vector<Point>& old_places,
-                                    const PointView& now, const std::vector<Point>& new_places) const {
+void SurfaceCarrier::carry_in_space(const PointView& old, const std::vector<Point>& old_places, const PointView& now,
+                                    const std::vector<Point>& new_places) const {
   const std::vector<double> from = of_all_ranks(comm_, flat(old_places, 3));
   std::vector<std::size_t> row_at;  // (new row) the old one at its place
   for (const Point& place : new_places) {

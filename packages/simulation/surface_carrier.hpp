@@ -30,8 +30,8 @@ class SurfaceCarrier {
   /// All ranks' rows along the paths, in order.
   std::vector<std::vector<Row>> along(const std::vector<double>& places) const;
   Row locate(double x, double y, int number) const;
-  void carry_in_space(const PointView& old, const std::vector<Point>& old_places,
-                      const PointView& now, const std::vector<Point>& new_places) const;
+  void carry_in_space(const PointView& old, const std::vector<Point>& old_places, const PointView& now,
+                      const std::vector<Point>& new_places) const;
 
   struct PathSide {
     int path, nodes[3];

@@ -494,7 +494,8 @@ std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView&
     of_sides.push_back(centre);
   }
   std::vector<SurfaceRows> result{{penalties_, of_sides}};
-  for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1})
+  for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1,
+                    deck_.initial_gap.array()})
     if (array >= 0) result.push_back({array, of_points});
   if (active_set_.used()) result.push_back({active_set_.array(), {}});
   return result;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <thread>
 
+#include "core/space_vector.hpp"
+
 namespace mudline {
 namespace {
 
@@ -62,6 +64,71 @@ TEST(Triangulation, SaysWhatCannotBeMeshed) {
   } catch (const NoTriangulation& failure) {
     EXPECT_NE(std::string(failure.what()).find("had not finished after"), std::string::npos) << failure.what();
   }
+}
+
+/// The faces of a box of corners `low` and `high`, its vertices added; turned to see them from inside.
+std::vector<std::array<int, 3>> box_faces(double low, double high, std::vector<Point>& vertices) {
+  const int first = static_cast<int>(vertices.size());
+  for (int i = 0; i < 8; ++i) vertices.push_back({i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low});
+  std::vector<std::array<int, 3>> result;
+  for (const auto& quad :
+       {std::array<int, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    result.push_back({first + quad[0], first + quad[1], first + quad[2]});
+    result.push_back({first + quad[0], first + quad[2], first + quad[3]});
+  }
+  return result;
+}
+
+double volume(const Tetrahedra& mesh, int region) {
+  double sum = 0;
+  for (const auto& t : mesh.tetrahedra[region]) {
+    const Point &a = mesh.points[t[0]], b = minus(mesh.points[t[1]], a), c = minus(mesh.points[t[2]], a),
+                d = minus(mesh.points[t[3]], a);
+    const double part = dot(b, cross(c, d)) / 6;
+    EXPECT_GT(part, 0);
+    sum += part;
+  }
+  return sum;
+}
+
+TEST(Tetrahedra, KeepTheGivenFacesAndAskedSizes) {
+  // a cube of 2 m with a cube of 1 m in its middle: a hole, and a second region in it
+  std::vector<Point> vertices;
+  std::vector<EnclosedRegion> regions(2);
+  regions[0].faces = box_faces(0, 2, vertices);
+  regions[1].faces = box_faces(0.5, 1.5, vertices);
+  for (const auto& face : regions[1].faces) regions[0].faces.push_back({face[0], face[2], face[1]});
+  const auto size = [](const Point& x) { return x[0] < 1 ? 0.4 : 0.2; };
+  const Tetrahedra mesh = tetrahedra_in(vertices, regions, size, 60);
+  ASSERT_EQ(mesh.tetrahedra.size(), 2u);
+  EXPECT_NEAR(volume(mesh, 0), 7, 1e-12);
+  EXPECT_NEAR(volume(mesh, 1), 1, 1e-12);
+  int left = 0, right = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Point& x = mesh.points[v];
+    if (v < vertices.size()) {
+      EXPECT_EQ(x, vertices[v]);
+      continue;
+    }
+    for (double coordinate : x) {
+      EXPECT_GT(coordinate, 1e-9);  // none on the outer faces
+      EXPECT_LT(coordinate, 2 - 1e-9);
+    }
+    (x[0] < 1 ? left : right) += 1;
+  }
+  EXPECT_GT(right, 2 * left);
+  const Tetrahedra again = tetrahedra_in(vertices, regions, size, 60);
+  EXPECT_EQ(again.points, mesh.points);
+  EXPECT_EQ(again.tetrahedra, mesh.tetrahedra);
+}
+
+TEST(Tetrahedra, SayWhatCannotBeFilled) {
+  std::vector<Point> vertices;
+  EnclosedRegion region{box_faces(0, 1, vertices)};
+  vertices[7] = {-0.5, 0.4, 0.3};  // a corner through the face across
+  EXPECT_THROW(tetrahedra_in(
+                   vertices, {region}, [](const Point&) { return 0.3; }, 20),
+               NoTriangulation);
 }
 
 }  // namespace
