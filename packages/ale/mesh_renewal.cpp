@@ -45,17 +45,17 @@ void RenewalParameters::parameters(Parameters& p) {
         "the region is meshed anew when the smallest scaled Jacobian is below this");
   p.add(
       "when side above", side_above, "-", positive(),
-      "and when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
+      "in the plane also when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
       "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
   p.choice("size", size, {{"source", Size::source}, {"adaptive", Size::adaptive}},
-           "wanted sizes: of the deck's mesh and the distance from the boundary, or of the error estimate");
+           "in the plane: wanted sizes of the deck's mesh and the distance from the boundary, or of the error estimate");
   if (p.documenting() || size == Size::adaptive) {
     p.required("smallest size", smallest_size, "m", positive(), "with adaptive sizes: no smaller ones are wanted");
     p.required("largest size", largest_size, "m", positive(), "with adaptive sizes: no larger ones are wanted");
   }
   p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
   p.add("wall size", wall_size, "m", non_negative(),
-        "wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
+        "in the plane: wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
   p.add("growth", growth, "-", half_open(0, 2),
         "increase of the wanted size per distance from a body's wall, and of the triangles' per distance from the "
         "boundary");

@@ -89,31 +89,58 @@ std::vector<EnclosedRegion> parts(const Faces& faces, const Positions& x) {
   return result;
 }
 
-/// Moves the vertices inside so that elements come as near to regular ones as they can, those at curved faces too.
-void optimise(GlobalMesh& made, Geometry geometry) {
-  const Mesh mesh(Teuchos::rcp(new Teuchos::SerialComm<int>()), geometry, GlobalMesh(made));
-  const GhostedMesh whole(mesh);
-  Positions x = whole.gather(mesh.coordinates());
-  const CornerSimplices corners(whole);
-  corners.add_tangents(x, x);
-  std::vector<char> movable;
-  for (int node = 0; node < whole.num_nodes(); ++node)
-    movable.push_back(whole.is_vertex(node) && !whole.on_boundary(node));
-  OptimisationMotion(OptimisationMotion::Ideal::equilateral)
-      .move({whole, corners, x, x, movable, vertex_colours(whole, movable)}, x);
-  for (std::size_t node = 0; node < made.coordinates.size(); ++node)
-    if (movable[node]) made.coordinates[node] = x[node];
-  for (const GlobalMesh::Block& block : made.blocks) {
+/// Middle nodes between their ends, where `free`(node).
+template <class Free>
+void straighten(GlobalMesh& mesh, Free&& free) {
+  for (const GlobalMesh::Block& block : mesh.blocks) {
     const int nodes = num_nodes(block.shape), first = num_corners(block.shape);
     for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
       for (int a = first; a < nodes; ++a) {
         const auto [from, to] = edge_corners(block.shape, a - first);
         const long long middle = block.nodes[e + a];
-        if (!whole.on_boundary(static_cast<int>(middle)))
-          made.coordinates[middle] =
-              scaled(0.5, plus(made.coordinates[block.nodes[e + from]], 1, made.coordinates[block.nodes[e + to]]));
+        if (!free(static_cast<int>(middle))) continue;
+        const Point &x = mesh.coordinates[block.nodes[e + from]], &y = mesh.coordinates[block.nodes[e + to]];
+        mesh.coordinates[middle] = scaled(0.5, plus(x, 1, y));
       }
   }
+}
+
+bool folded(const CornerSimplices& corners, const Positions& x) {
+  return std::any_of(corners.simplices.begin(), corners.simplices.end(),
+                     [&](const Simplex& t) { return !(determinant(t, x) > 0); });
+}
+
+/// Moves the vertices inside so that elements come as near to regular ones as they can, those at curved faces too. The
+/// boundary is bent from straight sides to what it is in as few parts as the inside can follow.
+void optimise(GlobalMesh& made, Geometry geometry) {
+  GlobalMesh straight = made;
+  straighten(straight, [](int) { return true; });
+  const Mesh mesh(Teuchos::rcp(new Teuchos::SerialComm<int>()), geometry, std::move(straight));
+  const GhostedMesh whole(mesh);
+  Positions x = whole.gather(mesh.coordinates());
+  const Positions start = x;
+  const CornerSimplices corners(whole);
+  std::vector<char> movable;
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    movable.push_back(whole.is_vertex(node) && !whole.on_boundary(node));
+  const auto colours = vertex_colours(whole, movable);
+  const OptimisationMotion motion(OptimisationMotion::Ideal::equilateral);
+  for (double done = 0, share = 0, part = 1; done < 1 && part > 1.0 / 64; share = std::min(1.0, done + part)) {
+    Positions next = x;
+    for (int node = 0; node < whole.num_nodes(); ++node)
+      if (whole.on_boundary(node)) next[node] = plus(start[node], share, minus(made.coordinates[node], start[node]));
+    corners.add_tangents(next, next);
+    if (folded(corners, next)) {
+      part *= 0.5;
+      continue;
+    }
+    motion.move({whole, corners, next, next, movable, colours}, next);
+    x = next;
+    done = share;
+  }
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    if (movable[node]) made.coordinates[node] = x[node];
+  straighten(made, [&](int node) { return !whole.on_boundary(node); });
 }
 
 class SpaceBuilder {
@@ -196,7 +223,8 @@ void SpaceBuilder::fill() {
     }
     for (const Face& f : faces_[b]) {
       const Point &a = vertices[f[0]], &b = vertices[f[1]], &c = vertices[f[2]];
-      size_.add(scaled(1.0 / 3, plus(plus(a, 1, b), 1, c)), (distance(a, b) + distance(b, c) + distance(c, a)) / 3);
+      const double area = 0.5 * length(cross(minus(b, a), minus(c, a)));
+      size_.add(scaled(1.0 / 3, plus(plus(a, 1, b), 1, c)), 2 * std::sqrt(area / std::sqrt(3.0)));  // if regular
     }
   }
   const Tetrahedra made = tetrahedra_in(
