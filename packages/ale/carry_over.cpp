@@ -104,14 +104,8 @@ void shift_pressures(const Soil& soil, const GhostedMesh& mesh, const std::vecto
     mesh.scatter(*soil.space, soil.pressure, shifted, to.value);
     return take_inventory(soil, to).compression;
   };
-  double largest = 1;  // [Pa]
-  for (double pressure : carried) largest = std::max(largest, std::abs(pressure));
-  const double slope = (compression(largest) - compression(0)) / largest;  // it is linear in the pressures
-  double shift = 0, now = compression(0);
-  for (int round = 0; round < 3 && slope > 0; ++round) {  // the others remove the rounding of the first
-    shift += (before - now) / slope;
-    now = compression(shift);
-  }
+  const double now = compression(0), slope = compression(1) - now;  // it is linear in the pressures
+  compression(slope > 0 ? (before - now) / slope : 0.0);
 }
 
 }  // namespace

@@ -43,19 +43,21 @@ double lowest_quality(const GlobalMesh& mesh) {
 void RenewalParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", half_open(0, 1),
         "the region is meshed anew when the smallest scaled Jacobian is below this");
-  p.add(
-      "when side above", side_above, "-", positive(),
-      "in the plane also when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
-      "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
-  p.choice("size", size, {{"source", Size::source}, {"adaptive", Size::adaptive}},
-           "in the plane: wanted sizes of the deck's mesh and the distance from the boundary, or of the error estimate");
+  p.add("when side above", side_above, "-", positive(),
+        "in the plane also when a side of its boundary is longer than so many times its wanted length; a new boundary "
+        "has sides of up "
+        "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
+  p.choice(
+      "size", size, {{"source", Size::source}, {"adaptive", Size::adaptive}},
+      "in the plane: wanted sizes of the deck's mesh and the distance from the boundary, or of the error estimate");
   if (p.documenting() || size == Size::adaptive) {
     p.required("smallest size", smallest_size, "m", positive(), "with adaptive sizes: no smaller ones are wanted");
     p.required("largest size", largest_size, "m", positive(), "with adaptive sizes: no larger ones are wanted");
   }
   p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
   p.add("wall size", wall_size, "m", non_negative(),
-        "in the plane: wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
+        "in the plane: wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the "
+        "boundary");
   p.add("growth", growth, "-", half_open(0, 2),
         "increase of the wanted size per distance from a body's wall, and of the triangles' per distance from the "
         "boundary");
@@ -218,8 +220,25 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
 
 RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double least_quality,
                               const WantedSizes* sizes) const {
-  RenewedMesh made = in_space() ? renewed_in_space(*this, x) : renewed_in_plane(*this, x, state, sizes);
-  const double quality = lowest_quality(made.mesh);
+  RenewedMesh made;
+  double quality = -1e300;
+  std::string problem;
+  const auto take = [&](auto&& attempt) {
+    try {
+      RenewedMesh here = attempt();
+      const double quality_here = lowest_quality(here.mesh);
+      if (!(quality_here > quality)) return;
+      made = std::move(here);
+      quality = quality_here;
+    } catch (const NoTriangulation& failure) {
+      problem = failure.what();
+    }
+  };
+  if (in_space())
+    for (FilledBy way : {FilledBy::delaunay, FilledBy::hxt}) take([&] { return renewed_in_space(*this, x, way); });
+  else
+    take([&] { return renewed_in_plane(*this, x, state, sizes); });
+  if (made.mesh.blocks.empty()) throw NoTriangulation(problem);
   if (!(quality >= least_quality))
     throw NoTriangulation("its best mesh has a scaled Jacobian of " + number_text(quality));
   return made;

@@ -41,8 +41,8 @@ struct PathNeighbours {
 /// one that was at its share of the path in the deck's mesh, by the same measure about the focus, and at a body no
 /// longer than the wall size; or, where sizes are adaptive, as long as an error estimate asks for. Ends of paths and
 /// nodes of material sides stay where they are. In space the boundary keeps its faces, curved as they are, and only the
-/// inside is filled anew, with tetrahedra that are as long as the faces beside them and grow away from them. Everything
-/// has its name again.
+/// inside is filled anew, with tetrahedra that are as large as the faces beside them and grow away from them; the
+/// better one of two meshes is taken. Everything has its name again.
 class MeshRenewal {
  public:
   /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.

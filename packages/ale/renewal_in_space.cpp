@@ -125,19 +125,28 @@ void optimise(GlobalMesh& made, Geometry geometry) {
     movable.push_back(whole.is_vertex(node) && !whole.on_boundary(node));
   const auto colours = vertex_colours(whole, movable);
   const OptimisationMotion motion(OptimisationMotion::Ideal::equilateral);
-  for (double done = 0, share = 0, part = 1; done < 1 && part > 1.0 / 64; share = std::min(1.0, done + part)) {
+  const auto bent = [&](double share) {
     Positions next = x;
     for (int node = 0; node < whole.num_nodes(); ++node)
       if (whole.on_boundary(node)) next[node] = plus(start[node], share, minus(made.coordinates[node], start[node]));
     corners.add_tangents(next, next);
+    return next;
+  };
+  const auto move = [&](Positions next) {
+    motion.move({whole, corners, next, next, movable, colours}, next);
+    x = std::move(next);
+  };
+  double done = 0;
+  for (double share = 0, part = 1; done < 1 && part > 1.0 / 64; share = std::min(1.0, done + part)) {
+    Positions next = bent(share);
     if (folded(corners, next)) {
       part *= 0.5;
       continue;
     }
-    motion.move({whole, corners, next, next, movable, colours}, next);
-    x = next;
+    move(std::move(next));
     done = share;
   }
+  if (done < 1) move(bent(1));  // beside what is folded nothing moves
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (movable[node]) made.coordinates[node] = x[node];
   straighten(made, [&](int node) { return !whole.on_boundary(node); });
@@ -145,8 +154,13 @@ void optimise(GlobalMesh& made, Geometry geometry) {
 
 class SpaceBuilder {
  public:
-  SpaceBuilder(const MeshRenewal& plan, const Positions& x)
-      : plan_(plan), mesh_(plan.mesh()), x_(x), size_(plan.deck().growth), simplices_(mesh_.mesh().blocks()) {
+  SpaceBuilder(const MeshRenewal& plan, const Positions& x, FilledBy way)
+      : plan_(plan),
+        mesh_(plan.mesh()),
+        x_(x),
+        way_(way),
+        size_(plan.deck().growth),
+        simplices_(mesh_.mesh().blocks()) {
     take_faces();
   }
 
@@ -179,6 +193,7 @@ class SpaceBuilder {
   const MeshRenewal& plan_;
   const GhostedMesh& mesh_;
   const Positions& x_;
+  FilledBy way_;
   SizeAround size_;
   SimplexMesh simplices_;
   std::map<int, int> vertex_of_;                 // of old nodes
@@ -228,7 +243,7 @@ void SpaceBuilder::fill() {
     }
   }
   const Tetrahedra made = tetrahedra_in(
-      vertices, regions, [this](const Point& x) { return size_(x); }, plan_.deck().time_limit);
+      vertices, regions, [this](const Point& x) { return size_(x); }, way_, plan_.deck().time_limit);
   simplices_.places.insert(simplices_.places.end(), made.points.begin() + simplices_.places.size(), made.points.end());
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const auto& t : made.tetrahedra[r]) simplices_.add(block_of[r], t);
@@ -281,6 +296,8 @@ void SpaceBuilder::keep_surfaces(RenewedMesh& result) const {
 
 }  // namespace
 
-RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x) { return SpaceBuilder(plan, x).build(); }
+RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x, FilledBy way) {
+  return SpaceBuilder(plan, x, way).build();
+}
 
 }  // namespace mudline

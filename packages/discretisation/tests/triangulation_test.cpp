@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include "core/space_vector.hpp"
@@ -66,16 +67,32 @@ TEST(Triangulation, SaysWhatCannotBeMeshed) {
   }
 }
 
-/// The faces of a box of corners `low` and `high`, its vertices added; turned to see them from inside.
-std::vector<std::array<int, 3>> box_faces(double low, double high, std::vector<Point>& vertices) {
-  const int first = static_cast<int>(vertices.size());
-  for (int i = 0; i < 8; ++i) vertices.push_back({i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low});
+/// Halves of n by n squares on each face of a box of corners `low` and `high`, as seen from outside; its vertices are
+/// added.
+std::vector<std::array<int, 3>> box_faces(double low, double high, int n, std::vector<Point>& vertices) {
+  std::map<std::array<int, 3>, int> numbers;
+  const auto vertex = [&](int axis, int side, int i, int j) {
+    std::array<int, 3> at{};
+    at[axis] = side * n;
+    at[(axis + 1) % 3] = i;
+    at[(axis + 2) % 3] = j;
+    const auto [number, added] = numbers.emplace(at, static_cast<int>(vertices.size()));
+    if (added)
+      vertices.push_back(
+          {low + (high - low) * at[0] / n, low + (high - low) * at[1] / n, low + (high - low) * at[2] / n});
+    return number->second;
+  };
   std::vector<std::array<int, 3>> result;
-  for (const auto& quad :
-       {std::array<int, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-    result.push_back({first + quad[0], first + quad[1], first + quad[2]});
-    result.push_back({first + quad[0], first + quad[2], first + quad[3]});
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side)
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          const int a = vertex(axis, side, i, j), c = vertex(axis, side, i + 1, j + 1);
+          int b = vertex(axis, side, i + 1, j), d = vertex(axis, side, i, j + 1);
+          if (side == 0) std::swap(b, d);
+          result.push_back({a, b, c});
+          result.push_back({a, c, d});
+        }
   return result;
 }
 
@@ -91,15 +108,19 @@ double volume(const Tetrahedra& mesh, int region) {
   return sum;
 }
 
-TEST(Tetrahedra, KeepTheGivenFacesAndAskedSizes) {
+class EveryWay : public ::testing::TestWithParam<FilledBy> {};
+INSTANTIATE_TEST_SUITE_P(Tetrahedra, EveryWay, ::testing::Values(FilledBy::delaunay, FilledBy::hxt));
+
+TEST_P(EveryWay, TheGivenFacesStayAndSizesAreAsAsked) {
+  const FilledBy way = GetParam();
   // a cube of 2 m with a cube of 1 m in its middle: a hole, and a second region in it
   std::vector<Point> vertices;
   std::vector<EnclosedRegion> regions(2);
-  regions[0].faces = box_faces(0, 2, vertices);
-  regions[1].faces = box_faces(0.5, 1.5, vertices);
+  regions[0].faces = box_faces(0, 2, 8, vertices);
+  regions[1].faces = box_faces(0.5, 1.5, 4, vertices);
   for (const auto& face : regions[1].faces) regions[0].faces.push_back({face[0], face[2], face[1]});
-  const auto size = [](const Point& x) { return x[0] < 1 ? 0.4 : 0.2; };
-  const Tetrahedra mesh = tetrahedra_in(vertices, regions, size, 60);
+  const auto size = [](const Point& x) { return x[0] < 1 ? 0.5 : 0.15; };
+  const Tetrahedra mesh = tetrahedra_in(vertices, regions, size, way, 60);
   ASSERT_EQ(mesh.tetrahedra.size(), 2u);
   EXPECT_NEAR(volume(mesh, 0), 7, 1e-12);
   EXPECT_NEAR(volume(mesh, 1), 1, 1e-12);
@@ -116,18 +137,18 @@ TEST(Tetrahedra, KeepTheGivenFacesAndAskedSizes) {
     }
     (x[0] < 1 ? left : right) += 1;
   }
-  EXPECT_GT(right, 2 * left);
-  const Tetrahedra again = tetrahedra_in(vertices, regions, size, 60);
+  EXPECT_GT(right, left);  // the faces are the same on both sides
+  const Tetrahedra again = tetrahedra_in(vertices, regions, size, way, 60);
   EXPECT_EQ(again.points, mesh.points);
   EXPECT_EQ(again.tetrahedra, mesh.tetrahedra);
 }
 
 TEST(Tetrahedra, SayWhatCannotBeFilled) {
   std::vector<Point> vertices;
-  EnclosedRegion region{box_faces(0, 1, vertices)};
-  vertices[7] = {-0.5, 0.4, 0.3};  // a corner through the face across
+  EnclosedRegion region{box_faces(0, 1, 1, vertices)};
+  vertices.back() = {-0.5, 0.4, 0.3};  // a corner through the face across
   EXPECT_THROW(tetrahedra_in(
-                   vertices, {region}, [](const Point&) { return 0.3; }, 20),
+                   vertices, {region}, [](const Point&) { return 0.3; }, FilledBy::delaunay, 20),
                NoTriangulation);
 }
 
