@@ -222,7 +222,7 @@ RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double lea
                               const WantedSizes* sizes) const {
   RenewedMesh made;
   double quality = -1e300;
-  std::string problem;
+  std::string problem = "its elements are flat";
   const auto take = [&](auto&& attempt) {
     try {
       RenewedMesh here = attempt();
