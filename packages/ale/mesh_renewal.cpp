@@ -235,7 +235,7 @@ RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double lea
     }
   };
   if (in_space())
-    for (FilledBy way : {FilledBy::delaunay, FilledBy::hxt}) take([&] { return renewed_in_space(*this, x, way); });
+    for (double factor : {1.0, 1.2}) take([&] { return renewed_in_space(*this, x, factor); });
   else
     take([&] { return renewed_in_plane(*this, x, state, sizes); });
   if (made.mesh.blocks.empty()) throw NoTriangulation(problem);

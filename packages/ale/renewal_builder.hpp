@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ale/mesh_renewal.hpp"
-#include "discretisation/triangulation.hpp"
 
 namespace mudline {
 
@@ -9,7 +8,7 @@ namespace mudline {
 
 /// Triangles between the paths, divided anew.
 RenewedMesh renewed_in_plane(const MeshRenewal& plan, const Positions& x, const State& state, const WantedSizes* sizes);
-/// Tetrahedra within the boundary's faces as they are.
-RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x, FilledBy way);
+/// Tetrahedra within the boundary's faces as they are, by a factor larger than these.
+RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x, double factor);
 
 }  // namespace mudline

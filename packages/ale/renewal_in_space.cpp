@@ -154,11 +154,11 @@ void optimise(GlobalMesh& made, Geometry geometry) {
 
 class SpaceBuilder {
  public:
-  SpaceBuilder(const MeshRenewal& plan, const Positions& x, FilledBy way)
+  SpaceBuilder(const MeshRenewal& plan, const Positions& x, double factor)
       : plan_(plan),
         mesh_(plan.mesh()),
         x_(x),
-        way_(way),
+        factor_(factor),
         size_(plan.deck().growth),
         simplices_(mesh_.mesh().blocks()) {
     take_faces();
@@ -193,7 +193,7 @@ class SpaceBuilder {
   const MeshRenewal& plan_;
   const GhostedMesh& mesh_;
   const Positions& x_;
-  FilledBy way_;
+  double factor_;
   SizeAround size_;
   SimplexMesh simplices_;
   std::map<int, int> vertex_of_;                 // of old nodes
@@ -243,7 +243,7 @@ void SpaceBuilder::fill() {
     }
   }
   const Tetrahedra made = tetrahedra_in(
-      vertices, regions, [this](const Point& x) { return size_(x); }, way_, plan_.deck().time_limit);
+      vertices, regions, [this](const Point& x) { return factor_ * size_(x); }, plan_.deck().time_limit);
   simplices_.places.insert(simplices_.places.end(), made.points.begin() + simplices_.places.size(), made.points.end());
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const auto& t : made.tetrahedra[r]) simplices_.add(block_of[r], t);
@@ -296,8 +296,8 @@ void SpaceBuilder::keep_surfaces(RenewedMesh& result) const {
 
 }  // namespace
 
-RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x, FilledBy way) {
-  return SpaceBuilder(plan, x, way).build();
+RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x, double factor) {
+  return SpaceBuilder(plan, x, factor).build();
 }
 
 }  // namespace mudline

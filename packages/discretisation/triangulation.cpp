@@ -26,7 +26,7 @@ Triangulation triangulate(const std::vector<std::array<double, 2>>&, const std::
 }
 
 Tetrahedra tetrahedra_in(const std::vector<Point>&, const std::vector<EnclosedRegion>&,
-                         const std::function<double(const Point&)>&, FilledBy, double) {
+                         const std::function<double(const Point&)>&, double) {
   throw NoTriangulation("this program was built without Gmsh (MUDLINE_GMSH=OFF)");
 }
 
@@ -239,11 +239,12 @@ Tetrahedra read_tetrahedra(const std::vector<Point>& vertices, std::size_t regio
 }
 
 Tetrahedra in_space(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
-                    const std::function<double(const Point&)>& size, FilledBy way) {
+                    const std::function<double(const Point&)>& size) {
   enclose(vertices, regions);
   take_sizes([&](double x, double y, double z) { return size({x, y, z}); });
   gmsh::option::setNumber("Mesh.Optimize", 1);
-  gmsh::option::setNumber("Mesh.Algorithm3D", way == FilledBy::delaunay ? 1 : 10);
+  constexpr int delaunay = 1;  // HXT does not give the same mesh twice
+  gmsh::option::setNumber("Mesh.Algorithm3D", delaunay);
   generate(3);
   Tetrahedra result = read_tetrahedra(vertices, regions.size());
   check_volumes(result, regions);
@@ -297,8 +298,8 @@ Triangulation triangulate(const std::vector<std::array<double, 2>>& vertices,
 }
 
 Tetrahedra tetrahedra_in(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
-                         const std::function<double(const Point&)>& size, FilledBy way, double time_limit) {
-  return made_in_gmsh<Tetrahedra>(time_limit, [&] { return in_space(vertices, regions, size, way); });
+                         const std::function<double(const Point&)>& size, double time_limit) {
+  return made_in_gmsh<Tetrahedra>(time_limit, [&] { return in_space(vertices, regions, size); });
 }
 
 #endif

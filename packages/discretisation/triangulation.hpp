@@ -47,12 +47,9 @@ Triangulation triangulate(const std::vector<std::array<double, 2>>& vertices,
                           const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit);
 
-/// Gmsh's ways of filling space. Neither gives the better elements in every case.
-enum class FilledBy { delaunay, hxt };
-
 /// Tetrahedra of the regions whose faces on the surfaces are the given ones, likewise. Regions that touch have common
 /// faces there. Throws NoTriangulation.
 Tetrahedra tetrahedra_in(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
-                         const std::function<double(const Point&)>& size, FilledBy way, double time_limit);
+                         const std::function<double(const Point&)>& size, double time_limit);
 
 }  // namespace mudline

@@ -108,11 +108,7 @@ double volume(const Tetrahedra& mesh, int region) {
   return sum;
 }
 
-class EveryWay : public ::testing::TestWithParam<FilledBy> {};
-INSTANTIATE_TEST_SUITE_P(Tetrahedra, EveryWay, ::testing::Values(FilledBy::delaunay, FilledBy::hxt));
-
-TEST_P(EveryWay, TheGivenFacesStayAndSizesAreAsAsked) {
-  const FilledBy way = GetParam();
+TEST(Tetrahedra, KeepTheGivenFacesAndAskedSizes) {
   // a cube of 2 m with a cube of 1 m in its middle: a hole, and a second region in it
   std::vector<Point> vertices;
   std::vector<EnclosedRegion> regions(2);
@@ -120,7 +116,7 @@ TEST_P(EveryWay, TheGivenFacesStayAndSizesAreAsAsked) {
   regions[1].faces = box_faces(0.5, 1.5, 4, vertices);
   for (const auto& face : regions[1].faces) regions[0].faces.push_back({face[0], face[2], face[1]});
   const auto size = [](const Point& x) { return x[0] < 1 ? 0.5 : 0.15; };
-  const Tetrahedra mesh = tetrahedra_in(vertices, regions, size, way, 60);
+  const Tetrahedra mesh = tetrahedra_in(vertices, regions, size, 60);
   ASSERT_EQ(mesh.tetrahedra.size(), 2u);
   EXPECT_NEAR(volume(mesh, 0), 7, 1e-12);
   EXPECT_NEAR(volume(mesh, 1), 1, 1e-12);
@@ -138,7 +134,7 @@ TEST_P(EveryWay, TheGivenFacesStayAndSizesAreAsAsked) {
     (x[0] < 1 ? left : right) += 1;
   }
   EXPECT_GT(right, left);  // the faces are the same on both sides
-  const Tetrahedra again = tetrahedra_in(vertices, regions, size, way, 60);
+  const Tetrahedra again = tetrahedra_in(vertices, regions, size, 60);
   EXPECT_EQ(again.points, mesh.points);
   EXPECT_EQ(again.tetrahedra, mesh.tetrahedra);
 }
@@ -148,7 +144,7 @@ TEST(Tetrahedra, SayWhatCannotBeFilled) {
   EnclosedRegion region{box_faces(0, 1, 1, vertices)};
   vertices.back() = {-0.5, 0.4, 0.3};  // a corner through the face across
   EXPECT_THROW(tetrahedra_in(
-                   vertices, {region}, [](const Point&) { return 0.3; }, FilledBy::delaunay, 20),
+                   vertices, {region}, [](const Point&) { return 0.3; }, 20),
                NoTriangulation);
 }
 
