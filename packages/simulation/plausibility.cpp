@@ -143,7 +143,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
   p.finish();
   if (!model.soil()) return;
   if (!model.bodies().empty() && model.mesh().dimension() == 2) {
-    const GhostedMesh mesh(model.mesh());
+    const GhostedMesh mesh(model.mesh(), 1);  // a layer tells where regions end
     const Positions positions = mesh.gather(model.mesh().coordinates());
     for (const auto& [name, body] : model.bodies()) {
       const BodyWay way(model, *body, mesh, positions);
