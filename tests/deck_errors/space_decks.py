@@ -211,7 +211,7 @@ DECKS = [
           "mesh motion/interior/type: Winslow is for meshes of the plane", ranks=BOTH),
     wrong("sliding boundary", with_section("mesh motion", "boundary", parameter("material sides", "Array(string)", "{tops}")),
           "mesh motion/boundary/material sides: unknown side set 'tops' (did you mean 'top'?)", ranks=BOTH),
-    wrong("remeshing of hexahedra", with_section("mesh motion", "remeshing", parameter("least steps", "int", "5")), (CELL, parameter("cell", "string", "hex27")),
+    wrong("remeshing of hexahedra", [with_section("mesh motion", "remeshing", parameter("least steps", "int", "5")), (CELL, parameter("cell", "string", "hex27"))],
           "mesh motion/remeshing: the mesh has cells hex27; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be made anew"),
     wrong("remeshing of a wall in space", with_section("mesh motion", "remeshing", parameter("wall size", "double", "0.1")),
           "mesh motion/remeshing/wall size: is for meshes of the plane; in space the boundary keeps its sides, and only the inside is meshed anew",
