@@ -40,7 +40,8 @@ void AleParameters::parameters(Parameters& p) {
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
   p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
-  p.section("remeshing", renewal, "when and how the region, of triangles, is meshed anew; absent: it is not");
+  p.section("remeshing", renewal,
+            "when and how the region, of triangles or tetrahedra, is meshed anew; absent: it is not");
 }
 
 void Ale::document(Parameters& p) { AleParameters().parameters(p); }

@@ -98,6 +98,8 @@ class Ale {
   /// The mesh about this rank, and the paths of the whole one.
   const GhostedMesh& mesh() const { return mesh_; }
   const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
+  /// In space, likewise.
+  const MeshSurfaces& surfaces() const { return deck_.boundary.surfaces().surfaces(); }
 
  private:
   /// New positions of all nodes; a reason when there are none.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "ale/interior_motion.hpp"
 #include "core/pi.hpp"
@@ -67,15 +68,17 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
     for (MeshPath& path : paths_)
       for (int& node : path.nodes) node = mesh.local_node(node);
     origins_ = renewed->origins;
-    focus = on_plane(renewed->focus);
-  } else if (mesh.dimension() == 3) {
-    bind_surfaces(mesh, source);
-  } else {
+    if (!in_space_) focus = on_plane(renewed->focus);
+  }
+  if (in_space_) {
+    source_ = source;
+    bind_surfaces(mesh, renewed);
+  } else if (!renewed) {
     paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
                         [&](int node) { return starts_on_body(source[node]); });
   }
   for (const MeshPath& path : paths_) {
-    const PathCurve curve(places(path, source));
+    const PathCurve curve(places(path, in_space_ ? source_ : source));
     const CurveMeasure measure(curve, size_field(focus));
     std::vector<double> shares;
     for (int v = 0; v < path.num_vertices(); ++v)
@@ -86,17 +89,33 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
   }
 }
 
-void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source) {
+/// On a mesh made on the way the boundary still has its faces, and strives for what it was in the deck's mesh.
+void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const RenewedMesh* renewed) {
   std::set<int> corners;
   for (const std::string& name : corners_)
     for (int node : mesh.node_sets().at(name)) corners.insert(node);
-  MeshSurfaces surfaces = split_surfaces(boundary_faces(mesh), source, corners, corner_angle_ * pi / 180,
-                                         [&](int node) { return starts_on_body(source[node]); });
-  paths_ = surfaces.curves;
+  std::vector<SurfaceFace> faces = boundary_faces(mesh);
+  MeshSurfaces surfaces;
+  if (renewed) {
+    for (const SourcePlace& was : renewed->source) source_[mesh.local_node(was.node)] = was.place;
+    std::map<std::array<long long, 3>, int> patches;
+    for (const FaceOfPatch& face : renewed->faces) patches[face.corners] = face.patch;
+    for (SurfaceFace& face : faces) {
+      std::array<long long, 3> ids{};
+      for (int k = 0; k < 3; ++k) ids[k] = mesh.node_id(face.nodes[k]);
+      std::sort(ids.begin(), ids.end());
+      face.patch = patches.at(ids);
+    }
+    surfaces = joined_surfaces(std::move(faces), paths_, source_.size(), corners);
+  } else {
+    surfaces = split_surfaces(std::move(faces), source_, corners, corner_angle_ * pi / 180,
+                              [&](int node) { return starts_on_body(source_[node]); });
+    paths_ = surfaces.curves;
+  }
   std::vector<char> slides;
   for (const SurfacePatch& patch : surfaces.patches) slides.push_back(!material(patch.sets));
   surfaces_ =
-      SurfaceMotion(std::move(surfaces), source, slides, largest_slide_, CornerSimplices(mesh).on_boundary(mesh));
+      SurfaceMotion(std::move(surfaces), source_, slides, largest_slide_, CornerSimplices(mesh).on_boundary(mesh));
 }
 
 bool BoundaryMotion::material(const std::set<std::string>& sets) const {

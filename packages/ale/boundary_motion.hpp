@@ -57,6 +57,8 @@ class BoundaryMotion {
   const SurfaceMotion& surfaces() const { return surfaces_; }
   /// (path) what its sides were in the deck's mesh.
   const std::vector<PathOrigin>& origins() const { return origins_; }
+  /// Where a node of the boundary in space was in the deck's mesh [m].
+  const Point& source(int node) const { return source_[node]; }
   /// Whether a path's nodes stay material points.
   bool material(const MeshPath& path) const { return material(path.sets); }
   bool axisymmetric() const { return axisymmetric_; }
@@ -74,7 +76,7 @@ class BoundaryMotion {
  private:
   bool material(const std::set<std::string>& sets) const;
   bool starts_on_body(const Point& x) const;
-  void bind_surfaces(const GhostedMesh& mesh, const Positions& source);
+  void bind_surfaces(const GhostedMesh& mesh, const RenewedMesh* renewed);
   void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
 
   std::string focus_;
@@ -86,6 +88,7 @@ class BoundaryMotion {
   std::vector<std::vector<double>> shares_;  // (path, vertex) measure in the source's mesh, as a share of the total
   std::vector<char> slides_;                 // (path)
   SurfaceMotion surfaces_;                   // in space
+  Positions source_;                         // in space, of nodes on the boundary
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
 };
 

@@ -101,11 +101,13 @@ void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Posit
 /// is free.
 class OptimisationMotion : public InteriorMotion {
  public:
+  enum class Ideal { equilateral, source };
+  OptimisationMotion() = default;
+  explicit OptimisationMotion(Ideal ideal) : ideal_(ideal) {}
   void parameters(Parameters& p);
   void move(const InteriorMesh& mesh, Positions& x) const override;
 
  private:
-  enum class Ideal { equilateral, source };
   Ideal ideal_ = Ideal::source;
   SweepLimits limits_;
 };

@@ -7,11 +7,14 @@ namespace mudline {
 namespace {
 
 /// In the numbers of the whole mesh.
-std::vector<MeshPath> whole_paths(const Ale& ale) {
-  std::vector<MeshPath> paths = ale.paths();
-  for (MeshPath& path : paths)
-    for (int& node : path.nodes) node = static_cast<int>(ale.mesh().node_id(node));
-  return paths;
+NodalRemap::Bounded bounded(const Ale& ale, const GhostedMesh& whole, const Positions& x) {
+  NodalRemap::Bounded result{whole, ale.paths(), ale.surfaces().faces, x};
+  const auto number = [&](int& node) { node = static_cast<int>(ale.mesh().node_id(node)); };
+  for (MeshPath& path : result.paths)
+    for (int& node : path.nodes) number(node);
+  for (SurfaceFace& face : result.faces)
+    for (int a = 0; a < num_nodes(face.shape); ++a) number(face.nodes[a]);
+  return result;
 }
 
 }  // namespace
@@ -21,7 +24,7 @@ MeshChange::MeshChange(const Ale& from, const State& before, const Ale& to, cons
       to_(to.mesh().mesh()),
       x_from_(from_.gather(before.coordinates)),
       x_to_(to_.gather(after.coordinates)),
-      nodal_(from_, whole_paths(from), x_from_, to_, whole_paths(to), x_to_) {}
+      nodal_(bounded(from, from_, x_from_), bounded(to, to_, x_to_)) {}
 
 void MeshChange::carry(const Space& old_space, int old_field, const ConstNodalView& old, const Space& space, int field,
                        const NodalView& now, bool limited) const {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "ale/renewal_builder.hpp"
 #include "core/text.hpp"
+#include "discretisation/element_map.hpp"
 #include "discretisation/triangulation.hpp"
 
 namespace mudline {
@@ -24,24 +26,38 @@ double side_at(const std::vector<double>& shares, double share) {
   return (1 - t) * length(after - 1) + t * length(after);
 }
 
+double lowest_quality(const GlobalMesh& mesh) {
+  double lowest = 1e300;
+  for (const auto& block : mesh.blocks) {
+    const std::size_t n = num_nodes(block.shape);
+    for (std::size_t first = 0; first < block.nodes.size(); first += n)
+      lowest = std::min(lowest, ElementMap(block.shape, [&](int a) {
+                                  return mesh.coordinates[block.nodes[first + a]].data();
+                                }).scaled_jacobian());
+  }
+  return lowest;
+}
+
 }  // namespace
 
 void RenewalParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", half_open(0, 1),
         "the region is meshed anew when the smallest scaled Jacobian is below this");
-  p.add(
-      "when side above", side_above, "-", positive(),
-      "and when a side of its boundary is longer than so many times its wanted length; a new boundary has sides of up "
-      "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
-  p.choice("size", size, {{"source", Size::source}, {"adaptive", Size::adaptive}},
-           "wanted sizes: of the deck's mesh and the distance from the boundary, or of the error estimate");
+  p.add("when side above", side_above, "-", positive(),
+        "in the plane also when a side of its boundary is longer than so many times its wanted length; a new boundary "
+        "has sides of up "
+        "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
+  p.choice(
+      "size", size, {{"source", Size::source}, {"adaptive", Size::adaptive}},
+      "in the plane: wanted sizes of the deck's mesh and the distance from the boundary, or of the error estimate");
   if (p.documenting() || size == Size::adaptive) {
     p.required("smallest size", smallest_size, "m", positive(), "with adaptive sizes: no smaller ones are wanted");
     p.required("largest size", largest_size, "m", positive(), "with adaptive sizes: no larger ones are wanted");
   }
   p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
   p.add("wall size", wall_size, "m", non_negative(),
-        "wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
+        "in the plane: wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the "
+        "boundary");
   p.add("growth", growth, "-", half_open(0, 2),
         "increase of the wanted size per distance from a body's wall, and of the triangles' per distance from the "
         "boundary");
@@ -51,7 +67,7 @@ void RenewalParameters::parameters(Parameters& p) {
 MeshRenewal::MeshRenewal(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
                          const Section& section)
     : mesh_(mesh), boundary_(boundary), deck_(deck) {
-  find_neighbours();
+  if (!in_space()) find_neighbours();
   find_kept();
   check(section);
   check_sets(section);
@@ -76,6 +92,7 @@ void MeshRenewal::find_neighbours() {
 
 void MeshRenewal::find_kept() {
   kept_node_.assign(mesh_.num_nodes(), 0);
+  for (int node = 0; in_space() && node < mesh_.num_nodes(); ++node) kept_node_[node] = mesh_.on_boundary(node);
   for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
     const std::vector<int>& nodes = boundary_.paths()[p].nodes;
     kept_node_[nodes.front()] = kept_node_[nodes.back()] = 1;
@@ -90,28 +107,47 @@ void MeshRenewal::check(const Section& section) const {
     section.fail("must not be smaller than the smallest size, " + number_text(deck_.smallest_size) + " m",
                  "largest size");
   for (const ElementBlock& block : mesh_.mesh().blocks())
-    if (block.shape != CellShape::tri3 && block.shape != CellShape::tri6)
+    if (!is_simplex(block.shape))
       section.fail(std::string("the mesh has cells ") + name(block.shape) +
-                   "; only meshes of triangles (tri3, tri6) can be made anew");
+                   "; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be made anew");
+  if (in_space()) check_space(section);
 }
 
-void MeshRenewal::check_sets(const Section& section) const {
-  std::map<std::string, double> on_paths;  // sides of each set that lie on paths whose sides all belong to it
+/// The boundary keeps its sides: what asks for other ones has no meaning.
+void MeshRenewal::check_space(const Section& section) const {
+  for (const char* entry : {"wall size", "when side above", "size"})
+    if (section.has_parameter(entry))
+      section.fail(
+          "is for meshes of the plane; in space the boundary keeps its sides, and only the inside is meshed anew",
+          entry);
+}
+
+std::map<std::string, double> MeshRenewal::named_sides() const {
+  std::map<std::string, double> on_paths;
+  if (in_space())
+    for (const auto& side : mesh_.boundary())
+      for (const std::string& name : side.sets) on_paths[name] += 1;
   for (std::size_t p = 0; p < beside_.size(); ++p) {
     const int sides = boundary_.paths()[p].num_vertices() - 1;
     for (const auto* sets : {&beside_[p].left_sets, &beside_[p].right_sets})
-      for (const std::string& name : *sets) on_paths[name] += sides;
+      for (const std::string& name : *sets) on_paths[name] += sides;  // whose sides all belong to it
   }
+  return on_paths;
+}
+
+void MeshRenewal::check_sets(const Section& section) const {
+  std::map<std::string, double> named = named_sides();
   for (const auto& [name, sides] : mesh_.mesh().side_sets())
-    if (on_paths[name] != mesh_.sum(static_cast<double>(sides.size())))
+    if (named[name] != mesh_.sum(static_cast<double>(sides.size())))
       section.fail("the side set '" + name +
                    "' is not made of whole boundaries of regions: it would be lost where the mesh is made anew");
   for (const auto& [name, nodes] : mesh_.node_sets())
     for (int node : nodes)
       if (!keeps(node))
-        section.fail("the point set '" + name +
-                     "' would be lost where the mesh is made anew; name it in boundary/corners, or a side set that it "
-                     "lies on in boundary/material sides");
+        section.fail("the point set '" + name + "' would be lost where the mesh is made anew" +
+                     (in_space() ? ": it has points inside of a region"
+                                 : "; name it in boundary/corners, or a side set "
+                                   "that it lies on in boundary/material sides"));
 }
 
 std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const PathCurve& curve, const State& state,
@@ -133,7 +169,7 @@ std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const Path
 
 double MeshRenewal::largest_side(const Positions& x, const State& state) const {
   double largest = 0;
-  for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
+  for (std::size_t p = 0; !in_space() && p < boundary_.paths().size(); ++p) {
     if (kept(p)) continue;
     const MeshPath& path = boundary_.paths()[p];
     const PathPlaces places(boundary_, path, x, state);
@@ -180,6 +216,32 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
     result.middles.push_back(
         in_plane(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k])));
   return result;
+}
+
+RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double least_quality,
+                              const WantedSizes* sizes) const {
+  RenewedMesh made;
+  double quality = -1e300;
+  std::string problem = "its elements are flat";
+  const auto take = [&](auto&& attempt) {
+    try {
+      RenewedMesh here = attempt();
+      const double quality_here = lowest_quality(here.mesh);
+      if (!(quality_here > quality)) return;
+      made = std::move(here);
+      quality = quality_here;
+    } catch (const NoTriangulation& failure) {
+      problem = failure.what();
+    }
+  };
+  if (in_space())
+    for (double factor : {1.0, 1.2}) take([&] { return renewed_in_space(*this, x, factor); });
+  else
+    take([&] { return renewed_in_plane(*this, x, state, sizes); });
+  if (made.mesh.blocks.empty()) throw NoTriangulation(problem);
+  if (!(quality >= least_quality))
+    throw NoTriangulation("its best mesh has a scaled Jacobian of " + number_text(quality));
+  return made;
 }
 
 }  // namespace mudline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -35,11 +36,13 @@ struct PathNeighbours {
   std::set<std::string> left_sets, right_sets;
 };
 
-/// Makes a mesh anew within the boundary as it is: the paths are divided into sides of the wanted size, and the regions
-/// between them into triangles whose size grows away from the boundary. A side is wanted as long as the one that was at
-/// its share of the path in the deck's mesh, by the same measure about the focus, and at a body no longer than the wall
-/// size; or, where sizes are adaptive, as long as an error estimate asks for. Ends of paths and nodes of material sides
-/// stay where they are. Everything has its name again.
+/// Makes a mesh anew within the boundary as it is. In the plane the paths are divided into sides of the wanted size,
+/// and the regions between them into triangles whose size grows away from the boundary. A side is wanted as long as the
+/// one that was at its share of the path in the deck's mesh, by the same measure about the focus, and at a body no
+/// longer than the wall size; or, where sizes are adaptive, as long as an error estimate asks for. Ends of paths and
+/// nodes of material sides stay where they are. In space the boundary keeps its faces, curved as they are, and only the
+/// inside is filled anew, with tetrahedra that are as large as the faces beside them and grow away from them; the
+/// better one of two meshes is taken. Everything has its name again.
 class MeshRenewal {
  public:
   /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
@@ -55,8 +58,10 @@ class MeshRenewal {
   /// Whether a node stays where it is.
   bool keeps(int node) const { return kept_node_[node] != 0; }
 
+  bool in_space() const { return mesh_.dimension() == 3; }
   bool adaptive() const { return deck_.size == RenewalParameters::Size::adaptive; }
-  /// The largest ratio of a side of the boundary to its wanted length; what an error asks for is left out.
+  /// The largest ratio of a side of the boundary to its wanted length; what an error asks for is left out. In space,
+  /// where the boundary keeps its sides, 0.
   double largest_side(const Positions& x, const State& state) const;
   /// `sizes`: of an error estimate where sizes are adaptive, else null.
   DividedPath divided(std::size_t path, const Positions& x, const State& state, const WantedSizes* sizes) const;
@@ -68,7 +73,10 @@ class MeshRenewal {
   void find_neighbours();
   void find_kept();
   void check(const Section& section) const;
+  void check_space(const Section& section) const;
   void check_sets(const Section& section) const;
+  /// Sides of each set that will have their names again.
+  std::map<std::string, double> named_sides() const;
   /// Wanted length of a side at a place s of a path's curve.
   std::function<double(double s)> wanted(std::size_t path, const PathCurve& curve, const State& state,
                                          const WantedSizes* sizes) const;

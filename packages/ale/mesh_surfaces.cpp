@@ -24,8 +24,7 @@ class SurfaceSplitter {
   SurfaceSplitter(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
                   double corner_angle, const std::function<bool(int)>& on_body)
       : x_(source), corners_(corners), angle_(corner_angle), on_body_(on_body) {
-    result_.faces = std::move(faces);
-    result_.patch_of.assign(source.size(), -1);
+    faces_ = std::move(faces);
     find_edges();
     for (Edge& edge : edges_) edge.feature = divides(edge);
     for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -36,19 +35,14 @@ class SurfaceSplitter {
   MeshSurfaces split() {
     collect_patches();
     collect_curves();
-    for (const SurfaceFace& face : result_.faces)
-      for (int a = 0; a < num_nodes(face.shape); ++a) result_.patch_of[face.nodes[a]] = face.patch;
-    for (const MeshPath& curve : result_.curves)
-      for (int node : curve.nodes) result_.patch_of[node] = -1;
-    for (int node : corners_) result_.patch_of[node] = -1;
-    return std::move(result_);
+    return joined_surfaces(std::move(faces_), std::move(curves_), x_.size(), corners_);
   }
 
  private:
   void find_edges() {
     std::map<std::array<int, 2>, int> numbers;
-    for (std::size_t f = 0; f < result_.faces.size(); ++f) {
-      const SurfaceFace& face = result_.faces[f];
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const SurfaceFace& face = faces_[f];
       const int corners = num_corners(face.shape);
       for (int k = 0; k < corners; ++k) {
         const auto ends = edge_corners(face.shape, k);
@@ -62,7 +56,7 @@ class SurfaceSplitter {
   }
 
   Point normal_at_edge(const std::array<int, 2>& at) const {
-    const SurfaceFace& face = result_.faces[at[0]];
+    const SurfaceFace& face = faces_[at[0]];
     const auto ends = edge_corners(face.shape, at[1]);
     const auto a = reference_node(face.shape, ends[0]), b = reference_node(face.shape, ends[1]);
     return face_normal(face, {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}, x_);
@@ -70,7 +64,7 @@ class SurfaceSplitter {
 
   bool divides(const Edge& edge) const {
     if (edge.faces.size() != 2) return true;
-    const SurfaceFace &one = result_.faces[edge.faces[0][0]], &other = result_.faces[edge.faces[1][0]];
+    const SurfaceFace &one = faces_[edge.faces[0][0]], &other = faces_[edge.faces[1][0]];
     if (one.sets != other.sets || one.outer != other.outer) return true;
     if (one.block != other.block || one.other != other.other) return true;
     if (angle_between(normal_at_edge(edge.faces[0]), normal_at_edge(edge.faces[1])) <= angle_) return false;
@@ -78,28 +72,25 @@ class SurfaceSplitter {
   }
 
   void collect_patches() {
-    std::vector<std::vector<int>> beside(result_.faces.size());
+    std::vector<std::vector<int>> beside(faces_.size());
     for (const Edge& edge : edges_)
       if (!edge.feature)
         for (int side = 0; side < 2; ++side) beside[edge.faces[side][0]].push_back(edge.faces[1 - side][0]);
-    for (std::size_t f = 0; f < result_.faces.size(); ++f) {
-      if (result_.faces[f].patch >= 0) continue;
-      SurfacePatch patch{{}, result_.faces[f].sets, result_.faces[f].outer};
+    int patches = 0;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (faces_[f].patch >= 0) continue;
       std::vector<int> open{static_cast<int>(f)};
-      const int number = static_cast<int>(result_.patches.size());
-      result_.faces[f].patch = number;
+      faces_[f].patch = patches;
       while (!open.empty()) {
         const int here = open.back();
         open.pop_back();
-        patch.faces.push_back(here);
         for (int next : beside[here]) {
-          if (result_.faces[next].patch >= 0) continue;
-          result_.faces[next].patch = number;
+          if (faces_[next].patch >= 0) continue;
+          faces_[next].patch = patches;
           open.push_back(next);
         }
       }
-      std::sort(patch.faces.begin(), patch.faces.end());
-      result_.patches.push_back(std::move(patch));
+      ++patches;
     }
   }
 
@@ -138,7 +129,7 @@ class SurfaceSplitter {
       Edge& here = edges_[edge];
       here.used = true;
       for (const auto& [f, k] : here.faces) {
-        const SurfaceFace& face = result_.faces[f];
+        const SurfaceFace& face = faces_[f];
         path.outer = path.outer && face.outer;
         path.sets.insert(face.sets.begin(), face.sets.end());
       }
@@ -149,14 +140,15 @@ class SurfaceSplitter {
       const std::vector<int>& touching = at_.at(node);
       edge = touching[0] == edge ? touching[1] : touching[0];
     }
-    result_.curves.push_back(std::move(path));
+    curves_.push_back(std::move(path));
   }
 
   const Positions& x_;
   const std::set<int>& corners_;
   double angle_;
   const std::function<bool(int)>& on_body_;
-  MeshSurfaces result_;
+  std::vector<SurfaceFace> faces_;
+  std::vector<MeshPath> curves_;
   std::vector<Edge> edges_;
   std::map<int, std::vector<int>> at_;  // feature edges at a vertex
 };
@@ -179,6 +171,24 @@ std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh) {
     faces.push_back(face);
   }
   return faces;
+}
+
+MeshSurfaces joined_surfaces(std::vector<SurfaceFace> faces, std::vector<MeshPath> curves, std::size_t nodes,
+                             const std::set<int>& corners) {
+  MeshSurfaces result{std::move(faces), {}, std::move(curves), std::vector<int>(nodes, -1)};
+  for (std::size_t f = 0; f < result.faces.size(); ++f) {
+    const SurfaceFace& face = result.faces[f];
+    if (face.patch >= static_cast<int>(result.patches.size())) result.patches.resize(face.patch + 1);
+    SurfacePatch& patch = result.patches[face.patch];
+    patch.faces.push_back(static_cast<int>(f));
+    patch.sets = face.sets;
+    patch.outer = face.outer;
+    for (int a = 0; a < num_nodes(face.shape); ++a) result.patch_of[face.nodes[a]] = face.patch;
+  }
+  for (const MeshPath& curve : result.curves)
+    for (int node : curve.nodes) result.patch_of[node] = -1;
+  for (int node : corners) result.patch_of[node] = -1;
+  return result;
 }
 
 MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,

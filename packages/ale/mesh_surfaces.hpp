@@ -17,7 +17,7 @@ struct SurfaceFace {
   std::set<std::string> sets;  // side sets that it belongs to
   bool outer = true;           // on the boundary of the mesh, not between two regions
   int block = 0, other = -1;   // regions on its two sides, the lower first; -1: none
-  int patch = -1;              // set by split_surfaces()
+  int patch = -1;              // number of the patch that it belongs to; -1: not known yet
 };
 
 /// Faces that are smoothly joined: the nodes inside may slide on them.
@@ -45,6 +45,10 @@ struct MeshSurfaces {
 
 /// The faces of the boundaries of all regions.
 std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh);
+
+/// Surfaces of faces whose patches are known, of a mesh of so many nodes; `corners`: see split_surfaces().
+MeshSurfaces joined_surfaces(std::vector<SurfaceFace> faces, std::vector<MeshPath> curves, std::size_t nodes,
+                             const std::set<int>& corners);
 
 /// Splits faces into patches. Two neighbours belong to different patches where more than two faces meet, where the side
 /// sets or the regions beside them change, and where their normals in the source's mesh differ by more than

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "ale/point_locator.hpp"
 #include "core/space_vector.hpp"
@@ -83,21 +84,62 @@ NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& pat
   }
 }
 
-NodalRemap::NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
-                       const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new)
-    : mesh_(from), to_(to), places_(x_new.size()) {
-  const PointLocator locator(from, x_old);
+namespace {
+
+/// No face is nearer than this to a point: of the box of its nodes, beyond which a curved one does not bulge far.
+double distance_to_nodes(const SurfaceFace& face, const Point& point, const Positions& x) {
+  Bounds box = Bounds::nothing();
+  for (int a = 0; a < num_nodes(face.shape); ++a) box.enclose(x[face.nodes[a]]);
+  const Point half = scaled(0.5, minus(box.high, box.low));
+  return length(minus(point, plus(box.low, 1, half))) - 1.5 * length(half);
+}
+
+}  // namespace
+
+NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh), to_(to.mesh), places_(to.x.size()) {
+  const PointLocator locator(mesh_, from.x);
   std::map<int, int> guess;  // by block: where the last node was found
-  for (const auto& element : to.elements())
+  for (const auto& element : to_.elements())
     for (int a = 0; a < num_nodes(element.shape); ++a) {
       Place& place = places_[element.nodes[a]];
-      if (place.element >= 0 || !to.owns(element.nodes[a])) continue;
-      int& near = guess.emplace(element.block, from.block_elements(element.block).front()).first->second;
-      const MeshPlace found = locator.find(x_new[element.nodes[a]], near);
+      if (place.element >= 0 || !to_.owns(element.nodes[a])) continue;
+      int& near = guess.emplace(element.block, mesh_.block_elements(element.block).front()).first->second;
+      const MeshPlace found = locator.find(to.x[element.nodes[a]], near);
       near = place.element = found.element;
       std::copy(found.xi, found.xi + 3, place.xi);
     }
-  for (std::size_t p = 0; p < paths_to.size(); ++p) put_on_new_path(paths_from[p], paths_to[p], x_old, x_new);
+  put_on_new_faces(from, to);
+  for (std::size_t p = 0; p < to.paths.size(); ++p) put_on_new_path(from.paths[p], to.paths[p], from.x, to.x);
+}
+
+void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {
+  std::map<Point, int> at;             // old nodes
+  std::map<int, std::vector<int>> of;  // old faces by patch
+  for (std::size_t f = 0; f < from.faces.size(); ++f) {
+    const SurfaceFace& face = from.faces[f];
+    of[face.patch].push_back(static_cast<int>(f));
+    for (int a = 0; a < num_nodes(face.shape); ++a) at[from.x[face.nodes[a]]] = face.nodes[a];
+  }
+  std::set<int> done;
+  for (const SurfaceFace& face : to.faces)
+    for (int a = 0; a < num_nodes(face.shape); ++a) {
+      const int node = face.nodes[a];
+      if (!to_.owns(node) || !done.insert(node).second) continue;
+      Place& place = places_[node];
+      const auto same = at.find(to.x[node]);
+      if (same != at.end()) place.same = same->second;
+      double least = 1e300;
+      for (int f : of[face.patch]) {
+        const SurfaceFace& old = from.faces[f];
+        if (distance_to_nodes(old, to.x[node], from.x) > least) continue;
+        const NearestOnFace there = nearest_on_face(old, to.x[node], from.x);
+        if (there.distance >= least) continue;
+        least = there.distance;
+        place.side = old.shape;
+        place.side_nodes = old.nodes;
+        place.along = there.place;
+      }
+    }
 }
 
 void NodalRemap::put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old,

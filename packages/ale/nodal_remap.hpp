@@ -20,9 +20,15 @@ class NodalRemap {
   /// `surfaces`: in space, of which the paths are the edges.
   NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& paths, const Positions& x_old,
              const Positions& x_new, const SurfaceMotion* surfaces = nullptr);
-  /// Another mesh of the same regions, with the same paths in the same order. `from`: the whole mesh.
-  NodalRemap(const GhostedMesh& from, const std::vector<MeshPath>& paths_from, const Positions& x_old,
-             const GhostedMesh& to, const std::vector<MeshPath>& paths_to, const Positions& x_new);
+  /// A mesh and what its boundary is made of; in the plane there are no faces.
+  struct Bounded {
+    const GhostedMesh& mesh;
+    std::vector<MeshPath> paths;
+    std::vector<SurfaceFace> faces;
+    const Positions& x;
+  };
+  /// Another mesh of the same regions, with the same paths and patches in the same order. `from`: the whole mesh.
+  NodalRemap(const Bounded& from, const Bounded& to);
   /// `support`: which nodes carry the field; (node, component) in and out. `limited`: no value beyond those it is made
   /// of, for fields that jump from one node to the next, where quadratic shape functions overshoot remap by remap;
   /// smooth fields lose their peaks by it. Collective.
@@ -42,6 +48,7 @@ class NodalRemap {
   void put_on_path(const MeshPath& path, int first, int last, const Positions& x_old, const Point& x,
                    Place& place) const;
   void put_on_new_path(const MeshPath& old, const MeshPath& made, const Positions& x_old, const Positions& x_new);
+  void put_on_new_faces(const Bounded& from, const Bounded& to);
 
   const GhostedMesh &mesh_, &to_;
   std::vector<Place> places_;

@@ -15,6 +15,18 @@ struct PathOrigin {
   double total = 0;
 };
 
+/// A face of a boundary in space, by its corners in ascending order, and the patch that it belongs to.
+struct FaceOfPatch {
+  std::array<long long, 3> corners;
+  int patch;
+};
+
+/// Where a node of a boundary in space was in the deck's mesh [m].
+struct SourcePlace {
+  long long node;
+  Point place;
+};
+
 /// A mesh that was made on the way, with all that a model on it must know, so that a run goes on from it as from a
 /// deck's mesh.
 struct RenewedMesh {
@@ -23,7 +35,10 @@ struct RenewedMesh {
   GlobalMesh mesh;
   std::vector<MeshPath> paths;      // of its own nodes, in the order of those of the mesh before
   std::vector<PathOrigin> origins;  // (path)
-  std::array<double, 2> focus{};    // of the sizes, when it was made [m]
+  std::array<double, 2> focus{};    // of the sizes, when it was made [m]; in the plane
+  // In space, where the boundary keeps its faces:
+  std::vector<FaceOfPatch> faces;
+  std::vector<SourcePlace> source;
 
   std::vector<char> bytes() const;
   static RenewedMesh from_bytes(std::vector<char> bytes);

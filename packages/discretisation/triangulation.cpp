@@ -3,11 +3,13 @@
 #ifdef MUDLINE_HAVE_GMSH
 #include <gmsh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <unordered_map>
 
 #include "core/child_process.hpp"
+#include "core/space_vector.hpp"
 #include "discretisation/byte_stream.hpp"
 #include "discretisation/gmsh_session.hpp"
 #endif
@@ -20,6 +22,11 @@ bool has_triangulation() { return false; }
 
 Triangulation triangulate(const std::vector<std::array<double, 2>>&, const std::vector<OutlinedRegion>&,
                           const std::function<double(double x, double y)>&, double) {
+  throw NoTriangulation("this program was built without Gmsh (MUDLINE_GMSH=OFF)");
+}
+
+Tetrahedra tetrahedra_in(const std::vector<Point>&, const std::vector<EnclosedRegion>&,
+                         const std::function<double(const Point&)>&, double) {
   throw NoTriangulation("this program was built without Gmsh (MUDLINE_GMSH=OFF)");
 }
 
@@ -110,17 +117,173 @@ Triangulation read_triangles(const std::vector<std::array<double, 2>>& vertices,
   return result;
 }
 
-Triangulation in_gmsh(const std::vector<std::array<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
-                      const std::function<double(double x, double y)>& size) {
-  outline(vertices, regions);
+/// Sizes come from `size` alone, of (x, y, z).
+template <class Size>
+void take_sizes(Size&& size) {
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::model::mesh::setSizeCallback([&](int /*dimension*/, int /*entity*/, double x, double y, double /*z*/,
-                                         auto... /*since 4.9: the size so far*/) { return size(x, y); });
-  gmsh::model::mesh::generate(2);
+  gmsh::model::mesh::setSizeCallback([size](int /*dimension*/, int /*entity*/, double x, double y, double z,
+                                            auto... /*since 4.9: the size so far*/) { return size(x, y, z); });
+}
+
+void generate(int dimension) {
+  gmsh::model::mesh::generate(dimension);
   if (const std::string error = gmsh_error(); !error.empty()) throw NoTriangulation("Gmsh: " + error);
+}
+
+Triangulation in_plane(const std::vector<std::array<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
+                       const std::function<double(double x, double y)>& size) {
+  outline(vertices, regions);
+  take_sizes([&](double x, double y, double /*z*/) { return size(x, y); });
+  generate(2);
   const Triangulation result = read_triangles(vertices, regions.size());
   check_areas(result, regions);
+  return result;
+}
+
+/// Regions on the two sides of a face; -1: none.
+using Sides = std::array<int, 2>;
+
+/// The faces by the regions that they are between, each one once.
+std::map<Sides, std::vector<std::size_t>> surfaces_between(const std::vector<EnclosedRegion>& regions) {
+  struct Face {
+    std::array<int, 3> corners;
+    Sides sides;
+  };
+  std::map<std::array<int, 3>, Face> faces;  // by sorted corners
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    for (const std::array<int, 3>& corners : regions[r].faces) {
+      std::array<int, 3> key = corners;
+      std::sort(key.begin(), key.end());
+      const auto [face, added] = faces.emplace(key, Face{corners, {static_cast<int>(r), -1}});
+      if (!added) face->second.sides[1] = static_cast<int>(r);
+    }
+  std::map<Sides, std::vector<std::size_t>> result;
+  for (const auto& [key, face] : faces)
+    for (int corner : face.corners) result[face.sides].push_back(static_cast<std::size_t>(corner) + 1);
+  return result;
+}
+
+/// The surfaces as discrete ones, whose triangles Gmsh keeps, the regions as volumes. Tags are numbers from 1.
+void enclose(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions) {
+  constexpr int triangle = 2;  // of Gmsh
+  std::vector<std::vector<int>> around(regions.size());
+  bool first = true;
+  for (const auto& [sides, nodes] : surfaces_between(regions)) {
+    const int tag = gmsh::model::addDiscreteEntity(2);
+    for (int region : sides)
+      if (region >= 0) around[region].push_back(tag);
+    if (first) {  // the nodes of all surfaces
+      std::vector<std::size_t> tags;
+      std::vector<double> coordinates;
+      for (std::size_t v = 0; v < vertices.size(); ++v) {
+        tags.push_back(v + 1);
+        coordinates.insert(coordinates.end(), vertices[v].begin(), vertices[v].end());
+      }
+      gmsh::model::mesh::addNodes(2, tag, tags, coordinates);
+    }
+    first = false;
+    gmsh::model::mesh::addElementsByType(tag, triangle, {}, nodes);
+  }
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(around[r])}, static_cast<int>(r) + 1);
+  gmsh::model::geo::synchronize();
+}
+
+double six_volumes(const std::vector<Point>& x, const std::array<int, 4>& t) {
+  return dot(minus(x[t[1]], x[t[0]]), cross(minus(x[t[2]], x[t[0]]), minus(x[t[3]], x[t[0]])));
+}
+
+/// A surface that cuts itself encloses something else than its tetrahedra fill.
+void check_volumes(const Tetrahedra& mesh, const std::vector<EnclosedRegion>& regions) {
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const int origin = regions[r].faces[0][0];
+    double enclosed = 0, sum = 0;
+    for (const auto& face : regions[r].faces) enclosed += six_volumes(mesh.points, {origin, face[0], face[1], face[2]});
+    for (const auto& tetrahedron : mesh.tetrahedra[r]) sum += six_volumes(mesh.points, tetrahedron);
+    if (!(std::abs(sum - enclosed) <= 1e-9 * enclosed)) throw NoTriangulation("its boundary cuts itself");
+  }
+}
+
+/// Nodes are numbered as the elements of the regions meet them, behind the given vertices.
+Tetrahedra read_tetrahedra(const std::vector<Point>& vertices, std::size_t regions) {
+  Tetrahedra result{vertices, std::vector<std::vector<std::array<int, 4>>>(regions)};
+  std::unordered_map<std::size_t, int> numbers;
+  for (std::size_t v = 0; v < vertices.size(); ++v) numbers[v + 1] = static_cast<int>(v);
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters, 3);
+  std::unordered_map<std::size_t, Point> places;
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    places[tags[i]] = {coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]};
+  constexpr int tetrahedron = 4;  // of Gmsh
+  for (std::size_t r = 0; r < regions; ++r) {
+    std::vector<std::size_t> elements, nodes;
+    gmsh::model::mesh::getElementsByType(tetrahedron, elements, nodes, static_cast<int>(r) + 1);
+    for (std::size_t first = 0; first + 4 <= nodes.size(); first += 4) {
+      std::array<int, 4> corners{};
+      for (int a = 0; a < 4; ++a) {
+        const auto [number, added] = numbers.emplace(nodes[first + a], static_cast<int>(result.points.size()));
+        corners[a] = number->second;
+        if (!added) continue;
+        const auto place = places.find(nodes[first + a]);
+        if (place == places.end()) throw NoTriangulation("Gmsh divided a face of the boundary");
+        result.points.push_back(place->second);
+      }
+      if (six_volumes(result.points, corners) < 0) std::swap(corners[2], corners[3]);
+      result.tetrahedra[r].push_back(corners);
+    }
+    if (result.tetrahedra[r].empty()) throw NoTriangulation("Gmsh made no elements in it");
+  }
+  return result;
+}
+
+Tetrahedra in_space(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
+                    const std::function<double(const Point&)>& size) {
+  enclose(vertices, regions);
+  take_sizes([&](double x, double y, double z) { return size({x, y, z}); });
+  gmsh::option::setNumber("Mesh.Optimize", 1);
+  constexpr int delaunay = 1;  // HXT does not give the same mesh twice
+  gmsh::option::setNumber("Mesh.Algorithm3D", delaunay);
+  generate(3);
+  Tetrahedra result = read_tetrahedra(vertices, regions.size());
+  check_volumes(result, regions);
+  return result;
+}
+
+void transfer(ByteStream& stream, Triangulation& mesh) { stream(mesh.points)(mesh.triangles); }
+void transfer(ByteStream& stream, Tetrahedra& mesh) { stream(mesh.points)(mesh.tetrahedra); }
+
+/// What `work` makes with Gmsh open, in a process of its own.
+template <class Result, class Work>
+Result made_in_gmsh(double time_limit, Work&& work) {
+  std::vector<char> bytes;
+  try {
+    bytes = in_child_process(
+        [&] {
+          start_gmsh();
+          Result made;
+          try {
+            made = work();
+          } catch (const NoTriangulation&) {
+            throw;
+          } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
+            const std::string error = gmsh_error();
+            throw NoTriangulation("Gmsh: " + (error.empty() ? "it gave no reason" : error));
+          }
+          ByteStream written;
+          transfer(written, made);
+          return written.bytes();
+        },
+        time_limit);
+  } catch (const ChildLost& lost) {
+    throw NoTriangulation(std::string("Gmsh ") + lost.what());
+  } catch (const std::runtime_error& failure) {
+    throw NoTriangulation(failure.what());
+  }
+  Result result;
+  ByteStream stream(std::move(bytes));
+  transfer(stream, result);
   return result;
 }
 
@@ -131,34 +294,12 @@ bool has_triangulation() { return true; }
 Triangulation triangulate(const std::vector<std::array<double, 2>>& vertices,
                           const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit) {
-  std::vector<char> bytes;
-  try {
-    bytes = in_child_process(
-        [&] {
-          start_gmsh();
-          Triangulation made;
-          try {
-            made = in_gmsh(vertices, regions, size);
-          } catch (const NoTriangulation&) {
-            throw;
-          } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
-            const std::string error = gmsh_error();
-            throw NoTriangulation("Gmsh: " + (error.empty() ? "it gave no reason" : error));
-          }
-          ByteStream written;
-          written(made.points)(made.triangles);
-          return written.bytes();
-        },
-        time_limit);
-  } catch (const ChildLost& lost) {
-    throw NoTriangulation(std::string("Gmsh ") + lost.what());
-  } catch (const std::runtime_error& failure) {
-    throw NoTriangulation(failure.what());
-  }
-  Triangulation result;
-  ByteStream stream(std::move(bytes));
-  stream(result.points)(result.triangles);
-  return result;
+  return made_in_gmsh<Triangulation>(time_limit, [&] { return in_plane(vertices, regions, size); });
+}
+
+Tetrahedra tetrahedra_in(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
+                         const std::function<double(const Point&)>& size, double time_limit) {
+  return made_in_gmsh<Tetrahedra>(time_limit, [&] { return in_space(vertices, regions, size); });
 }
 
 #endif

@@ -9,9 +9,9 @@ namespace mudline {
 
 namespace {
 
-std::vector<double> flat(const std::vector<Point>& places) {
+std::vector<double> flat(const std::vector<Point>& places, int dimension) {
   std::vector<double> result;
-  for (const Point& place : places) result.insert(result.end(), place.begin(), place.begin() + 2);
+  for (const Point& place : places) result.insert(result.end(), place.begin(), place.begin() + dimension);
   return result;
 }
 
@@ -64,7 +64,7 @@ std::vector<double> carried(Kind kind, const std::vector<double>& s, const std::
 }  // namespace
 
 SurfaceCarrier::SurfaceCarrier(const Ale& before, const Positions& x, const std::string& surface)
-    : comm_(*before.mesh().mesh().comm()), x_(x) {
+    : comm_(*before.mesh().mesh().comm()), dimension_(before.mesh().dimension()), x_(x) {
   for (const MeshPath& path : before.paths()) {
     if (!path.sets.count(surface)) continue;
     double s = 0;
@@ -104,9 +104,13 @@ std::vector<std::vector<SurfaceCarrier::Row>> SurfaceCarrier::along(const std::v
 
 void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const std::vector<Point>& old_places,
                            const PointView& now, const std::vector<Point>& new_places) const {
+  if (dimension_ == 3) {
+    carry_in_space(old, old_places, now, new_places);
+    return;
+  }
   std::size_t first = 0;
-  const auto from = along(of_all_ranks(comm_, flat(old_places))),
-             to = along(of_all_ranks(comm_, flat(new_places), &first));
+  const auto from = along(of_all_ranks(comm_, flat(old_places, 2))),
+             to = along(of_all_ranks(comm_, flat(new_places, 2), &first));
   const int mine = static_cast<int>(first / 2), end = mine + static_cast<int>(new_places.size());
   int column = 0;
   for (const StateVariable& variable : info.variables)
@@ -127,6 +131,29 @@ void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const st
           if (to[p][i].number >= mine && to[p][i].number < end) now(to[p][i].number - mine, column) = made[i];
       }
     }
+}
+
+void SurfaceCarrier::carry_in_space(const PointView& old, const std::vector<Point>& old_places, const PointView& now,
+                                    const std::vector<Point>& new_places) const {
+  const std::vector<double> from = of_all_ranks(comm_, flat(old_places, 3));
+  std::vector<std::size_t> row_at;  // (new row) the old one at its place
+  for (const Point& place : new_places) {
+    double least = 1e300;
+    std::size_t row = 0;
+    for (std::size_t i = 0; i + 3 <= from.size(); i += 3) {
+      const double off = distance(place, {from[i], from[i + 1], from[i + 2]});
+      if (off >= least) continue;
+      least = off;
+      row = i / 3;
+    }
+    row_at.push_back(row);
+  }
+  for (std::size_t column = 0; column < old.extent(1); ++column) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
+    values = of_all_ranks(comm_, values);
+    for (std::size_t row = 0; row < row_at.size(); ++row) now(row, column) = values[row_at[row]];
+  }
 }
 
 }  // namespace mudline

@@ -7,6 +7,7 @@
 #include "ale/recovery.hpp"
 #include "ale_mesh.hpp"
 #include "core/deck.hpp"
+#include "core/space_vector.hpp"
 #include "discretisation/triangulation.hpp"
 
 namespace mudline {
@@ -125,7 +126,7 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
     at_nodes.push_back(quadratic(place));
     at_vertices.push_back(linear(place));
   }
-  const NodalRemap nodal(was.whole, was.boundary.paths(), x, whole, made.paths, now);
+  const NodalRemap nodal({was.whole, was.boundary.paths(), {}, x}, {whole, made.paths, {}, now});
   const auto all = nodal.apply(at_nodes, 1, Support::all_nodes), few = nodal.apply(at_vertices, 1, Support::vertices);
   for (int node = 0; node < whole.num_nodes(); ++node) {
     EXPECT_NEAR(all[node], quadratic(now[node]), 1e-12);
@@ -162,6 +163,130 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   EXPECT_NEAR(restored[0].lost(), 1 - found / before, 1e-12);
   EXPECT_GT(restored[0].lost(), 0.1);
   EXPECT_NEAR(grains(whole, block, now, soil.geometry, there, 2) / before, 1, 1e-14);
+}
+
+/// A cube of tetrahedra whose top is curved, with all that makes it anew.
+struct RenewedCube {
+  explicit RenewedCube(CellShape shape) : mesh(testing::cube(shape, 3)), whole(*mesh) {
+    deck.overlay("<ParameterList name=\"deck\"/>", "deck.xml");
+    const Positions source = whole.gather(mesh->coordinates());
+    boundary.bind(whole, source, {}, deck.root(), nullptr);
+    plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
+    x = source;
+    for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 1.1 * p[1], 0.8 * p[2] + 0.1 * p[2] * std::sin(3 * p[0]) * p[1]};
+    // straight inside
+    for (const auto& element : whole.elements())
+      for (int a = num_corners(shape); a < num_nodes(shape); ++a) {
+        const auto [from, to] = edge_corners(shape, a - num_corners(shape));
+        if (!whole.on_boundary(element.nodes[a]))
+          x[element.nodes[a]] = scaled(0.5, plus(x[element.nodes[from]], 1, x[element.nodes[to]]));
+      }
+    made = plan->make(x, State(), 0.05, nullptr);
+    next = std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::space, made.mesh);
+    anew = std::make_unique<GhostedMesh>(*next);
+    now = anew->gather(next->coordinates());
+    after.bind(*anew, now, {}, deck.root(), &made);
+  }
+  std::unique_ptr<Mesh> mesh, next;
+  GhostedMesh whole;
+  std::unique_ptr<GhostedMesh> anew;
+  Deck deck;
+  Positions x, now;
+  BoundaryMotion boundary, after;
+  std::unique_ptr<MeshRenewal> plan;
+  RenewedMesh made;
+};
+
+double volume(const GhostedMesh& mesh, const Positions& x, const SoilBlock& block) {
+  Soil soil;
+  soil.geometry = Geometry::space;
+  soil.blocks = {block};
+  return soil_volume(mesh, soil, x);
+}
+
+TEST(MeshRenewalInSpace, TheBoundaryKeepsItsFacesAndEverythingItsName) {
+  for (CellShape shape : {CellShape::tet4, CellShape::tet10}) {
+    RenewedCube cube(shape);
+    EXPECT_NE(cube.whole.elements().size(), cube.anew->elements().size());
+    EXPECT_GT(lowest_quality(*cube.anew, cube.now), 0.05);
+    EXPECT_NEAR(volume(*cube.anew, cube.now, points_of(*cube.next, 5)),
+                volume(cube.whole, cube.x, points_of(*cube.mesh, 5)), 1e-13);
+    std::multiset<std::multiset<Point>> before, after;  // faces by their nodes' places
+    const auto faces_of = [](const GhostedMesh& mesh, const Positions& x, auto& to) {
+      for (const auto& side : mesh.boundary()) {
+        std::multiset<Point> places;
+        for (int node : side.nodes) places.insert(x[node]);
+        to.insert(places);
+      }
+    };
+    faces_of(cube.whole, cube.x, before);
+    faces_of(*cube.anew, cube.now, after);
+    EXPECT_EQ(before, after);
+    for (const auto& [name, sides] : cube.whole.side_sets()) {
+      ASSERT_TRUE(cube.anew->side_sets().count(name));
+      EXPECT_EQ(cube.anew->side_sets().at(name).size(), sides.size());
+    }
+    for (const auto& side : cube.anew->side_sets().at("bottom")) {
+      const auto& element = cube.anew->elements()[side.element];
+      for (int a : side_nodes(element.shape, side.side)) EXPECT_EQ(cube.now[element.nodes[a]][2], 0.0);
+    }
+    EXPECT_EQ(RenewedMesh::from_bytes(cube.made.bytes()).bytes(), cube.made.bytes());
+    // the surfaces and what they strive for are those of the first mesh
+    const MeshSurfaces &old = cube.boundary.surfaces().surfaces(), &now = cube.after.surfaces().surfaces();
+    ASSERT_EQ(now.patches.size(), old.patches.size());
+    for (std::size_t p = 0; p < old.patches.size(); ++p) {
+      EXPECT_EQ(now.patches[p].faces.size(), old.patches[p].faces.size());
+      EXPECT_EQ(now.patches[p].sets, old.patches[p].sets);
+    }
+    ASSERT_EQ(cube.after.paths().size(), cube.boundary.paths().size());
+    for (std::size_t p = 0; p < cube.after.paths().size(); ++p)
+      for (std::size_t i = 0; i < cube.after.paths()[p].nodes.size(); ++i) {
+        const int here = cube.after.paths()[p].nodes[i], there = cube.boundary.paths()[p].nodes[i];
+        EXPECT_EQ(cube.now[here], cube.x[there]);
+        EXPECT_EQ(cube.after.source(here), cube.boundary.source(there));
+      }
+  }
+}
+
+TEST(MeshRenewalInSpace, LinearFieldsSurviveAtNodesAndPointsAndAnythingOnTheBoundary) {
+  RenewedCube cube(CellShape::tet10);
+  const auto linear = [](const Point& p) { return 3 - 2 * p[0] + 5 * p[1] + p[2]; };
+  const auto wild = [](const Point& p) { return std::sin(40 * p[0] + 31 * p[1] + 17 * p[2]); };
+  std::vector<double> at_nodes;
+  for (const Point& place : cube.x) {
+    at_nodes.push_back(linear(place));
+    at_nodes.push_back(wild(place));
+  }
+  const NodalRemap nodal({cube.whole, cube.boundary.paths(), cube.boundary.surfaces().surfaces().faces, cube.x},
+                         {*cube.anew, cube.after.paths(), cube.after.surfaces().surfaces().faces, cube.now});
+  const auto there = nodal.apply(at_nodes, 2, Support::all_nodes);
+  int inside = 0;
+  for (int node = 0; node < cube.anew->num_nodes(); ++node) {
+    EXPECT_NEAR(there[2 * node], linear(cube.now[node]), 1e-12);
+    if (cube.anew->on_boundary(node))
+      EXPECT_EQ(there[2 * node + 1], wild(cube.now[node]));
+    else
+      ++inside;
+  }
+  EXPECT_GT(inside, 50);
+  const SoilBlock old_block = points_of(*cube.mesh), block = points_of(*cube.next);
+  const RecoveryPatches patches(cube.whole, old_block);
+  std::vector<double> table;  // a linear column, and a constant one
+  for (int e : cube.whole.block_elements(0))
+    for (int q = 0; q < old_block.points; ++q) {
+      table.push_back(linear(Recovery::position(cube.whole.elements()[e], old_block, q, cube.x)));
+      table.push_back(7.25);
+    }
+  std::vector<double> carried(2 * cube.anew->block_elements(0).size() * block.points);
+  const std::vector<StateVariable> variables{{"f", 1, "-"}, {"g", 1, "-"}};
+  RecoveryRemap().transfer(
+      {{cube.whole, old_block, cube.x}, {*cube.anew, block, cube.now}, patches, variables, 2, table, carried});
+  for (int e : cube.anew->block_elements(0))
+    for (int q = 0; q < block.points; ++q) {
+      const std::size_t row = 2 * static_cast<std::size_t>(cube.anew->first_row(e, block.points) + q);
+      EXPECT_NEAR(carried[row], linear(Recovery::position(cube.anew->elements()[e], block, q, cube.now)), 1e-11);
+      EXPECT_NEAR(carried[row + 1], 7.25, 1e-12);
+    }
 }
 
 TEST(WantedSizes, AreWithinBoundsAndGrowNoFasterThanAllowed) {

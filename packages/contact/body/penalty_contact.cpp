@@ -484,15 +484,18 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
 }
 
 std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView& x) const {
-  if (axes() == 3) return {};
   std::vector<Point> of_points, of_sides;
   for (const SurfaceSide& side : surface_->sides()) {
     const SideCoordinates at = side_coordinates(side, x);
     for (int c = 0; c < rule(side).points; ++c) of_points.push_back(rule(side).place(c, at));
-    of_sides.push_back(scaled(0.5, plus(at[0], 1, at[1])));
+    Point centre{};
+    const int corners = axes() == 3 ? num_corners(side.shape) : 2;
+    for (int c = 0; c < corners; ++c) centre = plus(centre, 1.0 / corners, at[c]);
+    of_sides.push_back(centre);
   }
   std::vector<SurfaceRows> result{{penalties_, of_sides}};
-  for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1})
+  for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1,
+                    deck_.initial_gap.array()})
     if (array >= 0) result.push_back({array, of_points});
   if (active_set_.used()) result.push_back({active_set_.array(), {}});
   return result;

@@ -174,7 +174,7 @@ class Ball(MudlineCase):
              "the boundary condition 'far' holds forces at nodes that would move; name its set in boundary/material sides"),
             ({"mesh motion": {"remeshing": ADAPTIVE}},
              "'adaptive' takes the sizes from the error estimate; it needs output/error estimate = true"),
-            ({"mesh": {"cell": "quad9"}}, "the mesh has cells quad9; only meshes of triangles (tri3, tri6) can be made anew"),
+            ({"mesh": {"cell": "quad9"}}, "the mesh has cells quad9; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be made anew"),
         ):
             more = self.write("more.xml", deck_text("more", overlay))
             done = program(["run", "-q", self.deck, self.overlay, more], folder=self.folder)

@@ -1,0 +1,303 @@
+// The new mesh itself in space: the boundary's faces as they are, regions within them, tetrahedra in these, and names.
+#include <Teuchos_DefaultSerialComm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "ale/interior_motion.hpp"
+#include "ale/renewal_builder.hpp"
+#include "ale/simplex_mesh.hpp"
+#include "ale/size_around.hpp"
+#include "ale/vertex_colours.hpp"
+#include "core/pi.hpp"
+#include "core/space_vector.hpp"
+#include "discretisation/disjoint_sets.hpp"
+#include "discretisation/triangulation.hpp"
+
+namespace mudline {
+
+namespace {
+
+using Face = std::array<int, 3>;  // vertices
+using Faces = std::vector<Face>;
+
+double six_volumes(const Point& a, const Point& b, const Point& c) { return dot(a, cross(b, c)); }
+
+/// Six times the volume within closed faces [m3]; negative where they are those of a hole.
+double six_volumes(const Faces& faces, const Positions& x) {
+  const Point& origin = x[faces[0][0]];
+  double sum = 0;
+  for (const Face& f : faces)
+    sum += six_volumes(minus(x[f[0]], origin), minus(x[f[1]], origin), minus(x[f[2]], origin));
+  return sum;
+}
+
+/// Whether closed faces go round a point: by the solid angle that they fill from there (van Oosterom & Strackee 1983).
+bool around(const Faces& faces, const Point& point, const Positions& x) {
+  double angle = 0;
+  for (const Face& f : faces) {
+    const Point a = minus(x[f[0]], point), b = minus(x[f[1]], point), c = minus(x[f[2]], point);
+    const double la = length(a), lb = length(b), lc = length(c);
+    angle += 2 * std::atan2(six_volumes(a, b, c), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return std::abs(angle) > 2 * pi;
+}
+
+/// Closed surfaces that hang together by edges.
+std::vector<Faces> shells(const Faces& faces) {
+  DisjointSets joined(faces.size());
+  std::map<SimplexMesh::Ends, int> beside;
+  for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = faces[f][k], b = faces[f][(k + 1) % 3];
+      const auto [other, added] = beside.emplace(SimplexMesh::Ends{std::min(a, b), std::max(a, b)}, f);
+      if (!added) joined.join(f, other->second);
+    }
+  std::map<int, Faces> result;
+  for (std::size_t f = 0; f < faces.size(); ++f) result[joined.leader(static_cast<int>(f))].push_back(faces[f]);
+  std::vector<Faces> list;
+  for (auto& [first, shell] : result) list.push_back(std::move(shell));
+  return list;
+}
+
+/// The parts of a region that hang together, each with the surfaces of its holes.
+std::vector<EnclosedRegion> parts(const Faces& faces, const Positions& x) {
+  std::vector<EnclosedRegion> result;
+  std::vector<Faces> holes;
+  for (Faces& shell : shells(faces)) {
+    if (six_volumes(shell, x) > 0)
+      result.push_back({std::move(shell)});
+    else
+      holes.push_back(std::move(shell));
+  }
+  const std::vector<EnclosedRegion> outer = result;
+  for (const Faces& hole : holes) {
+    std::size_t in = outer.size();
+    double least = 1e300;
+    for (std::size_t r = 0; r < outer.size(); ++r) {
+      const double volume = six_volumes(outer[r].faces, x);
+      if (volume >= least || !around(outer[r].faces, x[hole[0][0]], x)) continue;
+      least = volume;
+      in = r;
+    }
+    if (in == outer.size()) throw NoTriangulation("its boundary cuts itself");
+    result[in].faces.insert(result[in].faces.end(), hole.begin(), hole.end());
+  }
+  return result;
+}
+
+/// Middle nodes between their ends, where `free`(node).
+template <class Free>
+void straighten(GlobalMesh& mesh, Free&& free) {
+  for (const GlobalMesh::Block& block : mesh.blocks) {
+    const int nodes = num_nodes(block.shape), first = num_corners(block.shape);
+    for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
+      for (int a = first; a < nodes; ++a) {
+        const auto [from, to] = edge_corners(block.shape, a - first);
+        const long long middle = block.nodes[e + a];
+        if (!free(static_cast<int>(middle))) continue;
+        const Point &x = mesh.coordinates[block.nodes[e + from]], &y = mesh.coordinates[block.nodes[e + to]];
+        mesh.coordinates[middle] = scaled(0.5, plus(x, 1, y));
+      }
+  }
+}
+
+bool folded(const CornerSimplices& corners, const Positions& x) {
+  return std::any_of(corners.simplices.begin(), corners.simplices.end(),
+                     [&](const Simplex& t) { return !(determinant(t, x) > 0); });
+}
+
+/// Moves the vertices inside so that elements come as near to regular ones as they can, those at curved faces too. The
+/// boundary is bent from straight sides to what it is in as few parts as the inside can follow.
+void optimise(GlobalMesh& made, Geometry geometry) {
+  GlobalMesh straight = made;
+  straighten(straight, [](int) { return true; });
+  const Mesh mesh(Teuchos::rcp(new Teuchos::SerialComm<int>()), geometry, std::move(straight));
+  const GhostedMesh whole(mesh);
+  Positions x = whole.gather(mesh.coordinates());
+  const Positions start = x;
+  const CornerSimplices corners(whole);
+  std::vector<char> movable;
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    movable.push_back(whole.is_vertex(node) && !whole.on_boundary(node));
+  const auto colours = vertex_colours(whole, movable);
+  const OptimisationMotion motion(OptimisationMotion::Ideal::equilateral);
+  const auto bent = [&](double share) {
+    Positions next = x;
+    for (int node = 0; node < whole.num_nodes(); ++node)
+      if (whole.on_boundary(node)) next[node] = plus(start[node], share, minus(made.coordinates[node], start[node]));
+    corners.add_tangents(next, next);
+    return next;
+  };
+  const auto move = [&](Positions next) {
+    motion.move({whole, corners, next, next, movable, colours}, next);
+    x = std::move(next);
+  };
+  double done = 0;
+  for (double share = 0, part = 1; done < 1 && part > 1.0 / 64; share = std::min(1.0, done + part)) {
+    Positions next = bent(share);
+    if (folded(corners, next)) {
+      part *= 0.5;
+      continue;
+    }
+    move(std::move(next));
+    done = share;
+  }
+  if (done < 1) move(bent(1));  // beside what is folded nothing moves
+  for (int node = 0; node < whole.num_nodes(); ++node)
+    if (movable[node]) made.coordinates[node] = x[node];
+  straighten(made, [&](int node) { return !whole.on_boundary(node); });
+}
+
+class SpaceBuilder {
+ public:
+  SpaceBuilder(const MeshRenewal& plan, const Positions& x, double factor)
+      : plan_(plan),
+        mesh_(plan.mesh()),
+        x_(x),
+        factor_(factor),
+        size_(plan.deck().growth),
+        simplices_(mesh_.mesh().blocks()) {
+    take_faces();
+  }
+
+  RenewedMesh build() {
+    fill();
+    RenewedMesh result;
+    made_ = simplices_.number();
+    optimise(made_, mesh_.mesh().geometry());
+    find_new_nodes();
+    name_sets();
+    keep_surfaces(result);
+    result.mesh = std::move(made_);
+    result.origins = plan_.boundary().origins();
+    return result;
+  }
+
+ private:
+  void take_faces();
+  Positions rounded() const;
+  void fill();
+  void find_new_nodes();
+  void name_sets();
+  void keep_surfaces(RenewedMesh& result) const;
+  int vertex(int node) {
+    const auto [number, added] = vertex_of_.emplace(node, static_cast<int>(simplices_.places.size()));
+    if (added) simplices_.places.push_back(x_[node]);
+    return number->second;
+  }
+
+  const MeshRenewal& plan_;
+  const GhostedMesh& mesh_;
+  const Positions& x_;
+  double factor_;
+  SizeAround size_;
+  SimplexMesh simplices_;
+  std::map<int, int> vertex_of_;                 // of old nodes
+  std::map<int, std::array<int, 2>> middle_of_;  // old nodes of curved edges: their vertices
+  std::map<int, long long> new_node_;            // of old nodes on the boundary
+  std::vector<Faces> faces_;                     // (block), as seen from its outside
+  GlobalMesh made_;
+};
+
+void SpaceBuilder::take_faces() {
+  faces_.resize(mesh_.mesh().blocks().size());
+  for (const auto& side : mesh_.boundary()) {
+    const Face face{vertex(side.nodes[0]), vertex(side.nodes[1]), vertex(side.nodes[2])};
+    faces_[side.block].push_back(face);
+    for (int k = 0; side.nodes.size() == 6 && k < 3; ++k) {
+      simplices_.bend(face[k], face[(k + 1) % 3], x_[side.nodes[3 + k]]);
+      middle_of_[side.nodes[3 + k]] = {face[k], face[(k + 1) % 3]};
+    }
+  }
+}
+
+/// Places whose last digits, which depend on the number of ranks, do not decide on the mesh.
+Positions SpaceBuilder::rounded() const {
+  Bounds box = Bounds::nothing();
+  for (const Point& place : simplices_.places) box.enclose(place);
+  const double unit = 1e-8 * box.extent();
+  Positions result = simplices_.places;
+  for (Point& place : result)
+    for (double& coordinate : place) coordinate = unit * std::round(coordinate / unit);
+  return result;
+}
+
+void SpaceBuilder::fill() {
+  const Positions vertices = rounded();
+  std::vector<EnclosedRegion> regions;
+  std::vector<int> block_of;
+  for (std::size_t b = 0; b < faces_.size(); ++b) {
+    if (faces_[b].empty()) continue;
+    for (EnclosedRegion& part : parts(faces_[b], vertices)) {
+      regions.push_back(std::move(part));
+      block_of.push_back(static_cast<int>(b));
+    }
+    for (const Face& f : faces_[b]) {
+      const Point &a = vertices[f[0]], &b = vertices[f[1]], &c = vertices[f[2]];
+      const double area = 0.5 * length(cross(minus(b, a), minus(c, a)));
+      size_.add(scaled(1.0 / 3, plus(plus(a, 1, b), 1, c)), 2 * std::sqrt(area / std::sqrt(3.0)));  // if regular
+    }
+  }
+  const Tetrahedra made = tetrahedra_in(
+      vertices, regions, [this](const Point& x) { return factor_ * size_(x); }, plan_.deck().time_limit);
+  simplices_.places.insert(simplices_.places.end(), made.points.begin() + simplices_.places.size(), made.points.end());
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    for (const auto& t : made.tetrahedra[r]) simplices_.add(block_of[r], t);
+}
+
+void SpaceBuilder::find_new_nodes() {
+  for (const auto& [node, vertex] : vertex_of_) new_node_[node] = simplices_.node(vertex);
+  for (const auto& [node, ends] : middle_of_) new_node_[node] = simplices_.middle(ends[0], ends[1]);
+}
+
+void SpaceBuilder::name_sets() {
+  const auto ascending = [](Face face) {
+    std::sort(face.begin(), face.end());
+    return face;
+  };
+  std::map<std::pair<int, Face>, GlobalMesh::Side> sides;  // by block and vertices
+  for (std::size_t b = 0; b < simplices_.cells().size(); ++b)
+    for (std::size_t e = 0; e < simplices_.cells()[b].size(); ++e)
+      for (int s = 0; s < num_sides(CellShape::tet4); ++s) {
+        const std::vector<int> at = side_nodes(CellShape::tet4, s);
+        const auto& t = simplices_.cells()[b][e];
+        const int block = static_cast<int>(b);
+        sides[{block, ascending({t[at[0]], t[at[1]], t[at[2]]})}] = {block, static_cast<long long>(e), s};
+      }
+  for (const auto& [name, unused] : mesh_.side_sets()) made_.side_sets[name];
+  for (const auto& side : mesh_.boundary()) {
+    const Face face{vertex_of_.at(side.nodes[0]), vertex_of_.at(side.nodes[1]), vertex_of_.at(side.nodes[2])};
+    for (const std::string& name : side.sets) made_.side_sets[name].push_back(sides.at({side.block, ascending(face)}));
+  }
+  for (const auto& [name, nodes] : mesh_.node_sets()) {
+    std::vector<long long>& to = made_.node_sets[name];
+    for (int node : nodes) to.push_back(new_node_.at(node));
+    std::sort(to.begin(), to.end());
+  }
+}
+
+void SpaceBuilder::keep_surfaces(RenewedMesh& result) const {
+  for (const SurfaceFace& face : plan_.boundary().surfaces().surfaces().faces) {
+    FaceOfPatch kept{{}, face.patch};
+    for (int k = 0; k < 3; ++k) kept.corners[k] = new_node_.at(face.nodes[k]);
+    std::sort(kept.corners.begin(), kept.corners.end());
+    result.faces.push_back(kept);
+  }
+  for (const auto& [node, number] : new_node_) result.source.push_back({number, plan_.boundary().source(node)});
+  for (MeshPath path : plan_.boundary().paths()) {
+    for (int& node : path.nodes) node = static_cast<int>(new_node_.at(node));
+    result.paths.push_back(std::move(path));
+  }
+}
+
+}  // namespace
+
+RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x, double factor) {
+  return SpaceBuilder(plan, x, factor).build();
+}
+
+}  // namespace mudline

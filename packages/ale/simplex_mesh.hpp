@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "ale/ghosted_mesh.hpp"
+
+namespace mudline {
+
+/// Triangles or tetrahedra on the way to a mesh: vertices, cells by block, and the middles of curved edges.
+class SimplexMesh {
+ public:
+  using Ends = std::pair<int, int>;    // vertices
+  using Corners = std::array<int, 4>;  // vertices; the fourth is -1 in the plane
+  std::vector<Point> places;           // (vertex) [m]
+
+  /// `blocks`: of the mesh before, whose regions and shapes these have too.
+  explicit SimplexMesh(const std::vector<ElementBlock>& blocks);
+  void add(int block, const Corners& corners) { cells_[block].push_back(corners); }
+  /// Where the middle of an edge is [m]; that of other edges is between their ends.
+  void bend(int a, int b, const Point& middle) { curved_[ascending(a, b)] = middle; }
+
+  /// The mesh without sets. Elements are put along a space-filling curve, by block, and nodes in the order in which the
+  /// elements meet them, so that neighbours are close in memory.
+  GlobalMesh number();
+  // After number():
+  const std::vector<std::vector<Corners>>& cells() const { return cells_; }
+  long long node(int vertex) const { return nodes_.at(vertex); }
+  long long middle(int a, int b) const { return middles_.at(ascending(a, b)); }
+
+ private:
+  static Ends ascending(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+  void sort();
+  long long number_of(int vertex, GlobalMesh& mesh);
+  long long number_of_middle(int a, int b, GlobalMesh& mesh);
+
+  std::vector<GlobalMesh::Block> blocks_;
+  std::vector<std::vector<Corners>> cells_;  // (block)
+  std::map<Ends, Point> curved_;
+  std::map<int, long long> nodes_;
+  std::map<Ends, long long> middles_;
+};
+
+}  // namespace mudline
