@@ -61,8 +61,12 @@ void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
     for (const auto& side : mesh.side_sets().at(partners.surface)) {
       const std::vector<int> ends = nodes_of(mesh, side.element, side.side);
       nodes.insert(ends.begin(), ends.end());
-      if (std::abs(0.5 * (positions_[ends[0]][0] + positions_[ends[1]][0]) - middle) < radius_) ++sides_under_;
-      for (int node : ends) reach_ = std::max(reach_, std::abs(positions_[node][0] - middle));
+      if (std::abs(0.5 * (positions_[ends[0]][0] + positions_[ends[1]][0]) - middle) < radius_)
+        under_.insert({side.element, side.side});
+      for (int node : ends) {
+        reach_ = std::max(reach_, std::abs(positions_[node][0] - middle));
+        top_ = std::max(top_, positions_[node][1]);
+      }
     }
     if (body_.contour().extent() == ContourExtent::half) find_corner(mesh, partners.surface);
   }
@@ -158,6 +162,18 @@ double BodyWay::largest_speed() const {
       fastest = std::max(fastest, distance(places_[i].displacement, places_[i - 1].displacement) /
                                       (places_[i].time - places_[i - 1].time));
   return fastest;
+}
+
+double BodyWay::lowest() const {
+  double lowest = 1e300;
+  if (release() && release()->releases(1)) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) lowest = std::min(lowest, positions_[i][1]);
+    return lowest;
+  }
+  for (const PlanePoint& p : body_.contour().sample(1e-3 * body_.contour().length())) lowest = std::min(lowest, p[1]);
+  double down = 0;
+  for (const Place& place : places_) down = std::min(down, place.displacement[1]);
+  return body_.initial_position()[1] + lowest + down;
 }
 
 std::array<double, 2> BodyWay::start_of_fall() const {
