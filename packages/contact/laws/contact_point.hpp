@@ -192,7 +192,8 @@ KOKKOS_INLINE_FUNCTION void add_friction(const ContactPointLaw& law, const Conta
     return;
   }
   T normal = out.pressure;
-  if (law.effective && !law.film) normal = normal - point.pore_pressure;
+  // Without a film surfaces part at zero traction: no suction holds them, and none adds to the friction.
+  if (law.effective && !law.film && value(point.pore_pressure) > 0) normal = normal - point.pore_pressure;
   if (!law.effective && law.film) normal = normal + point.pore_pressure;
   const T rate = magnitude(travel) / law.dt;
   const ShearStrength strength =
