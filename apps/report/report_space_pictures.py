@@ -314,7 +314,9 @@ class Panel:
         axes.xaxis.set_major_locator(pictures.ticks(max(1, min(5, int(inches[0] / 0.45)))))
         axes.yaxis.set_major_locator(pictures.ticks(max(1, min(6, int(inches[1] / 0.35)))))
         at = 0.0 if abs(section.at) < 1e-9 * np.abs(places).max() else section.at
-        title = f"{'section at ' if inches[0] > 1.2 else ''}{'xy'[section.axis]} = {at:.5g} m"
+        axes.apply_aspect()
+        width = axes.figure.get_size_inches()[0] * axes.get_position().width
+        title = f"{'section at ' if width > 1.4 else ''}{'xy'[section.axis]} = {at:.5g} m"
         axes.set_title(title, fontsize=9, fontweight="normal", loc="left")
 
     def draw_bodies(self, axes):

@@ -182,7 +182,7 @@ MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {
   for (int e = 0; e < static_cast<int>(mesh_.elements().size()); ++e) {
     const auto& element = mesh_.elements()[e];
     for (int s = 0; s < num_sides(element.shape); ++s) {
-      if (element.neighbours[s] >= 0) continue;
+      if (element.neighbours[s] != GhostedMesh::outside) continue;
       std::array<double, 2> nearest;
       if (!SeenSide(element, s, x_, point).nearer(least, nearest)) continue;
       best.element = e;

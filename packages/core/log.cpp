@@ -21,6 +21,10 @@ void print(const std::string& line, Level from) {
   if (settings().rank == 0 && settings().level >= from) std::cout << line << std::endl;
 }
 
+void complain(const char* kind, const std::string& line) {
+  if (settings().rank == 0) std::cerr << kind << line << std::endl;
+}
+
 }  // namespace
 
 void configure(int rank, Level level) { settings() = {rank, level}; }
@@ -31,8 +35,8 @@ void info(const std::string& line) { print(line, Level::normal); }
 
 void detail(const std::string& line) { print(line, Level::verbose); }
 
-void warn(const std::string& line) {
-  if (settings().rank == 0) std::cerr << "warning: " << line << std::endl;
-}
+void warn(const std::string& line) { complain("warning: ", line); }
+
+void error(const std::string& line) { complain("error: ", line); }
 
 }  // namespace mudline::log

@@ -17,5 +17,7 @@ void info(const std::string& line);
 void detail(const std::string& line);
 /// "warning: ..." on standard error of rank 0, at every level.
 void warn(const std::string& line);
+/// "error: ..." likewise: what ends the run.
+void error(const std::string& line);
 
 }  // namespace mudline::log

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "algebra/absolute_product.hpp"
 #include "algebra/ordered_sum.hpp"
@@ -587,6 +588,7 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
     forcing_.forget();
     return report;
   }
+  floors_before_ = {reference_floor_, size_floor_};
   const std::vector<double> sizes = owned_field_norms(*space_.dofs(), x);
   for (int i = 0; i < space_.num_fields(); ++i) {
     reference_floor_[i] =
@@ -595,5 +597,7 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   }
   return report;
 }
+
+void Stepper::reject() { std::tie(reference_floor_, size_floor_) = floors_before_; }
 
 }  // namespace mudline

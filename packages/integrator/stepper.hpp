@@ -78,6 +78,9 @@ class Stepper : public NonlinearProblem {
   /// Tries one step from the committed state; on success the trial state is complete. The committed state is untouched.
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
+  /// The step that the last attempt found is not made: it leaves nothing behind that later ones are measured against.
+  void reject();
+
   // What the balances read after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
   const std::vector<Term*>& active() const { return active_; }
@@ -189,6 +192,7 @@ class Stepper : public NonlinearProblem {
   // of the last iterate that was measured, what is allowed for the latter, and norms of the one observed before.
   std::vector<double> reference_, rounding_, matrix_rounding_, first_norms_, norms_, limits_, observed_norms_;
   std::vector<double> reference_floor_, size_floor_;
+  std::pair<std::vector<double>, std::vector<double>> floors_before_;  // the last attempt that converged
   double coordinate_norm_ = 0;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;

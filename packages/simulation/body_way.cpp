@@ -13,12 +13,6 @@ constexpr int parts_of_a_stage = 200;
 
 using Vec = std::array<double, 2>;
 
-std::vector<int> nodes_of(const GhostedMesh& mesh, int element, int side) {
-  std::vector<int> nodes;
-  for (int k : side_nodes(mesh.elements()[element].shape, side)) nodes.push_back(mesh.elements()[element].nodes[k]);
-  return nodes;
-}
-
 double distance(const Vec& a, const Vec& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
 }  // namespace
@@ -58,12 +52,12 @@ void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
   for (const auto& [name, contact] : model.contacts()) {
     const ContactPartners partners = contact->partners();
     if (partners.body != &body_) continue;
-    for (const auto& side : mesh.side_sets().at(partners.surface)) {
-      const std::vector<int> ends = nodes_of(mesh, side.element, side.side);
-      nodes.insert(ends.begin(), ends.end());
-      if (std::abs(0.5 * (positions_[ends[0]][0] + positions_[ends[1]][0]) - middle) < radius_)
-        under_.insert({side.element, side.side});
-      for (int node : ends) {
+    for (const auto& side : mesh.boundary()) {
+      if (side.sets.count(partners.surface) == 0) continue;
+      nodes.insert(side.nodes.begin(), side.nodes.end());
+      if (std::abs(0.5 * (positions_[side.nodes[0]][0] + positions_[side.nodes[1]][0]) - middle) < radius_)
+        under_.push_back(&side);
+      for (int node : side.nodes) {
         reach_ = std::max(reach_, std::abs(positions_[node][0] - middle));
         top_ = std::max(top_, positions_[node][1]);
       }
@@ -75,17 +69,20 @@ void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
 
 /// A side set that is a part of the surface ends where the mesh was made for the body's edge.
 void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
-  std::set<std::pair<int, int>> whole;
-  for (const auto& side : mesh.side_sets().at(surface)) whole.insert({side.element, side.side});
-  for (const auto& [name, sides] : mesh.side_sets()) {
-    const bool part = sides.size() < whole.size() && std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
-                        return whole.count({side.element, side.side}) > 0;
-                      });
+  std::map<std::string, std::vector<const GhostedMesh::BoundarySide*>> parts;
+  std::set<std::string> others;  // sets that are more than parts
+  for (const auto& side : mesh.boundary())
+    for (const std::string& name : side.sets) {
+      parts[name].push_back(&side);
+      if (side.sets.count(surface) == 0) others.insert(name);
+    }
+  const std::size_t whole = parts.at(surface).size();
+  for (const auto& [name, sides] : parts) {
+    if (others.count(name) > 0 || sides.size() == whole) continue;
     std::map<int, int> met;  // sides at a corner node
-    for (const auto& side : part ? sides : decltype(sides){}) {
-      const std::vector<int> ends = nodes_of(mesh, side.element, side.side);
-      ++met[ends[0]];
-      ++met[ends[1]];
+    for (const auto* side : sides) {
+      ++met[side->nodes[0]];
+      ++met[side->nodes[1]];
     }
     for (const auto& [node, count] : met) {
       double r = positions_[node][0];
@@ -102,20 +99,16 @@ void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
 void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   if (surface_.empty()) return;
   const auto& blocks = model.mesh().blocks();
-  for (int e = 0; e < static_cast<int>(mesh.elements().size()); ++e)
-    for (int s = 0; s < num_sides(mesh.elements()[e].shape); ++s) {
-      const int other = mesh.elements()[e].neighbours[s];
-      if (other < e) continue;
-      const int one = mesh.elements()[e].block, two = mesh.elements()[other].block;
-      if (blocks[one].region == blocks[two].region) continue;
-      if (!model.ale() && model.soil()->blocks[one].made_of == model.soil()->blocks[two].made_of) continue;
-      const std::vector<int> ends = nodes_of(mesh, e, s);
-      const Vec a = in_plane(positions_[ends[0]]), b = in_plane(positions_[ends[1]]);
-      const std::string name = "'" + blocks[one].region + "' and '" + blocks[two].region + "'";
-      const double length = distance(a, b);
-      boundaries_.push_back({a, {(b[0] - a[0]) / length, (b[1] - a[1]) / length}, name});
-      boundaries_.push_back({b, boundaries_.back().along, name});
-    }
+  for (const auto& side : mesh.boundary()) {
+    if (side.other < 0 || !side.first) continue;
+    if (blocks[side.block].region == blocks[side.other].region) continue;
+    if (!model.ale() && model.soil()->blocks[side.block].made_of == model.soil()->blocks[side.other].made_of) continue;
+    const Vec a = in_plane(positions_[side.nodes[0]]), b = in_plane(positions_[side.nodes[1]]);
+    const std::string name = "'" + blocks[side.block].region + "' and '" + blocks[side.other].region + "'";
+    const double length = distance(a, b);
+    boundaries_.push_back({a, {(b[0] - a[0]) / length, (b[1] - a[1]) / length}, name});
+    boundaries_.push_back({b, boundaries_.back().along, name});
+  }
 }
 
 ContourFoot BodyWay::foot_at(const Vec& displacement, const Vec& point) const {

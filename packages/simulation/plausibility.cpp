@@ -147,7 +147,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
   p.finish();
   if (!model.soil()) return;
   if (!model.bodies().empty() && model.mesh().dimension() == 2) {
-    const GhostedMesh mesh(model.mesh());
+    const GhostedMesh mesh(model.mesh(), 1);  // a layer tells where regions end
     const Positions positions = mesh.gather(model.mesh().coordinates());
     for (const auto& [name, body] : model.bodies()) {
       const BodyWay way(model, *body, mesh, positions);
@@ -160,7 +160,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
                                                   "them one region, of one material or of layers by the 'top' of "
                                                   "each material, which a body may cross");
       tell_body(way);
-      doubt_hole(way, mesh, positions, deck);
+      doubt_hole(way, positions, deck);
     }
   }
   tell_materials();
@@ -303,12 +303,12 @@ void Plausibility::doubt_shape(const BodyWay& way, const std::string& name) {
           name + text(": the mesh has a corner of the surface at %.4g m, the body's radius is %.4g m; their ratio",
                       way.surface_corner(), way.radius()));
   if (way.release() || way.largest_speed() > 0)
-    doubt(UsualRanges::sides, way.sides_under(), name + ": the number of sides of the surface that it covers");
+    doubt(UsualRanges::sides, static_cast<double>(way.sides_under().size()),
+          name + ": the number of sides of the surface that it covers");
 }
 
 /// A surface that is held at a pore pressure is held there in the hole that a body opens, too.
-void Plausibility::doubt_hole(const BodyWay& way, const GhostedMesh& mesh, const Positions& positions,
-                              const Section& deck) {
+void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, const Section& deck) {
   const Soil& soil = *model_.soil();
   if (soil.pressure < 0 || soil.excess || !way.touches_anything()) return;
   const double lowest = way.lowest(), depth = way.surface_top() - lowest;
@@ -325,15 +325,12 @@ void Plausibility::doubt_hole(const BodyWay& way, const GhostedMesh& mesh, const
     });
     const Section entry = deck.section("boundary conditions").section(condition->name);
     if (!acts || entry.text("type") != "pore pressure") continue;
-    const auto sides = mesh.side_sets().find(entry.text("set"));
-    if (sides == mesh.side_sets().end()) continue;
     Function value;
     Parameters(entry).add("value", value, "", "");
     Extent held;
-    for (const auto& side : sides->second)
-      if (way.covers(side.element, side.side))
-        for (int k : side_nodes(mesh.elements()[side.element].shape, side.side))
-          held.add(value(0, positions[mesh.elements()[side.element].nodes[k]]));
+    for (const auto* side : way.sides_under())
+      if (side->sets.count(entry.text("set")) > 0)
+        for (int node : side->nodes) held.add(value(0, positions[node]));
     if (!held.known() || water <= held.high) continue;
     doubt(
         UsualRanges::hole, depth / (2 * way.radius()),

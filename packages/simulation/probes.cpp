@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ale/point_locator.hpp"
 #include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 
@@ -30,14 +29,15 @@ std::string column(const std::string& probe, const std::string& field, int compo
 
 }  // namespace
 
-Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings) : model_(model) {
+Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings)
+    : model_(model), extent_(model.mesh().bounds().extent()) {
   for (const ProbeSettings& probe : settings) {
     if (probe.at_node)
       nodes_.push_back(nearest_node(probe));
     else
       moving_.push_back(probe);
   }
-  if (!moving_.empty()) mesh_ = std::make_unique<GhostedMesh>(model.mesh());
+  if (!moving_.empty()) mesh_ = std::make_unique<GhostedMesh>(model.mesh(), 1);  // a layer tells where the soil ends
 }
 
 Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
@@ -96,51 +96,90 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
   return plus(now.centre, 1, now.turn(minus(probe.point, start.centre)));
 }
 
-void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
-                          const Positions& x, const std::vector<double>* error, std::vector<HistoryValue>& row) const {
-  const Point at = place(probe, state);
-  const PointLocator locator(*mesh_, x);
-  const double rounding = 1e-9 * model_.mesh().bounds().extent();
+double Probes::distance(const MeshPlace& place, const Point& at, const Positions& x) const {
+  if (place.element < 0) return 1e300;
+  const auto& element = mesh_->elements()[place.element];
+  double N[27], dN[81];
+  evaluate_shape(element.shape, place.xi, N, dN);
+  Point off = at;
+  for (int a = 0; a < num_nodes(element.shape); ++a) off = plus(off, -N[a], x[element.nodes[a]]);
+  return length(off);
+}
+
+MeshPlace Probes::place_in_soil(const Point& at, const PointLocator& locator, const Positions& x) const {
   MeshPlace best;
-  double least = 1e300, N[27], dN[81];
-  for (std::size_t block = 0; block < model_.mesh().blocks().size(); ++block) {
-    if (mesh_->block_elements(static_cast<int>(block)).empty()) continue;
-    MeshPlace here = locator.find(at, mesh_->block_elements(static_cast<int>(block)).front());
-    const auto& element = mesh_->elements()[here.element];
+  double least = 1e300;
+  for (int e = 0; e < static_cast<int>(mesh_->elements().size()); ++e) {
+    const auto& element = mesh_->elements()[e];
+    bool near = true;  // a curved element stays within its nodes' box, half as large again on each side
+    for (int i = 0; i < mesh_->dimension() && near; ++i) {
+      double low = 1e300, high = -1e300;
+      for (int a = 0; a < num_nodes(element.shape); ++a) {
+        low = std::min(low, x[element.nodes[a]][i]);
+        high = std::max(high, x[element.nodes[a]][i]);
+      }
+      near = std::abs(at[i] - 0.5 * (low + high)) <= high - low;
+    }
+    MeshPlace here{e};
+    if (!near || !locator.invert(e, at, here.xi)) continue;
     into_cell(element.shape, here.xi);
-    evaluate_shape(element.shape, here.xi, N, dN);
-    Point off = at;
-    for (int a = 0; a < num_nodes(element.shape); ++a) off = plus(off, -N[a], x[element.nodes[a]]);
-    const double distance = length(off);
-    if (distance >= least) continue;
-    least = distance;
+    const double away = distance(here, at, x);
+    if (away >= least) continue;
+    least = away;
     best = here;
   }
-  if (least > rounding) best = locator.nearest_on_boundary(at);
-  const auto& element = mesh_->elements()[best.element];
+  return best;
+}
+
+MeshPlace Probes::find(const Point& at, const Positions& x) const {
+  const PointLocator locator(*mesh_, x);
+  MeshPlace place = place_in_soil(at, locator, x);
+  double mine = distance(place, at, x), least = mesh_->smallest(mine);
+  if (least > 1e-9 * extent_) {
+    place = locator.nearest_on_boundary(at);
+    mine = distance(place, at, x);
+    least = mesh_->smallest(mine);
+  }
+  const Comm& comm = *model_.mesh().comm();
+  const int finds = mine == least ? comm.getRank() : comm.getSize();
+  int first = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &finds, &first);
+  return first == comm.getRank() ? place : MeshPlace{};
+}
+
+void Probes::interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
+                          const Positions& x, std::vector<HistoryValue>& row) const {
+  const Point at = place(probe, state);
+  const MeshPlace found = find(at, x);
   for (int i = 0; i < model_.mesh().dimension(); ++i)
     row.push_back({"probe/" + probe.name + "/position " + axis_names[i], "m", at[i]});
-  std::vector<int> element_here;
-  int number = 0;
-  for (const ElementBlock& block : model_.mesh().blocks())
-    for (long long id : block.global_ids) {
-      if (id == best.element) element_here.push_back(number);
-      ++number;
+  for (const Values& values : fields)
+    for (int c = 0; c < values.components; ++c) {
+      double sum = 0, N[27], dN[81];
+      if (found.element >= 0 && values.by_element) {
+        sum = values.numbers[found.element];
+      } else if (found.element >= 0) {
+        const auto& element = mesh_->elements()[found.element];
+        const CellShape shape = values.at_vertices ? linear_partner(element.shape) : element.shape;
+        evaluate_shape(shape, found.xi, N, dN);
+        for (int a = 0; a < num_nodes(shape); ++a)
+          sum += N[a] * values.numbers[static_cast<std::size_t>(values.components) * element.nodes[a] + c];
+      }
+      row.push_back({column(probe.name, values.name, values.components, c), values.unit,
+                     sum_over_ranks(*model_.mesh().comm(), sum)});
     }
-  for (const Values& values : fields) {
-    const Field& field = model_.space().field(values.field);
-    const bool pressure = model_.space().find("pore pressure") == values.field;
-    const CellShape shape = field.support == Support::vertices ? linear_partner(element.shape) : element.shape;
-    evaluate_shape(shape, best.xi, N, dN);
-    for (int c = 0; c < field.components; ++c) {
-      double sum = 0;
-      for (int a = 0; a < num_nodes(shape); ++a)
-        sum += N[a] * values.of_nodes[static_cast<std::size_t>(field.components) * element.nodes[a] + c];
-      row.push_back({column(probe.name, values.name, field.components, c), field.unit, sum});
-    }
-    if (pressure && error != nullptr)
-      row.push_back({column(probe.name, values.name + " error", 1, 0), field.unit, mean_error(element_here, *error)});
+}
+
+std::vector<double> Probes::by_element(const std::vector<double>& own) const {
+  std::vector<double> all(mesh_->elements().size());
+  auto next = own.begin();
+  for (int block = 0; block < static_cast<int>(model_.mesh().blocks().size()); ++block) {
+    std::vector<double> table(mesh_->block_elements(block).size(), 0.0);
+    for (int e : mesh_->own_elements(block)) table[mesh_->first_row(e, 1)] = *next++;
+    mesh_->fill_points(block, 1, 1, table);
+    for (int e : mesh_->block_elements(block)) all[e] = table[mesh_->first_row(e, 1)];
   }
+  return all;
 }
 
 std::vector<HistoryValue> Probes::values(const State& state, const std::function<NodalView()>& excess,
@@ -165,10 +204,16 @@ std::vector<HistoryValue> Probes::values(const State& state, const std::function
   for (int f = 0; f < space.num_fields(); ++f) {
     const Field& field = space.field(f);
     if (field.support == Support::apart) continue;
-    fields.push_back({field.name, f, mesh_->gather(space, f, state.value)});
-    if (field.name == "pore pressure") fields.push_back({"excess pore pressure", f, mesh_->gather(space, f, excess())});
+    const bool at_vertices = field.support == Support::vertices;
+    fields.push_back(
+        {field.name, field.unit, field.components, at_vertices, false, mesh_->gather(space, f, state.value)});
+    if (field.name != "pore pressure") continue;
+    if (error != nullptr) fields.push_back({field.name + " error", field.unit, 1, false, true, by_element(*error)});
+    fields.push_back({"excess pore pressure", field.unit, 1, at_vertices, false, mesh_->gather(space, f, excess())});
+    if (error != nullptr)
+      fields.push_back({"excess pore pressure error", field.unit, 1, false, true, fields[fields.size() - 2].numbers});
   }
-  for (const ProbeSettings& probe : moving_) interpolated(probe, state, fields, x, error, row);
+  for (const ProbeSettings& probe : moving_) interpolated(probe, state, fields, x, row);
   return row;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ale/ghosted_mesh.hpp"
+#include "ale/point_locator.hpp"
 #include "simulation/model.hpp"
 #include "simulation/output/history_file.hpp"
 #include "simulation/probe_settings.hpp"
@@ -36,16 +36,28 @@ class Probes {
   std::vector<int> elements_at(long long node) const;
   NodeProbe nearest_node(const ProbeSettings& settings) const;
   Point place(const ProbeSettings& probe, const State& state) const;
-  /// One field of the whole mesh, as the histories name it.
+  /// One field as the histories name it.
   struct Values {
-    std::string name;
-    int field;
-    std::vector<double> of_nodes;  // (node, component)
+    std::string name, unit;
+    int components;
+    bool at_vertices, by_element;  // where its numbers are, if not at all nodes
+    std::vector<double> numbers;   // (node or element of mesh_, component)
   };
+  /// [m] from a point; of no place far away.
+  double distance(const MeshPlace& place, const Point& at, const Positions& x) const;
+  /// In this rank's part of the soil: the place nearest to a point that some element surrounds.
+  MeshPlace place_in_soil(const Point& at, const PointLocator& locator, const Positions& x) const;
+  /// The element that a point lies in, or the nearest place on the boundary: on one rank, none on the others.
+  /// Collective.
+  MeshPlace find(const Point& at, const Positions& x) const;
+  /// Collective.
   void interpolated(const ProbeSettings& probe, const State& state, const std::vector<Values>& fields,
-                    const Positions& x, const std::vector<double>* error, std::vector<HistoryValue>& row) const;
+                    const Positions& x, std::vector<HistoryValue>& row) const;
+  /// One number for each element, of those for each of this rank. Collective.
+  std::vector<double> by_element(const std::vector<double>& own) const;
 
   const Model& model_;
+  double extent_;  // of the mesh [m]
   std::vector<NodeProbe> nodes_;
   std::vector<ProbeSettings> moving_;
   std::unique_ptr<GhostedMesh> mesh_;  // for the moving ones

@@ -107,8 +107,8 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.next_field_time = next_field_time(progress_.stage_start);
   std::fill(model_->stepper().reference_floor().begin(), model_->stepper().reference_floor().end(), 0.0);
   if (!model_->stepper().refresh_history()) {
-    log::warn("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
-              model_->stepper().hints());
+    log::error("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
+               model_->stepper().hints());
     return false;
   }
   State& state = model_->store().committed();
@@ -141,7 +141,7 @@ bool Run::run_geostatic(const Stage& stage) {
   const StepReport report = model_->stepper().attempt(now, model_->tolerances(), newton);
   model_->store().committed().time = time;
   if (!report.converged) {
-    log::warn("geostatic equilibrium of stage '" + stage.name + "' not found: " + report.reason);
+    log::error("geostatic equilibrium of stage '" + stage.name + "' not found: " + report.reason);
     return false;
   }
   const int u = model_->space().find("displacement");
@@ -154,9 +154,9 @@ bool Run::run_geostatic(const Stage& stage) {
   log::info("  balanced in " + std::to_string(report.newton_iterations) + " iterations, largest displacement " +
             format("%.3g m", largest));
   if (stage.balance_tolerance > 0 && largest > stage.balance_tolerance) {
-    log::warn("stages/" + stage.name + "/balance tolerance: equilibrium needs displacements of " +
-              format("%.3g m", largest) + ", more than the allowed " + format("%.3g m", stage.balance_tolerance) +
-              "; check loads, supports and the initial stresses against each other");
+    log::error("stages/" + stage.name + "/balance tolerance: equilibrium needs displacements of " +
+               format("%.3g m", largest) + ", more than the allowed " + format("%.3g m", stage.balance_tolerance) +
+               "; check loads, supports and the initial stresses against each other");
     return false;
   }
   balances_->add_step();
@@ -239,7 +239,6 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
   for (;;) {
     if (moves_mesh(stage)) model_->store().keep();
     Stepper& stepper = model_->stepper();
-    const std::vector<double> references = stepper.reference_floor(), sizes = stepper.size_floor();
     report = stepper.attempt(request(stage, dt), model_->tolerances(), model_->newton());
     double next = -1;
     if (report.converged) {
@@ -247,17 +246,16 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
       next = stage.control.after_error(dt, error_);
       if (next < 0 && accept(stage, report)) return true;
       if (next > 0) report.reason = "time error " + format("%.2g", error_.ratio) + " times its tolerance";
+      stepper.reject();
     }
     ++rejected_;
-    stepper.reference_floor() = references;  // a step that is not made leaves nothing behind
-    stepper.size_floor() = sizes;
     if (next < 0) next = stage.control.after_failure(dt);
     const double time = model_->store().committed().time;
     if (next < 0 || stop_requested()) {
       exit = next < 0 ? ExitCode::no_convergence : ExitCode::stopped;
       if (next < 0)
-        log::warn("step " + std::to_string(progress_.step + 1) + ", t = " + format("%.6g s", time) + ": " +
-                  report.reason + "; the step cannot be cut below " + format("%.3g s", stage.control.minimum));
+        log::error("step " + std::to_string(progress_.step + 1) + ", t = " + format("%.6g s", time) + ": " +
+                   report.reason + "; the step cannot be cut below " + format("%.3g s", stage.control.minimum));
       return false;
     }
     log::info("  step " + std::to_string(progress_.step + 1) + " rejected: " + report.reason + "; dt " +
@@ -360,9 +358,9 @@ void Run::report_mesh(Report& report) const {
 
 bool Run::ends_folded(const Stage& stage) const {
   if (stage.allow_folded || quality_.folded == 0) return false;
-  log::warn("the mesh is folded: " + describe(quality_, model_->mesh()) + " at t " +
-            format("%.6g s", model_->store().committed().time) + "; the state is saved and the run ends here: use a " +
-            "'mesh motion' or another mesh, or go on with stages/" + stage.name + "/allow folded elements = true");
+  log::error("the mesh is folded: " + describe(quality_, model_->mesh()) + " at t " +
+             format("%.6g s", model_->store().committed().time) + "; the state is saved and the run ends here: use a " +
+             "'mesh motion' or another mesh, or go on with stages/" + stage.name + "/allow folded elements = true");
   return true;
 }
 
@@ -413,8 +411,8 @@ ExitCode Run::run_stage() {
     if (remeshing_due()) remesh();
     const Stage& stage = this->stage();
     if (progress_.step_in_stage >= stage.control.maximum_steps) {
-      log::warn("stages/" + stage.name + "/time step/maximum steps: " + std::to_string(stage.control.maximum_steps) +
-                " steps were taken and the stage is not over");
+      log::error("stages/" + stage.name + "/time step/maximum steps: " + std::to_string(stage.control.maximum_steps) +
+                 " steps were taken and the stage is not over");
       save_checkpoint();
       return ExitCode::no_convergence;
     }

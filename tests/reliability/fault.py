@@ -76,8 +76,6 @@ def judge(fault, ended, numbers_changed=None):
     None where exit code 0 is wrong whatever the numbers are."""
     lines = own_lines(ended.stderr)
     error_lines = [line for line in lines if not line.startswith("warning:")]
-    if ended.code == 3 and not error_lines:  # no convergence is the last of the warnings
-        error_lines = lines[-1:]
     last = error_lines[-1] if error_lines else ""
     if ended.timed_out:
         return Outcome(fault, "hang", last)

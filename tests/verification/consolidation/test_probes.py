@@ -43,6 +43,21 @@ class Probes(MudlineCase):
         np.testing.assert_allclose(history["probe/side/position y"], 0.7 + fallen, rtol=0, atol=1e-12)
         self.assertTrue((history["probe/side/position x"] == 0.3).all())
 
+    def test_ranks_agree(self):
+        """Inside, on the boundary between two ranks' parts or near it, and outside the soil; with the error of the pressure."""
+        deck = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
+        overlay = self.write("probes.xml", probes({
+            f"at {y}": {"point": [0.03, y], "moves with": "nothing"} for y in (0.13, 0.37, 0.5, 0.52, 0.77, 1.0)}))
+        settings = ("stages/consolidation/duration=100", "mesh/grading={1.0, 1.0}", "mesh/cells={2, 20}", "output/error estimate=true")
+        one = self.run_deck([deck, overlay], settings)
+        two = self.run_deck([deck, overlay], settings, ranks=2, extra=["--overwrite"])
+        names = [name for name in one.columns if name.startswith("probe/at ")]
+        self.assertEqual(len(names), 6 * (2 + 2 + 2 * 2))  # position, displacement, two pressures with an error each
+        for name in names:
+            scale = max(np.abs(one[name]).max(), 1e-9)
+            self.assertLess(np.abs(one[name] - two[name]).max(), 1e-8 * scale, name)
+        self.assertGreater(one["probe/at 0.52/pore pressure error"][-1], 0)
+
     def test_wrong_probes_get_one_message(self):
         deck = os.path.join(ROOT, "inputs", "impact", "free_fall.xml")
         for entry, message in (({"point": [0.0, 0.0], "moves with": "bdy"}, "unknown body 'bdy'"),
