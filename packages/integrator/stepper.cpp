@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "algebra/absolute_product.hpp"
 #include "algebra/ordered_sum.hpp"
@@ -597,7 +596,5 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   }
   return report;
 }
-
-void Stepper::reject() { std::tie(reference_floor_, size_floor_) = floors_before_; }
 
 }  // namespace mudline

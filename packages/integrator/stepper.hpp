@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "algebra/linear_solver.hpp"
@@ -79,7 +80,7 @@ class Stepper : public NonlinearProblem {
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
   /// The step that the last attempt found is not made: it leaves nothing behind that later ones are measured against.
-  void reject();
+  void reject() { std::tie(reference_floor_, size_floor_) = floors_before_; }
 
   // What the balances read after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
