@@ -111,7 +111,7 @@ def main():
     run = History(stem + ".csv")
     later = run["time"] >= PUSH
     times = run["time"][later] - PUSH
-    measured = run["probe/wall/pore pressure"][later] * 1e-3 - GAMMA_WATER * MID
+    measured = run["probe/wall/pore pressure"][later] * 1e-3
     keep = (times < 3e8) & (np.maximum.accumulate(times) <= times)
     times, measured = times[keep], measured[keep]
     fine = np.r_[0, np.geomspace(1e3, 3e8, 200)]

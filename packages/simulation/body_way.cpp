@@ -56,8 +56,11 @@ void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
       if (side.sets.count(partners.surface) == 0) continue;
       nodes.insert(side.nodes.begin(), side.nodes.end());
       if (std::abs(0.5 * (positions_[side.nodes[0]][0] + positions_[side.nodes[1]][0]) - middle) < radius_)
-        ++sides_under_;
-      for (int node : side.nodes) reach_ = std::max(reach_, std::abs(positions_[node][0] - middle));
+        under_.push_back(&side);
+      for (int node : side.nodes) {
+        reach_ = std::max(reach_, std::abs(positions_[node][0] - middle));
+        top_ = std::max(top_, positions_[node][1]);
+      }
     }
     if (body_.contour().extent() == ContourExtent::half) find_corner(mesh, partners.surface);
   }
@@ -152,6 +155,18 @@ double BodyWay::largest_speed() const {
       fastest = std::max(fastest, distance(places_[i].displacement, places_[i - 1].displacement) /
                                       (places_[i].time - places_[i - 1].time));
   return fastest;
+}
+
+double BodyWay::lowest() const {
+  double lowest = 1e300;
+  if (release() && release()->releases(1)) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) lowest = std::min(lowest, positions_[i][1]);
+    return lowest;
+  }
+  for (const PlanePoint& p : body_.contour().sample(1e-3 * body_.contour().length())) lowest = std::min(lowest, p[1]);
+  double down = 0;
+  for (const Place& place : places_) down = std::min(down, place.displacement[1]);
+  return body_.initial_position()[1] + lowest + down;
 }
 
 std::array<double, 2> BodyWay::start_of_fall() const {

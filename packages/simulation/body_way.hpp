@@ -45,10 +45,14 @@ class BodyWay {
   std::string crossing_below(double below) const;
   /// How a released body starts: velocity and acceleration in y [m/s, m/s2].
   std::array<double, 2> start_of_fall() const;
-  /// Sides of the surfaces under the body, and the radius of the surface's corner that fits it best (0: it has none).
-  int sides_under() const { return sides_under_; }
+  /// Sides of the surfaces under the body, of the caller's mesh, and the radius of the surface's corner that fits it
+  /// best (0: it has none).
+  const std::vector<const GhostedMesh::BoundarySide*>& sides_under() const { return under_; }
   double surface_corner() const { return corner_; }
   double surface_reach() const { return reach_; }
+  /// Heights [m]: the top of those surfaces, and the lowest that the body may come to, for a released one the mesh's.
+  double surface_top() const { return top_; }
+  double lowest() const;
 
  private:
   struct Boundary {
@@ -69,8 +73,8 @@ class BodyWay {
   const Positions& positions_;
   std::vector<Place> places_;
   std::shared_ptr<const BodyMotion> release_;
-  double radius_ = 0, free_time_ = 0, corner_ = 0, reach_ = 0;
-  int sides_under_ = 0;
+  double radius_ = 0, free_time_ = 0, corner_ = 0, reach_ = 0, top_ = -1e300;
+  std::vector<const GhostedMesh::BoundarySide*> under_;
   std::vector<int> surface_;  // nodes of the contacts' surfaces
   std::vector<Boundary> boundaries_;
 };

@@ -41,6 +41,10 @@ const Usual table[UsualRanges::count] = {
      {0.9, 1.25},
      "radius of the corner that the mesh has on the contact's surface, over that of the body"},
     {"sides under a body", "-", {1, any_size}, "sides of the contact's surface that the body covers"},
+    {"drained hole",
+     "-",
+     {0, 1},
+     "depth of a hole under water whose wall a condition of the surface drains, over the body's largest width"},
     {"layer depth", "-", {10, any_size}, "depth of a layer below a released body, over the body's largest width"},
     {"pressure step",
      "-",
@@ -156,6 +160,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
                                                   "them one region, of one material or of layers by the 'top' of "
                                                   "each material, which a body may cross");
       tell_body(way);
+      doubt_hole(way, positions, deck);
     }
   }
   tell_materials();
@@ -298,7 +303,43 @@ void Plausibility::doubt_shape(const BodyWay& way, const std::string& name) {
           name + text(": the mesh has a corner of the surface at %.4g m, the body's radius is %.4g m; their ratio",
                       way.surface_corner(), way.radius()));
   if (way.release() || way.largest_speed() > 0)
-    doubt(UsualRanges::sides, way.sides_under(), name + ": the number of sides of the surface that it covers");
+    doubt(UsualRanges::sides, static_cast<double>(way.sides_under().size()),
+          name + ": the number of sides of the surface that it covers");
+}
+
+/// A surface that is held at a pore pressure is held there in the hole that a body opens, too.
+void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, const Section& deck) {
+  const Soil& soil = *model_.soil();
+  if (soil.pressure < 0 || soil.excess || !way.touches_anything()) return;
+  const double lowest = way.lowest(), depth = way.surface_top() - lowest;
+  double water = -1e300;  // at the start, down to there
+  const auto& dof = soil.space->node_dof(soil.pressure);
+  for (int node = 0; node < model_.mesh().num_nodes(); ++node)
+    if (dof(node) >= 0 && model_.mesh().place(node)[1] >= lowest)
+      water = std::max(water, model_.store().committed().value(dof(node)));
+  water = max_over_ranks(*model_.mesh().comm(), water);
+  for (const auto& condition : model_.conditions()) {
+    const bool acts = std::any_of(model_.stages().begin(), model_.stages().end(), [&](const auto& stage) {
+      return stage->type != Stage::Type::geostatic &&
+             std::count(stage->conditions.begin(), stage->conditions.end(), condition->name) > 0;
+    });
+    const Section entry = deck.section("boundary conditions").section(condition->name);
+    if (!acts || entry.text("type") != "pore pressure") continue;
+    Function value;
+    Parameters(entry).add("value", value, "", "");
+    Extent held;
+    for (const auto* side : way.sides_under())
+      if (side->sets.count(entry.text("set")) > 0)
+        for (int node : side->nodes) held.add(value(0, positions[node]));
+    if (!held.known() || water <= held.high) continue;
+    doubt(
+        UsualRanges::hole, depth / (2 * way.radius()),
+        "body '" + way.body().name() + "': condition '" + condition->name +
+            text("' holds %.4g Pa on the wall of the hole that it opens too, where down to %.3g m water at rest has "
+                 "%.4g Pa: count from water at rest ('pore pressure' = excess in the physics biot); the hole's depth, "
+                 "in widths,",
+                 held.high, depth, water));
+  }
 }
 
 /// A load of a stage on one side set.

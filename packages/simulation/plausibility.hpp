@@ -25,6 +25,7 @@ class UsualRanges {
     speed,
     corner,
     sides,
+    hole,
     layer_depth,
     pressure_step,
     steps,
@@ -61,6 +62,7 @@ class Plausibility {
   void tell_stages(const Section& deck);
   void doubt_body(const BodyWay& way, const std::string& name);
   void doubt_shape(const BodyWay& way, const std::string& name);
+  void doubt_hole(const BodyWay& way, const Positions& positions, const Section& deck);
   void doubt(UsualRanges::Quantity quantity, double value, const std::string& what);
   std::vector<Load> loads(const Section& deck, std::size_t stage) const;
   /// Largest consolidation time h^2/(6 c_v) [s] of an element at a surface that the stage drains and loads suddenly.

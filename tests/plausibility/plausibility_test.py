@@ -98,6 +98,39 @@ class Slips(Telling):
         self.doubted("torpedo/tresca", ["bodies/anchor/contour/diameter=0.7", "bodies/anchor/contour/tail diameter=0.4"],
                      r"body 'anchor': the mesh has a corner of the surface at 0.535 m, the body's radius is 0.35 m; their ratio is 1.529")
 
+    def test_a_hole_under_water_whose_wall_is_drained(self):
+        with open(self.shipped("pile/clay")[0]) as file:
+            right = file.read()
+        self.write("pile.geo", open(os.path.join(ROOT, "inputs", "pile", "pile.geo")).read())
+
+        def pile(level, *changes):
+            """The pile in total pressures, water up to a level [m]."""
+            deck = re.sub(r'(?s)<Parameter name="pore pressure" type="string" value="excess"/>(.*?"geostatic"/>)',
+                          rf'\1<Parameter name="water level" type="double" value="{level}"/>', right)
+            self.assertNotEqual(deck, right)
+            for old, new in changes:
+                self.assertIn(old, deck)
+                deck = deck.replace(old, new)
+            return [self.write("total.xml", deck)]
+
+        sides = ('name="drained surface">\n      <Parameter name="type" type="string" value="pore pressure"/>\n      <Parameter name="set" '
+                 'type="string" value="surface"/>')
+        for ranks in (1, 2):
+            doubts = self.doubts(pile(0), ranks=ranks)
+            self.assertEqual(len(doubts), 1, doubts)
+            found = re.match(r"body 'pile': condition 'drained surface' holds 0 Pa on the wall of the hole that it opens too, where down to "
+                             r"([\d.]+) m water at rest has ([\d.e+]+) Pa: .*'pore pressure' = excess .*, is 5\.\d+, usual is 0 to 1 "
+                             r"\(plausibility/drained hole\)", doubts[0])
+            self.assertIsNotNone(found, doubts[0])
+            depth, water = (float(number) for number in found.groups())
+            self.assertAlmostEqual(depth, 2.0 + 0.02, delta=0.005)  # push and load test
+            self.assertAlmostEqual(water / (9810 * depth), 1, delta=0.05)  # the nearest node above
+        self.assertEqual(self.doubts(pile(0), ["plausibility/drained hole={0, 6}"]), [])
+        # beside the hole alone, no condition at all, water below the hole, a hole half as deep as wide
+        self.assertEqual(self.doubts(pile(0, (sides, sides.replace('"surface"', '"seabed"')))), [])
+        self.assertEqual(self.doubts(pile(-3.0)), [])
+        self.assertEqual(self.doubts(pile(0), ["stages/push/duration=0.2"]), [])
+
     def test_plane_strain_for_a_body_of_revolution(self):
         self.doubted("cpt/clay", ["mesh/geometry=plane strain"], "body 'cone' is a body of revolution by its contour, but the mesh is in plane strain")
 

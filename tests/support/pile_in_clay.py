@@ -33,8 +33,8 @@ def wall(file, step):
     contact, excess = step["nodal/contact_pressure_pile"][()] * 1e-3, step["nodal/excess_pore_pressure"][()] * 1e-3
     radial = -step["cell/effective_stress"][:, 0] * 1e-3
     touching = sorted((i for i in np.unique(cells) if contact[i] > 0), key=lambda i: x[i, 1])
-    # the surcharge presses on the soil beside and under the pile like a heavy fluid, apart from the contact
-    rows = [(-x[i, 1], x[i, 0], contact[i] + SURCHARGE + GAMMA_WATER * x[i, 1], radial[(cells == i).any(axis=1)].mean(), excess[i]) for i in touching]
+    # the surcharge presses on the soil beside and under the pile like a heavy fluid, apart from the contact; water at rest acts nowhere
+    rows = [(-x[i, 1], x[i, 0], contact[i] + SURCHARGE, radial[(cells == i).any(axis=1)].mean(), excess[i]) for i in touching]
     return np.array(rows).reshape(-1, 5).T
 
 

@@ -192,7 +192,10 @@ KOKKOS_INLINE_FUNCTION void add_friction(const ContactPointLaw& law, const Conta
     return;
   }
   T normal = out.pressure;
-  if (law.effective && !law.film) normal = normal - point.pore_pressure;
+  // Without a film surfaces part at zero traction, whatever suction there is: it counts as much as the traction at
+  // most, so that friction ends where contact does.
+  if (law.effective && !law.film)
+    normal = value(point.pore_pressure) > -value(normal) ? normal - point.pore_pressure : 2.0 * normal;
   if (!law.effective && law.film) normal = normal + point.pore_pressure;
   const T rate = magnitude(travel) / law.dt;
   const ShearStrength strength =

@@ -75,6 +75,8 @@ TEST(Friction, StrengthFollowsEffectiveOrTotalTractionAdhesionAndCap) {
   EXPECT_NEAR(stress(coulomb(0.3), 4e3), 0.3 * (pressing - 4e3), 1e-8);
   EXPECT_NEAR(stress(coulomb(0.3), 4e3, Support::all_nodes), 0.3 * (pressing - 4e3), 1e-8);
   EXPECT_NEAR(stress(coulomb(0.3), 2 * pressing), 0, 1e-8);
+  EXPECT_NEAR(stress(coulomb(0.3), -0.5 * pressing), 0.3 * 1.5 * pressing, 1e-8);
+  EXPECT_NEAR(stress(coulomb(0.3), -3 * pressing), 0.3 * 2 * pressing, 1e-8);  // suction counts up to the traction
   EXPECT_NEAR(stress(coulomb(0.3, text_parameter("on", "total")), 4e3), 0.3 * pressing, 1e-8);
   EXPECT_NEAR(stress(coulomb(0.3, number_parameter("adhesion", 500)), 4e3), 500 + 0.3 * (pressing - 4e3), 1e-8);
   EXPECT_NEAR(stress(coulomb(0.3, number_parameter("adhesion", 500)), 2 * pressing), 500, 1e-8);
