@@ -42,6 +42,39 @@ struct Polynomial {
   }
 };
 
+/// Of the range of the values around a vertex on the boundary: see Recovery.
+constexpr double smooth = 0.025;
+
+/// The linear fit that the leading terms of the normal equations of a quadratic one give: (column, term).
+template <int terms>
+std::vector<double> linear_fit(const double (&a)[terms][terms], const std::vector<double>& right, int columns) {
+  constexpr int n = terms == 6 ? 3 : 4;
+  double leading[n][n];
+  std::vector<double> result(static_cast<std::size_t>(n) * columns);
+  for (int r = 0; r < n; ++r) {
+    for (int s = 0; s < n; ++s) leading[r][s] = a[r][s];
+    for (int c = 0; c < columns; ++c) result[n * c + r] = right[terms * c + r];
+  }
+  solve_normal(leading, result);
+  return result;
+}
+
+/// Both are about the vertex.
+template <int Dim>
+void make_linear_where_steep(Polynomial<Dim>& fitted, const std::vector<double>& linear,
+                             const std::vector<double>& ranges) {
+  for (std::size_t c = 0; c < ranges.size(); ++c) {
+    double* quadratic = &fitted.coefficients[terms<Dim> * c];
+    const double* line = &linear[(Dim + 1) * c];
+    const double apart = std::abs(quadratic[0] - line[0]), small = smooth * ranges[c];
+    const double share = apart > small ? std::max(2 - apart / small, 0.0) : 1.0;
+    for (int k = 0; k < terms<Dim>; ++k) {
+      const double from = k <= Dim ? line[k] : 0.0;
+      quadratic[k] = from + share * (quadratic[k] - from);
+    }
+  }
+}
+
 }  // namespace
 
 Point Recovery::position(const GhostedMesh::Element& element, const SoilBlock& block, int point, const Positions& x) {
@@ -100,6 +133,7 @@ Recovery::Recovery(const GhostedMesh& mesh, const SoilBlock& block, const Recove
 template <int Dim>
 void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
   constexpr int terms = mudline::terms<Dim>;
+  const bool has_axis = mesh_.mesh().geometry() == Geometry::axisymmetric;
   std::vector<Polynomial<Dim>> polynomials;
   std::vector<Point> places;
   for (const auto& [node, elements] : patches.patches()) {
@@ -119,7 +153,10 @@ void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
         for (int c = 0; c < columns_; ++c) fitted.coefficients[terms * c + r] += powers[r] * values[c];
       }
     }
+    const bool one_sided = mesh_.on_boundary(node) && !(has_axis && x[node][0] == 0);
+    const std::vector<double> linear = one_sided ? linear_fit(a, fitted.coefficients, columns_) : std::vector<double>();
     solve_normal(a, fitted.coefficients);
+    if (one_sided) make_linear_where_steep(fitted, linear, ranges(elements));
     for (int c = 0; c < columns_; ++c) nodal_[static_cast<std::size_t>(node) * columns_ + c] = fitted.at(x[node], c);
     polynomials.push_back(std::move(fitted));
   }
@@ -140,6 +177,18 @@ void Recovery::fit(const RecoveryPatches& patches, const Positions& x) {
     }
   }
   mesh_.fill(nodal_, columns_);
+}
+
+std::vector<double> Recovery::ranges(const std::vector<int>& elements) const {
+  std::vector<double> low(columns_, 1e300), high(columns_, -1e300);
+  for (int e : elements)
+    for (int q = 0; q < block_.points; ++q)
+      for (int c = 0; c < columns_; ++c) {
+        low[c] = std::min(low[c], row(e, q)[c]);
+        high[c] = std::max(high[c], row(e, q)[c]);
+      }
+  for (int c = 0; c < columns_; ++c) high[c] -= low[c];
+  return high;
 }
 
 std::vector<double> Recovery::bounded_nodes() const {

@@ -130,6 +130,52 @@ double journey(ConvectionRemap remap, Field field, int n) {
   return std::sqrt(sum);
 }
 
+/// What is recovered on the wall x = 0, away from its corners, at the nodes.
+std::vector<std::pair<double, double>> at_the_wall(Field field) {
+  const auto mesh = box(CellShape::tri6, 8);
+  const Points points(*mesh);
+  const std::vector<double> rows = points.values(field, points.start);
+  const Recovery recovered(points.whole, points.block, points.patches, points.start, rows, 1);
+  std::vector<std::pair<double, double>> result;  // height, value
+  for (int e : points.whole.block_elements(0))
+    for (int a = 0; a < 3; ++a) {
+      const Point& x = points.start[points.whole.elements()[e].nodes[a]];
+      if (x[0] != 0 || x[1] < 0.2 || x[1] > 0.8) continue;
+      const auto xi = reference_node(CellShape::tri6, a);
+      MeshPlace place{e, {}};
+      std::copy(xi.begin(), xi.end(), place.xi);
+      double value;
+      recovered.at(place, &value);
+      result.push_back({x[1], value});
+    }
+  return result;
+}
+
+TEST(Recovery, IsQuadraticAtAWallWhereTheFieldIsSmoothAndLinearWhereItIsSteep) {
+  const auto bent = at_the_wall([](double x, double y) { return 3 + x + 2 * y + 0.1 * x * x; });
+  EXPECT_GT(bent.size(), 5u);
+  for (const auto& [y, value] : bent) EXPECT_NEAR(value, 3 + 2 * y, 1e-12);
+  for (const auto& [y, value] : at_the_wall([](double x, double) { return x * x; })) {
+    EXPECT_LT(value, -1e-4);  // a line through points beside the wall
+    EXPECT_GT(value, -1e-2);
+  }
+}
+
+TEST(ConvectionRemap, WhatIsSteepAtAWallDoesNotGetSteeper) {
+  const auto mesh = box(CellShape::tri6, 8);
+  const Points points(*mesh);
+  std::vector<double> values = points.values([](double x, double) { return std::exp(-50 * x); }, points.start);
+  const double highest = *std::max_element(values.begin(), values.end());
+  Positions from = points.start;
+  for (int k = 1; k <= 200; ++k) {
+    Positions to = points.start;  // along the wall
+    for (auto& p : to) p[1] += 0.02 * std::sin(std::acos(-1.0) * p[1]) * std::sin(0.7 * k);
+    values = points.carried(values, from, to);
+    from = to;
+  }
+  EXPECT_LT(*std::max_element(values.begin(), values.end()), highest);
+}
+
 TEST(ConvectionRemap, IsOfSecondOrderForSmoothFields) {
   for (const ConvectionRemap& remap : {ConvectionRemap(ConvectionRemap::Scheme::incremental, true),
                                        ConvectionRemap(ConvectionRemap::Scheme::upwind, true)}) {
