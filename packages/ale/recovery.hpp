@@ -33,8 +33,8 @@ class RecoveryPatches {
 /// A continuous field recovered from values at the quadrature points of one block: around every vertex a quadratic
 /// polynomial is fitted, by least squares, to the points of the elements that touch it (Zienkiewicz & Zhu 1992), so
 /// that slopes are of second order; middle nodes take the mean of what the polynomials of the corners around say there.
-/// At a vertex on the block's boundary all points lie on one side, and a quadratic polynomial would make a field that is
-/// steep there steeper from motion to motion: where it differs from the linear one by more than a small share of the
+/// At a vertex on the block's boundary all points lie on one side, and a quadratic polynomial would make a field that
+/// is steep there steeper from motion to motion: where it differs from the linear one by more than a small share of the
 /// values' range it gives way to that one. Fields are even across the axis of symmetry, which is no such boundary.
 /// Linear fields are reproduced exactly, also on curved elements. Every rank fits what its own nodes need.
 class Recovery {
