@@ -42,8 +42,10 @@ struct Polynomial {
   }
 };
 
-/// Of the range of the values around a vertex on the boundary: see Recovery.
-constexpr double smooth = 0.025;
+/// Of the range of the values around a vertex on the boundary: see Recovery. In space patches are wider, and a linear
+/// polynomial says less of them.
+template <int Dim>
+constexpr double smooth = Dim == 2 ? 0.025 : 0.1;
 
 /// The linear fit that the leading terms of the normal equations of a quadratic one give: (column, term).
 template <int terms>
@@ -66,7 +68,7 @@ void make_linear_where_steep(Polynomial<Dim>& fitted, const std::vector<double>&
   for (std::size_t c = 0; c < ranges.size(); ++c) {
     double* quadratic = &fitted.coefficients[terms<Dim> * c];
     const double* line = &linear[(Dim + 1) * c];
-    const double apart = std::abs(quadratic[0] - line[0]), small = smooth * ranges[c];
+    const double apart = std::abs(quadratic[0] - line[0]), small = smooth<Dim> * ranges[c];
     const double share = apart > small ? std::max(2 - apart / small, 0.0) : 1.0;
     for (int k = 0; k < terms<Dim>; ++k) {
       const double from = k <= Dim ? line[k] : 0.0;
