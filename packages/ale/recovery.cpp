@@ -195,15 +195,9 @@ std::vector<double> Recovery::ranges(const std::vector<int>& elements) const {
 
 std::vector<double> Recovery::bounded_nodes() const {
   const auto& elements = mesh_.elements();
-  std::vector<bool> outer(mesh_.num_nodes(), false);
-  std::vector<std::vector<int>> nodes_of;  // (side)
-  for (int side = 0; side < num_sides(block_.shape); ++side) nodes_of.push_back(side_nodes(block_.shape, side));
   std::vector<double> bounded = nodal_, low(nodal_.size(), 1e300), high(nodal_.size(), -1e300);
   for (int e : mesh_.block_elements(block_.block)) {
     const auto& element = elements[e];
-    for (int side = 0; side < num_sides(element.shape); ++side)
-      if (mesh_.on_boundary(element, side))
-        for (int a : nodes_of[side]) outer[element.nodes[a]] = true;
     for (int q = 0; q < block_.points; ++q)
       for (int a = 0; a < num_nodes(element.shape); ++a)
         for (int c = 0; c < columns_; ++c) {
@@ -213,7 +207,7 @@ std::vector<double> Recovery::bounded_nodes() const {
         }
   }
   for (int node = 0; node < mesh_.num_nodes(); ++node)
-    for (int c = 0; c < columns_ && !outer[node]; ++c) {
+    for (int c = 0; c < columns_ && !mesh_.on_boundary(node); ++c) {
       const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
       if (low[i] <= high[i]) bounded[i] = std::clamp(nodal_[i], low[i], high[i]);
     }
