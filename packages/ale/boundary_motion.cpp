@@ -6,6 +6,7 @@
 
 #include "ale/interior_motion.hpp"
 #include "core/pi.hpp"
+#include "core/space_vector.hpp"
 #include "core/text.hpp"
 
 namespace mudline {
@@ -68,17 +69,17 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
     for (MeshPath& path : paths_)
       for (int& node : path.nodes) node = mesh.local_node(node);
     origins_ = renewed->origins;
-    if (!in_space_) focus = on_plane(renewed->focus);
+    focus = renewed->focus;
   }
   if (in_space_) {
-    source_ = source;
-    bind_surfaces(mesh, renewed);
+    bind_surfaces(mesh, source, renewed);
+    if (!renewed) take_sizes(source, size_field(focus));
   } else if (!renewed) {
     paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
                         [&](int node) { return starts_on_body(source[node]); });
   }
   for (const MeshPath& path : paths_) {
-    const PathCurve curve(places(path, in_space_ ? source_ : source));
+    const PathCurve curve(places(path, source));
     const CurveMeasure measure(curve, size_field(focus));
     std::vector<double> shares;
     for (int v = 0; v < path.num_vertices(); ++v)
@@ -89,15 +90,16 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
   }
 }
 
-/// On a mesh made on the way the boundary still has its faces, and strives for what it was in the deck's mesh.
-void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const RenewedMesh* renewed) {
+/// A mesh made on the way says what its faces and curves belong to, and what sizes they strive for.
+void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RenewedMesh* renewed) {
   std::set<int> corners;
   for (const std::string& name : corners_)
     for (int node : mesh.node_sets().at(name)) corners.insert(node);
   std::vector<SurfaceFace> faces = boundary_faces(mesh);
   MeshSurfaces surfaces;
   if (renewed) {
-    for (const SourcePlace& was : renewed->source) source_[mesh.local_node(was.node)] = was.place;
+    relative_sizes_.assign(source.size(), 0.0);
+    for (const RelativeSize& at : renewed->sizes) relative_sizes_[mesh.local_node(at.node)] = at.size;
     std::map<std::array<long long, 3>, int> patches;
     for (const FaceOfPatch& face : renewed->faces) patches[face.corners] = face.patch;
     for (SurfaceFace& face : faces) {
@@ -106,16 +108,32 @@ void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const RenewedMesh* r
       std::sort(ids.begin(), ids.end());
       face.patch = patches.at(ids);
     }
-    surfaces = joined_surfaces(std::move(faces), paths_, source_.size(), corners);
+    surfaces = joined_surfaces(std::move(faces), paths_, source.size(), corners);
   } else {
-    surfaces = split_surfaces(std::move(faces), source_, corners, corner_angle_ * pi / 180,
-                              [&](int node) { return starts_on_body(source_[node]); });
+    surfaces = split_surfaces(std::move(faces), source, corners, corner_angle_ * pi / 180,
+                              [&](int node) { return starts_on_body(source[node]); });
     paths_ = surfaces.curves;
   }
   std::vector<char> slides;
   for (const SurfacePatch& patch : surfaces.patches) slides.push_back(!material(patch.sets));
   surfaces_ =
-      SurfaceMotion(std::move(surfaces), source_, slides, largest_slide_, CornerSimplices(mesh).on_boundary(mesh));
+      SurfaceMotion(std::move(surfaces), source, slides, largest_slide_, CornerSimplices(mesh).on_boundary(mesh));
+}
+
+void BoundaryMotion::take_sizes(const Positions& source, const SizeField& size) {
+  relative_sizes_.assign(source.size(), 0.0);
+  std::vector<int> around(source.size(), 0);
+  for (const SurfaceFace& face : surfaces_.surfaces().faces) {
+    if (num_corners(face.shape) != 3) continue;
+    const Point &a = source[face.nodes[0]], &b = source[face.nodes[1]], &c = source[face.nodes[2]];
+    const double area = 0.5 * length(cross(minus(b, a), minus(c, a)));
+    for (int k = 0; k < 3; ++k) {
+      relative_sizes_[face.nodes[k]] += 2 * std::sqrt(area / std::sqrt(3.0)) / size(source[face.nodes[k]]);
+      ++around[face.nodes[k]];
+    }
+  }
+  for (std::size_t node = 0; node < source.size(); ++node)
+    if (around[node] > 0) relative_sizes_[node] /= around[node];
 }
 
 bool BoundaryMotion::material(const std::set<std::string>& sets) const {

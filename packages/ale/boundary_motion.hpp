@@ -57,10 +57,13 @@ class BoundaryMotion {
   const SurfaceMotion& surfaces() const { return surfaces_; }
   /// (path) what its sides were in the deck's mesh.
   const std::vector<PathOrigin>& origins() const { return origins_; }
-  /// Where a node of the boundary in space was in the deck's mesh [m].
-  const Point& source(int node) const { return source_[node]; }
+  /// In space, (node) read at vertices of the boundary: wanted length of the edges there by the deck's mesh, in the
+  /// mean of the faces around that of a regular triangle of their area, over the size by the focus.
+  const std::vector<double>& relative_sizes() const { return relative_sizes_; }
   /// Whether a path's nodes stay material points.
   bool material(const MeshPath& path) const { return material(path.sets); }
+  /// Whether sides that belong to these sets have such nodes.
+  bool material(const std::set<std::string>& sets) const;
   bool axisymmetric() const { return axisymmetric_; }
   bool in_space() const { return in_space_; }
   /// Where the focus is; the origin without one.
@@ -74,9 +77,9 @@ class BoundaryMotion {
   std::vector<double> freedom(const Positions& x, const State& state) const;
 
  private:
-  bool material(const std::set<std::string>& sets) const;
   bool starts_on_body(const Point& x) const;
-  void bind_surfaces(const GhostedMesh& mesh, const RenewedMesh* renewed);
+  void bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RenewedMesh* renewed);
+  void take_sizes(const Positions& source, const SizeField& size);
   void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
 
   std::string focus_;
@@ -88,7 +91,7 @@ class BoundaryMotion {
   std::vector<std::vector<double>> shares_;  // (path, vertex) measure in the source's mesh, as a share of the total
   std::vector<char> slides_;                 // (path)
   SurfaceMotion surfaces_;                   // in space
-  Positions source_;                         // in space, of nodes on the boundary
+  std::vector<double> relative_sizes_;       // in space
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
 };
 

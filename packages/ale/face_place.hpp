@@ -13,6 +13,12 @@ struct SurfaceFace;
 /// Where a point of a face is: reference coordinates of the face's shape.
 using FacePlace = std::array<double, 2>;
 
+/// A place on a face of a mesh's surfaces.
+struct SurfacePlace {
+  int face = -1;
+  FacePlace xi{};
+};
+
 /// [m]
 Point face_point(const SurfaceFace& face, const FacePlace& place, const Positions& x);
 /// Outwards, as long as the area per reference area [m2].

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "ale/renewal_builder.hpp"
+#include "ale/renewed_surface.hpp"
 #include "core/text.hpp"
 #include "discretisation/element_map.hpp"
 #include "discretisation/triangulation.hpp"
@@ -70,6 +72,7 @@ MeshRenewal::MeshRenewal(const GhostedMesh& mesh, const BoundaryMotion& boundary
   if (!in_space()) find_neighbours();
   find_kept();
   check(section);
+  if (in_space()) find_names(section);
   check_sets(section);
 }
 
@@ -92,7 +95,17 @@ void MeshRenewal::find_neighbours() {
 
 void MeshRenewal::find_kept() {
   kept_node_.assign(mesh_.num_nodes(), 0);
-  for (int node = 0; in_space() && node < mesh_.num_nodes(); ++node) kept_node_[node] = mesh_.on_boundary(node);
+  if (in_space()) {
+    const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
+    for (const SurfaceFace& face : surfaces.faces)
+      for (int a = 0; a < num_nodes(face.shape); ++a) {
+        const int node = face.nodes[a];
+        const bool corner = surfaces.patch_of[node] < 0;  // or on a curve, see below
+        kept_node_[node] = corner || boundary_.material(surfaces.patches[face.patch].sets);
+      }
+    for (const MeshPath& path : boundary_.paths())
+      for (int node : path.nodes) kept_node_[node] = 0;
+  }
   for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
     const std::vector<int>& nodes = boundary_.paths()[p].nodes;
     kept_node_[nodes.front()] = kept_node_[nodes.back()] = 1;
@@ -113,13 +126,25 @@ void MeshRenewal::check(const Section& section) const {
   if (in_space()) check_space(section);
 }
 
-/// The boundary keeps its sides: what asks for other ones has no meaning.
 void MeshRenewal::check_space(const Section& section) const {
-  for (const char* entry : {"wall size", "when side above", "size"})
-    if (section.has_parameter(entry))
-      section.fail(
-          "is for meshes of the plane; in space the boundary keeps its sides, and only the inside is meshed anew",
-          entry);
+  if (section.has_parameter("size"))
+    section.fail("is for meshes of the plane; sizes in space are those of the source", "size");
+}
+
+void MeshRenewal::find_names(const Section& section) {
+  const auto corners = [](const auto& nodes) { return std::set<int>{nodes[0], nodes[1], nodes[2]}; };
+  std::map<std::set<int>, int> patches;  // by corners
+  for (const SurfaceFace& face : boundary_.surfaces().surfaces().faces) patches[corners(face.nodes)] = face.patch;
+  for (const auto& side : mesh_.boundary()) {
+    const auto [names, added] = names_.emplace(std::make_pair(patches.at(corners(side.nodes)), side.block), side.sets);
+    if (added || names->second == side.sets) continue;
+    std::vector<std::string> different;
+    std::set_symmetric_difference(names->second.begin(), names->second.end(), side.sets.begin(), side.sets.end(),
+                                  std::back_inserter(different));
+    section.fail(
+        "the side set '" + different.front() +
+        "' has sides of two regions on one surface between them: it would be lost where the mesh is made anew");
+  }
 }
 
 std::map<std::string, double> MeshRenewal::named_sides() const {
@@ -145,9 +170,7 @@ void MeshRenewal::check_sets(const Section& section) const {
     for (int node : nodes)
       if (!keeps(node))
         section.fail("the point set '" + name + "' would be lost where the mesh is made anew" +
-                     (in_space() ? ": it has points inside of a region"
-                                 : "; name it in boundary/corners, or a side set "
-                                   "that it lies on in boundary/material sides"));
+                     "; name it in boundary/corners, or a side set that it lies on in boundary/material sides");
 }
 
 std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const PathCurve& curve, const State& state,
@@ -160,16 +183,49 @@ std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const Path
     double size = !adaptive() ? field(place) * origin.total * side_at(origin.shares, measure.at(s) / measure.total())
                   : sizes     ? (*sizes)(in_plane(place))
                               : deck_.largest_size;
-    if (deck_.wall_size > 0)
-      if (const auto foot = boundary_.foot(state, place))
-        size = std::min(size, deck_.wall_size + deck_.growth * std::max(0.0, foot->gap));
-    return size;
+    return at_wall(size, place, state);
   };
+}
+
+double MeshRenewal::at_wall(double size, const Point& at, const State& state) const {
+  const auto foot = deck_.wall_size > 0 ? boundary_.foot(state, at) : std::nullopt;
+  return foot ? std::min(size, deck_.wall_size + deck_.growth * std::max(0.0, foot->gap)) : size;
+}
+
+std::function<double(double relative, const Point& at)> MeshRenewal::wanted_on_surface(const State& state) const {
+  return [this, &state, field = boundary_.size_field(boundary_.focus(state))](double relative, const Point& at) {
+    return at_wall(relative * field(at), at, state);
+  };
+}
+
+double MeshRenewal::largest_edge(const Positions& x, const State& state) const {
+  const auto wanted = wanted_on_surface(state);
+  const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
+  std::set<std::pair<int, int>> kept_edges;  // on curves
+  for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
+    const MeshPath& path = boundary_.paths()[p];
+    for (std::size_t i = path.stride; kept(p) && i < path.nodes.size(); i += path.stride)
+      kept_edges.insert(std::minmax(path.nodes[i - path.stride], path.nodes[i]));
+  }
+  std::vector<double> size(x.size(), 0.0);
+  double largest = 0;
+  for (const SurfaceFace& face : surfaces.faces) {
+    if (boundary_.material(surfaces.patches[face.patch].sets)) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int ends[2] = {face.nodes[k], face.nodes[(k + 1) % 3]};
+      for (int node : ends)
+        if (size[node] == 0) size[node] = wanted(boundary_.relative_sizes()[node], x[node]);
+      if (kept_edges.count(std::minmax(ends[0], ends[1]))) continue;
+      largest = std::max(largest, 2 * distance(x[ends[0]], x[ends[1]]) / (size[ends[0]] + size[ends[1]]));
+    }
+  }
+  return largest;
 }
 
 double MeshRenewal::largest_side(const Positions& x, const State& state) const {
   double largest = 0;
-  for (std::size_t p = 0; !in_space() && p < boundary_.paths().size(); ++p) {
+  if (in_space()) return largest_edge(x, state);
+  for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
     if (kept(p)) continue;
     const MeshPath& path = boundary_.paths()[p];
     const PathPlaces places(boundary_, path, x, state);
@@ -234,10 +290,12 @@ RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double lea
       problem = failure.what();
     }
   };
-  if (in_space())
-    for (double factor : {1.0, 1.2}) take([&] { return renewed_in_space(*this, x, factor); });
-  else
+  if (in_space()) {
+    const RenewedSurface surface = renewed_surface(*this, x, state);
+    for (double factor : {1.0, 1.2}) take([&] { return renewed_in_space(*this, surface, state, factor); });
+  } else {
     take([&] { return renewed_in_plane(*this, x, state, sizes); });
+  }
   if (made.mesh.blocks.empty()) throw NoTriangulation(problem);
   if (!(quality >= least_quality))
     throw NoTriangulation("its best mesh has a scaled Jacobian of " + number_text(quality));

@@ -40,9 +40,10 @@ struct PathNeighbours {
 /// and the regions between them into triangles whose size grows away from the boundary. A side is wanted as long as the
 /// one that was at its share of the path in the deck's mesh, by the same measure about the focus, and at a body no
 /// longer than the wall size; or, where sizes are adaptive, as long as an error estimate asks for. Ends of paths and
-/// nodes of material sides stay where they are. In space the boundary keeps its faces, curved as they are, and only the
-/// inside is filled anew, with tetrahedra that are as large as the faces beside them and grow away from them; the
-/// better one of two meshes is taken. Everything has its name again.
+/// nodes of material sides stay where they are. In space the surfaces between the edges of the boundary get new faces
+/// of the size of those that were there in the deck's mesh, with the same focus and wall size, see SurfaceRemesher, and
+/// the inside is filled with tetrahedra that are as large as the faces beside them and grow away from them; the better
+/// one of two meshes is taken. Everything has its name again.
 class MeshRenewal {
  public:
   /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
@@ -58,13 +59,19 @@ class MeshRenewal {
   /// Whether a node stays where it is.
   bool keeps(int node) const { return kept_node_[node] != 0; }
 
+  /// In space: the side sets of a block's sides on a patch.
+  const std::set<std::string>& names(int patch, int block) const { return names_.at({patch, block}); }
+
   bool in_space() const { return mesh_.dimension() == 3; }
   bool adaptive() const { return deck_.size == RenewalParameters::Size::adaptive; }
-  /// The largest ratio of a side of the boundary to its wanted length; what an error asks for is left out. In space,
-  /// where the boundary keeps its sides, 0.
+  /// The largest ratio of a side of the boundary, in space of an edge, to its wanted length; what an error asks for is
+  /// left out.
   double largest_side(const Positions& x, const State& state) const;
   /// `sizes`: of an error estimate where sizes are adaptive, else null.
   DividedPath divided(std::size_t path, const Positions& x, const State& state, const WantedSizes* sizes) const;
+  /// In space: the wanted length of edges of the boundary [m] at a place, by the relative size there, see
+  /// BoundaryMotion::relative_sizes().
+  std::function<double(double relative, const Point& at)> wanted_on_surface(const State& state) const;
   /// A mesh in the boundary at x, none of whose elements has a smaller scaled Jacobian than `least_quality`; without
   /// its numbers of meshes and steps. Throws NoTriangulation. Serial, pure.
   RenewedMesh make(const Positions& x, const State& state, double least_quality, const WantedSizes* sizes) const;
@@ -72,9 +79,13 @@ class MeshRenewal {
  private:
   void find_neighbours();
   void find_kept();
+  void find_names(const Section& section);
   void check(const Section& section) const;
   void check_space(const Section& section) const;
   void check_sets(const Section& section) const;
+  double largest_edge(const Positions& x, const State& state) const;
+  /// No longer than the wall size allows.
+  double at_wall(double size, const Point& at, const State& state) const;
   /// Sides of each set that will have their names again.
   std::map<std::string, double> named_sides() const;
   /// Wanted length of a side at a place s of a path's curve.
@@ -84,7 +95,8 @@ class MeshRenewal {
   const GhostedMesh& mesh_;
   const BoundaryMotion& boundary_;
   RenewalParameters deck_;
-  std::vector<PathNeighbours> beside_;  // (path)
+  std::vector<PathNeighbours> beside_;                          // (path)
+  std::map<std::pair<int, int>, std::set<std::string>> names_;  // in space: by patch and block
   std::vector<char> kept_node_;
 };
 

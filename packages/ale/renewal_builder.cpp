@@ -210,7 +210,7 @@ std::vector<MeshPath> PlaneBuilder::new_paths() const {
 RenewedMesh renewed_in_plane(const MeshRenewal& plan, const Positions& x, const State& state,
                              const WantedSizes* sizes) {
   RenewedMesh made = PlaneBuilder(plan, x, state, sizes).build();
-  made.focus = in_plane(plan.boundary().focus(state));
+  made.focus = plan.boundary().focus(state);
   return made;
 }
 

@@ -1,4 +1,4 @@
-// The new mesh itself in space: the boundary's faces as they are, regions within them, tetrahedra in these, and names.
+// The new mesh itself in space: regions within the boundary's new faces, tetrahedra in these, and names.
 #include <Teuchos_DefaultSerialComm.hpp>
 
 #include <algorithm>
@@ -154,10 +154,10 @@ void optimise(GlobalMesh& made, Geometry geometry) {
 
 class SpaceBuilder {
  public:
-  SpaceBuilder(const MeshRenewal& plan, const Positions& x, double factor)
+  SpaceBuilder(const MeshRenewal& plan, const RenewedSurface& surface, double factor)
       : plan_(plan),
         mesh_(plan.mesh()),
-        x_(x),
+        surface_(surface),
         factor_(factor),
         size_(plan.deck().growth),
         simplices_(mesh_.mesh().blocks()) {
@@ -169,7 +169,6 @@ class SpaceBuilder {
     RenewedMesh result;
     made_ = simplices_.number();
     optimise(made_, mesh_.mesh().geometry());
-    find_new_nodes();
     name_sets();
     keep_surfaces(result);
     result.mesh = std::move(made_);
@@ -178,56 +177,49 @@ class SpaceBuilder {
   }
 
  private:
+  /// A face of one block, as seen from its outside.
+  struct Side {
+    int block, patch;
+    Face corners;
+  };
+  std::vector<Side> sides() const;
   void take_faces();
-  Positions rounded() const;
   void fill();
-  void find_new_nodes();
   void name_sets();
   void keep_surfaces(RenewedMesh& result) const;
-  int vertex(int node) {
-    const auto [number, added] = vertex_of_.emplace(node, static_cast<int>(simplices_.places.size()));
-    if (added) simplices_.places.push_back(x_[node]);
-    return number->second;
-  }
 
   const MeshRenewal& plan_;
   const GhostedMesh& mesh_;
-  const Positions& x_;
+  const RenewedSurface& surface_;
   double factor_;
   SizeAround size_;
   SimplexMesh simplices_;
-  std::map<int, int> vertex_of_;                 // of old nodes
-  std::map<int, std::array<int, 2>> middle_of_;  // old nodes of curved edges: their vertices
-  std::map<int, long long> new_node_;            // of old nodes on the boundary
-  std::vector<Faces> faces_;                     // (block), as seen from its outside
+  std::vector<Faces> faces_;  // (block), as seen from its outside
   GlobalMesh made_;
 };
 
-void SpaceBuilder::take_faces() {
-  faces_.resize(mesh_.mesh().blocks().size());
-  for (const auto& side : mesh_.boundary()) {
-    const Face face{vertex(side.nodes[0]), vertex(side.nodes[1]), vertex(side.nodes[2])};
-    faces_[side.block].push_back(face);
-    for (int k = 0; side.nodes.size() == 6 && k < 3; ++k) {
-      simplices_.bend(face[k], face[(k + 1) % 3], x_[side.nodes[3 + k]]);
-      middle_of_[side.nodes[3 + k]] = {face[k], face[(k + 1) % 3]};
-    }
+std::vector<SpaceBuilder::Side> SpaceBuilder::sides() const {
+  const MeshSurfaces& surfaces = plan_.boundary().surfaces().surfaces();
+  std::vector<Side> result;
+  for (const RemeshedSurface::Face& face : surface_.mesh.faces) {
+    const SurfaceFace& old = surfaces.faces[surfaces.patches[face.patch].faces.front()];
+    const auto [a, b, c] = face.vertices;
+    result.push_back({old.block, face.patch, {a, b, c}});
+    if (old.other >= 0) result.push_back({old.other, face.patch, {a, c, b}});
   }
-}
-
-/// Places whose last digits, which depend on the number of ranks, do not decide on the mesh.
-Positions SpaceBuilder::rounded() const {
-  Bounds box = Bounds::nothing();
-  for (const Point& place : simplices_.places) box.enclose(place);
-  const double unit = 1e-8 * box.extent();
-  Positions result = simplices_.places;
-  for (Point& place : result)
-    for (double& coordinate : place) coordinate = unit * std::round(coordinate / unit);
   return result;
 }
 
+void SpaceBuilder::take_faces() {
+  simplices_.places = surface_.places;
+  for (const RenewedSurface::Middle& middle : surface_.middles)
+    simplices_.bend(middle.ends[0], middle.ends[1], middle.place);
+  faces_.resize(mesh_.mesh().blocks().size());
+  for (const Side& side : sides()) faces_[side.block].push_back(side.corners);
+}
+
 void SpaceBuilder::fill() {
-  const Positions vertices = rounded();
+  const Positions vertices = Rounding(simplices_.places)(simplices_.places);
   std::vector<EnclosedRegion> regions;
   std::vector<int> block_of;
   for (std::size_t b = 0; b < faces_.size(); ++b) {
@@ -249,11 +241,6 @@ void SpaceBuilder::fill() {
     for (const auto& t : made.tetrahedra[r]) simplices_.add(block_of[r], t);
 }
 
-void SpaceBuilder::find_new_nodes() {
-  for (const auto& [node, vertex] : vertex_of_) new_node_[node] = simplices_.node(vertex);
-  for (const auto& [node, ends] : middle_of_) new_node_[node] = simplices_.middle(ends[0], ends[1]);
-}
-
 void SpaceBuilder::name_sets() {
   const auto ascending = [](Face face) {
     std::sort(face.begin(), face.end());
@@ -269,35 +256,50 @@ void SpaceBuilder::name_sets() {
         sides[{block, ascending({t[at[0]], t[at[1]], t[at[2]]})}] = {block, static_cast<long long>(e), s};
       }
   for (const auto& [name, unused] : mesh_.side_sets()) made_.side_sets[name];
-  for (const auto& side : mesh_.boundary()) {
-    const Face face{vertex_of_.at(side.nodes[0]), vertex_of_.at(side.nodes[1]), vertex_of_.at(side.nodes[2])};
-    for (const std::string& name : side.sets) made_.side_sets[name].push_back(sides.at({side.block, ascending(face)}));
-  }
+  for (const Side& side : this->sides())
+    for (const std::string& name : plan_.names(side.patch, side.block))
+      made_.side_sets[name].push_back(sides.at({side.block, ascending(side.corners)}));
+  std::map<int, long long> new_node;  // of old ones that stay
+  for (std::size_t v = 0; v < surface_.mesh.vertices.size(); ++v)
+    new_node[surface_.mesh.vertices[v].node] = simplices_.node(static_cast<int>(v));
+  for (const RenewedSurface::Middle& middle : surface_.middles)
+    new_node[middle.node] = simplices_.middle(middle.ends[0], middle.ends[1]);
   for (const auto& [name, nodes] : mesh_.node_sets()) {
     std::vector<long long>& to = made_.node_sets[name];
-    for (int node : nodes) to.push_back(new_node_.at(node));
+    for (int node : nodes) to.push_back(new_node.at(node));
     std::sort(to.begin(), to.end());
   }
 }
 
 void SpaceBuilder::keep_surfaces(RenewedMesh& result) const {
-  for (const SurfaceFace& face : plan_.boundary().surfaces().surfaces().faces) {
+  for (const RemeshedSurface::Face& face : surface_.mesh.faces) {
     FaceOfPatch kept{{}, face.patch};
-    for (int k = 0; k < 3; ++k) kept.corners[k] = new_node_.at(face.nodes[k]);
+    for (int k = 0; k < 3; ++k) kept.corners[k] = simplices_.node(face.vertices[k]);
     std::sort(kept.corners.begin(), kept.corners.end());
     result.faces.push_back(kept);
   }
-  for (const auto& [node, number] : new_node_) result.source.push_back({number, plan_.boundary().source(node)});
-  for (MeshPath path : plan_.boundary().paths()) {
-    for (int& node : path.nodes) node = static_cast<int>(new_node_.at(node));
+  for (std::size_t v = 0; v < surface_.mesh.vertices.size(); ++v)
+    result.sizes.push_back({simplices_.node(static_cast<int>(v)), surface_.mesh.vertices[v].relative});
+  for (std::size_t p = 0; p < surface_.mesh.curves.size(); ++p) {
+    const MeshPath& old = plan_.boundary().paths()[p];
+    MeshPath path{{}, old.stride, old.sets, old.outer};
+    const auto& curve = surface_.mesh.curves[p];
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+      if (k > 0 && path.stride == 2)
+        path.nodes.push_back(static_cast<int>(simplices_.middle(curve[k - 1].vertex, curve[k].vertex)));
+      path.nodes.push_back(static_cast<int>(simplices_.node(curve[k].vertex)));
+    }
     result.paths.push_back(std::move(path));
   }
 }
 
 }  // namespace
 
-RenewedMesh renewed_in_space(const MeshRenewal& plan, const Positions& x, double factor) {
-  return SpaceBuilder(plan, x, factor).build();
+RenewedMesh renewed_in_space(const MeshRenewal& plan, const RenewedSurface& surface, const State& state,
+                             double factor) {
+  RenewedMesh made = SpaceBuilder(plan, surface, factor).build();
+  made.focus = plan.boundary().focus(state);
+  return made;
 }
 
 }  // namespace mudline

@@ -7,7 +7,7 @@ namespace mudline {
 namespace {
 
 void transfer(ByteStream& s, RenewedMesh& made) {
-  s(made.number)(made.step)(made.focus)(made.faces)(made.source);
+  s(made.number)(made.step)(made.focus)(made.faces)(made.sizes);
   transfer_mesh(s, made.mesh);
   std::size_t paths = made.paths.size();
   s(paths);

@@ -21,10 +21,10 @@ struct FaceOfPatch {
   int patch;
 };
 
-/// Where a node of a boundary in space was in the deck's mesh [m].
-struct SourcePlace {
+/// How long edges of a boundary in space are to be at a vertex, see BoundaryMotion::relative_sizes().
+struct RelativeSize {
   long long node;
-  Point place;
+  double size;
 };
 
 /// A mesh that was made on the way, with all that a model on it must know, so that a run goes on from it as from a
@@ -35,10 +35,10 @@ struct RenewedMesh {
   GlobalMesh mesh;
   std::vector<MeshPath> paths;      // of its own nodes, in the order of those of the mesh before
   std::vector<PathOrigin> origins;  // (path)
-  std::array<double, 2> focus{};    // of the sizes, when it was made [m]; in the plane
-  // In space, where the boundary keeps its faces:
+  Point focus{};                    // of the sizes, when it was made [m]
+  // In space:
   std::vector<FaceOfPatch> faces;
-  std::vector<SourcePlace> source;
+  std::vector<RelativeSize> sizes;
 
   std::vector<char> bytes() const;
   static RenewedMesh from_bytes(std::vector<char> bytes);

@@ -163,29 +163,6 @@ double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
   return length(plus(off, -dot(off, normal), normal)) / edge_of(middle, x);
 }
 
-SurfaceMotion::Plane SurfaceMotion::plane_of(const Patch& patch, const Positions& x) const {
-  Plane plane;
-  if (patch.faces.empty()) return plane;
-  const Point origin = x[surfaces_.faces[patch.faces.front()].nodes[0]];
-  plane.value = origin;
-  Point sum{};
-  for (int f : patch.faces) sum = plus(sum, 1, face_normal(surfaces_.faces[f], {0.3, 0.3}, x));
-  plane.normal = unit(sum);
-  double extent = 0, off = 0;
-  Point beside{};
-  for (int f : patch.faces)
-    for (int a = 0; a < num_nodes(surfaces_.faces[f].shape); ++a) {
-      const Point& at = x[surfaces_.faces[f].nodes[a]];
-      extent = std::max(extent, length(minus(at, origin)));
-      off = std::max(off, std::abs(dot(minus(at, origin), plane.normal)));
-      for (int i = 0; i < 3; ++i) beside[i] = std::max(beside[i], std::abs(at[i] - origin[i]));
-    }
-  constexpr double rounding = 1e-9;
-  plane.flat = off < rounding * extent;
-  for (int i = 0; i < 3; ++i) plane.fixed[i] = beside[i] < rounding * extent;
-  return plane;
-}
-
 Point SurfaceMotion::at(const SurfacePlace& place, const Positions& x) const {
   return face_point(surfaces_.faces[place.face], place.xi, x);
 }

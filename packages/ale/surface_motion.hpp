@@ -1,27 +1,14 @@
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <vector>
 
 #include "ale/face_place.hpp"
+#include "ale/kept_gaps.hpp"
 #include "ale/mean_ratio.hpp"
 #include "ale/mesh_surfaces.hpp"
+#include "ale/patch_plane.hpp"
 
 namespace mudline {
-
-/// A place on a face of a mesh's surfaces.
-struct SurfacePlace {
-  int face = -1;
-  FacePlace xi{};
-};
-
-/// Of the body that is nearest to a point.
-struct NearBody {
-  double gap;    // [m]
-  Point normal;  // from the body into the soil
-};
-using BodySearch = std::function<std::optional<NearBody>(const Point&)>;
 
 /// Slides the nodes inside the surface patches of a mesh in space along the deformed surface, which is that of the
 /// faces, curved as they are. Vertex by vertex, in its tangent plane, lowers the sum of squared inverse mean ratios of
@@ -81,13 +68,6 @@ class SurfaceMotion {
     double drift = 0;                             // see drift_of(), in the source's mesh
     std::vector<std::pair<int, FacePlace>> on{};  // its places on faces
   };
-  /// The plane of a patch.
-  struct Plane {
-    bool flat = false;
-    Point normal{};
-    std::array<bool, 3> fixed{};  // coordinates that all its nodes share
-    Point value{};                // [m]
-  };
   struct Patch {
     std::vector<int> vertices, faces;
     std::vector<Middle> middles;
@@ -105,7 +85,6 @@ class SurfaceMotion {
   /// Node a of a face is inside the patch.
   void add_node(const SurfaceFace& face, int a, Patch& patch);
   std::vector<int> faces_near(int node, const std::vector<std::vector<int>>& touching) const;
-  Plane plane_of(const Patch& patch, const Positions& x) const;
   static double edge_of(const Middle& middle, const Positions& x);
   /// Between its ends, along straight edges.
   static Point middle_of(const Middle& middle, const Positions& x);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "ale/surface_motion.hpp"
 #include "core/space_vector.hpp"
@@ -83,7 +82,9 @@ class SurfaceMotion::Step {
   /// Positions with the ends of tangents.
   Step(const SurfaceMotion& surface, const Positions& x_old, Positions& x)
       : surface_(surface), x_old_(x_old), x_(x), on_(surface.nodes_) {
-    for (const Patch& patch : surface.patches_) planes_.push_back(surface.plane_of(patch, x_old));
+    for (std::size_t p = 0; p < surface.patches_.size(); ++p)
+      planes_.push_back(surface.patches_[p].faces.empty() ? PatchPlane()
+                                                          : PatchPlane(surface.surfaces_, static_cast<int>(p), x_old));
     for (const Corner& corner : surface.corners_) normals_.push_back(area_vector(corner.nodes, x_old));
     for (const Tetrahedron& tetrahedron : surface.tetrahedra_) {
       const std::array<Point, 4> corners = corners_of(tetrahedron.on, x_old);
@@ -130,11 +131,12 @@ class SurfaceMotion::Step {
   }
 
   void keep_gaps(const BodySearch& body) {
+    KeptGaps gaps(body, x_old_);
     for (std::size_t p = 0; p < planes_.size(); ++p) {
       if (planes_[p].flat) continue;
       const Patch& patch = surface_.patches_[p];
-      for (int node : patch.vertices) keep_gap(node, surface_.shortest_edge(node, x_old_), body);
-      for (const Middle& middle : patch.middles) keep_gap(middle.node, edge_of(middle, x_old_), body);
+      for (int node : patch.vertices) keep_gap(node, surface_.shortest_edge(node, x_old_), gaps);
+      for (const Middle& middle : patch.middles) keep_gap(middle.node, edge_of(middle, x_old_), gaps);
     }
   }
 
@@ -179,7 +181,7 @@ class SurfaceMotion::Step {
   }
 
   /// Moves a vertex; by which share of the size of the faces around.
-  double improve(int node, const Plane& plane) {
+  double improve(int node, const PatchPlane& plane) {
     const std::array<Point, 2> along = tangents(plane.flat ? plane.normal : normal_at(node, x_));
     const RingObjective now = objective(node, along);
     const auto& h = now.hessian;
@@ -239,19 +241,17 @@ class SurfaceMotion::Step {
     return nearest < 1e300 ? nearest : surface_.shortest_edge(node, x_old_);
   }
 
-  Point on_surface(int node, Point to, const Plane& plane) {
+  Point on_surface(int node, Point to, const PatchPlane& plane) {
     if (!plane.flat) {
       on_[node] = surface_.nearest(node, on_[node].face, x_old_, to);
       return surface_.at(on_[node], x_old_);
     }
-    for (int i = 0; i < 3; ++i)
-      if (plane.fixed[i]) to[i] = plane.value[i];
-    return to;
+    return plane.of_all.kept(to);
   }
 
   /// Where the surface's normal through the middle of the ends meets it. Not the nearest place to that middle: where an
   /// edge bulges by more than a quarter of its length, this is on the left when the node was on the right, and farther.
-  Point over_middle(const Middle& middle, const Plane& plane) {
+  Point over_middle(const Middle& middle, const PatchPlane& plane) {
     const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
     const double rounding = 1e-14 * edge_of(middle, x_);
     Point at = on_surface(middle.node, centre, plane);
@@ -263,39 +263,22 @@ class SurfaceMotion::Step {
     return at;
   }
 
-  void keep_gap(int node, double span, const BodySearch& body) {
+  void keep_gap(int node, double span, KeptGaps& gaps) {
     if (x_[node] == x_old_[node]) return;
-    const SurfaceFace& face = surface_.surfaces_.faces[on_[node].face];
-    double N[9], dN[18], gap = 0, least = 1e300, most = -1e300;
-    evaluate_shape(face.shape, on_[node].xi.data(), N, dN);
-    for (int a = 0; a < num_nodes(face.shape); ++a) {
-      auto known = gaps_.find(face.nodes[a]);
-      if (known == gaps_.end()) {
-        const auto there = body(x_old_[face.nodes[a]]);
-        if (!there) return;
-        known = gaps_.emplace(face.nodes[a], there->gap).first;
-      }
-      gap += N[a] * known->second;
-      least = std::min(least, known->second);
-      most = std::max(most, known->second);
-    }
-    gap = std::clamp(gap, least, most);
-    if (gap >= 0.25 * span) return;
-    const NearBody here = *body(x_[node]);
-    x_[node] = plus(x_[node], gap - here.gap, here.normal);
+    const SurfacePlace& on = on_[node];
+    x_[node] = gaps.kept(surface_.surfaces_.faces[on.face], on.xi, x_[node], span);
   }
 
   const SurfaceMotion& surface_;
   const Positions& x_old_;
   Positions& x_;
-  std::vector<SurfacePlace> on_;  // (node) of the old surface
-  std::vector<Plane> planes_;     // (patch)
-  Positions normals_;             // (corner) as long as twice its area
+  std::vector<SurfacePlace> on_;    // (node) of the old surface
+  std::vector<PatchPlane> planes_;  // (patch)
+  Positions normals_;               // (corner) as long as twice its area
   /// (tetrahedron) from its nodes to its corners: a tangent moves with its end, as if the middle of its edge moved by
   /// the mean of the ends.
   std::vector<std::array<Point, 4>> ahead_;
-  std::vector<char> counts_;    // (tetrahedron) it was not folded before
-  std::map<int, double> gaps_;  // of old nodes
+  std::vector<char> counts_;  // (tetrahedron) it was not folded before
 };
 
 void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positions& x) const {

@@ -38,6 +38,7 @@ struct ContactContext {
 struct SurfaceRows {
   int array;
   std::vector<Point> places;  // [m] by row
+  std::vector<double> areas;  // [m2] by row, of the part of the surface that it stands for
 };
 
 /// What a contact presses together: the sides of one surface, and a body or the sides of another surface.

@@ -115,7 +115,7 @@ void carry_contacts(Model& from, Model& to) {
       const PointView& rows = to.store().committed().arrays[after[i].array];
       // all ranks skip what nothing outlives a step of
       if (max_over_ranks(*to.mesh().comm(), after[i].places.empty() ? 0.0 : 1.0) == 0) continue;
-      carrier.carry(info, from.store().committed().arrays[before[i].array], before[i].places, rows, after[i].places);
+      carrier.carry(info, from.store().committed().arrays[before[i].array], before[i], rows, after[i]);
     }
   }
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "algebra/raw_communicator.hpp"
+#include "integrator/overlap.hpp"
 
 namespace mudline {
 
@@ -77,6 +79,10 @@ SurfaceCarrier::SurfaceCarrier(const Ale& before, const Positions& x, const std:
     }
     lengths_.push_back(s);
   }
+  if (dimension_ == 2) return;
+  for (const SurfaceFace& face : before.surfaces().faces)
+    if (face.sets.count(surface)) faces_.push_back(face);
+  locator_.emplace(faces_, x_);
 }
 
 SurfaceCarrier::Row SurfaceCarrier::locate(double x, double y, int number) const {
@@ -102,12 +108,13 @@ std::vector<std::vector<SurfaceCarrier::Row>> SurfaceCarrier::along(const std::v
   return result;
 }
 
-void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const std::vector<Point>& old_places,
-                           const PointView& now, const std::vector<Point>& new_places) const {
+void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
+                           const PointView& now, const SurfaceRows& new_rows) const {
   if (dimension_ == 3) {
-    carry_in_space(old, old_places, now, new_places);
+    carry_in_space(info, old, old_rows, now, new_rows);
     return;
   }
+  const std::vector<Point>&old_places = old_rows.places, &new_places = new_rows.places;
   std::size_t first = 0;
   const auto from = along(of_all_ranks(comm_, flat(old_places, 2))),
              to = along(of_all_ranks(comm_, flat(new_places, 2), &first));
@@ -133,27 +140,104 @@ void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const st
     }
 }
 
-void SurfaceCarrier::carry_in_space(const PointView& old, const std::vector<Point>& old_places, const PointView& now,
-                                    const std::vector<Point>& new_places) const {
-  const std::vector<double> from = of_all_ranks(comm_, flat(old_places, 3));
-  std::vector<std::size_t> row_at;  // (new row) the old one at its place
-  for (const Point& place : new_places) {
+namespace {
+
+/// Weights of values at places of a face for the linear function that fits them best, at another place of it: those of
+/// the mean where they do not determine one.
+std::vector<double> fit_weights(const std::vector<FacePlace>& places, const FacePlace& at) {
+  const std::size_t count = places.size();
+  FacePlace mean{};
+  for (const FacePlace& place : places)
+    for (int i = 0; i < 2; ++i) mean[i] += place[i] / static_cast<double>(count);
+  double a = 0, b = 0, c = 0;
+  for (const FacePlace& place : places) {
+    const double u = place[0] - mean[0], v = place[1] - mean[1];
+    a += u * u;
+    b += u * v;
+    c += v * v;
+  }
+  const double det = a * c - b * b, u = at[0] - mean[0], v = at[1] - mean[1];
+  std::vector<double> weights(count, 1.0 / static_cast<double>(count));
+  if (!(det > 1e-6 * (a + c) * (a + c))) return weights;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double p = places[i][0] - mean[0], q = places[i][1] - mean[1];
+    weights[i] += ((c * u - b * v) * p + (a * v - b * u) * q) / det;
+  }
+  return weights;
+}
+
+}  // namespace
+
+std::vector<SurfaceCarrier::Origin> SurfaceCarrier::origins(const std::vector<double>& from,
+                                                            const SurfaceRows& new_rows) const {
+  const int count = static_cast<int>(from.size() / 3);
+  const auto old_place = [&](int row) { return Point{from[3 * row], from[3 * row + 1], from[3 * row + 2]}; };
+  std::vector<std::vector<int>> rows(faces_.size());
+  std::vector<FacePlace> xi;
+  for (int row = 0; row < count; ++row) {
+    const SurfacePlace there = locator_->nearest(old_place(row));
+    rows[there.face].push_back(row);
+    xi.push_back(there.xi);
+  }
+  std::vector<Origin> result;
+  for (std::size_t i = 0; i < new_rows.places.size(); ++i) {
+    const Point& place = new_rows.places[i];
+    Origin origin{0, false, {}};
     double least = 1e300;
-    std::size_t row = 0;
-    for (std::size_t i = 0; i + 3 <= from.size(); i += 3) {
-      const double off = distance(place, {from[i], from[i + 1], from[i + 2]});
+    for (int row = 0; row < count; ++row) {
+      const double off = distance(place, old_place(row));
       if (off >= least) continue;
       least = off;
-      row = i / 3;
+      origin.nearest = row;
     }
-    row_at.push_back(row);
+    origin.same = least <= 1e-9 * std::sqrt(new_rows.areas[i]);
+    const SurfacePlace there = locator_->nearest(place);
+    const std::vector<int>& near = rows[there.face];
+    std::vector<FacePlace> places;
+    for (int row : near) places.push_back(xi[row]);
+    const std::vector<double> weights = fit_weights(places, there.xi);
+    for (std::size_t k = 0; k < near.size() && !origin.same; ++k) origin.weights.emplace_back(near[k], weights[k]);
+    if (origin.weights.empty()) origin.weights.emplace_back(origin.nearest, 1.0);
+    result.push_back(std::move(origin));
   }
-  for (std::size_t column = 0; column < old.extent(1); ++column) {
-    std::vector<double> values;
-    for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
-    values = of_all_ranks(comm_, values);
-    for (std::size_t row = 0; row < row_at.size(); ++row) now(row, column) = values[row_at[row]];
-  }
+  return result;
+}
+
+void SurfaceCarrier::carry_in_space(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
+                                    const PointView& now, const SurfaceRows& new_rows) const {
+  const std::vector<double> areas = of_all_ranks(comm_, old_rows.areas);
+  const std::vector<Origin> made_of = origins(of_all_ranks(comm_, flat(old_rows.places, 3)), new_rows);
+  int column = 0;
+  for (const StateVariable& variable : info.variables)
+    for (int c = 0; c < variable.components; ++c, ++column) {
+      const Kind kind = kind_of(variable.unit);
+      std::vector<double> values;
+      for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
+      values = of_all_ranks(comm_, values);
+      double total = 0;
+      for (std::size_t row = 0; kind == Kind::total && row < values.size(); ++row) {
+        total += values[row];
+        values[row] /= std::max(areas[row], 1e-300);
+      }
+      std::vector<double> made;
+      for (const Origin& origin : made_of) {
+        double sum = 0, least = 1e300, most = -1e300;
+        for (const auto& [row, weight] : origin.weights) {
+          sum += weight * values[row];
+          least = std::min(least, values[row]);
+          most = std::max(most, values[row]);
+        }
+        made.push_back(kind == Kind::nearest ? values[origin.nearest] : std::clamp(sum, least, most));
+      }
+      double scale = 1;
+      if (kind == Kind::total) {
+        const auto sum = [&] { return sum_over_ranks(comm_, std::accumulate(made.begin(), made.end(), 0.0)); };
+        for (std::size_t row = 0; row < made.size(); ++row) made[row] *= new_rows.areas[row];
+        if (sum() == 0) made = new_rows.areas;  // spread evenly
+        scale = total / sum();
+      }
+      for (std::size_t row = 0; row < made.size(); ++row) now(row, column) = scale * made[row];
+    }
 }
 
 }  // namespace mudline

@@ -167,13 +167,20 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
 
 /// A cube of tetrahedra whose top is curved, with all that makes it anew.
 struct RenewedCube {
-  explicit RenewedCube(CellShape shape) : mesh(testing::cube(shape, 3)), whole(*mesh) {
-    deck.overlay("<ParameterList name=\"deck\"/>", "deck.xml");
+  explicit RenewedCube(CellShape shape, double height = 0.8, const std::string& entries = "")
+      : mesh(testing::cube(shape, 3)), whole(*mesh) {
+    deck.overlay(
+        "<ParameterList name=\"deck\"><ParameterList name=\"boundary\">" + entries + "</ParameterList></ParameterList>",
+        "deck.xml");
+    for (BoundaryMotion* of_mesh : {&boundary, &after}) {
+      Parameters p(deck.root().section("boundary"));
+      of_mesh->parameters(p);
+    }
     const Positions source = whole.gather(mesh->coordinates());
     boundary.bind(whole, source, {}, deck.root(), nullptr);
     plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
     x = source;
-    for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 1.1 * p[1], 0.8 * p[2] + 0.1 * p[2] * std::sin(3 * p[0]) * p[1]};
+    for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 1.1 * p[1], height * p[2] + 0.1 * p[2] * std::sin(3 * p[0]) * p[1]};
     // straight inside
     for (const auto& element : whole.elements())
       for (int a = num_corners(shape); a < num_nodes(shape); ++a) {
@@ -204,69 +211,84 @@ double volume(const GhostedMesh& mesh, const Positions& x, const SoilBlock& bloc
   return soil_volume(mesh, soil, x);
 }
 
-TEST(MeshRenewalInSpace, TheBoundaryKeepsItsFacesAndEverythingItsName) {
+TEST(MeshRenewalInSpace, TheBoundaryIsMeshedAnewAndEverythingKeepsItsName) {
   for (CellShape shape : {CellShape::tet4, CellShape::tet10}) {
     RenewedCube cube(shape);
     EXPECT_NE(cube.whole.elements().size(), cube.anew->elements().size());
     EXPECT_GT(lowest_quality(*cube.anew, cube.now), 0.05);
-    EXPECT_NEAR(volume(*cube.anew, cube.now, points_of(*cube.next, 5)),
-                volume(cube.whole, cube.x, points_of(*cube.mesh, 5)), 1e-13);
-    std::multiset<std::multiset<Point>> before, after;  // faces by their nodes' places
-    const auto faces_of = [](const GhostedMesh& mesh, const Positions& x, auto& to) {
-      for (const auto& side : mesh.boundary()) {
-        std::multiset<Point> places;
-        for (int node : side.nodes) places.insert(x[node]);
-        to.insert(places);
+    const double was = volume(cube.whole, cube.x, points_of(*cube.mesh, 5));
+    EXPECT_NEAR(volume(*cube.anew, cube.now, points_of(*cube.next, 5)), was, 1e-3 * was);
+    for (const auto& [name, sides] : cube.whole.side_sets()) ASSERT_TRUE(cube.anew->side_sets().count(name));
+    std::map<std::string, double> area;
+    for (const auto& [name, sides] : cube.anew->side_sets())
+      for (const auto& side : sides) {
+        const auto& element = cube.anew->elements()[side.element];
+        const std::vector<int> at = side_nodes(element.shape, side.side);
+        const auto corner = [&](int k) { return cube.now[element.nodes[at[k]]]; };
+        area[name] += 0.5 * length(cross(minus(corner(1), corner(0)), minus(corner(2), corner(0))));
+        for (int a : at) {
+          if (name == "bottom") EXPECT_EQ(cube.now[element.nodes[a]][2], 0.0);
+          if (name == "back") EXPECT_EQ(cube.now[element.nodes[a]][1], 1.1);
+        }
       }
-    };
-    faces_of(cube.whole, cube.x, before);
-    faces_of(*cube.anew, cube.now, after);
-    EXPECT_EQ(before, after);
-    for (const auto& [name, sides] : cube.whole.side_sets()) {
-      ASSERT_TRUE(cube.anew->side_sets().count(name));
-      EXPECT_EQ(cube.anew->side_sets().at(name).size(), sides.size());
-    }
-    for (const auto& side : cube.anew->side_sets().at("bottom")) {
-      const auto& element = cube.anew->elements()[side.element];
-      for (int a : side_nodes(element.shape, side.side)) EXPECT_EQ(cube.now[element.nodes[a]][2], 0.0);
-    }
+    EXPECT_NEAR(area["bottom"], 1.3 * 1.1, 1e-12);
     EXPECT_EQ(RenewedMesh::from_bytes(cube.made.bytes()).bytes(), cube.made.bytes());
-    // the surfaces and what they strive for are those of the first mesh
+    // surfaces and curves are those of the first mesh
     const MeshSurfaces &old = cube.boundary.surfaces().surfaces(), &now = cube.after.surfaces().surfaces();
     ASSERT_EQ(now.patches.size(), old.patches.size());
-    for (std::size_t p = 0; p < old.patches.size(); ++p) {
-      EXPECT_EQ(now.patches[p].faces.size(), old.patches[p].faces.size());
-      EXPECT_EQ(now.patches[p].sets, old.patches[p].sets);
-    }
+    for (std::size_t p = 0; p < old.patches.size(); ++p) EXPECT_EQ(now.patches[p].sets, old.patches[p].sets);
     ASSERT_EQ(cube.after.paths().size(), cube.boundary.paths().size());
-    for (std::size_t p = 0; p < cube.after.paths().size(); ++p)
-      for (std::size_t i = 0; i < cube.after.paths()[p].nodes.size(); ++i) {
-        const int here = cube.after.paths()[p].nodes[i], there = cube.boundary.paths()[p].nodes[i];
-        EXPECT_EQ(cube.now[here], cube.x[there]);
-        EXPECT_EQ(cube.after.source(here), cube.boundary.source(there));
-      }
+    for (std::size_t p = 0; p < cube.after.paths().size(); ++p) {
+      const std::vector<int>&here = cube.after.paths()[p].nodes, &there = cube.boundary.paths()[p].nodes;
+      EXPECT_EQ(cube.now[here.front()], cube.x[there.front()]);
+      EXPECT_EQ(cube.now[here.back()], cube.x[there.back()]);
+    }
   }
 }
 
-TEST(MeshRenewalInSpace, LinearFieldsSurviveAtNodesAndPointsAndAnythingOnTheBoundary) {
+TEST(MeshRenewalInSpace, DrawnOutFacesAreDividedAndMaterialSidesStay) {
+  RenewedCube cube(CellShape::tet10, 2.5);
+  EXPECT_GT(cube.plan->largest_side(cube.x, State()), 2.0);
+  const MeshRenewal again(*cube.anew, cube.after, RenewalParameters(), cube.deck.root());
+  EXPECT_LT(again.largest_side(cube.now, State()), 1.6);
+  EXPECT_GT(cube.after.surfaces().surfaces().faces.size(), 1.5 * cube.boundary.surfaces().surfaces().faces.size());
+  RenewedCube held(CellShape::tet10, 2.5,
+                   "<Parameter name=\"material sides\" type=\"Array(string)\" value=\"{left, right}\"/>");
+  std::multiset<std::multiset<Point>> before, after;  // faces by their nodes' places
+  const auto faces_of = [](const GhostedMesh& mesh, const Positions& x, auto& to) {
+    for (const auto& side : mesh.boundary()) {
+      if (!side.sets.count("left") && !side.sets.count("right")) continue;
+      std::multiset<Point> places;
+      for (int node : side.nodes) places.insert(x[node]);
+      to.insert(places);
+    }
+  };
+  faces_of(held.whole, held.x, before);
+  faces_of(*held.anew, held.now, after);
+  EXPECT_FALSE(before.empty());
+  EXPECT_EQ(before, after);
+}
+
+TEST(MeshRenewalInSpace, LinearFieldsSurviveAtNodesAndPoints) {
   RenewedCube cube(CellShape::tet10);
   const auto linear = [](const Point& p) { return 3 - 2 * p[0] + 5 * p[1] + p[2]; };
-  const auto wild = [](const Point& p) { return std::sin(40 * p[0] + 31 * p[1] + 17 * p[2]); };
-  std::vector<double> at_nodes;
-  for (const Point& place : cube.x) {
-    at_nodes.push_back(linear(place));
-    at_nodes.push_back(wild(place));
+  std::vector<double> at_nodes;  // and what is prescribed on the boundary
+  for (int node = 0; node < cube.whole.num_nodes(); ++node) {
+    at_nodes.push_back(linear(cube.x[node]));
+    at_nodes.push_back(cube.whole.on_boundary(node) ? 7 : 100);
   }
   const NodalRemap nodal({cube.whole, cube.boundary.paths(), cube.boundary.surfaces().surfaces().faces, cube.x},
                          {*cube.anew, cube.after.paths(), cube.after.surfaces().surfaces().faces, cube.now});
   const auto there = nodal.apply(at_nodes, 2, Support::all_nodes);
   int inside = 0;
   for (int node = 0; node < cube.anew->num_nodes(); ++node) {
-    EXPECT_NEAR(there[2 * node], linear(cube.now[node]), 1e-12);
-    if (cube.anew->on_boundary(node))
-      EXPECT_EQ(there[2 * node + 1], wild(cube.now[node]));
-    else
+    // new nodes of curves are on a smooth curve through the old ones, beside the old faces
+    EXPECT_NEAR(there[2 * node], linear(cube.now[node]), cube.anew->on_boundary(node) ? 2e-4 : 1e-12);
+    if (cube.anew->on_boundary(node)) {
+      EXPECT_NEAR(there[2 * node + 1], 7, 1e-12);
+    } else {
       ++inside;
+    }
   }
   EXPECT_GT(inside, 50);
   const SoilBlock old_block = points_of(*cube.mesh), block = points_of(*cube.next);

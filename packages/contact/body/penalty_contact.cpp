@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/body/body_search.hpp"
 #include "contact/conjugate_position.hpp"
@@ -484,20 +485,31 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
 }
 
 std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView& x) const {
-  std::vector<Point> of_points, of_sides;
+  SurfaceRows of_points, of_sides;
   for (const SurfaceSide& side : surface_->sides()) {
     const SideCoordinates at = side_coordinates(side, x);
-    for (int c = 0; c < rule(side).points; ++c) of_points.push_back(rule(side).place(c, at));
+    double area[max_contact_points] = {};
+    contact_areas(rule(side), at, context_.space.mesh().geometry(), area);
+    for (int c = 0; c < rule(side).points; ++c) {
+      of_points.places.push_back(rule(side).place(c, at));
+      of_points.areas.push_back(area[c]);
+    }
     Point centre{};
     const int corners = axes() == 3 ? num_corners(side.shape) : 2;
     for (int c = 0; c < corners; ++c) centre = plus(centre, 1.0 / corners, at[c]);
-    of_sides.push_back(centre);
+    of_sides.places.push_back(centre);
+    of_sides.areas.push_back(std::accumulate(area, area + rule(side).points, 0.0));
   }
-  std::vector<SurfaceRows> result{{penalties_, of_sides}};
+  std::vector<SurfaceRows> result;
+  const auto add = [&](int array, SurfaceRows rows) {
+    rows.array = array;
+    result.push_back(std::move(rows));
+  };
+  add(penalties_, of_sides);
   for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1,
                     deck_.initial_gap.array()})
-    if (array >= 0) result.push_back({array, of_points});
-  if (active_set_.used()) result.push_back({active_set_.array(), {}});
+    if (array >= 0) add(array, of_points);
+  if (active_set_.used()) add(active_set_.array(), {});
   return result;
 }
 
