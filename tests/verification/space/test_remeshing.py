@@ -14,12 +14,10 @@ LOAD = 3452184.8694  # [Pa] a quarter of the height of the column
 BALL = os.path.join(ROOT, "inputs", "space", "ball.xml")
 
 
-def remeshing(steps, swing=None, sides=SIDES, **motion):
-    """An overlay: the mesh is made anew after so many steps, whatever its quality, as long as that does not fall; `swing`: the period in
-    which the vertices inside swing [s], so that there is something to mend."""
-    parts = {"remeshing": {"when quality below": 0.99, "least steps": steps}, **motion}
-    if sides:
-        parts["boundary"] = {"material sides": list(sides)}
+def remeshing(steps, swing=None, wall=0.0, **motion):
+    """An overlay: the mesh is made anew after so many steps, whatever its quality; `swing`: the period in which the vertices inside swing
+    [s]; `wall`: size at a body [m]."""
+    parts = {"remeshing": {"when quality below": 0.0, "when side above": 0.1, "least steps": steps, "wall size": wall}, **motion}
     if swing:
         parts["interior"] = {"type": "artificial", "amplitude": 0.2, "period": float(swing)}
     return deck_text("remeshing", {"mesh motion": parts})
@@ -77,7 +75,7 @@ class Remeshing(SpaceCase):
         stage = {"type": "dynamic", "duration": 0.03, "time step": {"initial": 0.002, "maximum": 0.002}}
         text = deck("shaken", box, conditions, {"shake": stage}, physics="biot", material=skeleton)
         # nothing but the remeshings moves the mesh
-        moved = self.run_deck([self.write("shaken.xml", text), self.write("remeshing.xml", remeshing(4, sides=(), every=1000000))])
+        moved = self.run_deck([self.write("shaken.xml", text), self.write("remeshing.xml", remeshing(4, every=1000000))])
         self.assertGreaterEqual(moved["mesh/remeshings"][-1], 1)
         self.assertLess(np.abs(moved["mesh motion/change of solid"]).max(), 1e-12)
         self.assertLess(np.abs(moved["mesh motion/change of water"]).max(), 1e-12)
@@ -89,11 +87,11 @@ class Remeshing(SpaceCase):
         self.assertLess(kinetic[-1], 0)
 
     def test_a_restart_goes_on_bit_for_bit_and_ranks_agree(self):
-        overlay = self.write("remeshing.xml", remeshing(3, swing=0.3, sides=()))
+        overlay = self.write("remeshing.xml", remeshing(3, swing=0.3, wall=0.25))
         layer = self.write("layer.xml", deck_text("layer", {"materials": {"deep": {
             "top": -0.9, "porosity": 0.45, "density": 1700.0,
             "skeleton": {"type": "tresca", "rigidity index": 100.0, "Poisson's ratio": 0.49, "undrained strength": 30000.0}}}}))
-        settings = ["mesh/cells={6, 3, 3}", "mesh/distortion=0.3", "stages/push/duration=0.2", "solver/residual tolerance=1e-10"]
+        settings = ["mesh/cells={6, 3, 3}", "mesh/distortion=0.3", "stages/push/duration=0.12", "solver/residual tolerance=1e-10"]
 
         def run(name, *extra, ranks=1):
             return self.run_deck([BALL, overlay, layer], settings + [f"output/name={name}"], ranks, extra, name=name)
