@@ -46,9 +46,9 @@ void RenewalParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", half_open(0, 1),
         "the region is meshed anew when the smallest scaled Jacobian is below this");
   p.add("when side above", side_above, "-", positive(),
-        "in the plane also when a side of its boundary is longer than so many times its wanted length; a new boundary "
-        "has sides of up "
-        "to 1.5 times theirs, so that less than this means whenever the steps between two attempts are over");
+        "also when a side of its boundary (in space: an edge) is longer than so many times its wanted length; a new "
+        "boundary has sides of up to 1.5 times theirs, so that less than this means whenever the steps between two "
+        "attempts are over");
   p.choice(
       "size", size, {{"source", Size::source}, {"adaptive", Size::adaptive}},
       "in the plane: wanted sizes of the deck's mesh and the distance from the boundary, or of the error estimate");
@@ -58,10 +58,9 @@ void RenewalParameters::parameters(Parameters& p) {
   }
   p.add("least steps", least_steps, "-", closed(1, 1000000), "steps between two attempts, at least");
   p.add("wall size", wall_size, "m", non_negative(),
-        "in the plane: wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the "
-        "boundary");
+        "wanted length of the sides at a body; 0: that of the deck's mesh at the same share of the boundary");
   p.add("growth", growth, "-", half_open(0, 2),
-        "increase of the wanted size per distance from a body's wall, and of the triangles' per distance from the "
+        "increase of the wanted size per distance from a body's wall, and of the elements' per distance from the "
         "boundary");
   p.add("time limit", time_limit, "s", positive(), "Gmsh is given up when it has not finished after this time");
 }

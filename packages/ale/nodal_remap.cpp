@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "ale/face_locator.hpp"
 #include "ale/point_locator.hpp"
 #include "core/space_vector.hpp"
 
@@ -84,18 +85,6 @@ NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& pat
   }
 }
 
-namespace {
-
-/// No face is nearer than this to a point: of the box of its nodes, beyond which a curved one does not bulge far.
-double distance_to_nodes(const SurfaceFace& face, const Point& point, const Positions& x) {
-  Bounds box = Bounds::nothing();
-  for (int a = 0; a < num_nodes(face.shape); ++a) box.enclose(x[face.nodes[a]]);
-  const Point half = scaled(0.5, minus(box.high, box.low));
-  return length(minus(point, plus(box.low, 1, half))) - 1.5 * length(half);
-}
-
-}  // namespace
-
 NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh), to_(to.mesh), places_(to.x.size()) {
   const PointLocator locator(mesh_, from.x);
   std::map<int, int> guess;  // by block: where the last node was found
@@ -113,13 +102,10 @@ NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh
 }
 
 void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {
-  std::map<Point, int> at;             // old nodes
-  std::map<int, std::vector<int>> of;  // old faces by patch
-  for (std::size_t f = 0; f < from.faces.size(); ++f) {
-    const SurfaceFace& face = from.faces[f];
-    of[face.patch].push_back(static_cast<int>(f));
+  std::map<Point, int> at;  // old nodes
+  for (const SurfaceFace& face : from.faces)
     for (int a = 0; a < num_nodes(face.shape); ++a) at[from.x[face.nodes[a]]] = face.nodes[a];
-  }
+  const FaceLocator locator(from.faces, from.x);
   std::set<int> done;
   for (const SurfaceFace& face : to.faces)
     for (int a = 0; a < num_nodes(face.shape); ++a) {
@@ -128,17 +114,11 @@ void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {
       Place& place = places_[node];
       const auto same = at.find(to.x[node]);
       if (same != at.end()) place.same = same->second;
-      double least = 1e300;
-      for (int f : of[face.patch]) {
-        const SurfaceFace& old = from.faces[f];
-        if (distance_to_nodes(old, to.x[node], from.x) > least) continue;
-        const NearestOnFace there = nearest_on_face(old, to.x[node], from.x);
-        if (there.distance >= least) continue;
-        least = there.distance;
-        place.side = old.shape;
-        place.side_nodes = old.nodes;
-        place.along = there.place;
-      }
+      const SurfacePlace there = locator.nearest(face.patch, to.x[node]);
+      const SurfaceFace& old = from.faces[there.face];
+      place.side = old.shape;
+      place.side_nodes = old.nodes;
+      place.along = there.xi;
     }
 }
 
