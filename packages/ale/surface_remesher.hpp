@@ -131,7 +131,7 @@ class SurfaceRemesher {
   SurfaceSizes sizes_;
   std::vector<char> keeps_patch_, keeps_curve_;
   Rounding rounded_;
-  Positions x_;      // rounded
+  Positions x_;  // rounded
   FaceLocator locator_;
   std::vector<PatchPlane> planes_;  // (patch)
   std::vector<Curve> curves_;
