@@ -27,6 +27,13 @@ Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positio
 /// Of length 1; what has no length stays.
 inline Point unit(const Point& a) { return scaled(1 / std::max(length(a), 1e-300), a); }
 
+/// A middle of an edge no farther off the centre of its ends, outwards, than a tenth of the edge [m]: what straddles a
+/// sharp ridge of the surface, as the lip beside a body, would fold the element behind it.
+inline Point without_bulge(const Point& at, const Point& centre, const Point& normal, double edge) {
+  const double excess = dot(minus(at, centre), normal) - 0.1 * edge;
+  return excess > 0 ? plus(at, -excess, normal) : at;
+}
+
 /// The point of a face, curved as it is, that is nearest to another.
 struct NearestOnFace {
   FacePlace place;

@@ -103,21 +103,31 @@ void SurfaceRenewal::place_middles() {
       if (old_middle(from.vertex, to.vertex) < 0)
         on_curves[ends(from.vertex, to.vertex)] = on_curve(c, 0.5 * (from.s + to.s), to.s - from.s);
     }
-  std::map<Ends, char> done;
+  std::map<Ends, std::size_t> number;
   for (const RemeshedSurface::Face& face : made_.mesh.faces)
     for (int k = 0; k < 3; ++k) {
       const int a = face.vertices[k], b = face.vertices[(k + 1) % 3];
-      if (!done.emplace(ends(a, b), 1).second) continue;
-      const int node = old_middle(a, b);
+      const auto [found, added] = number.emplace(ends(a, b), made_.middles.size());
       const auto on_curve = on_curves.find(ends(a, b));
-      const Point centre = scaled(0.5, plus(made_.places[a], 1, made_.places[b]));
       const double edge = distance(made_.places[a], made_.places[b]);
-      made_.middles.push_back({{a, b},
-                               node >= 0 ? x_[node]
-                               : on_curve != on_curves.end()
-                                   ? on_curve->second
-                                   : on_patch(face.patch, locator_.over(face.patch, centre), edge),
-                               node});
+      const Point centre = scaled(0.5, plus(made_.places[a], 1, made_.places[b]));
+      if (added) {
+        const int node = old_middle(a, b);
+        made_.middles.push_back({{a, b}, {}, node});
+        made_.middles.back().place = node >= 0 ? x_[node]
+                                     : on_curve != on_curves.end()
+                                         ? on_curve->second
+                                         : on_patch(face.patch, locator_.over(face.patch, centre), edge);
+      }
+      RenewedSurface::Middle& middle = made_.middles[found->second];
+      if (middle.node >= 0 || planes_[face.patch].flat) continue;
+      const Point normal = locator_.normal(locator_.nearest(face.patch, middle.place));
+      middle.place = without_bulge(middle.place, centre, normal, edge);
+    }
+  for (const RemeshedSurface::Face& face : made_.mesh.faces)  // planes stay planes
+    for (int k = 0; planes_[face.patch].flat && k < 3; ++k) {
+      RenewedSurface::Middle& middle = made_.middles[number.at(ends(face.vertices[k], face.vertices[(k + 1) % 3]))];
+      if (middle.node < 0) middle.place = planes_[face.patch].of_all.kept(middle.place);
     }
 }
 

@@ -44,15 +44,29 @@ void SurfaceMotion::collect(Positions source) {
                      [](const Middle& a, const Middle& b) { return a.sides.size() < b.sides.size(); });
     for (Middle& middle : patch.middles) {
       near_[middle.node] = faces_near(middle.node, touching);
-      for (int f : touching[middle.node]) {
-        const SurfaceFace& face = surfaces_.faces[f];
-        const auto here = std::find(face.nodes.begin(), face.nodes.end(), middle.node) - face.nodes.begin();
-        const auto xi = reference_node(face.shape, static_cast<int>(here));
-        middle.on.push_back({f, {xi[0], xi[1]}});
-      }
+      put_on(middle, touching[middle.node]);
       middle.drift = drift_of(middle, source);
     }
   }
+  add_curve_middles(touching);
+}
+
+void SurfaceMotion::put_on(Middle& middle, const std::vector<int>& faces) const {
+  for (int f : faces) {
+    const SurfaceFace& face = surfaces_.faces[f];
+    const auto here = std::find(face.nodes.begin(), face.nodes.end(), middle.node) - face.nodes.begin();
+    const auto xi = reference_node(face.shape, static_cast<int>(here));
+    middle.on.push_back({f, {xi[0], xi[1]}});
+  }
+}
+
+void SurfaceMotion::add_curve_middles(const std::vector<std::vector<int>>& touching) {
+  for (const MeshPath& curve : surfaces_.curves)
+    for (std::size_t i = 1; curve.stride == 2 && i < curve.nodes.size(); i += 2) {
+      Middle middle{curve.nodes[i], {curve.nodes[i - 1], curve.nodes[i + 1]}, {}};
+      put_on(middle, touching[middle.node]);
+      curve_middles_.push_back(std::move(middle));
+    }
 }
 
 void SurfaceMotion::add_node(const SurfaceFace& face, int a, Patch& patch) {

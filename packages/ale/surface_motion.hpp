@@ -17,7 +17,7 @@ namespace mudline {
 /// it back on the surface. Tetrahedra that have all their corners on surfaces count as well, with the tetrahedra of the
 /// tangents of their curved edges, as for OptimisationMotion: nothing inside could repair them. Sizes are free, and a
 /// surface that was only moved or turned stays to the last bit. Middles of edges go to the middle of their ends, along
-/// the normal to the surface.
+/// the normal to the surface, but bulge by no more than a tenth of the edge.
 ///
 /// A plane patch stays plane, to the last bit where the plane is normal to an axis. On other patches a node that is
 /// nearer to a body than a quarter of an edge keeps the gap that was at its new place, so that contact pressures are
@@ -82,6 +82,9 @@ class SurfaceMotion {
   static Point tangent_end(const Tangent& tangent, const Positions& x);
   void add_tangents(Positions& x) const;
   void add_corner(const std::array<int, 3>& nodes, const Positions& source);
+  void add_curve_middles(const std::vector<std::vector<int>>& touching);
+  /// Puts a middle on the faces that touch it.
+  void put_on(Middle& middle, const std::vector<int>& faces) const;
   /// Node a of a face is inside the patch.
   void add_node(const SurfaceFace& face, int a, Patch& patch);
   std::vector<int> faces_near(int node, const std::vector<std::vector<int>>& touching) const;
@@ -101,6 +104,7 @@ class SurfaceMotion {
   std::vector<char> slides_;  // (patch)
   double largest_slide_ = 0.4;
   std::vector<Patch> patches_;  // those that slide
+  std::vector<Middle> curve_middles_;
   int nodes_ = 0;
   std::vector<Tangent> tangents_;
   std::vector<Corner> corners_;       // of their faces

@@ -130,6 +130,20 @@ class SurfaceMotion::Step {
       }
   }
 
+  void limit_bulges() {
+    for (std::size_t p = 0; p < planes_.size(); ++p)
+      for (const Middle& middle : surface_.patches_[p].middles)
+        if (!planes_[p].flat && middle.sides.empty()) limit_bulge(middle, surface_.normal_at(middle, x_old_));
+    for (const Middle& middle : surface_.curve_middles_) {
+      Point sum{};
+      for (const auto& [f, place] : middle.on) {
+        const SurfaceFace& face = surface_.surfaces_.faces[f];
+        if (!planes_[face.patch].flat) sum = plus(sum, 1, unit(face_normal(face, place, x_old_)));
+      }
+      limit_bulge(middle, unit(sum));
+    }
+  }
+
   void keep_gaps(const BodySearch& body) {
     KeptGaps gaps(body, x_old_);
     for (std::size_t p = 0; p < planes_.size(); ++p) {
@@ -263,6 +277,15 @@ class SurfaceMotion::Step {
     return at;
   }
 
+  void limit_bulge(const Middle& middle, const Point& normal) {
+    Point& at = x_[middle.node];
+    const Point &from = x_[middle.ends[0]], &to = x_[middle.ends[1]], before = at;
+    if (at == x_old_[middle.node]) return;
+    at = without_bulge(at, middle_of(middle, x_), normal, edge_of(middle, x_));
+    for (int d = 0; d < 3; ++d)  // a curve in a plane stays there
+      if (from[d] == to[d] && from[d] == before[d]) at[d] = before[d];
+  }
+
   void keep_gap(int node, double span, KeptGaps& gaps) {
     if (x_[node] == x_old_[node]) return;
     const SurfacePlace& on = on_[node];
@@ -304,6 +327,7 @@ void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positio
   }
   step.place_middles();
   step.keep_gaps(body);
+  step.limit_bulges();
   x.resize(nodes_);
 }
 
