@@ -15,6 +15,7 @@
 #include "core/pi.hpp"
 #include "core/space_vector.hpp"
 #include "discretisation/disjoint_sets.hpp"
+#include "discretisation/element_map.hpp"
 #include "discretisation/triangulation.hpp"
 
 namespace mudline {
@@ -185,12 +186,18 @@ class SpaceBuilder {
   std::vector<Side> sides() const;
   void take_faces();
   void fill();
+  /// Takes off tetrahedra that are poor because two of their faces lie on one patch of the mesh's outside and bend, as
+  /// on the lip beside a body: nothing inside could mend them. Their other two faces take the place of these.
+  void peel(std::vector<std::array<int, 4>>& tetrahedra);
+  /// Scaled Jacobian with the curved edges of the surface.
+  double quality(const std::array<int, 4>& corners) const;
+  bool may_change(int patch) const;
   void name_sets();
   void keep_surfaces(RenewedMesh& result) const;
 
   const MeshRenewal& plan_;
   const GhostedMesh& mesh_;
-  const RenewedSurface& surface_;
+  RenewedSurface surface_;
   double factor_;
   SizeAround size_;
   SimplexMesh simplices_;
@@ -234,11 +241,81 @@ void SpaceBuilder::fill() {
       size_.add(scaled(1.0 / 3, plus(plus(a, 1, b), 1, c)), 2 * std::sqrt(area / std::sqrt(3.0)));  // if regular
     }
   }
-  const Tetrahedra made = tetrahedra_in(
+  Tetrahedra made = tetrahedra_in(
       vertices, regions, [this](const Point& x) { return factor_ * size_(x); }, plan_.deck().time_limit);
   simplices_.places.insert(simplices_.places.end(), made.points.begin() + simplices_.places.size(), made.points.end());
-  for (std::size_t r = 0; r < regions.size(); ++r)
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    peel(made.tetrahedra[r]);
     for (const auto& t : made.tetrahedra[r]) simplices_.add(block_of[r], t);
+  }
+}
+
+double SpaceBuilder::quality(const std::array<int, 4>& corners) const {
+  const CellShape shape = mesh_.mesh().blocks().front().shape;
+  std::array<Point, 10> x;
+  for (int a = 0; a < 4; ++a) x[a] = simplices_.places[corners[a]];
+  for (int a = 4; a < num_nodes(shape); ++a) {
+    const auto [from, to] = edge_corners(shape, a - 4);
+    x[a] = simplices_.middle_place(corners[from], corners[to]);
+  }
+  return ElementMap(shape, [&](int a) { return x[a].data(); }).scaled_jacobian();
+}
+
+bool SpaceBuilder::may_change(int patch) const {
+  const SurfacePatch& of = plan_.boundary().surfaces().surfaces().patches[patch];
+  return of.outer && !plan_.boundary().material(of.sets);
+}
+
+void SpaceBuilder::peel(std::vector<std::array<int, 4>>& tetrahedra) {
+  const auto ascending = [](Face face) {
+    std::sort(face.begin(), face.end());
+    return face;
+  };
+  std::map<Face, std::size_t> at;  // faces of the surface
+  std::set<SimplexMesh::Ends> edges;
+  for (std::size_t f = 0; f < surface_.mesh.faces.size(); ++f) {
+    const Face& corners = surface_.mesh.faces[f].vertices;
+    at[ascending(corners)] = f;
+    for (int k = 0; k < 3; ++k) edges.insert(std::minmax(corners[k], corners[(k + 1) % 3]));
+  }
+  std::set<SimplexMesh::Ends> gone;
+  const auto poor_on_surface = [&](const std::array<int, 4>& t) {
+    std::vector<std::size_t> outside;
+    for (int s = 0; s < 4; ++s) {
+      const auto found = at.find(ascending({t[(s + 1) % 4], t[(s + 2) % 4], t[(s + 3) % 4]}));
+      if (found != at.end()) outside.push_back(found->second);
+    }
+    if (outside.size() != 2 || quality(t) >= plan_.deck().quality_below) return false;
+    RemeshedSurface::Face &one = surface_.mesh.faces[outside[0]], &other = surface_.mesh.faces[outside[1]];
+    if (one.patch != other.patch || !may_change(one.patch)) return false;
+    const auto alone = [](const Face& of, const Face& beside) {
+      return *std::find_if(of.begin(), of.end(),
+                           [&](int v) { return std::count(beside.begin(), beside.end(), v) == 0; });
+    };
+    const int c = alone(one.vertices, other.vertices), d = alone(other.vertices, one.vertices);
+    Face ends{};
+    std::remove_copy(one.vertices.begin(), one.vertices.end(), ends.begin(), c);
+    if (!edges.insert(std::minmax(c, d)).second) return false;
+    edges.erase(std::minmax(ends[0], ends[1]));
+    gone.insert(std::minmax(ends[0], ends[1]));
+    for (const RemeshedSurface::Face& face : {one, other}) at.erase(ascending(face.vertices));
+    std::replace(one.vertices.begin(), one.vertices.end(), ends[0], d);
+    std::replace(other.vertices.begin(), other.vertices.end(), ends[1], c);
+    at[ascending(one.vertices)] = outside[0];
+    at[ascending(other.vertices)] = outside[1];
+    return true;
+  };
+  constexpr int layers = 3;
+  for (int layer = 0; layer < layers; ++layer) {
+    const std::size_t before = tetrahedra.size();
+    tetrahedra.erase(std::remove_if(tetrahedra.begin(), tetrahedra.end(), poor_on_surface), tetrahedra.end());
+    if (tetrahedra.size() == before) break;
+  }
+  std::vector<RenewedSurface::Middle>& middles = surface_.middles;
+  middles.erase(
+      std::remove_if(middles.begin(), middles.end(),
+                     [&](const auto& middle) { return gone.count(std::minmax(middle.ends[0], middle.ends[1])) > 0; }),
+      middles.end());
 }
 
 void SpaceBuilder::name_sets() {

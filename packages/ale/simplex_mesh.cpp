@@ -42,10 +42,14 @@ long long SimplexMesh::number_of_middle(int a, int b, GlobalMesh& mesh) {
   const Ends ends = ascending(a, b);
   const auto [number, added] = middles_.emplace(ends, static_cast<long long>(mesh.coordinates.size()));
   if (!added) return number->second;
-  const auto curved = curved_.find(ends);
-  mesh.coordinates.push_back(curved != curved_.end() ? curved->second
-                                                     : scaled(0.5, plus(places[ends.first], 1, places[ends.second])));
+  mesh.coordinates.push_back(middle_place(a, b));
   return number->second;
+}
+
+Point SimplexMesh::middle_place(int a, int b) const {
+  const Ends ends = ascending(a, b);
+  const auto curved = curved_.find(ends);
+  return curved != curved_.end() ? curved->second : scaled(0.5, plus(places[ends.first], 1, places[ends.second]));
 }
 
 GlobalMesh SimplexMesh::number() {

@@ -21,6 +21,7 @@ class SimplexMesh {
   void add(int block, const Corners& corners) { cells_[block].push_back(corners); }
   /// Where the middle of an edge is [m]; that of other edges is between their ends.
   void bend(int a, int b, const Point& middle) { curved_[ascending(a, b)] = middle; }
+  Point middle_place(int a, int b) const;
 
   /// The mesh without sets. Elements are put along a space-filling curve, by block, and nodes in the order in which the
   /// elements meet them, so that neighbours are close in memory.
