@@ -10,13 +10,13 @@ namespace mudline {
 
 namespace {
 
-/// `size` of the mesh [m].
-BodyOutline outline_of(const RigidBody& body, double size) {
+/// The same on every mesh of a run.
+BodyOutline outline_of(const RigidBody& body) {
   BodyOutline outline;
   if (body.surface()) {
-    outline = body.surface()->triangles(2e-4 * size);
+    outline = body.surface()->triangles(5e-4 * body.reach());
   } else {
-    for (const PlanePoint& point : body.contour().sample(1e-4 * size))
+    for (const PlanePoint& point : body.contour().sample(2e-4 * body.reach()))
       outline.points.push_back({point[0], point[1], 0});
     // a half contour is closed along its axis, so that pictures fill the body
     if (body.contour().extent() == ContourExtent::half && !outline.points.empty())
@@ -47,8 +47,7 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
   fields_.set_metadata("deck file", origin.deck_file);
   fields_.set_metadata("program", origin.program);
   fields_.set_metadata("geometry", mudline::name(model.mesh().geometry()));
-  const double size = model.mesh().bounds().extent();
-  for (const auto& [name, body] : model.bodies()) fields_.add_body(name, outline_of(*body, size));
+  for (const auto& [name, body] : model.bodies()) fields_.add_body(name, outline_of(*body));
 }
 
 void Results::take_initial_pressure() { Kokkos::deep_copy(initial_pressure_, model_.store().committed().value); }
