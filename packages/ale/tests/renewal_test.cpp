@@ -167,7 +167,7 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
 
 /// A cube of tetrahedra whose top is curved, with all that makes it anew.
 struct RenewedCube {
-  explicit RenewedCube(CellShape shape, double height = 0.8, const std::string& entries = "")
+  explicit RenewedCube(CellShape shape, double height = 0.8, const std::string& entries = "", double roof = 0)
       : mesh(testing::cube(shape, 3)), whole(*mesh) {
     deck.overlay(
         "<ParameterList name=\"deck\"><ParameterList name=\"boundary\">" + entries + "</ParameterList></ParameterList>",
@@ -181,6 +181,8 @@ struct RenewedCube {
     plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
     x = source;
     for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 1.1 * p[1], height * p[2] + 0.1 * p[2] * std::sin(3 * p[0]) * p[1]};
+    for (std::size_t node = 0; node < x.size(); ++node)
+      x[node][2] *= 1 + roof * (0.5 - std::abs(source[node][0] - 0.5));
     // straight inside
     for (const auto& element : whole.elements())
       for (int a = num_corners(shape); a < num_nodes(shape); ++a) {
@@ -267,6 +269,20 @@ TEST(MeshRenewalInSpace, DrawnOutFacesAreDividedAndMaterialSidesStay) {
   faces_of(*held.anew, held.now, after);
   EXPECT_FALSE(before.empty());
   EXPECT_EQ(before, after);
+}
+
+/// A roof on the cube, whose ridge is in the middle of edges: elements on it would be folded.
+TEST(MeshRenewalInSpace, ElementsOnARidgeAreSound) {
+  const RenewedCube cube(CellShape::tet10, 0.8, "", 1.0);
+  EXPECT_GT(lowest_quality(*cube.anew, cube.now), 0.15);
+  const double was = volume(cube.whole, cube.x, points_of(*cube.mesh, 5));
+  EXPECT_NEAR(volume(*cube.anew, cube.now, points_of(*cube.next, 5)), was, 0.03 * was);
+  std::map<std::string, std::size_t> sides;
+  for (const auto& [name, of] : cube.anew->side_sets()) sides[name] = of.size();
+  for (const char* name : {"left", "right", "front", "back", "bottom", "top"}) EXPECT_GT(sides[name], 10u);
+  const std::size_t all =
+      sides["left"] + sides["right"] + sides["front"] + sides["back"] + sides["bottom"] + sides["top"];
+  EXPECT_EQ(all, cube.anew->boundary().size());
 }
 
 TEST(MeshRenewalInSpace, LinearFieldsSurviveAtNodesAndPoints) {
