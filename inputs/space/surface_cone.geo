@@ -2,9 +2,9 @@
 // wider than it, becomes the wall of the hole.
 SetFactory("OpenCASCADE");
 DefineConstant[ diameter = {0.0357, Name "diameter"} ];                             // of the body [m]
-DefineConstant[ tip = {0.0012, Name "tip"}, fine = {0.002, Name "fine"} ];          // cells at the axis, at the rim of the disc
+DefineConstant[ tip = {0.002, Name "tip"}, fine = {0.003, Name "fine"} ];          // cells at the axis, at the rim of the disc
 DefineConstant[ coarse = {0.055, Name "coarse"} ];                                  // at the far boundary
-DefineConstant[ width = {0.18, Name "width"}, depth = {0.24, Name "depth"} ];
+DefineConstant[ width = {0.14, Name "width"}, depth = {0.18, Name "depth"} ];
 rim = 0.52 * diameter;
 
 Point(1) = {0, 0, 0};
