@@ -2,7 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,7 +48,7 @@ struct MeshReceipt {
 
 /// A mesh made anew, or why there is none.
 struct Renewal {
-  std::optional<RenewedMesh> mesh;
+  std::shared_ptr<const RenewedMesh> mesh;
   std::string veto;
 };
 
@@ -83,12 +82,12 @@ class Ale {
   /// Whether it is time to ask an error estimate whether that is due.
   bool looks_at_error(int step, int tried) const;
   /// The field of the sizes that an error estimate wants, [m] by element of this rank, block of the soil after block.
+  /// On rank 0, where meshes are made; null elsewhere. Collective.
+  std::unique_ptr<const WantedSizes> wanted_sizes(const std::vector<double>& by_element, const State& committed) const;
+  /// Whether elements are so much larger than wanted that the region is to be meshed anew. Collective.
+  bool too_coarse(const WantedSizes* sizes) const;
+  /// A new mesh for the committed state; its elements on rank 0 alone. `sizes`: where they are adaptive, else null.
   /// Collective.
-  WantedSizes wanted_sizes(const std::vector<double>& by_element, const State& committed) const;
-  /// Whether elements are so much larger than wanted that the region is to be meshed anew.
-  bool too_coarse(const WantedSizes& sizes) const { return sizes.largest_ratio() > renewal_->deck().side_above; }
-  /// A new mesh for the committed state. `sizes`: where they are adaptive, else null. Collective; the same on every
-  /// rank.
   Renewal renew(int step, const State& committed, const WantedSizes* sizes) const;
   /// The soil's state of `from`, an ALE of the mesh before, goes over to this one's `store`, whose bodies have theirs
   /// already; the terms then follow as after relocate(). `constraints`: those of the present instant, on the new mesh.

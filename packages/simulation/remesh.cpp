@@ -12,10 +12,10 @@ bool Run::remeshing_due() {
   if (!moves_mesh(stage())) return false;
   const Ale& ale = *model_->ale();
   if (ale.renewal_due(progress_.step, progress_.remesh_tried, model_->store().committed())) return true;
-  return ale.looks_at_error(progress_.step, progress_.remesh_tried) && ale.too_coarse(wanted_sizes());
+  return ale.looks_at_error(progress_.step, progress_.remesh_tried) && ale.too_coarse(wanted_sizes().get());
 }
 
-WantedSizes Run::wanted_sizes() {
+std::unique_ptr<const WantedSizes> Run::wanted_sizes() {
   results_->estimate_error();
   return model_->ale()->wanted_sizes(error_estimate_->wanted_sizes(), model_->store().committed());
 }
@@ -23,13 +23,13 @@ WantedSizes Run::wanted_sizes() {
 void Run::remesh() {
   progress_.remesh_tried = progress_.step;
   const State& state = model_->store().committed();
-  std::optional<WantedSizes> sizes;
-  if (model_->ale()->renewal()->adaptive()) sizes.emplace(wanted_sizes());
-  const Renewal made = model_->ale()->renew(progress_.step, state, sizes ? &*sizes : nullptr);
+  std::unique_ptr<const WantedSizes> sizes;
+  if (model_->ale()->renewal()->adaptive()) sizes = wanted_sizes();
+  const Renewal made = model_->ale()->renew(progress_.step, state, sizes.get());
   std::string veto = made.veto;
   if (veto.empty()) {
     try {
-      veto = hand_over(make_model_(*made.mesh));
+      veto = hand_over(make_model_(made.mesh));
     } catch (const InputError& error) {  // on every rank alike
       veto = std::string("there is no model on the new mesh: ") + error.what();
     }
