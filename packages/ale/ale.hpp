@@ -89,11 +89,14 @@ class Ale {
   /// A new mesh for the committed state; its elements on rank 0 alone. `sizes`: where they are adaptive, else null.
   /// Collective.
   Renewal renew(int step, const State& committed, const WantedSizes* sizes) const;
-  /// The soil's state of `from`, an ALE of the mesh before, goes over to this one's `store`, whose bodies have theirs
-  /// already; the terms then follow as after relocate(). `constraints`: those of the present instant, on the new mesh.
-  /// Collective.
-  MeshReceipt take_over(const Ale& from, const StateStore& old_store, const Constraints& constraints,
-                        StateStore& store) const;
+  /// Lets the free boundary of a mesh made anew give way until it holds the volume that `from`, an ALE of the mesh
+  /// before, has in `before`. `constraints`: those of the present instant, on the new mesh. Collective.
+  void take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const;
+  /// Then the soil's state of `from` goes over to this one's `store`, whose bodies have theirs already; the terms then
+  /// follow as after relocate(). Collective.
+  MeshReceipt take_over(const Ale& from, const StateStore& old_store, const MeshChange& change,
+                        const Constraints& constraints, StateStore& store) const;
+  const Space& space() const { return space_; }
   /// The mesh about this rank, and the paths of the whole one.
   const GhostedMesh& mesh() const { return mesh_; }
   const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
@@ -135,7 +138,7 @@ class Ale {
   /// Why a receipt's masses are not what they were, "" where they are.
   std::string lost_mass(const MeshReceipt& receipt) const;
   // To another mesh: see take_over().
-  void take_nodes(const Ale& from, const State& old_state, const MeshChange& change, State& to) const;
+  void take_nodes(const State& old_state, const MeshChange& change, State& to) const;
   void take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
                    MeshReceipt& receipt) const;
   void keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const;

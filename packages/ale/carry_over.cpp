@@ -70,13 +70,13 @@ Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) c
   return result;
 }
 
-void Ale::take_nodes(const Ale& from, const State& old_state, const MeshChange& change, State& to) const {
+void Ale::take_nodes(const State& old_state, const MeshChange& change, State& to) const {
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     const std::pair<NodalView, NodalView> pairs[] = {
         {old_state.value, to.value}, {old_state.rate, to.rate}, {old_state.acceleration, to.acceleration}};
     for (const auto& [old, now] : pairs)
-      change.carry(from.space_, f, old, space_, f, now, f == soil_.displacement && now.data() == to.value.data());
+      change.carry(f, old, now, f == soil_.displacement && now.data() == to.value.data());
   }
 }
 
@@ -156,20 +156,22 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   inventory(v);
 }
 
-MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const Constraints& constraints,
-                           StateStore& store) const {
+void Ale::take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const {
+  if (!deck_.conserve) return;
+  Positions x = mesh_.gather(to.coordinates);
+  keep_volume(soil_volume(from.mesh_, from.soil_, from.mesh_.gather(before.coordinates)), to, constraints, x);
+  mesh_.scatter(x, to.coordinates);
+}
+
+MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const MeshChange& change,
+                           const Constraints& constraints, StateStore& store) const {
   MeshReceipt receipt;
   const State& old_state = old_store.committed();
   State& to = store.committed();
-  const Positions x_old = from.mesh_.gather(old_state.coordinates);
-  receipt.quality_before = lowest_quality(from.mesh_, x_old);
+  receipt.quality_before = lowest_quality(from.mesh_, from.mesh_.gather(old_state.coordinates));
+  receipt.quality = lowest_quality(mesh_, mesh_.gather(to.coordinates));
   receipt.before = take_inventory(from.soil_, old_state);
-  Positions x_new = mesh_.gather(to.coordinates);
-  if (deck_.conserve) keep_volume(soil_volume(from.mesh_, from.soil_, x_old), to, constraints, x_new);
-  receipt.quality = lowest_quality(mesh_, x_new);
-  mesh_.scatter(x_new, to.coordinates);
-  const MeshChange change(from, old_state, *this, to);
-  take_nodes(from, old_state, change, to);
+  take_nodes(old_state, change, to);
   take_points(from, old_store, change, store, receipt);
   if (!receipt.veto.empty()) return receipt;
   if (deck_.conserve) {

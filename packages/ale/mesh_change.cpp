@@ -40,17 +40,18 @@ GhostedMesh near_to(const Ale& from, const State& before, const std::vector<Boun
 }  // namespace
 
 MeshChange::MeshChange(const Ale& from, const State& before, const Ale& to, const State& after)
-    : to_(to.mesh()),
+    : old_space_(from.space()),
+      space_(to.space()),
+      to_(to.mesh()),
       x_to_(to_.gather(after.coordinates)),
       from_(near_to(from, before, boxes(to_, x_to_))),
       x_from_(from_.gather(before.coordinates)),
       nodal_(bounded(from, from_, x_from_), {to_, to.paths(), to.surfaces().faces, x_to_}) {}
 
-void MeshChange::carry(const Space& old_space, int old_field, const ConstNodalView& old, const Space& space, int field,
-                       const NodalView& now, bool limited) const {
-  const Field& what = space.field(field);
-  to_.scatter(space, field,
-              nodal_.apply(from_.gather(old_space, old_field, old), what.components, what.support, limited), now);
+void MeshChange::carry(int field, const ConstNodalView& old, const NodalView& now, bool limited) const {
+  const Field& what = space_.field(field);
+  to_.scatter(space_, field, nodal_.apply(from_.gather(old_space_, field, old), what.components, what.support, limited),
+              now);
 }
 
 }  // namespace mudline

@@ -20,11 +20,11 @@ class MeshChange {
   const GhostedMesh& to() const { return to_; }
   const Positions& x_from() const { return x_from_; }
   const Positions& x_to() const { return x_to_; }
-  /// A field: see NodalRemap. Collective.
-  void carry(const Space& old_space, int old_field, const ConstNodalView& old, const Space& space, int field,
-             const NodalView& now, bool limited = false) const;
+  /// What the nodes have of a field, by overlap dof, goes over: see NodalRemap. Collective.
+  void carry(int field, const ConstNodalView& old, const NodalView& now, bool limited = false) const;
 
  private:
+  const Space &old_space_, &space_;
   const GhostedMesh& to_;
   const Positions x_to_;
   const GhostedMesh from_;

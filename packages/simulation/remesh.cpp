@@ -43,13 +43,13 @@ std::string Run::hand_over(std::unique_ptr<Model> next) {
   auto balances = std::make_unique<Balances>(*next);
   auto error = make_error_estimate(*next);
   const std::vector<double> conserved = balances_->conserved();
-  const MeshReceipt receipt = take_over(*model_, stage(), *next);
+  const auto [receipt, change] = take_over(*model_, stage(), *next);
   if (!receipt.moved) return receipt.veto;
   balances->add_remap(receipt);
   balances->add_remap_of_conserved(conserved);
   const int pressure = model_->space().find("pore pressure");
-  NodalView reference("reference pressure", next->store().committed().value.extent(0));
-  if (pressure >= 0) reference = carried_over(*model_, *next, pressure, results_->reference_pressure());
+  const NodalView reference("reference pressure", next->store().committed().value.extent(0));
+  if (pressure >= 0) change->carry(pressure, results_->reference_pressure(), reference);
   const double time = model_->store().committed().time;
   const ResultsRestart files{{results_->history_mark(), time, false}, {results_->field_steps(), time, false}};
   const long long elements = model_->mesh().num_global_elements();
