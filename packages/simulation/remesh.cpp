@@ -1,6 +1,4 @@
 // The run goes on with a model on a mesh made anew: a restart on another mesh, and a transaction.
-#include <cstdio>
-
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "simulation/model_renewal.hpp"
@@ -61,15 +59,10 @@ std::string Run::hand_over(std::unique_ptr<Model> next) {
   results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), files);
   results_->take_reference_pressure(reference);
   look_at_mesh();
-  const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
-  char line[300];
-  std::snprintf(line, sizeof line,
-                "  remeshed: %lld -> %lld elements, quality %.2f -> %.2f, grains %+.1e, water %+.1e, restored %+.1e, "
-                "kinetic energy %+.1e, yield drift %.1e",
-                elements, model_->mesh().num_global_elements(), receipt.quality_before, receipt.quality,
-                share(receipt.before.solid, receipt.after.solid), share(receipt.before.water, receipt.after.water),
-                receipt.restored_solid, share(receipt.before.kinetic, receipt.after.kinetic), receipt.yield_drift);
-  log::info(line);
+  tell_transfer(receipt,
+                "  remeshed: " + std::to_string(elements) + " -> " +
+                    std::to_string(model_->mesh().num_global_elements()) + " elements, ",
+                log::info);
   return "";
 }
 

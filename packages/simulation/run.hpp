@@ -58,7 +58,9 @@ class Run {
   bool folds_elements() const;
   /// "" or why the mesh was not moved; the state is then undefined.
   std::string relocate_mesh();
-  /// What a motion of the mesh did to the layers, in a line.
+  /// What a motion of the mesh or a mesh made anew changed, in a line, and in one more for layers.
+  void tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) const;
+  /// What it did to the layers.
   std::string layers_text(const MeshReceipt& receipt) const;
   bool remeshing_due();
   /// What the error estimate wants: see Ale::wanted_sizes.
