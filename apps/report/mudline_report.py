@@ -237,8 +237,11 @@ def field_drawings(result, steps, options):
         return [(step, pictures.FieldPicture(result, step, options.mirror, options.zoom)) for step in steps]
     if options.zoom:
         raise ReportError("--zoom: there is no second panel for a result in space")
-    model = report_space_pictures.SpaceModel(result, steps[-1])
-    return [(step, report_space_pictures.SpacePicture(result, step, model)) for step in steps]
+    models = {}  # by mesh, as its last step asks for
+    for step in reversed(steps):
+        if result.mesh_name(step) not in models:
+            models[result.mesh_name(step)] = report_space_pictures.SpaceModel(result, step)
+    return [(step, report_space_pictures.SpacePicture(result, step, models[result.mesh_name(step)])) for step in steps]
 
 
 def uniform_text(result, step, field):

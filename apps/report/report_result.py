@@ -121,25 +121,33 @@ class FieldResult:
         self._read_cells()
 
     def _read_cells(self):
+        self._cells = {}  # by name of their mesh
         if self.in_space:
-            topology, offset = self.file["mesh/topology"][:], self.file["mesh/offset"][:]
-            self.mesh_in_space = Mesh(topology, offset, self.file["mesh/coordinates"][:])
-            if not self.mesh_in_space.blocks:
+            if not self.mesh_in_space(None).blocks:
                 raise ReportError(f"{self.file.filename}: no tetrahedra or hexahedra of known kind")
             return
-        self._cells = {}
         first = self.cells(None)
         self.triangles, self.triangle_cells, self.edges, self.boundary = (
             first.triangles, first.triangle_cells, first.edges, first.boundary)
 
-    def cells(self, step):
-        """The plane cells of a step's mesh; the first mesh where the step names none of its own (None: no step)."""
-        group = None if step is None else self.file["steps"][self.steps[step]]
-        own = group is not None and "mesh" in group
-        name = text(group.attrs["mesh"]) if own else "mesh"
+    def mesh_name(self, step):
+        """Of a step's mesh; "mesh" where the step names none of its own (None: no step)."""
+        group = {} if step is None else self.file["steps"][self.steps[step]]
+        return text(group.attrs["mesh"]) if "mesh" in group else "mesh"
+
+    def _of_mesh(self, step, make):
+        name = self.mesh_name(step)
         if name not in self._cells:
-            self._cells[name] = PlaneCells((group if own else self.file)["mesh"])
+            self._cells[name] = make((self.file if name == "mesh" else self.file["steps"][self.steps[step]])["mesh"])
         return self._cells[name]
+
+    def cells(self, step):
+        """The plane cells of a step's mesh."""
+        return self._of_mesh(step, PlaneCells)
+
+    def mesh_in_space(self, step):
+        """A step's mesh in space."""
+        return self._of_mesh(step, lambda mesh: Mesh(mesh["topology"][:], mesh["offset"][:], mesh["coordinates"][:]))
 
     def stage_spans(self):
         """[(stage, first time, last time, number of steps)] in order."""

@@ -26,7 +26,7 @@ LABELS = 0.58  # [inch] around the perspective picture for the numbers on its ax
 
 
 class SpaceModel:
-    """What stays the same in all pictures of a result: surface, sections, direction of view.
+    """What stays the same in all pictures of a mesh: surface, sections, direction of view.
 
     Each section goes through the middle of the first body (without bodies: of the model), or is a flat side of the
     model, where the soil moves more there (at least a quarter more than in the middle): a plane of symmetry cuts
@@ -36,7 +36,7 @@ class SpaceModel:
     """
 
     def __init__(self, result, step):
-        mesh = result.mesh_in_space
+        mesh = result.mesh_in_space(step)
         self.surface = outer_surface(mesh)
         moved = np.linalg.norm(result.coordinates(step) - mesh.points, axis=1)
         self.sections, weight = [], [-1.0, -1.0]

@@ -91,7 +91,7 @@ class Remeshing(SpaceCase):
         layer = self.write("layer.xml", deck_text("layer", {"materials": {"deep": {
             "top": -0.9, "porosity": 0.45, "density": 1700.0,
             "skeleton": {"type": "tresca", "rigidity index": 100.0, "Poisson's ratio": 0.49, "undrained strength": 30000.0}}}}))
-        settings = ["mesh/cells={6, 3, 3}", "mesh/distortion=0.3", "stages/push/duration=0.12", "solver/residual tolerance=1e-10"]
+        settings = ["mesh/cells={6, 3, 3}", "mesh/distortion=0.3", "stages/push/duration=0.16", "solver/residual tolerance=1e-10"]
 
         def run(name, *extra, ranks=1):
             return self.run_deck([BALL, overlay, layer], settings + [f"output/name={name}"], ranks, extra, name=name)
