@@ -55,8 +55,7 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
       settings_(settings),
       origin_(origin),
       options_(options),
-      balances_(std::make_unique<Balances>(*model_)),
-      walls_(std::make_unique<WallDissipation>(*model_)) {
+      balances_(std::make_unique<Balances>(*model_)) {
   error_estimate_ = make_error_estimate(*model_);
   std::filesystem::create_directories(settings_.folder);
   lock_ = std::make_unique<ResultLock>(model_->mesh().comm(), settings_.stem());
@@ -122,7 +121,7 @@ bool Run::begin_stage(const Stage& stage) {
     Kokkos::deep_copy(state.acceleration, 0.0);
   }
   balances_->jump([&] { model_->start_bodies(stage); });
-  if (model_->soil() && model_->soil()->pressure >= 0) walls_->begin(results_->excess_pressure());
+  if (model_->soil() && model_->soil()->pressure >= 0) walls_.begin(*model_, results_->excess_pressure());
   return true;
 }
 
@@ -366,7 +365,7 @@ bool Run::ends_folded(const Stage& stage) const {
 
 void Run::tell_dissipation(const Stage& stage) {
   if (!model_->soil() || model_->soil()->pressure < 0) return;
-  for (const WallDissipation::Line& line : walls_->end(results_->excess_pressure(), stage.duration))
+  for (const WallDissipation::Line& line : walls_.end(*model_, results_->excess_pressure(), stage.duration))
     line.doubtful ? log::warn(line.text) : log::info("  " + line.text);
 }
 

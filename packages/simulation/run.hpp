@@ -115,7 +115,7 @@ class Run {
   std::unique_ptr<Balances> balances_;
   std::unique_ptr<DiscretisationError> error_estimate_;  // null: not asked for
   std::unique_ptr<Results> results_;
-  std::unique_ptr<WallDissipation> walls_;
+  WallDissipation walls_;
   Progress progress_;
   CheckpointData checkpoint_;  // that a restart began from
   LocalError error_;           // of the step last tried
