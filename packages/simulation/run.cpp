@@ -104,7 +104,7 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.next_dt = stage.control.initial;
   progress_.last_dt = 0;
   progress_.next_field_time = next_field_time(progress_.stage_start);
-  std::fill(model_->stepper().reference_floor().begin(), model_->stepper().reference_floor().end(), 0.0);
+  model_->stepper().measures().begin_stage();
   if (!model_->stepper().refresh_history()) {
     log::error("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
                model_->stepper().hints());
@@ -201,7 +201,7 @@ LocalError Run::local_error(const Stage& stage) const {
   Stepper& stepper = model_->stepper();
   return TimeError(model_->space())
       .measure(stepper.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
-               stepper.size_floor(), stage.control.error_tolerance);
+               stepper.measures().values, stage.control.error_tolerance);
 }
 
 Report Run::report_terms() {
