@@ -103,7 +103,7 @@ def main():
     if len(sys.argv) > 6:
         other = history(sys.argv[6])
         compared(depth, q, other[0], other[1], tops)
-        axes.plot(other[1], other[0] / DIAMETER, "C2", lw=0.8, label="another mesh")
+        axes.plot(other[1], other[0] / DIAMETER, "C1--", lw=1, label="another mesh")
     axes.set(xscale="log", xlim=(0.3 * levels.min(), 1.5 * levels.max()), xlabel="resistance of the tip [kPa]", ylabel="depth of the tip / diameter")
     axes.invert_yaxis()
     axes.grid(alpha=0.3, which="both")
