@@ -117,8 +117,8 @@ int run(const RunCommand& command) {
   const Origin origin{loaded->deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
                       std::string("mudline ") + MUDLINE_VERSION};
-  const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](const RenewedMesh& mesh) {
-    return std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{"", &mesh});
+  const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](std::shared_ptr<const RenewedMesh> mesh) {
+    return std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{"", std::move(mesh)});
   };
   Run run(std::move(loaded->model), on_mesh, loaded->output, origin, options);
   return static_cast<int>(run.execute());

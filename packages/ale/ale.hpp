@@ -2,7 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,7 +48,7 @@ struct MeshReceipt {
 
 /// A mesh made anew, or why there is none.
 struct Renewal {
-  std::optional<RenewedMesh> mesh;
+  std::shared_ptr<const RenewedMesh> mesh;
   std::string veto;
 };
 
@@ -83,18 +82,21 @@ class Ale {
   /// Whether it is time to ask an error estimate whether that is due.
   bool looks_at_error(int step, int tried) const;
   /// The field of the sizes that an error estimate wants, [m] by element of this rank, block of the soil after block.
+  /// On rank 0, where meshes are made; null elsewhere. Collective.
+  std::unique_ptr<const WantedSizes> wanted_sizes(const std::vector<double>& by_element, const State& committed) const;
+  /// Whether elements are so much larger than wanted that the region is to be meshed anew. Collective.
+  bool too_coarse(const WantedSizes* sizes) const;
+  /// A new mesh for the committed state; its elements on rank 0 alone. `sizes`: where they are adaptive, else null.
   /// Collective.
-  WantedSizes wanted_sizes(const std::vector<double>& by_element, const State& committed) const;
-  /// Whether elements are so much larger than wanted that the region is to be meshed anew.
-  bool too_coarse(const WantedSizes& sizes) const { return sizes.largest_ratio() > renewal_->deck().side_above; }
-  /// A new mesh for the committed state. `sizes`: where they are adaptive, else null. Collective; the same on every
-  /// rank.
   Renewal renew(int step, const State& committed, const WantedSizes* sizes) const;
-  /// The soil's state of `from`, an ALE of the mesh before, goes over to this one's `store`, whose bodies have theirs
-  /// already; the terms then follow as after relocate(). `constraints`: those of the present instant, on the new mesh.
-  /// Collective.
-  MeshReceipt take_over(const Ale& from, const StateStore& old_store, const Constraints& constraints,
-                        StateStore& store) const;
+  /// Lets the free boundary of a mesh made anew give way until it holds the volume that `from`, an ALE of the mesh
+  /// before, has in `before`. `constraints`: those of the present instant, on the new mesh. Collective.
+  void take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const;
+  /// Then the soil's state of `from` goes over to this one's `store`, whose bodies have theirs already; the terms then
+  /// follow as after relocate(). Collective.
+  MeshReceipt take_over(const Ale& from, const StateStore& old_store, const MeshChange& change,
+                        const Constraints& constraints, StateStore& store) const;
+  const Space& space() const { return space_; }
   /// The mesh about this rank, and the paths of the whole one.
   const GhostedMesh& mesh() const { return mesh_; }
   const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
@@ -136,7 +138,7 @@ class Ale {
   /// Why a receipt's masses are not what they were, "" where they are.
   std::string lost_mass(const MeshReceipt& receipt) const;
   // To another mesh: see take_over().
-  void take_nodes(const Ale& from, const State& old_state, const MeshChange& change, State& to) const;
+  void take_nodes(const State& old_state, const MeshChange& change, State& to) const;
   void take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
                    MeshReceipt& receipt) const;
   void keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const;

@@ -1,6 +1,4 @@
 // The region meshed anew: when, and how the soil's state goes over from the mesh before.
-#include <Teuchos_CommHelpers.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,20 +22,30 @@ bool Ale::looks_at_error(int step, int tried) const {
   return renewal_ && renewal_->adaptive() && since > 0 && since % renewal_->deck().least_steps == 0;
 }
 
-WantedSizes Ale::wanted_sizes(const std::vector<double>& by_element, const State& committed) const {
+std::unique_ptr<const WantedSizes> Ale::wanted_sizes(const std::vector<double>& by_element,
+                                                     const State& committed) const {
   const RenewalParameters& deck = renewal_->deck();
-  auto whole = std::make_shared<const GhostedMesh>(mesh_.mesh());
-  std::vector<double> all(whole->elements().size(), deck.largest_size);
-  std::size_t first = 0;
+  const bool first = mesh_.mesh().comm()->getRank() == 0;
+  GhostedMesh::Wanted near{committed.coordinates, {}};
+  if (first) near.boxes.push_back({{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}});
+  auto mesh = std::make_shared<const GhostedMesh>(mesh_.mesh(), 1, &near);
+  std::vector<double> all(mesh->elements().size(), deck.largest_size);
+  std::size_t at = 0;
   for (const SoilBlock& b : soil_.blocks) {
     const PointView rows("wanted sizes", b.elements, 1);
-    for (int e = 0; e < b.elements; ++e) rows(e, 0) = by_element[first + e];
-    first += b.elements;
-    const std::vector<double> block = whole->gather_points(b.block, 1, rows);
-    for (int e : whole->block_elements(b.block)) all[e] = block[whole->first_row(e, 1)];
+    for (int e = 0; e < b.elements; ++e) rows(e, 0) = by_element[at + e];
+    at += b.elements;
+    const std::vector<double> block = mesh->gather_points(b.block, 1, rows);
+    for (int e : mesh->block_elements(b.block)) all[e] = block[mesh->first_row(e, 1)];
   }
-  const Positions x = whole->gather(committed.coordinates);
-  return {std::move(whole), x, all, {deck.smallest_size, deck.largest_size, deck.growth}};
+  const Positions x = mesh->gather(committed.coordinates);
+  if (!first) return nullptr;
+  return std::make_unique<const WantedSizes>(std::move(mesh), x, all,
+                                             WantedSizes::Bounds{deck.smallest_size, deck.largest_size, deck.growth});
+}
+
+bool Ale::too_coarse(const WantedSizes* sizes) const {
+  return mesh_.any(sizes != nullptr && sizes->largest_ratio() > renewal_->deck().side_above);
 }
 
 Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) const {
@@ -45,36 +53,30 @@ Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) c
   const Positions x = mesh_.gather(committed.coordinates);
   // where the mesh is poor, one that is no better helps nobody
   const double quality = lowest_quality(mesh_, x);
+  RenewedMesh made;
   Renewal result;
-  std::vector<char> bytes;
   if (comm.getRank() == 0) {
     try {
       const double least = quality < renewal_->deck().quality_below ? quality : 0.0;
-      RenewedMesh made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality), sizes);
+      made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality), sizes);
       made.number = renewals_ + 1;
       made.step = step;
-      bytes = made.bytes();
     } catch (const std::exception& failure) {
       result.veto = std::string("the region cannot be meshed: ") + failure.what();
     }
   }
   result.veto = of_first_rank(comm, result.veto);
-  if (!result.veto.empty()) return result;
-  int length = static_cast<int>(bytes.size());
-  Teuchos::broadcast(comm, 0, 1, &length);
-  bytes.resize(length);
-  Teuchos::broadcast(comm, 0, length, bytes.data());
-  result.mesh = RenewedMesh::from_bytes(std::move(bytes));
+  if (result.veto.empty()) result.mesh = std::make_shared<const RenewedMesh>(of_first_rank(comm, std::move(made)));
   return result;
 }
 
-void Ale::take_nodes(const Ale& from, const State& old_state, const MeshChange& change, State& to) const {
+void Ale::take_nodes(const State& old_state, const MeshChange& change, State& to) const {
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     const std::pair<NodalView, NodalView> pairs[] = {
         {old_state.value, to.value}, {old_state.rate, to.rate}, {old_state.acceleration, to.acceleration}};
     for (const auto& [old, now] : pairs)
-      change.carry(from.space_, f, old, space_, f, now, f == soil_.displacement && now.data() == to.value.data());
+      change.carry(f, old, now, f == soil_.displacement && now.data() == to.value.data());
   }
 }
 
@@ -154,20 +156,22 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   inventory(v);
 }
 
-MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const Constraints& constraints,
-                           StateStore& store) const {
+void Ale::take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const {
+  if (!deck_.conserve) return;
+  Positions x = mesh_.gather(to.coordinates);
+  keep_volume(soil_volume(from.mesh_, from.soil_, from.mesh_.gather(before.coordinates)), to, constraints, x);
+  mesh_.scatter(x, to.coordinates);
+}
+
+MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const MeshChange& change,
+                           const Constraints& constraints, StateStore& store) const {
   MeshReceipt receipt;
   const State& old_state = old_store.committed();
   State& to = store.committed();
-  const Positions x_old = from.mesh_.gather(old_state.coordinates);
-  receipt.quality_before = lowest_quality(from.mesh_, x_old);
+  receipt.quality_before = lowest_quality(from.mesh_, from.mesh_.gather(old_state.coordinates));
+  receipt.quality = lowest_quality(mesh_, mesh_.gather(to.coordinates));
   receipt.before = take_inventory(from.soil_, old_state);
-  Positions x_new = mesh_.gather(to.coordinates);
-  if (deck_.conserve) keep_volume(soil_volume(from.mesh_, from.soil_, x_old), to, constraints, x_new);
-  receipt.quality = lowest_quality(mesh_, x_new);
-  mesh_.scatter(x_new, to.coordinates);
-  const MeshChange change(from, old_state, *this, to);
-  take_nodes(from, old_state, change, to);
+  take_nodes(old_state, change, to);
   take_points(from, old_store, change, store, receipt);
   if (!receipt.veto.empty()) return receipt;
   if (deck_.conserve) {

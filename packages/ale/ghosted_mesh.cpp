@@ -9,7 +9,9 @@
 
 #include "algebra/raw_communicator.hpp"
 #include "algebra/tpetra_compat.hpp"
+#include "core/space_vector.hpp"
 #include "discretisation/mesh_topology.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace mudline {
 
@@ -122,6 +124,43 @@ class Surroundings {
     find_owners();
     for (int layer = 0; layer < layers; ++layer) add_layer();
   }
+  void add_near(const GhostedMesh::Wanted& wanted) {
+    const Comm& comm = *mesh_.comm();
+    if (comm.getSize() == 1) return;
+    std::vector<double> numbers;
+    for (const Bounds& box : wanted.boxes) {
+      numbers.push_back(comm.getRank());
+      numbers.insert(numbers.end(), box.low.begin(), box.low.end());
+      numbers.insert(numbers.end(), box.high.begin(), box.high.end());
+    }
+    numbers = of_all_ranks(comm, numbers);
+    std::vector<Bounds> boxes;
+    std::vector<int> rank_of;
+    for (const double* n = numbers.data(); n < numbers.data() + numbers.size(); n += 7) {
+      rank_of.push_back(static_cast<int>(n[0]));
+      boxes.push_back({{n[1], n[2], n[3]}, {n[4], n[5], n[6]}});
+    }
+    const BoxTree tree(boxes);
+    std::vector<Ids> to(comm.getSize());
+    std::vector<char> asks(comm.getSize());
+    for (const ElementBlock& block : mesh_.blocks())
+      for (int e = 0; e < block.num_elements; ++e) {
+        Bounds box = Bounds::nothing();
+        for (int a = 0; a < mudline::num_nodes(block.shape); ++a) {
+          Point place{};
+          for (int d = 0; d < mesh_.dimension(); ++d) place[d] = wanted.x(block.nodes(e, a), d);
+          box.enclose(place);
+        }
+        const Point across = minus(box.high, box.low);
+        const double reach = dot(across, across);  // twice as far as its nodes, for what bulges
+        std::fill(asks.begin(), asks.end(), 0);
+        tree.search(plus(box.low, 0.5, across), reach, [&](int i) { asks[rank_of[i]] = 1; });
+        const long long* record = records.at(block.global_ids[e]);
+        for (std::size_t rank = 0; rank < to.size(); ++rank)
+          if (asks[rank] != 0) to[rank].insert(to[rank].end(), record, record + Records::length(record));
+      }
+    for (const Ids& from : exchanged(comm, to)) records.add(from);
+  }
   bool is_complete(long long node) const { return asked_.count(node) > 0; }
   /// Of all elements.
   std::vector<const long long*> nodes() const {
@@ -198,9 +237,10 @@ GhostedMesh::Exchange GhostedMesh::exchange(const std::vector<long long>& own,
   return {from, rcp(new Import(from, make_map({all.begin(), all.end()}, mesh_.comm())))};
 }
 
-GhostedMesh::GhostedMesh(const Mesh& mesh, int layers) : mesh_(mesh), layers_(layers) {
+GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mesh_(mesh), layers_(layers) {
   Surroundings around(mesh);
   around.add_layers(layers);
+  if (near != nullptr) around.add_near(*near);
   const Ids element_ids = around.records.ids();
 
   // elements, with global nodes at first

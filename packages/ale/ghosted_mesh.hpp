@@ -49,8 +49,15 @@ class GhostedMesh {
     bool first = true;           // of the two sides between regions
   };
 
-  /// Collective.
-  explicit GhostedMesh(const Mesh& mesh, int layers = whole);
+  /// Boxes for which a rank wants the elements that come near them, wherever they belong; x: positions of the mesh's
+  /// nodes.
+  struct Wanted {
+    ConstCoordinateView x;
+    std::vector<Bounds> boxes;
+  };
+
+  /// Collective. Of the elements that come `near` boxes nothing is said of those beyond them.
+  explicit GhostedMesh(const Mesh& mesh, int layers = whole, const Wanted* near = nullptr);
 
   const Mesh& mesh() const { return mesh_; }
   int layers() const { return layers_; }

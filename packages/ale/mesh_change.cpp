@@ -6,10 +6,25 @@ namespace mudline {
 
 namespace {
 
-/// In the numbers of the whole mesh.
-NodalRemap::Bounded bounded(const Ale& ale, const GhostedMesh& whole, const Positions& x) {
-  NodalRemap::Bounded result{whole, ale.paths(), ale.surfaces().faces, x};
-  const auto number = [&](int& node) { node = static_cast<int>(ale.mesh().node_id(node)); };
+/// Of the elements that this rank has of its own, a few neighbours in each.
+std::vector<Bounds> boxes(const GhostedMesh& mesh, const Positions& x) {
+  constexpr std::size_t together = 16;
+  std::vector<Bounds> result;
+  for (std::size_t block = 0; block < mesh.mesh().blocks().size(); ++block) {
+    const std::vector<int>& own = mesh.own_elements(static_cast<int>(block));
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (k % together == 0) result.push_back(Bounds::nothing());
+      const GhostedMesh::Element& element = mesh.elements()[own[k]];
+      for (int a = 0; a < num_nodes(element.shape); ++a) result.back().enclose(x[element.nodes[a]]);
+    }
+  }
+  return result;
+}
+
+/// In the numbers of `mesh`, another view of the mesh of `ale`.
+NodalRemap::Bounded bounded(const Ale& ale, const GhostedMesh& mesh, const Positions& x) {
+  NodalRemap::Bounded result{mesh, ale.paths(), ale.surfaces().faces, x};
+  const auto number = [&](int& node) { node = mesh.local_node(ale.mesh().node_id(node)); };
   for (MeshPath& path : result.paths)
     for (int& node : path.nodes) number(node);
   for (SurfaceFace& face : result.faces)
@@ -17,20 +32,26 @@ NodalRemap::Bounded bounded(const Ale& ale, const GhostedMesh& whole, const Posi
   return result;
 }
 
+GhostedMesh near_to(const Ale& from, const State& before, const std::vector<Bounds>& boxes) {
+  const GhostedMesh::Wanted near{before.coordinates, boxes};
+  return GhostedMesh(from.mesh().mesh(), from.mesh().layers(), &near);
+}
+
 }  // namespace
 
 MeshChange::MeshChange(const Ale& from, const State& before, const Ale& to, const State& after)
-    : from_(from.mesh().mesh()),
-      to_(to.mesh().mesh()),
-      x_from_(from_.gather(before.coordinates)),
+    : old_space_(from.space()),
+      space_(to.space()),
+      to_(to.mesh()),
       x_to_(to_.gather(after.coordinates)),
-      nodal_(bounded(from, from_, x_from_), bounded(to, to_, x_to_)) {}
+      from_(near_to(from, before, boxes(to_, x_to_))),
+      x_from_(from_.gather(before.coordinates)),
+      nodal_(bounded(from, from_, x_from_), {to_, to.paths(), to.surfaces().faces, x_to_}) {}
 
-void MeshChange::carry(const Space& old_space, int old_field, const ConstNodalView& old, const Space& space, int field,
-                       const NodalView& now, bool limited) const {
-  const Field& what = space.field(field);
-  to_.scatter(space, field,
-              nodal_.apply(from_.gather(old_space, old_field, old), what.components, what.support, limited), now);
+void MeshChange::carry(int field, const ConstNodalView& old, const NodalView& now, bool limited) const {
+  const Field& what = space_.field(field);
+  to_.scatter(space_, field, nodal_.apply(from_.gather(old_space_, field, old), what.components, what.support, limited),
+              now);
 }
 
 }  // namespace mudline

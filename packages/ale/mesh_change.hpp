@@ -7,8 +7,8 @@ namespace mudline {
 
 class Ale;
 
-/// A mesh and another one of the same regions, with the same paths in the same order. Both are whole on every rank as
-/// long as this lives, for where their parts lie on each other nobody knows; every rank makes what is its own.
+/// A mesh and another one of the same regions, with the same paths in the same order. Of the one before, a rank has
+/// besides its own elements those that lie where it has elements of the other one.
 class MeshChange {
  public:
   /// Collective.
@@ -20,13 +20,15 @@ class MeshChange {
   const GhostedMesh& to() const { return to_; }
   const Positions& x_from() const { return x_from_; }
   const Positions& x_to() const { return x_to_; }
-  /// A field: see NodalRemap. Collective.
-  void carry(const Space& old_space, int old_field, const ConstNodalView& old, const Space& space, int field,
-             const NodalView& now, bool limited = false) const;
+  /// What the nodes have of a field, by overlap dof, goes over: see NodalRemap. Collective.
+  void carry(int field, const ConstNodalView& old, const NodalView& now, bool limited = false) const;
 
  private:
-  const GhostedMesh from_, to_;
-  const Positions x_from_, x_to_;
+  const Space &old_space_, &space_;
+  const GhostedMesh& to_;
+  const Positions x_to_;
+  const GhostedMesh from_;
+  const Positions x_from_;
   const NodalRemap nodal_;
 };
 

@@ -27,7 +27,8 @@ class NodalRemap {
     std::vector<SurfaceFace> faces;
     const Positions& x;
   };
-  /// Another mesh of the same regions, with the same paths and patches in the same order. `from`: the whole mesh.
+  /// Another mesh of the same regions, with the same paths and patches in the same order. `from`: has what lies where
+  /// this rank's nodes of the other one are.
   NodalRemap(const Bounded& from, const Bounded& to);
   /// `support`: which nodes carry the field; (node, component) in and out. `limited`: no value beyond those it is made
   /// of, for fields that jump from one node to the next, where quadratic shape functions overshoot remap by remap;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "core/space_vector.hpp"
@@ -135,45 +136,71 @@ bool PointLocator::invert(int e, const Point& point, double xi[3]) const {
 MeshPlace PointLocator::find(const Point& point, int guess) const {
   const auto& elements = mesh_.elements();
   std::set<int> seen;
-  MeshPlace best;
-  double least = 1e300;
+  Found found;
   int here = guess;
   for (int step = 0; step < 200 && here >= 0; ++step) {
     seen.insert(here);
     double xi[3] = {0, 0, 0};
-    const bool inverted = invert(here, point, xi);
+    if (!invert(here, point, xi)) break;  // far off a curved element
     const CellShape shape = elements[here].shape;
-    const double off = inverted ? outside_cell(shape, xi) : 1e200;
-    if (off < least) {
-      least = off;
-      best = {here, {xi[0], xi[1], xi[2]}};
-    }
-    if (off <= edge_tolerance) return best;
+    if (found.take(here, shape, xi)) return found.place;
     // on through the side that the point is farthest beyond; where that is closed, through the next best
     int next = -1;
     double farthest = edge_tolerance;
     for (int s = 0; s < num_sides(shape); ++s) {
       const int other = elements[here].neighbours[s];
       if (other < 0 || elements[other].block != elements[guess].block || seen.count(other)) continue;
-      const double distance = inverted ? beyond_side(shape, s, xi) : 1.0;
+      const double distance = beyond_side(shape, s, xi);
       if (distance <= farthest) continue;
       farthest = distance;
       next = other;
     }
     here = next;
   }
-  if (least < 0.1) return best;  // just beyond a curved boundary
-  // the walk was caught in a corner: look everywhere
-  for (int e : mesh_.block_elements(elements[guess].block)) {
+  if (found.off < 0.1) return found.place;  // just beyond a curved boundary
+  // the walk was caught in a corner
+  const int block = elements[guess].block;
+  const std::vector<int>& all = mesh_.block_elements(block);
+  const auto look_at = [&](int e) {
     double xi[3] = {0, 0, 0};
-    if (!invert(e, point, xi)) continue;
-    const double off = outside_cell(elements[e].shape, xi);
-    if (off >= least) continue;
-    least = off;
-    best = {e, {xi[0], xi[1], xi[2]}};
-    if (off <= edge_tolerance) break;
+    return invert(e, point, xi) && found.take(e, elements[e].shape, xi);
+  };
+  double square = std::numeric_limits<double>::min();  // of the distance from their boxes
+  boxes(block).search(point, square, [&](int i) {
+    if (look_at(all[i])) square = 0;
+  });
+  if (square == 0) return found.place;
+  std::any_of(all.begin(), all.end(), look_at);
+  return found.place;
+}
+
+bool PointLocator::Found::take(int element, CellShape shape, const double (&xi)[3]) {
+  const double here = outside_cell(shape, xi);
+  if (here < off) {
+    off = here;
+    place = {element, {xi[0], xi[1], xi[2]}};
   }
-  return best;
+  return off <= edge_tolerance;
+}
+
+const BoxTree& PointLocator::boxes(int block) const {
+  if (boxes_.empty()) boxes_.resize(mesh_.mesh().blocks().size());
+  if (!boxes_[block]) {
+    std::vector<Bounds> boxes;
+    for (int e : mesh_.block_elements(block)) {
+      const auto& element = mesh_.elements()[e];
+      Bounds box = Bounds::nothing();
+      for (int a = 0; a < num_nodes(element.shape); ++a) box.enclose(x_[element.nodes[a]]);
+      for (int d = 0; d < place_size; ++d) {  // for what bulges
+        const double more = 0.25 * (box.high[d] - box.low[d]);
+        box.low[d] -= more;
+        box.high[d] += more;
+      }
+      boxes.push_back(box);
+    }
+    boxes_[block] = std::make_unique<const BoxTree>(boxes);
+  }
+  return *boxes_[block];
 }
 
 MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "ale/ghosted_mesh.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace mudline {
 
@@ -11,8 +15,9 @@ struct MeshPlace {
 };
 
 /// Finds points in a mesh by walking from a guess to the neighbour in whose direction the point lies; exact on curved
-/// elements. Does not leave the guess's block: materials do not mix. A point outside, beyond a curved boundary, gets
-/// the boundary element next to it with reference coordinates outside the cell.
+/// elements. Where the walk is caught, what lies about the point is looked at. Does not leave the guess's block:
+/// materials do not mix. A point outside, beyond a curved boundary, gets the boundary element next to it with reference
+/// coordinates outside the cell.
 class PointLocator {
  public:
   PointLocator(const GhostedMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
@@ -23,8 +28,18 @@ class PointLocator {
   bool invert(int element, const Point& point, double xi[3]) const;
 
  private:
+  /// The place so far that is least outside of its cell.
+  struct Found {
+    MeshPlace place;
+    double off = 1e300;
+    /// Whether it is inside.
+    bool take(int element, CellShape shape, const double (&xi)[3]);
+  };
+  const BoxTree& boxes(int block) const;
+
   const GhostedMesh& mesh_;
   const Positions& x_;
+  mutable std::vector<std::unique_ptr<const BoxTree>> boxes_;  // (block) of its elements, where a walk has failed
 };
 
 }  // namespace mudline

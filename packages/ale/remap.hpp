@@ -53,7 +53,7 @@ class ConvectionRemap : public Remap {
 };
 
 /// The recovered field itself, for another mesh of the same region: no farther than the range of the element that a
-/// point lies in reaches. `before`: the whole mesh.
+/// point lies in reaches. `before`: has what lies where this rank's points of the other one are.
 class RecoveryRemap : public Remap {
  public:
   void transfer(const PointTransfer& transfer) const override;

@@ -1,5 +1,7 @@
 #include "ale/renewed_mesh.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include "discretisation/mesh_stream.hpp"
 
 namespace mudline {
@@ -36,6 +38,19 @@ RenewedMesh RenewedMesh::from_bytes(std::vector<char> bytes) {
   ByteStream stream(std::move(bytes));
   transfer(stream, result);
   return result;
+}
+
+RenewedMesh of_first_rank(const Teuchos::Comm<int>& comm, RenewedMesh made) {
+  GlobalMesh mesh = std::move(made.mesh);
+  made.mesh = {};
+  std::vector<char> bytes = made.bytes();
+  int length = static_cast<int>(bytes.size());
+  Teuchos::broadcast(comm, 0, 1, &length);
+  bytes.resize(length);
+  Teuchos::broadcast(comm, 0, length, bytes.data());
+  made = RenewedMesh::from_bytes(std::move(bytes));
+  if (comm.getRank() == 0) made.mesh = std::move(mesh);
+  return made;
 }
 
 }  // namespace mudline

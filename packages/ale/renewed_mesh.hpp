@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Teuchos_Comm.hpp>
+
 #include <array>
 #include <vector>
 
@@ -30,9 +32,9 @@ struct SourcePlace {
 /// A mesh that was made on the way, with all that a model on it must know, so that a run goes on from it as from a
 /// deck's mesh.
 struct RenewedMesh {
-  int number = 0;  // how many such meshes there have been, itself among them
-  int step = 0;    // after which it was made
-  GlobalMesh mesh;
+  int number = 0;                   // how many such meshes there have been, itself among them
+  int step = 0;                     // after which it was made
+  GlobalMesh mesh;                  // on rank 0, and empty elsewhere
   std::vector<MeshPath> paths;      // of its own nodes, in the order of those of the mesh before
   std::vector<PathOrigin> origins;  // (path)
   std::array<double, 2> focus{};    // of the sizes, when it was made [m]; in the plane
@@ -43,5 +45,8 @@ struct RenewedMesh {
   std::vector<char> bytes() const;
   static RenewedMesh from_bytes(std::vector<char> bytes);
 };
+
+/// What rank 0 has, on every rank, the mesh itself on rank 0 alone. Collective.
+RenewedMesh of_first_rank(const Teuchos::Comm<int>& comm, RenewedMesh made);
 
 }  // namespace mudline

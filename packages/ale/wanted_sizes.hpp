@@ -16,7 +16,7 @@ class WantedSizes {
     double smallest, largest;  // [m]
     double growth;             // per distance
   };
-  /// `mesh`: the whole one; `by_element`: [m] in the order of its elements. Serial, pure.
+  /// `mesh`: all elements of the whole one; `by_element`: [m] in the order of its elements. Serial, pure.
   WantedSizes(std::shared_ptr<const GhostedMesh> mesh, const Positions& x, const std::vector<double>& by_element,
               const Bounds& bounds);
   /// [m] at a place; outside of the mesh that of its edge.

@@ -82,37 +82,39 @@ void check_areas(const Triangulation& mesh, const std::vector<OutlinedRegion>& r
   }
 }
 
-/// Nodes are numbered as the elements of the regions meet them, behind the given vertices.
-Triangulation read_triangles(const std::vector<std::array<double, 2>>& vertices, std::size_t regions) {
-  Triangulation result{vertices, std::vector<std::vector<std::array<int, 3>>>(regions)};
-  std::unordered_map<std::size_t, int> numbers;
-  std::vector<std::size_t> tags;
+/// A place of the plane or of space in Gmsh's coordinates.
+void set_place(const double* from, std::array<double, 2>& place) { place = {from[0], from[1]}; }
+void set_place(const double* from, Point& place) { place = {from[0], from[1], from[2]}; }
+
+/// What Gmsh has made in the regions: their simplices, turned so that `size_of` them is positive. `numbers`: the given
+/// vertices by Gmsh's tags; other nodes are numbered as the elements meet them, behind those.
+template <int corners, class Place, class Size>
+std::vector<std::vector<std::array<int, corners>>> read_simplices(std::unordered_map<std::size_t, int> numbers,
+                                                                  std::size_t regions, std::vector<Place>& points,
+                                                                  Size&& size_of) {
+  constexpr int dimension = corners - 1, type = dimension == 2 ? 2 : 4;  // of Gmsh
+  std::vector<std::size_t> tags, elements, nodes;
   std::vector<double> coordinates, parameters;
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    gmsh::model::mesh::getNodes(tags, coordinates, parameters, 0, static_cast<int>(v) + 1);
-    if (tags.size() == 1) numbers[tags[0]] = static_cast<int>(v);
-  }
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters, 1);
-  if (!tags.empty()) throw NoTriangulation("Gmsh divided a side of the boundary");
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters, 2);
-  std::unordered_map<std::size_t, std::array<double, 2>> places;
-  for (std::size_t i = 0; i < tags.size(); ++i) places[tags[i]] = {coordinates[3 * i], coordinates[3 * i + 1]};
-  constexpr int triangle = 2;  // of Gmsh
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters, dimension);
+  std::unordered_map<std::size_t, Place> places;
+  for (std::size_t i = 0; i < tags.size(); ++i) set_place(&coordinates[3 * i], places[tags[i]]);
+  std::vector<std::vector<std::array<int, corners>>> result(regions);
   for (std::size_t r = 0; r < regions; ++r) {
-    std::vector<std::size_t> elements, nodes;
-    gmsh::model::mesh::getElementsByType(triangle, elements, nodes, static_cast<int>(r) + 1);
-    for (std::size_t first = 0; first + 3 <= nodes.size(); first += 3) {
-      std::array<int, 3> corners{};
-      for (int a = 0; a < 3; ++a) {
-        const auto [number, added] = numbers.emplace(nodes[first + a], static_cast<int>(result.points.size()));
-        corners[a] = number->second;
+    gmsh::model::mesh::getElementsByType(type, elements, nodes, static_cast<int>(r) + 1);
+    for (std::size_t first = 0; first + corners <= nodes.size(); first += corners) {
+      std::array<int, corners> simplex{};
+      for (int a = 0; a < corners; ++a) {
+        const auto [number, added] = numbers.emplace(nodes[first + a], static_cast<int>(points.size()));
+        simplex[a] = number->second;
         if (!added) continue;
-        result.points.push_back(places.at(nodes[first + a]));
+        const auto place = places.find(nodes[first + a]);
+        if (place == places.end()) throw NoTriangulation("Gmsh divided the boundary");
+        points.push_back(place->second);
       }
-      if (twice_area(result.points, corners) < 0) std::swap(corners[1], corners[2]);
-      result.triangles[r].push_back(corners);
+      if (size_of(points, simplex) < 0) std::swap(simplex[corners - 2], simplex[corners - 1]);
+      result[r].push_back(simplex);
     }
-    if (result.triangles[r].empty()) throw NoTriangulation("Gmsh made no elements in it");
+    if (result[r].empty()) throw NoTriangulation("Gmsh made no elements in it");
   }
   return result;
 }
@@ -136,7 +138,16 @@ Triangulation in_plane(const std::vector<std::array<double, 2>>& vertices, const
   outline(vertices, regions);
   take_sizes([&](double x, double y, double /*z*/) { return size(x, y); });
   generate(2);
-  const Triangulation result = read_triangles(vertices, regions.size());
+  std::unordered_map<std::size_t, int> numbers;
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parameters;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    gmsh::model::mesh::getNodes(tags, coordinates, parameters, 0, static_cast<int>(v) + 1);
+    if (tags.size() == 1) numbers[tags[0]] = static_cast<int>(v);
+  }
+  Triangulation result{vertices, {}};
+  result.triangles =
+      read_simplices<3>(std::move(numbers), regions.size(), result.points, twice_area<std::array<int, 3>>);
   check_areas(result, regions);
   return result;
 }
@@ -205,39 +216,6 @@ void check_volumes(const Tetrahedra& mesh, const std::vector<EnclosedRegion>& re
   }
 }
 
-/// Nodes are numbered as the elements of the regions meet them, behind the given vertices.
-Tetrahedra read_tetrahedra(const std::vector<Point>& vertices, std::size_t regions) {
-  Tetrahedra result{vertices, std::vector<std::vector<std::array<int, 4>>>(regions)};
-  std::unordered_map<std::size_t, int> numbers;
-  for (std::size_t v = 0; v < vertices.size(); ++v) numbers[v + 1] = static_cast<int>(v);
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters, 3);
-  std::unordered_map<std::size_t, Point> places;
-  for (std::size_t i = 0; i < tags.size(); ++i)
-    places[tags[i]] = {coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]};
-  constexpr int tetrahedron = 4;  // of Gmsh
-  for (std::size_t r = 0; r < regions; ++r) {
-    std::vector<std::size_t> elements, nodes;
-    gmsh::model::mesh::getElementsByType(tetrahedron, elements, nodes, static_cast<int>(r) + 1);
-    for (std::size_t first = 0; first + 4 <= nodes.size(); first += 4) {
-      std::array<int, 4> corners{};
-      for (int a = 0; a < 4; ++a) {
-        const auto [number, added] = numbers.emplace(nodes[first + a], static_cast<int>(result.points.size()));
-        corners[a] = number->second;
-        if (!added) continue;
-        const auto place = places.find(nodes[first + a]);
-        if (place == places.end()) throw NoTriangulation("Gmsh divided a face of the boundary");
-        result.points.push_back(place->second);
-      }
-      if (six_volumes(result.points, corners) < 0) std::swap(corners[2], corners[3]);
-      result.tetrahedra[r].push_back(corners);
-    }
-    if (result.tetrahedra[r].empty()) throw NoTriangulation("Gmsh made no elements in it");
-  }
-  return result;
-}
-
 Tetrahedra in_space(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
                     const std::function<double(const Point&)>& size) {
   enclose(vertices, regions);
@@ -246,7 +224,10 @@ Tetrahedra in_space(const std::vector<Point>& vertices, const std::vector<Enclos
   constexpr int delaunay = 1;  // HXT does not give the same mesh twice
   gmsh::option::setNumber("Mesh.Algorithm3D", delaunay);
   generate(3);
-  Tetrahedra result = read_tetrahedra(vertices, regions.size());
+  std::unordered_map<std::size_t, int> numbers;
+  for (std::size_t v = 0; v < vertices.size(); ++v) numbers[v + 1] = static_cast<int>(v);
+  Tetrahedra result{vertices, {}};
+  result.tetrahedra = read_simplices<4>(std::move(numbers), regions.size(), result.points, six_volumes);
   check_volumes(result, regions);
   return result;
 }

@@ -74,7 +74,7 @@ void Model::read_mesh(RCP<const Comm> comm, const Section& deck, const Registrie
   std::unique_ptr<MeshRecipe> recipe;
   agree(*comm, [&] { recipe = std::make_unique<MeshRecipe>(mesh_recipe(deck, registries)); });
   if (origin.renewed) {
-    renewed_ = std::make_unique<RenewedMesh>(*origin.renewed);
+    renewed_ = origin.renewed;
     GlobalMesh whole = renewed_->mesh;
     whole.contacts = recipe->contacts();
     mesh_ = std::make_unique<Mesh>(comm, recipe->geometry(), std::move(whole));

@@ -18,8 +18,8 @@ namespace mudline {
 
 /// Where a model's mesh comes from, where it is not made by its deck.
 struct MeshOrigin {
-  std::string parts_file = {};           // file of `mudline split`
-  const RenewedMesh* renewed = nullptr;  // a mesh made on the way, and the state comes from elsewhere, too
+  std::string parts_file = {};                           // file of `mudline split`
+  std::shared_ptr<const RenewedMesh> renewed = nullptr;  // made on the way, and the state comes from elsewhere, too
 };
 
 /// The deck turned into objects: mesh, fields, terms, conditions, bodies, contacts, stages, solver; ready to step.
@@ -30,7 +30,7 @@ class Model {
   Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin = {});
 
   const Mesh& mesh() const { return *mesh_; }
-  /// The mesh as it was made on the way; null: it is the deck's. The same on every rank.
+  /// The mesh as it was made on the way; null: it is the deck's.
   const RenewedMesh* renewed() const { return renewed_.get(); }
   const Space& space() const { return *space_; }
   StateStore& store() { return *store_; }
@@ -83,7 +83,7 @@ class Model {
   BlockData block_data(const StepView& view) const;
   double constrained_modulus(int block, int element) const;
 
-  std::unique_ptr<RenewedMesh> renewed_;
+  std::shared_ptr<const RenewedMesh> renewed_;
   std::unique_ptr<Mesh> mesh_;
   std::unique_ptr<Space> space_;
   Materials materials_;

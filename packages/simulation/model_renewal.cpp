@@ -63,10 +63,6 @@ std::string moving_forces(const Model& model, const ArrayInfo& info) {
   return "";
 }
 
-MeshChange mesh_change(Model& from, Model& to) {
-  return {*from.ale(), from.store().committed(), *to.ale(), to.store().committed()};
-}
-
 void copy_bodies(Model& from, Model& to) {
   const State &old = from.store().committed(), &now = to.store().committed();
   for (const auto& [name, body] : to.bodies()) {
@@ -120,7 +116,7 @@ void carry_contacts(Model& from, Model& to) {
   }
 }
 
-void carry_held_forces(Model& from, Model& to) {
+void carry_held_forces(Model& from, const MeshChange& change, Model& to) {
   for (int handle = 0; handle < to.store().num_arrays(); ++handle) {
     const ArrayInfo& info = to.store().info(handle);
     if (!begins_with(info.name, held_forces)) continue;
@@ -129,7 +125,8 @@ void carry_held_forces(Model& from, Model& to) {
     NodalView forces("held forces", from.space().dofs()->num_overlap_dofs());
     const std::vector<int> dofs = dofs_of(from, from.store().info(from.store().find(info.name)));
     for (std::size_t row = 0; row < dofs.size(); ++row) forces(dofs[row]) = old(row, 0);
-    const NodalView made = carried_over(from, to, to.soil()->displacement, forces);
+    const NodalView made("held forces", to.space().dofs()->num_overlap_dofs());
+    change.carry(to.soil()->displacement, forces, made);
     const std::vector<int> new_dofs = dofs_of(to, info);
     for (std::size_t row = 0; row < new_dofs.size(); ++row) now(row, 0) = made(new_dofs[row]);
   }
@@ -153,37 +150,35 @@ std::string renewal_problem(const Model& model) {
   return "";
 }
 
-NodalView carried_over(Model& from, Model& to, int field, const NodalView& values) {
-  NodalView result("carried over", to.space().dofs()->num_overlap_dofs());
-  mesh_change(from, to).carry(from.space(), field, values, to.space(), field, result);
-  return result;
-}
-
-MeshReceipt take_over(Model& from, const Stage& stage, Model& to) {
+TakeOver take_over(Model& from, const Stage& stage, Model& to) {
+  TakeOver result;
+  MeshReceipt& receipt = result.receipt;
+  const State& before = from.store().committed();
   State& state = to.store().committed();
-  state.time = from.store().committed().time;
+  state.time = before.time;
   if (const std::string name = copy_common(from, to); !name.empty()) {
-    MeshReceipt refused;
-    refused.veto = "the state '" + name + "' has other rows on another mesh";
-    return refused;
+    receipt.veto = "the state '" + name + "' has other rows on another mesh";
+    return result;
   }
   copy_bodies(from, to);
   to.activate(stage, false);
   Constraints constraints(to.space().dofs()->num_overlap_dofs());
   to.prescribe(stage, state.time, state.time, state, constraints);
-  MeshReceipt receipt = to.ale()->take_over(*from.ale(), from.store(), constraints, to.store());
-  if (!receipt.moved) return receipt;
+  to.ale()->take_volume(*from.ale(), before, constraints, state);
+  result.change = std::make_unique<const MeshChange>(*from.ale(), before, *to.ale(), state);
+  receipt = to.ale()->take_over(*from.ale(), from.store(), *result.change, constraints, to.store());
+  if (!receipt.moved) return result;
   carry_contacts(from, to);
-  carry_held_forces(from, to);
+  carry_held_forces(from, *result.change, to);
   to.stepper().measures() = from.stepper().measures();
   if (!to.stepper().refresh_history()) {
     receipt.veto = "the state on the new mesh cannot be evaluated" + to.stepper().hints();
     receipt.moved = false;
-    return receipt;
+    return result;
   }
   receipt.yield_drift = yield_drift(*to.soil(), state, to.store().trial());
   for (Carried* term : to.stepper().carried()) term->adopt(to.store().trial(), state);
-  return receipt;
+  return result;
 }
 
 }  // namespace mudline

@@ -251,9 +251,12 @@ void Run::load_checkpoint() {
 }
 
 void Run::load_mesh(const CheckpointReader& reader) {
-  const std::vector<long long> mesh = reader.integers(checkpoint_path(), renewed_mesh);
-  if (mesh.empty()) return;
-  model_ = make_model_(RenewedMesh::from_bytes(unpacked(mesh)));
+  const Comm& comm = *model_->mesh().comm();
+  const std::vector<long long> written = reader.first_integers(checkpoint_path(), renewed_mesh);
+  if (max_over_ranks(comm, static_cast<double>(written.size())) == 0) return;
+  RenewedMesh mesh;
+  if (!written.empty()) mesh = RenewedMesh::from_bytes(unpacked(written));
+  model_ = make_model_(std::make_shared<const RenewedMesh>(of_first_rank(comm, std::move(mesh))));
   balances_ = std::make_unique<Balances>(*model_);
   error_estimate_ = make_error_estimate(*model_);
 }

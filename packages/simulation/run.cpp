@@ -317,16 +317,21 @@ std::string Run::relocate_mesh() {
   for (Carried* term : model_->stepper().carried()) term->adopt(store.trial(), store.committed());
   balances_->add_remap(receipt);
   balances_->add_remap_of_conserved(conserved);
-  char line[240];
-  std::snprintf(
-      line, sizeof line,
-      "    mesh moved: quality %.2f -> %.2f, Courant %.2f, grains %+.1e, water %+.1e, restored %+.1e, yield drift %.1e",
-      receipt.quality_before, receipt.quality, receipt.largest_motion, receipt.after.solid / receipt.before.solid - 1,
-      receipt.before.water != 0 ? receipt.after.water / receipt.before.water - 1 : 0.0, receipt.restored_solid,
-      receipt.yield_drift);
-  log::detail(line);
-  if (model_->soil()->layered()) log::detail(layers_text(receipt));
+  tell_transfer(receipt, "    mesh moved: " + format("Courant %.2f, ", receipt.largest_motion), log::detail);
   return "";
+}
+
+void Run::tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) const {
+  const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
+  char line[240];
+  std::snprintf(line, sizeof line,
+                "quality %.2f -> %.2f, grains %+.1e, water %+.1e, restored %+.1e, kinetic energy %+.1e, "
+                "yield drift %.1e",
+                receipt.quality_before, receipt.quality, share(receipt.before.solid, receipt.after.solid),
+                share(receipt.before.water, receipt.after.water), receipt.restored_solid,
+                share(receipt.before.kinetic, receipt.after.kinetic), receipt.yield_drift);
+  tell(begin + line);
+  if (model_->soil()->layered()) tell(layers_text(receipt));
 }
 
 std::string Run::layers_text(const MeshReceipt& receipt) const {

@@ -26,7 +26,7 @@ struct RunOptions {
 };
 
 /// Makes a model of the run's deck on another mesh. InputError on every rank alike. Collective.
-using ModelMaker = std::function<std::unique_ptr<Model>(const RenewedMesh& mesh)>;
+using ModelMaker = std::function<std::unique_ptr<Model>(std::shared_ptr<const RenewedMesh> mesh)>;
 
 /// Runs the stages of a model: steps, cuts, outputs, checkpoints, signals.
 class Run {
@@ -58,11 +58,13 @@ class Run {
   bool folds_elements() const;
   /// "" or why the mesh was not moved; the state is then undefined.
   std::string relocate_mesh();
-  /// What a motion of the mesh did to the layers, in a line.
+  /// What a motion of the mesh or a mesh made anew changed, in a line, and in one more for layers.
+  void tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) const;
+  /// What it did to the layers.
   std::string layers_text(const MeshReceipt& receipt) const;
   bool remeshing_due();
-  /// What the error estimate wants.
-  WantedSizes wanted_sizes();
+  /// What the error estimate wants: see Ale::wanted_sizes.
+  std::unique_ptr<const WantedSizes> wanted_sizes();
   /// Null where none is asked for.
   std::unique_ptr<DiscretisationError> make_error_estimate(Model& model) const;
   /// Goes on with a model on a mesh made anew, or, where that is refused, with the present one.

@@ -200,5 +200,70 @@ TEST(GhostedMesh, PointsAndNodesAreCarriedAsOnOneRank) {
   }
 }
 
+/// Another mesh of the same box, and what of `part` lies where this rank has elements of it.
+struct Renewed {
+  Renewed(const Part& part, bool alone)
+      : mesh(box(CellShape::tri6, 9, 0.2, 1.0, part.mesh->comm())),
+        to(*mesh, alone ? GhostedMesh::whole : 2),
+        x_to(to.gather(mesh->coordinates())),
+        wanted{part.mesh->coordinates(), boxes()},
+        from(*part.mesh, alone ? GhostedMesh::whole : 4, &wanted),
+        x_from(from.gather(part.mesh->coordinates())),
+        old_block(points_of(*part.mesh)),
+        block(points_of(*mesh)) {}
+  std::vector<Bounds> boxes() const {
+    std::vector<Bounds> result;
+    for (int e : to.own_elements(0)) {
+      result.push_back(Bounds::nothing());
+      for (int a = 0; a < 6; ++a) result.back().enclose(x_to[to.elements()[e].nodes[a]]);
+    }
+    return result;
+  }
+  std::vector<double> nodes() const {
+    std::vector<double> old;
+    for (const Point& at : x_from) old.push_back(field(at));
+    const auto paths = [](const GhostedMesh& mesh, const Positions& x) { return find_paths(mesh, x, {}, 0.5); };
+    return NodalRemap({from, paths(from, x_from), {}, x_from}, {to, paths(to, x_to), {}, x_to})
+        .apply(old, 1, Support::all_nodes);
+  }
+  std::vector<double> points() const {
+    std::vector<double> old(from.block_elements(0).size() * old_block.points),
+        now(to.block_elements(0).size() * block.points);
+    for (int e : from.block_elements(0))
+      for (int q = 0; q < old_block.points; ++q)
+        old[from.first_row(e, old_block.points) + q] =
+            field(Recovery::position(from.elements()[e], old_block, q, x_from));
+    const RecoveryPatches patches(from, old_block);
+    const std::vector<StateVariable> variables{{"void ratio", 1, "-"}};
+    RecoveryRemap().transfer({{from, old_block, x_from}, {to, block, x_to}, patches, variables, 1, old, now});
+    return now;
+  }
+  static double field(const Point& x) { return 1 + 0.4 * std::sin(5 * x[0]) * std::cos(4 * x[1]); }
+  std::unique_ptr<Mesh> mesh;
+  GhostedMesh to;
+  Positions x_to;
+  GhostedMesh::Wanted wanted;
+  GhostedMesh from;
+  Positions x_from;
+  SoilBlock old_block, block;
+};
+
+TEST(GhostedMesh, GoesOverToAnotherMeshAsOnOneRank) {
+  const Both both(CellShape::tri6, 4);
+  const Renewed here(both.part, false), there(both.whole, true);
+  const int few = static_cast<int>(here.from.elements().size()), all = static_cast<int>(there.from.elements().size());
+  EXPECT_LE(few, all);
+  EXPECT_GT(few, all / 2);
+  const std::vector<double> nodes = here.nodes(), all_nodes = there.nodes(), points = here.points(),
+                            all_points = there.points();
+  for (int node = 0; node < here.to.num_nodes(); ++node)
+    EXPECT_NEAR(nodes[node], all_nodes[here.to.node_id(node)], 1e-14);
+  const auto& ids = here.mesh->blocks()[0].global_ids;
+  for (std::size_t e = 0; e < ids.size(); ++e)
+    for (int q = 0; q < here.block.points; ++q)
+      EXPECT_NEAR(points[here.to.first_row(here.to.own_elements(0)[e], here.block.points) + q],
+                  all_points[static_cast<int>(ids[e]) * here.block.points + q], 1e-14);
+}
+
 }  // namespace
 }  // namespace mudline

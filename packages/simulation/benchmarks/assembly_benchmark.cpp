@@ -5,46 +5,26 @@
 
 #include <random>
 
-#include "simulation/tests/model_fixture.hpp"
+#include "simulation/benchmarks/saturated_box.hpp"
 
 namespace {
 
 using namespace mudline;
 using namespace mudline::testing;
 
-std::string deck(const std::string& cell, bool cam_clay) {
-  const std::string skeleton =
-      cam_clay ? list("skeleton", text("type", "modified cam clay") + number("critical stress ratio", 1.0) +
-                                      number("compression slope", 0.2) + number("swelling slope", 0.04) +
-                                      number("Poisson's ratio", 0.3))
-               : list("skeleton",
-                      text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
+std::string deck(const std::string& cell, bool clay) {
+  const std::string elastic = list(
+      "skeleton", text("type", "linear elastic") + number("Young's modulus", 1e7) + number("Poisson's ratio", 0.3));
   const bool space = cell == "tet10" || cell == "hex27";
-  const std::string box = space ? text("geometry", "three-dimensional") + par("cells", "Array(double)", "{8, 8, 8}") +
-                                      par("upper", "Array(double)", "{0.8, 0.8, 0.8}")
-                                : text("geometry", "axisymmetric") + par("cells", "Array(double)", "{30, 20}") +
-                                      par("upper", "Array(double)", "{3.0, 2.0}");
-  return list(
-      "deck",
-      list("mesh", text("type", "box") + text("cell", cell) + box) +
-          list("materials", list("soil", number("void ratio", 1.3) + skeleton + list("fluid", text("type", "water")) +
-                                             list("permeability",
-                                                  text("type", "constant") + number("hydraulic conductivity", 1e-8)))) +
-          list("physics",
-               list("ground", text("type", "biot") +
-                                  list("initial state", text("type", "uniform") + number("effective stress xx", 1e5) +
-                                                            number("effective stress yy", 1e5) +
-                                                            number("effective stress zz", 1e5)))) +
-          list("boundary conditions", list("base", text("type", "fixed") + text("set", "bottom"))) +
-          list("stages", list("shake", text("type", "dynamic") + number("duration", 1.0) +
-                                           list("time step", number("initial", 1e-3)))));
+  return saturated_box(cell, space ? "{8, 8, 8}" : "{30, 20}", space ? "{0.8, 0.8, 0.8}" : "{3.0, 2.0}",
+                       clay ? cam_clay() : elastic);
 }
 
 enum class What { residual, jacobian, both };
 constexpr const char* names[] = {"residual", "jacobian", "both"};
 
-void assemble(benchmark::State& state, const std::string& cell, bool cam_clay, What what) {
-  ModelFixture fixture(deck(cell, cam_clay));
+void assemble(benchmark::State& state, const std::string& cell, bool clay, What what) {
+  ModelFixture fixture(deck(cell, clay));
   Model& model = *fixture.model;
   Stepper& stepper = model.stepper();
   const Stage& stage = *model.stages().front();

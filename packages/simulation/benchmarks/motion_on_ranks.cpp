@@ -1,6 +1,6 @@
 // Time and memory of mesh motion and remap on several ranks: the vertices inside a box of Modified Cam Clay are pulled
-// off their places, and the motion brings them back, again and again.
-// Run: mpirun -n RANKS motion_on_ranks [CELLS [plane|space]]
+// off their places, and the motion brings them back, again and again. With a third word the box is then meshed anew.
+// Run: mpirun -n RANKS motion_on_ranks [CELLS [plane|space [remeshing]]]
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
 
@@ -9,7 +9,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "simulation/tests/model_fixture.hpp"
+#include "simulation/benchmarks/saturated_box.hpp"
+#include "simulation/model_renewal.hpp"
 
 namespace {
 
@@ -18,42 +19,57 @@ using namespace mudline::testing;
 
 std::string deck(int cells, bool space) {
   const std::string n = std::to_string(cells);
-  const std::string box = space ? text("geometry", "three-dimensional") + text("cell", "tet10") +
-                                      par("cells", "Array(double)", "{" + n + ", " + n + ", " + n + "}") +
-                                      par("upper", "Array(double)", "{1.0, 1.0, 1.0}")
-                                : text("geometry", "axisymmetric") + text("cell", "tri6") +
-                                      par("cells", "Array(double)", "{" + n + ", " + n + "}") +
-                                      par("upper", "Array(double)", "{1.0, 1.0}");
-  const std::string skeleton =
-      list("skeleton", text("type", "modified cam clay") + number("critical stress ratio", 1.0) +
-                           number("compression slope", 0.2) + number("swelling slope", 0.04) +
-                           number("Poisson's ratio", 0.3));
-  return list(
-      "deck",
-      list("mesh", text("type", "box") + box) +
-          list("materials", list("soil", number("void ratio", 1.3) + skeleton + list("fluid", text("type", "water")) +
-                                             list("permeability",
-                                                  text("type", "constant") + number("hydraulic conductivity", 1e-8)))) +
-          list("physics",
-               list("ground", text("type", "biot") +
-                                  list("initial state", text("type", "uniform") + number("effective stress xx", 1e5) +
-                                                            number("effective stress yy", 1e5) +
-                                                            number("effective stress zz", 1e5)))) +
-          list("mesh motion", "") +
-          list("boundary conditions", list("base", text("type", "fixed") + text("set", "bottom"))) +
-          list("stages", list("shake", text("type", "dynamic") + number("duration", 1.0) +
-                                           list("time step", number("initial", 1e-3)))));
+  return saturated_box(space ? "tet10" : "tri6", space ? "{" + n + ", " + n + ", " + n + "}" : "{" + n + ", " + n + "}",
+                       space ? "{1.0, 1.0, 1.0}" : "{1.0, 1.0}", cam_clay(),
+                       list("mesh motion", list("remeshing", number("time limit", 600))));
 }
 
-/// [MB] that this process holds.
-double resident() {
-  std::ifstream file("/proc/self/statm");
-  double all = 0, pages = 0;
-  file >> all >> pages;
-  return pages * 4096 / 1e6;
+/// [MB] that this process holds, and what it held at most since `forget_peak`.
+double memory(const std::string& what) {
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind(what + ":", 0) == 0) return std::atof(line.c_str() + what.size() + 1) * 1024 / 1e6;
+  return 0;
+}
+double resident() { return memory("VmRSS"); }
+double peak() { return memory("VmHWM"); }
+void forget_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
+
+double largest(const Teuchos::Comm<int>& comm, double mine) {
+  double most = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 1, &mine, &most);
+  return most;
 }
 
-void run(int cells, bool space, int rounds) {
+/// The region meshed anew, by rank 0, and the state carried over: how long the latter takes and what it needs at most
+/// on top of the two models, on any rank but the first.
+void renew(ModelFixture& fixture) {
+  Model& model = *fixture.model;
+  const Teuchos::Comm<int>& comm = *model.mesh().comm();
+  const Stage& stage = *model.stages().front();
+  model.activate(stage, true);
+  const Renewal made = model.ale()->renew(1, model.store().committed(), nullptr);
+  if (!made.veto.empty()) {
+    std::printf("refused: %s\n", made.veto.c_str());
+    return;
+  }
+  const double alone = resident();
+  Model next(model.mesh().comm(), *fixture.root, fixture.registries, MeshOrigin{"", made.mesh});
+  const double both = resident();
+  forget_peak();
+  comm.barrier();
+  const double start = Teuchos::Time::wallTime();
+  const MeshReceipt receipt = take_over(model, stage, next).receipt;
+  comm.barrier();
+  const double wall = Teuchos::Time::wallTime() - start, first = comm.getRank() == 0 && comm.getSize() > 1 ? 0.0 : 1.0;
+  const double most_alone = largest(comm, first * alone), most_both = largest(comm, first * both),
+               most = largest(comm, first * peak());
+  if (comm.getRank() == 0)
+    std::printf("| meshed anew: %lld | %d | %.3f | %.0f, %.0f, %.0f |%s\n", next.mesh().num_global_elements(),
+                comm.getSize(), wall, most_alone, most_both, most, receipt.moved ? "" : receipt.veto.c_str());
+}
+
+void run(int cells, bool space, bool anew, int rounds) {
   ModelFixture fixture(deck(cells, space));
   Model& model = *fixture.model;
   const Mesh& mesh = model.mesh();
@@ -80,12 +96,11 @@ void run(int cells, bool space, int rounds) {
     }
     lowest = std::min(lowest, receipt.quality);
   }
-  const double mine = resident();
-  double most = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 1, &mine, &most);
+  const double most = largest(comm, resident());
   if (comm.getRank() == 0)
     std::printf("| %lld | %d | %.3f | %.0f | %.12f |\n", mesh.num_global_elements(), comm.getSize(), wall / rounds,
                 most, lowest);
+  if (anew) renew(fixture);
 }
 
 }  // namespace
@@ -93,5 +108,5 @@ void run(int cells, bool space, int rounds) {
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard guard(&argc, &argv);
   const int cells = argc > 1 ? std::atoi(argv[1]) : 100;
-  run(cells, argc > 2 && std::string(argv[2]) == "space", 5);
+  run(cells, argc > 2 && std::string(argv[2]) == "space", argc > 3, 5);
 }

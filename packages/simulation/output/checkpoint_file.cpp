@@ -200,13 +200,14 @@ std::map<std::string, std::string> CheckpointReader::texts(const std::string& pa
   return result;
 }
 
-std::vector<long long> CheckpointReader::integers(const std::string& path, const std::string& name) const {
+std::vector<long long> CheckpointReader::first_integers(const std::string& path, const std::string& name) const {
   std::vector<long long> result;
+  const bool first = comm_->getRank() == 0;
   reading(path, [&] {
     const auto file = h5::open_file(raw_communicator(*comm_), path, false);
     const auto group = h5::open_group(file, "integers");
     for (const std::string& link : h5::names(group))
-      if (h5::unescaped(link) == name) result = h5::read_all<long long>(group, link);
+      if (first && h5::unescaped(link) == name) result = h5::read_all<long long>(group, link);
   });
   return result;
 }

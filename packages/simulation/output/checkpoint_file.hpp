@@ -54,9 +54,9 @@ class CheckpointReader {
   /// The texts alone, whatever the mesh. InputError on every rank alike when the file is missing, is no checkpoint of
   /// this format, or is damaged. Collective.
   std::map<std::string, std::string> texts(const std::string& path) const;
-  /// One of the integer arrays as all ranks wrote it, whatever the mesh; empty where there is none. Of a file whose
-  /// texts were read. Collective.
-  std::vector<long long> integers(const std::string& path, const std::string& name) const;
+  /// One of the integer arrays as all ranks wrote it, whatever the mesh, on rank 0; elsewhere, and where there is none,
+  /// nothing. Of a file whose texts were read. Collective.
+  std::vector<long long> first_integers(const std::string& path, const std::string& name) const;
   /// Each rank gets back what it wrote or, where ranks or partition are others, what all wrote. InputError like
   /// texts(), and when the file belongs to another mesh. Collective.
   CheckpointData read(const std::string& path) const;
