@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 
 #include "ale/yield_drift.hpp"
 #include "core/log.hpp"
@@ -18,6 +19,9 @@ namespace mudline {
 namespace {
 
 volatile std::sig_atomic_t stop_signal = 0;
+
+/// Depth of a body in a surface over its half width: a penalty that gives way by a few per cent serves.
+constexpr double too_deep = 0.1;
 
 void on_signal(int signal) {
   if (stop_signal && signal != SIGUSR1) {
@@ -294,6 +298,7 @@ bool Run::accept(const Stage& stage, StepReport& report) {
     return false;
   }
   look_at_mesh();
+  look_at_contacts();
   report_mesh(report_);
   return true;
 }
@@ -358,6 +363,22 @@ void Run::report_mesh(Report& report) const {
   if (!model_->ale() || !model_->ale()->renewal()) return;
   report["mesh/elements"] = {"-", static_cast<double>(model_->mesh().num_global_elements())};
   report["mesh/remeshings"] = {"-", static_cast<double>(model_->ale()->renewals())};
+}
+
+void Run::look_at_contacts() {
+  for (const auto& [name, contact] : model_->contacts()) {
+    const RigidBody* body = contact->partners().body;
+    const auto depth = report_.find("contact/" + name + "/maximum penetration");
+    if (body == nullptr || depth == report_.end() || depth->second.value <= 0) continue;
+    const auto [most, first] = deepest_.try_emplace(name, 0);
+    if (first) most->second = too_deep * body->half_width();
+    if (depth->second.value <= most->second) continue;
+    most->second = std::numeric_limits<double>::infinity();
+    log::warn("contact '" + name + "': the body is " + format("%.3g m", depth->second.value) +
+              " deep in the surface that should bear it, more than " + format("%.0f %%", 100 * too_deep) +
+              " of its half width, at t " + format("%.6g s", model_->store().committed().time) +
+              "; doubt the results from there on (a larger 'penalty' or a finer surface helps)");
+  }
 }
 
 bool Run::ends_folded(const Stage& stage) const {

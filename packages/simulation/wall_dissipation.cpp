@@ -17,17 +17,6 @@ namespace {
 /// diffuse: with linear pressures the curvature of a profile as wide costs some per cent.
 constexpr double finest = 0.5;
 
-double half_width(const RigidBody& body) {
-  double radius = 0;
-  if (body.surface()) {
-    for (const Point& p : body.surface()->triangles(1e-2).points) radius = std::max(radius, std::hypot(p[0], p[1]));
-  } else {
-    for (const PlanePoint& p : body.contour().sample(1e-3 * body.contour().length()))
-      radius = std::max(radius, std::abs(p[0]));
-  }
-  return radius;
-}
-
 /// Area of the side and volume of its element [m2, m3], both without the length out of the plane.
 template <int Dim>
 std::array<double, 2> extents(const ElementBlock& block, const SoilBlock& b, const Side& side,
@@ -112,7 +101,7 @@ std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, cons
     const auto start = start_.find(name);
     if (start == start_.end()) continue;
     const RigidBody& body = *contact->partners().body;
-    const double width = half_width(body);
+    const double width = body.half_width();
     const Wall now = look(model, *contact, excess);
     // the set-up of a body that rests
     const bool rested = length(minus(body.position(model.store().committed()), start->second.position)) < 0.01 * width;
