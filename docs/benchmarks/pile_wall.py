@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Stresses and pore pressures around the deep pile against cavity expansion, the strain path method and radial consolidation.
 
-    pile_wall.py RESULTS/deep FIGURE.png     after `mudline run inputs/pile/clay.xml inputs/pile/deep.xml`: its results without ending
+    pile_wall.py RESULTS/deep FIGURE.png     after `mudline run inputs/pile/clay.xml inputs/pile/deep.xml inputs/pile/remeshing.xml`: its results
+                                             without ending
 """
 import pathlib
 import sys
@@ -36,7 +37,8 @@ class Field:
     def __init__(self, file, name):
         step = file["steps"][name]
         self.x = step["coordinates"][:, :2]
-        cells = file["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int)
+        mesh = step["mesh"] if "mesh" in step else file["mesh"]
+        cells = mesh["topology"][()].reshape(-1, 7)[:, 1:4].astype(int)
         self.excess = step["nodal/excess_pore_pressure"][()] * 1e-3
         radial = -step["cell/effective_stress"][:, 0] * 1e-3
         self.centres, self.cell_excess = self.x[cells].mean(axis=1), self.excess[cells].mean(axis=1)
@@ -97,8 +99,8 @@ def main():
     depth, stress, u, total, cavity_u, path_total, path_u = np.array(columns).T
 
     axes = plt.subplots(1, 3, figsize=(13, 5))[1]
-    for values, style in ((stress, "k-o"), (total, "C0--"), (path_total, "C3--")):
-        axes[0].plot(values, depth, style, label={"k-o": "mudline", "C0--": "cavity expansion", "C3--": "strain path"}[style])
+    for values, style in ((stress, "k.-"), (total, "C0--"), (path_total, "C3--")):
+        axes[0].plot(values, depth, style, label={"k.-": "mudline", "C0--": "cavity expansion", "C3--": "strain path"}[style])
     axes[0].invert_yaxis()
     axes[0].set(xlabel="total radial stress at the wall\nbeyond hydrostatic [kPa]", ylabel="depth [m]")
     axes[0].legend()
