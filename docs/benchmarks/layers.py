@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """A cone through layers against each layer alone and against the filter of Boulanger and DeJong (2018): table and picture.
 
-    layers.py LAYERS.csv TOPS LEVELS PICTURE.png [ALONE.csv]
+    layers.py LAYERS.csv TOPS LEVELS PICTURE.png [ALONE.csv [OTHER_MESH.csv]]
 
 TOPS: depths of the interfaces [m] with commas; LEVELS: resistance of each layer alone [kPa] with commas, one more; ALONE: history of the
-uppermost soil alone.
+uppermost soil alone; OTHER_MESH: history of the same run on another mesh, compared at equal depth.
 """
 import csv
 import sys
@@ -62,6 +62,17 @@ def transitions(name, depth, q, tops, levels):
         print(f"  {top:.3f}  " + "  ".join(f"{m:6.2f}" for m in marks) + f"  {first(z, np.abs(q[span] / after - 1) < 0.03):6.2f}")
 
 
+def compared(depth, q, other_depth, other_q, tops):
+    """Resistance on another mesh over this one's at equal depth: within a diameter of the interfaces, and farther from them in each layer."""
+    z = np.arange(DIAMETER, min(depth[-1], other_depth[-1]), DIAMETER / 20)
+    ratio = np.interp(z, other_depth, other_q) / np.interp(z, depth, q) - 1
+    near = np.abs(z[:, None] - tops).min(axis=1) < DIAMETER
+    for k in range(tops.size + 1):
+        layer = (np.searchsorted(tops, z) == k) & ~near
+        print(f"other mesh over this one, layer {k}: mean {ratio[layer].mean():+.4f}, from {ratio[layer].min():+.4f} to {ratio[layer].max():+.4f}")
+    print(f"  within a diameter of interfaces: from {ratio[near].min():+.4f} to {ratio[near].max():+.4f}")
+
+
 def main():
     name, tops, levels, picture = sys.argv[1], *(np.array([float(v) for v in a.split(",")]) for a in sys.argv[2:4]), sys.argv[4]
     depth, q, data = history(name)
@@ -89,6 +100,10 @@ def main():
     if len(sys.argv) > 5:
         alone = history(sys.argv[5])
         axes.plot(alone[1], alone[0] / DIAMETER, "C3:", lw=1, label="the uppermost soil alone")
+    if len(sys.argv) > 6:
+        other = history(sys.argv[6])
+        compared(depth, q, other[0], other[1], tops)
+        axes.plot(other[1], other[0] / DIAMETER, "C1--", lw=1, label="another mesh")
     axes.set(xscale="log", xlim=(0.3 * levels.min(), 1.5 * levels.max()), xlabel="resistance of the tip [kPa]", ylabel="depth of the tip / diameter")
     axes.invert_yaxis()
     axes.grid(alpha=0.3, which="both")

@@ -5,6 +5,7 @@
 """
 import pathlib
 import sys
+import xml.etree.ElementTree as ElementTree
 
 import h5py
 import numpy as np
@@ -12,9 +13,15 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "support"))
 from mudline_case import History  # noqa: E402
 
-DIAMETER, TIP, TAIL, LENGTH = 1.07, 2.14, 1.5, 15.0
 SLOWEST = 2.0  # [m/s]: below it the anchor comes to rest and forces fall
 DEGREE = 4     # of the trend
+
+
+def contour(file):
+    """Diameter, and lengths of the tip, of the tail and of the whole anchor [m], of the deck that the results keep."""
+    deck = ElementTree.fromstring(file["metadata/deck"][()])
+    of = {entry.get("name"): entry.get("value") for entry in deck.find(".//ParameterList[@name='contour']")}
+    return [float(of[name]) for name in ("diameter", "tip length", "tail length", "length")]
 
 
 def forces(stem, since):
@@ -35,14 +42,14 @@ def ripple(depth, force):
     return np.sqrt(np.mean(off**2)), np.abs(off).max()
 
 
-def wall(file, step):
+def wall(file, step, diameter, tip_length, tail, length):
     """Vertices on the straight shaft, from the shoulder up: height over the tip [m], contact pressure and excess pore pressure [Pa]."""
     x, tip = step["coordinates"][:, :2], step["bodies/anchor/coordinates"][:, 1].min()
     corners = np.unique((step if "mesh" in step else file)["mesh/topology"][()].reshape(-1, 7)[:, 1:4].astype(int))
     pressure = step["nodal/contact_pressure_anchor"][()]
     above = x[:, 1] - tip
-    mine = corners[(pressure[corners] > 0) & (np.abs(x[corners, 0] - 0.5 * DIAMETER) < 0.03 * DIAMETER)
-                   & (above[corners] > TIP) & (above[corners] < LENGTH - TAIL)]
+    mine = corners[(pressure[corners] > 0) & (np.abs(x[corners, 0] - 0.5 * diameter) < 0.03 * diameter)
+                   & (above[corners] > tip_length) & (above[corners] < length - tail)]
     mine = mine[np.argsort(above[mine])]
     excess = step["nodal/excess_pore_pressure"][()] if "nodal/excess_pore_pressure" in step else np.zeros_like(pressure)
     return above[mine], pressure[mine], excess[mine]
@@ -67,17 +74,18 @@ def main():
             if column in history.columns:
                 print(f"  {column}: {np.abs(history[column][:end]).max():.1e}")
         with h5py.File(stem + ".h5", "r") as file:
-            per_diameter, spoken = [], []
+            shape = contour(file)
+            diameter, tip_length = shape[:2]
+            spoken = []
             for name in sorted(file["steps"]):
                 step = file["steps"][name]
                 if not 0 < step.attrs["time"] <= history.time[end - 1]:
                     continue
-                height, contact, excess = wall(file, step)
-                if height.size < 5 or height[-1] - height[0] < 3 * DIAMETER:
+                height, contact, excess = wall(file, step, *shape)
+                if height.size < 5 or height[-1] - height[0] < 3 * diameter:
                     continue
-                per_diameter.append(DIAMETER / np.diff(height).max())
-                inner = (height > TIP + DIAMETER) & (height < height[-1] - DIAMETER)
-                spoken.append((step.attrs["time"], height.size, per_diameter[-1], off_neighbours(contact[inner]), off_neighbours(excess[inner]), height, contact, excess))
+                inner = (height > tip_length + diameter) & (height < height[-1] - diameter)
+                spoken.append((step.attrs["time"], height.size, diameter / np.diff(height).max(), off_neighbours(contact[inner]), off_neighbours(excess[inner]), height, contact, excess))
             for time, count, dense, contact, excess, *_ in spoken:
                 if contact.size:
                     print(f"  {time:.2f} s: {count} vertices, longest side 1/{dense:.1f} diameter; contact pressure off its neighbours' mean by {contact.max():.3f} at most "

@@ -377,6 +377,16 @@ SurfaceFoot RigidBody::foot(const BodyPlacement& placement, const Point& x) cons
   return PlacedSurface{surface_, plus(placement.centre, 1, arm(placement)), placement.turn}.closest(x);
 }
 
+double RigidBody::half_width() const {
+  double result = 0;
+  if (surface_) {
+    for (const Point& p : surface_->triangles(1e-2).points) result = std::max(result, std::hypot(p[0], p[1]));
+  } else {
+    for (const PlanePoint& p : contour_->sample(1e-3 * contour_->length())) result = std::max(result, std::abs(p[0]));
+  }
+  return result;
+}
+
 double RigidBody::gap(const BodyPlacement& placement, const Point& x) const {
   const Point own = in_frame(placement, x);
   return surface_ ? surface_->closest(own).gap : contour().closest(in_plane(own)).gap;

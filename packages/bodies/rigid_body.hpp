@@ -73,6 +73,9 @@ class RigidBody {
   BodyPlacement initial_placement() const;
   /// Height [m] above the reference point, in the body's frame, below which contact counts as the tip's.
   double tip_height() const { return tip_height_; }
+  /// Largest distance of its surface from the axis through the reference point, or half its width [m]. It samples the
+  /// shape.
+  double half_width() const;
   /// A body of revolution by the name of its shape.
   bool of_revolution() const { return of_revolution_; }
 

@@ -130,8 +130,8 @@ Stepper::Stepper(const Space& space, StateStore& store, std::vector<Term*> terms
   const int n = space.dofs()->num_overlap_dofs();
   for (NodalView* v : {&reaction_, &total_, &acting_, &whole_}) *v = NodalView("sum of forces", n);
   constraints_ = Constraints(n);
-  for (auto* sizes : {&reference_, &rounding_, &matrix_rounding_, &reference_floor_, &size_floor_})
-    sizes->assign(space.num_fields(), 0);
+  measures_ = StepMeasures(space.num_fields());
+  reference_ = rounding_ = matrix_rounding_ = matrix_sizes_ = std::vector<double>(space.num_fields(), 0);
   double squares = 0;
   for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
     for (int i = 0; i < space.mesh().dimension(); ++i) squares += std::pow(space.mesh().coordinates()(node, i), 2);
@@ -360,13 +360,17 @@ void Stepper::measure() {
 
 void Stepper::measure_rounding(const Vector& x) {
   matrix_rounding_ = owned_field_norms(*space_.dofs(), absolute_product(*assembler_.matrix(), x));
-  for (double& r : matrix_rounding_) r *= rounding_unit;
+  Vector ones(map());
+  ones.putScalar(1);
+  matrix_sizes_ = owned_field_norms(*space_.dofs(), absolute_product(*assembler_.matrix(), ones));
+  for (std::size_t i = 0; i < matrix_rounding_.size(); ++i)
+    matrix_rounding_[i] *= rounding_unit * measures_.limit_matrix(i, matrix_sizes_[i]);
 }
 
 std::vector<double> Stepper::allowed(const std::vector<double>& least) const {
   std::vector<double> result;
   for (int i = 0; i < space_.num_fields(); ++i) {
-    const double reference = std::max({reference_[i], least[i], floor_share * reference_floor_[i]});
+    const double reference = std::max({reference_[i], least[i], StepMeasures::floor_share * measures_.acting[i]});
     result.push_back(std::max(tolerances_.residual * reference + rounding_[i], 1e-300));
   }
   return result;
@@ -415,7 +419,7 @@ std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
   for (std::size_t i = 0; i < update.size(); ++i) {
     // coordinates carry the rounding of the mesh's size into every displacement; pressures that of the largest so far
     const bool moves = space_.field(static_cast<int>(i)).time_order == 2;
-    const double rounding = 1e-14 * std::max(size[i], std::max(size_floor_[i], moves ? coordinate_norm_ : 0.0));
+    const double rounding = 1e-14 * std::max(size[i], std::max(measures_.values[i], moves ? coordinate_norm_ : 0.0));
     const double allowed = tolerances_.update * step[i] + rounding;
     ratios.push_back(update[i] == 0 ? 0.0 : update[i] / std::max(allowed, 1e-300));
   }
@@ -425,7 +429,7 @@ std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
 Vector Stepper::begin(const StepRequest& request, const StepTolerances& tolerances) {
   tolerances_ = tolerances;
   linear_iterations_ = factorisations_ = 0;
-  std::fill(matrix_rounding_.begin(), matrix_rounding_.end(), 0.0);
+  for (auto* sizes : {&matrix_rounding_, &matrix_sizes_}) std::fill(sizes->begin(), sizes->end(), 0.0);
   first_norms_.clear();
   observed_norms_.clear();
   prepare_view(request, StepView::Kind::step);
@@ -587,13 +591,8 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
     forcing_.forget();
     return report;
   }
-  floors_before_ = {reference_floor_, size_floor_};
-  const std::vector<double> sizes = owned_field_norms(*space_.dofs(), x);
-  for (int i = 0; i < space_.num_fields(); ++i) {
-    reference_floor_[i] =
-        std::max({reference_floor_[i], reference_[i], rounding_[i] / (floor_share * tolerances_.residual)});
-    size_floor_[i] = std::max(size_floor_[i], sizes[i]);
-  }
+  measures_before_ = measures_;
+  measures_.take(reference_, rounding_, tolerances_.residual, owned_field_norms(*space_.dofs(), x), matrix_sizes_);
   return report;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "algebra/linear_solver.hpp"
@@ -46,6 +46,38 @@ struct StepTimes {
   double residual = 0, jacobian = 0, linear = 0;
 };
 
+/// What the coming steps are measured against, by field.
+struct StepMeasures {
+  /// Of the largest reference of the stage: late in a stage, when all rates have died out, what is left need not be
+  /// followed for ever.
+  static constexpr double floor_share = 1e-6;
+  /// Largest size of what acted in a step of the stage so far, or of rounding: a millionth of it is the floor of the
+  /// reference.
+  std::vector<double> acting;
+  std::vector<double> values;  // largest norm of the field so far, for its rounding
+  std::vector<double> matrix;  // size of that of the last step of the stage which built one; 0: none yet
+
+  explicit StepMeasures(int fields = 0) : acting(fields, 0), values(fields, 0), matrix(fields, 0) {}
+  void begin_stage() {
+    for (auto* sizes : {&acting, &matrix}) std::fill(sizes->begin(), sizes->end(), 0.0);
+  }
+  /// A step has converged: what acted in it, its rounding, and the relative tolerance; norms of its end; its matrix.
+  void take(const std::vector<double>& acted, const std::vector<double>& rounding, double tolerance,
+            const std::vector<double>& norms, const std::vector<double>& matrix_sizes) {
+    for (std::size_t i = 0; i < acting.size(); ++i) {
+      acting[i] = std::max({acting[i], acted[i], rounding[i] / (floor_share * tolerance)});
+      values[i] = std::max(values[i], norms[i]);
+      if (matrix_sizes[i] > 0) matrix[i] = matrix_sizes[i] * limit_matrix(i, matrix_sizes[i]);
+    }
+  }
+  /// The share of a matrix of this size that counts: a millionfold of the last one at most (a step a thousand times
+  /// shorter). At an iterate far from a solution the tangent of a law may be beyond all bounds, and so would the
+  /// rounding that excuses a residual.
+  double limit_matrix(std::size_t i, double size) const {
+    return matrix[i] > 0 ? std::min(1.0, 1e6 * matrix[i] / size) : 1.0;
+  }
+};
+
 /// One step as a transaction: begin (predictor, search) -> Newton on pure evaluations -> accept or nothing. Translates
 /// between the unknown x (the value at n+1) and the levels that terms see.
 class Stepper : public NonlinearProblem {
@@ -80,7 +112,7 @@ class Stepper : public NonlinearProblem {
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
   /// The step that the last attempt found is not made: it leaves nothing behind that later ones are measured against.
-  void reject() { std::tie(reference_floor_, size_floor_) = floors_before_; }
+  void reject() { measures_ = measures_before_; }
 
   // What the balances read after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
@@ -100,11 +132,8 @@ class Stepper : public NonlinearProblem {
   StateStore& store() { return store_; }
   const Assembler& assembler() const { return assembler_; }
   const StepTimes& times() const { return times_; }
-  /// Largest size per field of what acted in a step of the stage so far, or of rounding: a millionth of it is the floor
-  /// of the reference in the steps to come. Part of a checkpoint.
-  std::vector<double>& reference_floor() { return reference_floor_; }
-  /// Largest norm of each field's values so far; rounding is measured against it. Part of a checkpoint.
-  std::vector<double>& size_floor() { return size_floor_; }
+  /// Part of a checkpoint.
+  StepMeasures& measures() { return measures_; }
 
   // NonlinearProblem
   RCP<const Map> map() const override { return space_.dofs()->owned(); }
@@ -166,9 +195,6 @@ class Stepper : public NonlinearProblem {
 
   /// Rounding of a sum of contributions of size 1 that have some of their own.
   static constexpr double rounding_unit = 1e-14;
-  /// Of the largest reference of the stage: late in a stage, when all rates have died out, what is left need not be
-  /// followed for ever.
-  static constexpr double floor_share = 1e-6;
 
   const Space& space_;
   StateStore& store_;
@@ -189,11 +215,12 @@ class Stepper : public NonlinearProblem {
   Levels levels_;
   NodalView reaction_, total_, acting_, whole_;
   std::vector<NodalView> force_;
-  // By field: what acts at the last evaluation, rounding of residual and matrix, norms of the residual of the first and
-  // of the last iterate that was measured, what is allowed for the latter, and norms of the one observed before.
-  std::vector<double> reference_, rounding_, matrix_rounding_, first_norms_, norms_, limits_, observed_norms_;
-  std::vector<double> reference_floor_, size_floor_;
-  std::pair<std::vector<double>, std::vector<double>> floors_before_;  // the last attempt that converged
+  // By field: what acts at the last evaluation, rounding of residual and matrix, size of the matrix, norms of the
+  // residual of the first and of the last iterate that was measured, what is allowed for the latter, and norms of the
+  // one observed before.
+  std::vector<double> reference_, rounding_, matrix_rounding_, matrix_sizes_, first_norms_, norms_, limits_,
+      observed_norms_;
+  StepMeasures measures_, measures_before_;  // before: the last attempt that converged
   double coordinate_norm_ = 0;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;

@@ -19,8 +19,7 @@ double distance(const Vec& a, const Vec& b) { return std::hypot(a[0] - b[0], a[1
 
 BodyWay::BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions)
     : body_(body), positions_(positions) {
-  for (const PlanePoint& p : body.contour().sample(1e-3 * body.contour().length()))
-    radius_ = std::max(radius_, std::abs(p[0]));
+  radius_ = body.half_width();
   follow(model);
   find_surface(model, mesh);
   find_boundaries(model, mesh);

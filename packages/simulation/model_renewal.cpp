@@ -170,8 +170,7 @@ TakeOver take_over(Model& from, const Stage& stage, Model& to) {
   if (!receipt.moved) return result;
   carry_contacts(from, to);
   carry_held_forces(from, *result.change, to);
-  to.stepper().reference_floor() = from.stepper().reference_floor();
-  to.stepper().size_floor() = from.stepper().size_floor();
+  to.stepper().measures() = from.stepper().measures();
   if (!to.stepper().refresh_history()) {
     receipt.veto = "the state on the new mesh cannot be evaluated" + to.stepper().hints();
     receipt.moved = false;

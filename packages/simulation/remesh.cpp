@@ -55,7 +55,6 @@ std::string Run::hand_over(std::unique_ptr<Model> next) {
   error_estimate_ = std::move(error);  // it looks at the old model
   model_ = std::move(next);
   balances_ = std::move(balances);
-  walls_ = std::make_unique<WallDissipation>(*model_);  // as after a restart within the stage
   results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), files);
   results_->take_reference_pressure(reference);
   look_at_mesh();

@@ -36,6 +36,12 @@ std::vector<char> unpacked(const std::vector<long long>& numbers) {
   return {first, first + numbers[0]};
 }
 
+/// With the beginnings of their names in the checkpoint; the field's number follows.
+std::vector<std::pair<std::string, std::vector<double>*>> by_name(StepMeasures& measures) {
+  return {
+      {"reference floor ", &measures.acting}, {"size floor ", &measures.values}, {"matrix size ", &measures.matrix}};
+}
+
 /// The rows of an array of the state: what they are called on any number of ranks.
 struct Rows {
   std::string name;            // of the ids in the checkpoint, "ids/dof"
@@ -197,11 +203,8 @@ void Run::save_checkpoint() {
   data.scalars["last dt"] = progress_.last_dt;
   data.scalars["next field time"] = progress_.next_field_time;
   data.scalars["stage open"] = progress_.stage_open;
-  const auto& floor = model_->stepper().reference_floor();
-  for (std::size_t f = 0; f < floor.size(); ++f) {
-    data.scalars["reference floor " + std::to_string(f)] = floor[f];
-    data.scalars["size floor " + std::to_string(f)] = model_->stepper().size_floor()[f];
-  }
+  for (const auto& [name, sizes] : by_name(model_->stepper().measures()))
+    for (std::size_t f = 0; f < sizes->size(); ++f) data.scalars[name + std::to_string(f)] = (*sizes)[f];
   const HistoryMark& history = results_->history_mark();
   data.integers["history"] = {history.rows, history.bytes, static_cast<long long>(history.fingerprint)};
   data.scalars["field steps"] = results_->field_steps();
@@ -329,11 +332,8 @@ void Run::restore_progress() {
       model_->stages()[std::min<std::size_t>(progress_.stage, model_->stages().size() - 1)]->type !=
           Stage::Type::geostatic)
     throw InputError("the value 'next dt' = " + number_text(progress_.next_dt) + " is impossible");
-  auto& floor = model_->stepper().reference_floor();
-  for (std::size_t f = 0; f < floor.size(); ++f) {
-    floor[f] = scalar(data, "reference floor " + std::to_string(f));
-    model_->stepper().size_floor()[f] = scalar(data, "size floor " + std::to_string(f));
-  }
+  for (const auto& [name, sizes] : by_name(model_->stepper().measures()))
+    for (std::size_t f = 0; f < sizes->size(); ++f) (*sizes)[f] = scalar(data, name + std::to_string(f));
   if (progress_.stage >= static_cast<int>(model_->stages().size()))
     throw InputError("the checkpoint stands in stage " + std::to_string(progress_.stage + 1) + ", but the deck has " +
                      std::to_string(model_->stages().size()) + " stages");

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 
 #include "ale/yield_drift.hpp"
 #include "core/log.hpp"
@@ -18,6 +19,9 @@ namespace mudline {
 namespace {
 
 volatile std::sig_atomic_t stop_signal = 0;
+
+/// Depth of a body in a surface over its half width: a penalty that gives way by a few per cent serves.
+constexpr double too_deep = 0.1;
 
 void on_signal(int signal) {
   if (stop_signal && signal != SIGUSR1) {
@@ -55,8 +59,7 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
       settings_(settings),
       origin_(origin),
       options_(options),
-      balances_(std::make_unique<Balances>(*model_)),
-      walls_(std::make_unique<WallDissipation>(*model_)) {
+      balances_(std::make_unique<Balances>(*model_)) {
   error_estimate_ = make_error_estimate(*model_);
   std::filesystem::create_directories(settings_.folder);
   lock_ = std::make_unique<ResultLock>(model_->mesh().comm(), settings_.stem());
@@ -105,7 +108,7 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.next_dt = stage.control.initial;
   progress_.last_dt = 0;
   progress_.next_field_time = next_field_time(progress_.stage_start);
-  std::fill(model_->stepper().reference_floor().begin(), model_->stepper().reference_floor().end(), 0.0);
+  model_->stepper().measures().begin_stage();
   if (!model_->stepper().refresh_history()) {
     log::error("the stresses of the start of stage '" + stage.name + "' cannot be evaluated" +
                model_->stepper().hints());
@@ -122,7 +125,7 @@ bool Run::begin_stage(const Stage& stage) {
     Kokkos::deep_copy(state.acceleration, 0.0);
   }
   balances_->jump([&] { model_->start_bodies(stage); });
-  if (model_->soil() && model_->soil()->pressure >= 0) walls_->begin(results_->excess_pressure());
+  if (model_->soil() && model_->soil()->pressure >= 0) walls_.begin(*model_, results_->excess_pressure());
   return true;
 }
 
@@ -202,7 +205,7 @@ LocalError Run::local_error(const Stage& stage) const {
   Stepper& stepper = model_->stepper();
   return TimeError(model_->space())
       .measure(stepper.view(), stage.scheme(progress_.step_in_stage), progress_.last_dt, progress_.step_in_stage,
-               stepper.size_floor(), stage.control.error_tolerance);
+               stepper.measures().values, stage.control.error_tolerance);
 }
 
 Report Run::report_terms() {
@@ -295,6 +298,7 @@ bool Run::accept(const Stage& stage, StepReport& report) {
     return false;
   }
   look_at_mesh();
+  look_at_contacts();
   report_mesh(report_);
   return true;
 }
@@ -361,6 +365,22 @@ void Run::report_mesh(Report& report) const {
   report["mesh/remeshings"] = {"-", static_cast<double>(model_->ale()->renewals())};
 }
 
+void Run::look_at_contacts() {
+  for (const auto& [name, contact] : model_->contacts()) {
+    const RigidBody* body = contact->partners().body;
+    const auto depth = report_.find("contact/" + name + "/maximum penetration");
+    if (body == nullptr || depth == report_.end() || depth->second.value <= 0) continue;
+    const auto [most, first] = deepest_.try_emplace(name, 0);
+    if (first) most->second = too_deep * body->half_width();
+    if (depth->second.value <= most->second) continue;
+    most->second = std::numeric_limits<double>::infinity();
+    log::warn("contact '" + name + "': the body is " + format("%.3g m", depth->second.value) +
+              " deep in the surface that should bear it, more than " + format("%.0f %%", 100 * too_deep) +
+              " of its half width, at t " + format("%.6g s", model_->store().committed().time) +
+              "; doubt the results from there on (a larger 'penalty' or a finer surface helps)");
+  }
+}
+
 bool Run::ends_folded(const Stage& stage) const {
   if (stage.allow_folded || quality_.folded == 0) return false;
   log::error("the mesh is folded: " + describe(quality_, model_->mesh()) + " at t " +
@@ -371,7 +391,7 @@ bool Run::ends_folded(const Stage& stage) const {
 
 void Run::tell_dissipation(const Stage& stage) {
   if (!model_->soil() || model_->soil()->pressure < 0) return;
-  for (const WallDissipation::Line& line : walls_->end(results_->excess_pressure(), stage.duration))
+  for (const WallDissipation::Line& line : walls_.end(*model_, results_->excess_pressure(), stage.duration))
     line.doubtful ? log::warn(line.text) : log::info("  " + line.text);
 }
 

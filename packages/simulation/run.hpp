@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -75,6 +76,8 @@ class Run {
   void report_mesh(Report& report) const;
   /// Measures the mesh of the committed state; warns once, where it is first poor.
   void look_at_mesh();
+  /// Warns, once for a contact, where a body has gone deep into the surface that should bear it.
+  void look_at_contacts();
   /// Whether the run must end because elements are folded; says so then.
   bool ends_folded(const Stage& stage) const;
   /// Says how far the stage has dissipated the excess pore pressures on the walls of bodies at rest.
@@ -117,15 +120,16 @@ class Run {
   std::unique_ptr<Balances> balances_;
   std::unique_ptr<DiscretisationError> error_estimate_;  // null: not asked for
   std::unique_ptr<Results> results_;
-  std::unique_ptr<WallDissipation> walls_;
+  WallDissipation walls_;
   Progress progress_;
   CheckpointData checkpoint_;  // that a restart began from
   LocalError error_;           // of the step last tried
   Report report_;              // of its terms
   int steps_here_ = 0;
   int rejected_ = 0;
-  MeshQuality quality_;     // of the committed state's mesh
-  bool poor_mesh_ = false;  // that was said
+  MeshQuality quality_;                    // of the committed state's mesh
+  bool poor_mesh_ = false;                 // that was said
+  std::map<std::string, double> deepest_;  // by contact with a body: beyond that depth there is a warning [m]
   double wall_start_ = 0;
 };
 

@@ -17,17 +17,6 @@ namespace {
 /// diffuse: with linear pressures the curvature of a profile as wide costs some per cent.
 constexpr double finest = 0.5;
 
-double half_width(const RigidBody& body) {
-  double radius = 0;
-  if (body.surface()) {
-    for (const Point& p : body.surface()->triangles(1e-2).points) radius = std::max(radius, std::hypot(p[0], p[1]));
-  } else {
-    for (const PlanePoint& p : body.contour().sample(1e-3 * body.contour().length()))
-      radius = std::max(radius, std::abs(p[0]));
-  }
-  return radius;
-}
-
 /// Area of the side and volume of its element [m2, m3], both without the length out of the plane.
 template <int Dim>
 std::array<double, 2> extents(const ElementBlock& block, const SoilBlock& b, const Side& side,
@@ -56,66 +45,66 @@ std::array<double, 2> extents(const ElementBlock& block, const SoilBlock& b, con
 
 }  // namespace
 
-void WallDissipation::add_side(const Side& side, const NodalView& excess, Wall& to) const {
-  const ElementBlock& block = model_.mesh().blocks()[side.block];
-  const State& state = model_.store().committed();
-  const auto own = std::find_if(model_.soil()->blocks.begin(), model_.soil()->blocks.end(),
+void WallDissipation::add_side(const Model& model, const Side& side, const NodalView& excess, Wall& to) {
+  const ElementBlock& block = model.mesh().blocks()[side.block];
+  const State& state = model.store().committed();
+  const auto own = std::find_if(model.soil()->blocks.begin(), model.soil()->blocks.end(),
                                 [&](const SoilBlock& b) { return b.block == side.block; });
-  if (own == model_.soil()->blocks.end() || !own->porous()) return;
-  const auto [area, volume] = model_.mesh().dimension() == 2 ? extents<2>(block, *own, side, state.coordinates)
-                                                             : extents<3>(block, *own, side, state.coordinates);
+  if (own == model.soil()->blocks.end() || !own->porous()) return;
+  const auto [area, volume] = model.mesh().dimension() == 2 ? extents<2>(block, *own, side, state.coordinates)
+                                                            : extents<3>(block, *own, side, state.coordinates);
   double pressure = 0;
   const int corners = num_corners(side_shape(block.shape));
   for (int a = 0; a < corners; ++a) {
     const int node = block.nodes(side.element, side_nodes(block.shape, side.side)[a]);
-    pressure += excess(model_.space().node_dof(model_.soil()->pressure)(node)) / corners;
+    pressure += excess(model.space().node_dof(model.soil()->pressure)(node)) / corners;
   }
   const int row = side.element * own->points;
-  const SoilPoints soil(*model_.soil(), *own, state);
+  const SoilPoints soil(*model.soil(), *own, state);
   const ElasticModuli moduli = soil.moduli(row);
   const double mobility = soil.conductivity(row) / soil.material(row).fluid->unit_weight();
-  const double share = is_simplex(block.shape) ? model_.mesh().dimension() : 1;  // a simplex is a part of a box
+  const double share = is_simplex(block.shape) ? model.mesh().dimension() : 1;  // a simplex is a part of a box
   to.pressure += area * pressure;
   to.thickness += share * volume;
   to.diffusivity += area * mobility * (moduli.bulk + 4 * moduli.shear / 3);
   to.area += area;
 }
 
-WallDissipation::Wall WallDissipation::look(const Contact& contact, const NodalView& excess) const {
+WallDissipation::Wall WallDissipation::look(const Model& model, const Contact& contact, const NodalView& excess) {
   Wall wall;
-  const std::vector<double> pressed = contact.nodal_pressure(model_.store().committed());
-  for (const Side& side : model_.mesh().side_sets().at(contact.partners().surface)) {
-    const ElementBlock& block = model_.mesh().blocks()[side.block];
+  const std::vector<double> pressed = contact.nodal_pressure(model.store().committed());
+  for (const Side& side : model.mesh().side_sets().at(contact.partners().surface)) {
+    const ElementBlock& block = model.mesh().blocks()[side.block];
     const std::vector<int> nodes = side_nodes(block.shape, side.side);
     if (std::all_of(nodes.begin(), nodes.end(), [&](int a) { return pressed[block.nodes(side.element, a)] > 0; }))
-      add_side(side, excess, wall);
+      add_side(model, side, excess, wall);
   }
   const std::vector<double> sum =
-      sum_over_ranks(*model_.mesh().comm(), {wall.pressure, wall.thickness, wall.diffusivity, wall.area});
+      sum_over_ranks(*model.mesh().comm(), {wall.pressure, wall.thickness, wall.diffusivity, wall.area});
   if (!(sum[3] > 0)) return {};
   return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]};
 }
 
-void WallDissipation::begin(const NodalView& excess) {
+void WallDissipation::begin(const Model& model, const NodalView& excess) {
   start_.clear();
-  for (const auto& [name, contact] : model_.contacts()) {
+  for (const auto& [name, contact] : model.contacts()) {
     const RigidBody* body = contact->partners().body;
     if (body == nullptr) continue;
-    const Wall wall = look(*contact, excess);
-    if (wall.area > 0) start_[name] = {wall.pressure, body->position(model_.store().committed())};
+    const Wall wall = look(model, *contact, excess);
+    if (wall.area > 0) start_[name] = {wall.pressure, body->position(model.store().committed())};
   }
 }
 
-std::vector<WallDissipation::Line> WallDissipation::end(const NodalView& excess, double duration) {
+std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, const NodalView& excess, double duration) {
   std::vector<Line> lines;
-  for (const auto& [name, contact] : model_.contacts()) {
+  for (const auto& [name, contact] : model.contacts()) {
     const auto start = start_.find(name);
     if (start == start_.end()) continue;
     const RigidBody& body = *contact->partners().body;
-    const double width = half_width(body);
-    const Wall now = look(*contact, excess);
+    const double width = body.half_width();
+    const Wall now = look(model, *contact, excess);
     // the set-up of a body that rests
-    const bool rested = length(minus(body.position(model_.store().committed()), start->second.position)) < 0.01 * width;
+    const bool rested = length(minus(body.position(model.store().committed()), start->second.position)) < 0.01 * width;
     if (!rested || !(now.area > 0) || !(start->second.pressure > 0) || now.pressure >= start->second.pressure) continue;
     char text[300];
     const double way = std::sqrt(now.diffusivity * duration);

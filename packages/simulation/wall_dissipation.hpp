@@ -9,18 +9,17 @@
 namespace mudline {
 
 /// The excess pore pressure on the walls of bodies that rest during a stage: how much of it the stage has dissipated,
-/// and whether the elements there are fine enough to say so.
+/// and whether the elements there are fine enough to say so. It keeps no model: a mesh made anew brings another one.
 class WallDissipation {
  public:
-  explicit WallDissipation(Model& model) : model_(model) {}
   struct Line {
     std::string text;
     bool doubtful;
   };
   /// When a stage begins. excess: pore pressure by overlap dof. Collective.
-  void begin(const NodalView& excess);
+  void begin(const Model& model, const NodalView& excess);
   /// When it ends, after `duration` [s]; nothing where begin() was not called (a restart within the stage). Collective.
-  std::vector<Line> end(const NodalView& excess, double duration);
+  std::vector<Line> end(const Model& model, const NodalView& excess, double duration);
 
  private:
   /// Means over the sides of a contact that touch, weighted by their area.
@@ -30,10 +29,9 @@ class WallDissipation {
     double diffusivity = 0;  // [m2/s] of their soil, of one-dimensional elastic consolidation
     double area = 0;         // [m2]
   };
-  Wall look(const Contact& contact, const NodalView& excess) const;
-  void add_side(const Side& side, const NodalView& excess, Wall& to) const;
+  static Wall look(const Model& model, const Contact& contact, const NodalView& excess);
+  static void add_side(const Model& model, const Side& side, const NodalView& excess, Wall& to);
 
-  Model& model_;
   struct Start {
     double pressure;
     Point position;

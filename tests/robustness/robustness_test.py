@@ -68,6 +68,14 @@ class Endings(MudlineCase):
         self.assertNotIn("the mesh is folded", more.stderr)
         self.assertEqual(more.returncode, 0, more.stderr)
 
+    def test_a_body_that_is_not_borne(self):
+        """A ball pressed into clay by a contact that gives way: the run goes on, and says once that it means little."""
+        soft = program(["run", "-q", BALL, "--set", "contacts/ball on clay/penalty=1e6", "--set", "stages/push/duration=0.02"], folder=self.folder)
+        self.assertEqual(soft.returncode, 0, soft.stderr)
+        deep = [line for line in soft.stderr.splitlines() if "deep in the surface" in line]
+        self.assertEqual(len(deep), 1, soft.stderr)
+        self.assertRegex(deep[0], r"\Awarning: contact 'ball on clay': the body is 0.010\d* m deep in the surface that should bear it, more than 10 % of its half width, at t 0.01")
+
     def test_too_many_steps(self):
         done = program(["run", "-q", BALL, "--set", "stages/push/time step/maximum steps=3"], folder=self.folder)
         self.assertEqual(done.returncode, 3)

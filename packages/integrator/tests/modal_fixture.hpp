@@ -19,6 +19,7 @@ namespace mudline::testing {
 struct Mode {
   double m = 1, c = 0, k = 1, l = 0, s = 0, h = 0;
   std::function<double(double)> load = [](double) { return 0.0; }, source = [](double) { return 0.0; };
+  double tangent = 0;  // what the Jacobian has for k; 0: k
 };
 
 /// k u - l p at n+1.
@@ -43,7 +44,7 @@ class Spring : public Term, public History {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override {
     const MatrixScatter to = assembler.scatter(group_);
     for (int i = 0; i < 3; ++i) {
-      to.add(0, i, i, weight * mode_.k);
+      to.add(0, i, i, weight * (mode_.tangent > 0 ? mode_.tangent : mode_.k));
       if (coupled_) to.add(0, i, 3 + i, -weight * mode_.l);
     }
   }

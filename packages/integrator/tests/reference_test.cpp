@@ -80,5 +80,23 @@ TEST(Reference, AFieldThatStandsOffZeroHasTheRoundingOfItsFlow) {
   EXPECT_NEAR(system.p(), 10, 1e-12);
 }
 
+TEST(Reference, ATangentBeyondAllBoundsExcusesNoResidual) {
+  Mode m;
+  m.m = 0;
+  m.k = 1e6;
+  m.load = [](double t) { return 1e3 * (1 + t); };
+  ModalSystem system(false, m);
+  system.start_raw(1e-3, 0, 0);
+  system.step(1, without_inertia());
+  system.mode.tangent = 1e30;  // of a law, say, that was asked for the answer to an absurd strain
+  NewtonOptions newton = ModalSystem::newton();
+  newton.reuse_jacobian = false;
+  EXPECT_FALSE(system.attempt(1, without_inertia(), newton).converged)
+      << "1e30 N/m times the rounding of 2 mm is no excuse";
+  system.mode.tangent = 0;
+  system.step(1, without_inertia());
+  EXPECT_NEAR(system.u(), 3e-3, 1e-12);
+}
+
 }  // namespace
 }  // namespace mudline

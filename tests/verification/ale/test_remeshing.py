@@ -7,7 +7,7 @@ import unittest
 import h5py
 import numpy as np
 
-from mudline_case import ROOT, MudlineCase, deck_text, program
+from mudline_case import ROOT, History, MudlineCase, deck_text, program
 from remeshed_ball import ADAPTIVE, ESTIMATE, FOCUS, WALL, ball, remeshing
 
 
@@ -148,6 +148,24 @@ class Ball(MudlineCase):
                 self.assertEqual(self.content(name), self.content(f"whole{ranks}"))
         names = [name for name in runs[1].columns if name.startswith(("contact/", "balance/water", "body/"))]
         self.assert_same_run(runs[1], runs[2], names, "ranks")
+
+    def test_a_restart_between_stages_and_what_a_stage_dissipates(self):
+        """The ball is held behind its push; the mesh is made anew in both stages. The run that has only the push, and goes on with the
+        second stage behind a restart, is the run of both, bit for bit, and both say how far the pressures on the wall have fallen."""
+        held = self.write("held.xml", deck_text("held", {"stages": {"held": {
+            "type": "quasi-static", "duration": 1e3, "motions": {"ball": {"type": "held"}},
+            "conditions": ["base", "axis", "far side", "drained surface", "surcharge"],
+            "time step": {"initial": 1.0, "growth": 2.0}}}}))
+        said = {}
+        for name, decks in (("both", [held]), ("part", []), ("part", [held, "--restart"])):
+            done = program(["run", self.deck, self.overlay, *decks, "--set", f"output/name={name}"], folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            said[name] = done.stdout
+        self.assertEqual(self.content("part"), self.content("both"))
+        both = History(os.path.join(self.folder, "results", "both.csv"))
+        self.assertGreater(both["mesh/remeshings"][-1], both.at("mesh/remeshings", 0.005))
+        for log in said.values():
+            self.assertRegex(log, r"contact 'ball on clay': excess pore pressure on the wall [0-9.]+ -> [0-9.]+ kPa")
 
     def test_sizes_from_the_error_estimate_on_ranks_and_behind_a_restart(self):
         self.overlay = self.write("remeshing.xml", remeshing(5, {**WALL, **ADAPTIVE}, FOCUS, ESTIMATE))
