@@ -122,15 +122,18 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
       std::vector<std::size_t> to;
       std::vector<const double*> rows;
       std::vector<Point> places, there;
-      for (int e : patch.elements)
+      for (int e : patch.elements) {
+        const auto& nodes = mesh.elements()[e].nodes;
+        const bool touches = std::count(nodes.begin(), nodes.begin() + num_corners(block.shape), patch.node) > 0;
         for (int q = 0; q < points; ++q) {
           const std::size_t row = mesh.first_row(e, points) + q;
           const auto place = Recovery::position(mesh.elements()[e], block, q, x);
           if (known[row] != 0) rows.push_back(&table[row * t.columns]);
           if (known[row] != 0) places.push_back(place);
-          if (known[row] == 0) to.push_back(row);
-          if (known[row] == 0) there.push_back(place);
+          if (known[row] == 0 && touches) to.push_back(row);  // its own rank has the patches of all its corners
+          if (known[row] == 0 && touches) there.push_back(place);
         }
+      }
       if (rows.empty() || to.empty()) continue;
       const Planes planes(mesh.dimension(), places, rows, t.columns);
       if (!planes.resolved() && ring < 1 + rings) continue;  // better ones come with the next ring
