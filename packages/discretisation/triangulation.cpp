@@ -93,13 +93,14 @@ std::vector<std::vector<std::array<int, corners>>> read_simplices(std::unordered
                                                                   std::size_t regions, std::vector<Place>& points,
                                                                   Size&& size_of) {
   constexpr int dimension = corners - 1, type = dimension == 2 ? 2 : 4;  // of Gmsh
-  std::vector<std::size_t> tags, elements, nodes;
+  std::vector<std::size_t> tags;
   std::vector<double> coordinates, parameters;
   gmsh::model::mesh::getNodes(tags, coordinates, parameters, dimension);
   std::unordered_map<std::size_t, Place> places;
   for (std::size_t i = 0; i < tags.size(); ++i) set_place(&coordinates[3 * i], places[tags[i]]);
   std::vector<std::vector<std::array<int, corners>>> result(regions);
   for (std::size_t r = 0; r < regions; ++r) {
+    std::vector<std::size_t> elements, nodes;  // Gmsh takes what is not empty for room that it may fill
     gmsh::model::mesh::getElementsByType(type, elements, nodes, static_cast<int>(r) + 1);
     for (std::size_t first = 0; first + corners <= nodes.size(); first += corners) {
       std::array<int, corners> simplex{};
