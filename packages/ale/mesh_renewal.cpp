@@ -297,7 +297,7 @@ RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double lea
   }
   if (made.mesh.blocks.empty()) throw NoTriangulation(problem);
   if (!(quality >= least_quality))
-    throw NoTriangulation("its best mesh has a scaled Jacobian of " + number_text(quality));
+    throw NoTriangulation("its best mesh has a scaled Jacobian of " + number_text(std::round(1e3 * quality) / 1e3));
   return made;
 }
 
