@@ -282,8 +282,9 @@ class SurfaceMotion::Step {
     const Point &from = x_[middle.ends[0]], &to = x_[middle.ends[1]], before = at;
     if (at == x_old_[middle.node]) return;
     at = without_bulge(at, middle_of(middle, x_), normal, edge_of(middle, x_));
+    const double rounding = 1e-9 * edge_of(middle, x_);
     for (int d = 0; d < 3; ++d)  // a curve in a plane stays there
-      if (from[d] == to[d] && from[d] == before[d]) at[d] = before[d];
+      if (std::abs(from[d] - to[d]) < rounding && std::abs(from[d] - before[d]) < rounding) at[d] = before[d];
   }
 
   void keep_gap(int node, double span, KeptGaps& gaps) {
