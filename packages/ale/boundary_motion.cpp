@@ -226,12 +226,11 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
 
 PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state)
     : boundary_(boundary), state_(state), curve_(places(path, x)) {
+  if (boundary.in_space()) of_all_ = SharedCoordinates(places(path, x));
   const double near = 1e-9 * curve_.length();
-  const auto all = [&](const auto& property) { return std::all_of(path.nodes.begin(), path.nodes.end(), property); };
-  kept_[0] = boundary.axisymmetric() && all([&](int node) { return std::abs(x[node][0]) <= near; });
-  if (boundary.in_space()) kept_at_ = x[path.nodes[0]];
-  for (int d = 0; boundary.in_space() && d < place_size; ++d)
-    kept_[d] = all([&](int node) { return std::abs(x[node][d] - kept_at_[d]) <= near; });
+  if (boundary.axisymmetric())
+    of_all_.shared[0] =
+        std::all_of(path.nodes.begin(), path.nodes.end(), [&](int node) { return std::abs(x[node][0]) <= near; });
   for (int node : path.nodes) {
     const auto foot = boundary.foot(state, x[node]);
     if (!foot) return;
@@ -246,9 +245,7 @@ Point PathPlaces::at(double s, double span) const {
     const NearBody here = *boundary_.foot(state_, to);
     for (int d = 0; d < place_size; ++d) to[d] += (gap - here.gap) * here.normal[d];
   }
-  for (int d = 0; d < place_size; ++d)
-    if (kept_[d]) to[d] = kept_at_[d];
-  return to;
+  return of_all_.kept(to);
 }
 
 }  // namespace mudline

@@ -31,8 +31,7 @@ class PathPlaces {
   const State& state_;
   PathCurve curve_;
   std::vector<double> gaps_;    // (point) to the nearest body; empty: there is none
-  std::array<bool, 3> kept_{};  // coordinates that no node of the path leaves
-  Point kept_at_{};             // [m]
+  SharedCoordinates of_all_{};  // what no node of the path leaves: in space, and on the axis of symmetry
 };
 
 /// Slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each side keeps

@@ -142,4 +142,9 @@ class GhostedMesh {
   std::vector<std::vector<int>> own_places_;  // (block) of its own elements in the block
 };
 
+/// Widens a box by an element's nodes.
+inline void enclose(Bounds& box, const GhostedMesh::Element& element, const Positions& x) {
+  for (int a = 0; a < num_nodes(element.shape); ++a) box.enclose(x[element.nodes[a]]);
+}
+
 }  // namespace mudline

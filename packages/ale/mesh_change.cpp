@@ -14,8 +14,7 @@ std::vector<Bounds> boxes(const GhostedMesh& mesh, const Positions& x) {
     const std::vector<int>& own = mesh.own_elements(static_cast<int>(block));
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (k % together == 0) result.push_back(Bounds::nothing());
-      const GhostedMesh::Element& element = mesh.elements()[own[k]];
-      for (int a = 0; a < num_nodes(element.shape); ++a) result.back().enclose(x[element.nodes[a]]);
+      enclose(result.back(), mesh.elements()[own[k]], x);
     }
   }
   return result;

@@ -188,9 +188,8 @@ const BoxTree& PointLocator::boxes(int block) const {
   if (!boxes_[block]) {
     std::vector<Bounds> boxes;
     for (int e : mesh_.block_elements(block)) {
-      const auto& element = mesh_.elements()[e];
       Bounds box = Bounds::nothing();
-      for (int a = 0; a < num_nodes(element.shape); ++a) box.enclose(x_[element.nodes[a]]);
+      enclose(box, mesh_.elements()[e], x_);
       for (int d = 0; d < place_size; ++d) {  // for what bulges
         const double more = 0.25 * (box.high[d] - box.low[d]);
         box.low[d] -= more;

@@ -363,12 +363,12 @@ Point SurfaceRemesher::middle_of_faces(int vertex) const {
   return scaled(1 / weights, sum);
 }
 
-bool SurfaceRemesher::move(int v, double share) {
+void SurfaceRemesher::move(int v, double share) {
   Vertex& vertex = vertices_[v];
   if (vertex.curve < 0) {
     const Point to = middle_of_faces(v);
     put_on_patch(vertex, faces_[vertex.faces[0]].patch, plus(vertex.place, share, minus(to, vertex.place)));
-    return true;
+    return;
   }
   double sum = 0, weights = 0;
   for (int near : neighbours(v)) {
@@ -379,7 +379,6 @@ bool SurfaceRemesher::move(int v, double share) {
     weights += weight;
   }
   put_on_curve(vertex, vertex.curve, vertex.s + share * (sum / weights - vertex.s));
-  return true;
 }
 
 bool SurfaceRemesher::improve(int v) {

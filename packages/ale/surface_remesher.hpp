@@ -120,7 +120,7 @@ class SurfaceRemesher {
   bool flip(int a, int b);
   /// Returns whether it moved by more than a hundredth of its size.
   bool improve(int vertex);
-  bool move(int vertex, double share);
+  void move(int vertex, double share);
   Point middle_of_faces(int vertex) const;
   int change_edges();
   void flip_edges();

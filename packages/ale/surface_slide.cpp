@@ -279,12 +279,9 @@ class SurfaceMotion::Step {
 
   void limit_bulge(const Middle& middle, const Point& normal) {
     Point& at = x_[middle.node];
-    const Point &from = x_[middle.ends[0]], &to = x_[middle.ends[1]], before = at;
     if (at == x_old_[middle.node]) return;
-    at = without_bulge(at, middle_of(middle, x_), normal, edge_of(middle, x_));
-    const double rounding = 1e-9 * edge_of(middle, x_);
-    for (int d = 0; d < 3; ++d)  // a curve in a plane stays there
-      if (std::abs(from[d] - to[d]) < rounding && std::abs(from[d] - before[d]) < rounding) at[d] = before[d];
+    const SharedCoordinates plane({at, x_[middle.ends[0]], x_[middle.ends[1]]});  // a curve in one stays there
+    at = plane.kept(without_bulge(at, middle_of(middle, x_), normal, edge_of(middle, x_)));
   }
 
   void keep_gap(int node, double span, KeptGaps& gaps) {

@@ -215,7 +215,7 @@ struct Renewed {
     std::vector<Bounds> result;
     for (int e : to.own_elements(0)) {
       result.push_back(Bounds::nothing());
-      for (int a = 0; a < 6; ++a) result.back().enclose(x_to[to.elements()[e].nodes[a]]);
+      enclose(result.back(), to.elements()[e], x_to);
     }
     return result;
   }
