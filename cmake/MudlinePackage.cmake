@@ -2,9 +2,10 @@
 # and, when tests/ holds *_test.cpp, one gtest executable <name>_tests. Files named *_test.np2.cpp run on 2 ranks.
 # benchmarks/ holds timed figures, with a CMakeLists.txt: programs to run by hand (docs/benchmarks), never tests.
 #
-#   mudline_package(materials SOURCES a.cpp b.cpp DEPENDS core tensor [PRIVATE mudline::metis ...])
+#   mudline_package(materials SOURCES a.cpp b.cpp DEPENDS core tensor [PRIVATE mudline::metis ...] [GMSH_SOURCES c.cpp])
 #
-# DEPENDS are packages (the include arrows); PRIVATE are third-party targets.
+# DEPENDS are packages (the include arrows); PRIVATE are third-party targets; GMSH_SOURCES are left out of a program
+# without Gmsh. Where a source of a package that has some differs without Gmsh, it asks for MUDLINE_HAVE_GMSH.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)  # paths relative to the checkout: clones share what was compiled once
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE_PROGRAM})
@@ -32,8 +33,14 @@ if(MUDLINE_SANITIZE)
 endif()
 
 function(mudline_package name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PUBLIC;PRIVATE;GMSH_SOURCES" ${ARGN})
   add_library(mudline_${name} STATIC ${arg_SOURCES})
+  if(MUDLINE_GMSH AND arg_GMSH_SOURCES)
+    target_sources(mudline_${name} PRIVATE ${arg_GMSH_SOURCES})
+    target_compile_definitions(mudline_${name} PRIVATE MUDLINE_HAVE_GMSH)
+  endif()
+  set_target_properties(mudline_${name} PROPERTIES
+    MUDLINE_GMSH_SOURCES "${arg_GMSH_SOURCES}" MUDLINE_LIBRARIES "${arg_PUBLIC};${arg_PRIVATE}")
   add_library(mudline::${name} ALIAS mudline_${name})
   set_target_properties(mudline_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
   target_include_directories(mudline_${name} PUBLIC

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#ifdef MUDLINE_HAVE_GMSH
 #include "core/pi.hpp"
+#ifdef MUDLINE_HAVE_GMSH
 #include "geometry/gmsh_curve_shape.hpp"
 #else
 #include "discretisation/without_gmsh.hpp"
