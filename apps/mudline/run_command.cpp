@@ -114,6 +114,7 @@ int run(const RunCommand& command) {
   options.accept_changes = command.accept_changes;
   options.overwrite = command.overwrite;
   options.maximum_steps = command.steps;
+  options.doubts = loaded->plausibility->usual();
   const Origin origin{loaded->deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
                       std::string("mudline ") + MUDLINE_VERSION};

@@ -10,6 +10,7 @@
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "simulation/penetration_watch.hpp"
 
 namespace mudline {
 
@@ -21,8 +22,6 @@ struct Usual {
   std::array<double, 2> range;
   const char* meaning;
 };
-
-constexpr double any_size = 1e300;
 
 /// By UsualRanges::Quantity. Of what varies over a mesh the largest value counts.
 const Usual table[UsualRanges::count] = {
@@ -67,6 +66,13 @@ struct Extent {
   }
   bool known() const { return high >= low; }
 };
+
+/// The quantities of the checks in files of their own.
+Doubts other_doubts() {
+  Doubts result;
+  PenetrationWatch::declare(result);
+  return result;
+}
 
 /// Steps that a stage takes when each is an easy one.
 double expected_steps(const Stage& stage) {
@@ -141,9 +147,16 @@ void Plausibility::for_each_element(F&& f) const {
   }
 }
 
-Plausibility::Plausibility(Model& model, const Section& deck) : model_(model) {
+void Plausibility::document(Parameters& p) {
+  UsualRanges().parameters(p);
+  Doubts others = other_doubts();
+  others.parameters(p);
+}
+
+Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), others_(other_doubts()) {
   Parameters p(deck.section("plausibility"));
   usual_.parameters(p);
+  others_.parameters(p);
   p.finish();
   if (!model.soil()) return;
   if (!model.bodies().empty() && model.mesh().dimension() == 2) {

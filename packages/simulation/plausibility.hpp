@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulation/body_way.hpp"
+#include "simulation/doubts.hpp"
 #include "simulation/model.hpp"
 
 namespace mudline {
@@ -47,9 +48,11 @@ class Plausibility {
  public:
   /// Reads "plausibility". InputError, also for bodies whose prescribed way crosses a boundary of regions. Collective.
   Plausibility(Model& model, const Section& deck);
-  static void document(Parameters& p) { UsualRanges().parameters(p); }
+  static void document(Parameters& p);
   const std::vector<std::string>& facts() const { return facts_; }
   const std::vector<std::string>& doubts() const { return doubts_; }
+  /// What is usual of the quantities that other checks look at, those during a run among them.
+  const Doubts& usual() const { return others_; }
   /// Facts as information, doubts as warnings.
   void print() const;
 
@@ -72,6 +75,7 @@ class Plausibility {
 
   Model& model_;
   UsualRanges usual_;
+  Doubts others_;
   double shortest_wave_ = 1e300;  // [s]
   bool stressed_ = false;         // the soil, at the start
   std::vector<std::string> facts_, doubts_;

@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 
 #include "ale/yield_drift.hpp"
 #include "core/log.hpp"
@@ -19,9 +18,6 @@ namespace mudline {
 namespace {
 
 volatile std::sig_atomic_t stop_signal = 0;
-
-/// Depth of a body in a surface over its half width: a penalty that gives way by a few per cent serves.
-constexpr double too_deep = 0.1;
 
 void on_signal(int signal) {
   if (stop_signal && signal != SIGUSR1) {
@@ -59,6 +55,7 @@ Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettin
       settings_(settings),
       origin_(origin),
       options_(options),
+      penetration_(options.doubts),
       balances_(std::make_unique<Balances>(*model_)) {
   error_estimate_ = make_error_estimate(*model_);
   std::filesystem::create_directories(settings_.folder);
@@ -98,6 +95,7 @@ bool Run::begin_stage(const Stage& stage) {
   model_->activate(stage, fresh);
   if (!fresh) {
     restore_solver();
+    penetration_.begin_stage(*model_, report_contacts());
     return true;
   }
   log::info("stage '" + stage.name + "'");
@@ -126,6 +124,7 @@ bool Run::begin_stage(const Stage& stage) {
   }
   balances_->jump([&] { model_->start_bodies(stage); });
   if (model_->soil() && model_->soil()->pressure >= 0) walls_.begin(*model_, results_->excess_pressure());
+  penetration_.begin_stage(*model_, report_contacts());
   return true;
 }
 
@@ -238,6 +237,12 @@ Report Run::report_terms() {
   return report;
 }
 
+Report Run::report_contacts() {
+  Report report;
+  for (const auto& [name, contact] : model_->contacts()) contact->histories(model_->stepper().view(), report);
+  return report;
+}
+
 bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit) {
   for (;;) {
     if (moves_mesh(stage)) model_->store().keep();
@@ -298,7 +303,7 @@ bool Run::accept(const Stage& stage, StepReport& report) {
     return false;
   }
   look_at_mesh();
-  look_at_contacts();
+  penetration_.look(*model_, report_);
   report_mesh(report_);
   return true;
 }
@@ -363,22 +368,6 @@ void Run::report_mesh(Report& report) const {
   if (!model_->ale() || !model_->ale()->renewal()) return;
   report["mesh/elements"] = {"-", static_cast<double>(model_->mesh().num_global_elements())};
   report["mesh/remeshings"] = {"-", static_cast<double>(model_->ale()->renewals())};
-}
-
-void Run::look_at_contacts() {
-  for (const auto& [name, contact] : model_->contacts()) {
-    const RigidBody* body = contact->partners().body;
-    const auto depth = report_.find("contact/" + name + "/maximum penetration");
-    if (body == nullptr || depth == report_.end() || depth->second.value <= 0) continue;
-    const auto [most, first] = deepest_.try_emplace(name, 0);
-    if (first) most->second = too_deep * body->half_width();
-    if (depth->second.value <= most->second) continue;
-    most->second = std::numeric_limits<double>::infinity();
-    log::warn("contact '" + name + "': the body is " + format("%.3g m", depth->second.value) +
-              " deep in the surface that should bear it, more than " + format("%.0f %%", 100 * too_deep) +
-              " of its half width, at t " + format("%.6g s", model_->store().committed().time) +
-              "; doubt the results from there on (a larger 'penalty' or a finer surface helps)");
-  }
 }
 
 bool Run::ends_folded(const Stage& stage) const {
@@ -486,6 +475,7 @@ ExitCode Run::execute() {
       const ExitCode exit = run_stage();  // on a mesh made anew stages are others of the same name
       const bool complete = model_->store().committed().time >= progress_.stage_start + duration * (1 - 2e-9);
       if (exit != ExitCode::done || !complete) return exit;
+      penetration_.end_stage(*model_, report_);
       tell_dissipation(this->stage());
       if (this->stage().reset_displacements) reset_displacements();
     }
@@ -497,6 +487,7 @@ ExitCode Run::execute() {
     --progress_.stage;
   }
   save_checkpoint();
+  penetration_.tell_end();
   char line[160];
   std::snprintf(line, sizeof line, "done: %d steps, %d rejected, %.1f s; results in %s.{xdmf,csv}", progress_.step,
                 rejected_, Teuchos::Time::wallTime() - wall_start_, settings_.stem().c_str());

@@ -11,6 +11,7 @@
 #include "simulation/old_results.hpp"
 #include "simulation/output/checkpoint_file.hpp"
 #include "simulation/output/result_lock.hpp"
+#include "simulation/penetration_watch.hpp"
 #include "simulation/results.hpp"
 #include "simulation/wall_dissipation.hpp"
 
@@ -24,6 +25,7 @@ struct RunOptions {
   bool accept_changes = false;  // although the model is another, or results of before are missing
   bool overwrite = false;       // results of another deck
   int maximum_steps = 0;        // stop after so many accepted steps of this run, with a checkpoint; 0: no limit
+  Doubts doubts;                // what is usual of what the run watches
 };
 
 /// Makes a model of the run's deck on another mesh. InputError on every rank alike. Collective.
@@ -76,8 +78,6 @@ class Run {
   void report_mesh(Report& report) const;
   /// Measures the mesh of the committed state; warns once, where it is first poor.
   void look_at_mesh();
-  /// Warns, once for a contact, where a body has gone deep into the surface that should bear it.
-  void look_at_contacts();
   /// Whether the run must end because elements are folded; says so then.
   bool ends_folded(const Stage& stage) const;
   /// Says how far the stage has dissipated the excess pore pressures on the walls of bodies at rest.
@@ -93,6 +93,8 @@ class Run {
   void take_start();
   /// What terms, contacts that do not act, and conditions report. Collective.
   Report report_terms();
+  /// Of the contacts alone, in the committed state. Collective.
+  Report report_contacts();
   void log_step(const Stage& stage, double dt, const StepReport& report) const;
   bool stop_requested() const;
   void save_checkpoint();
@@ -117,6 +119,7 @@ class Run {
   Origin origin_;
   RunOptions options_;
   std::unique_ptr<ResultLock> lock_;
+  PenetrationWatch penetration_;
   std::unique_ptr<Balances> balances_;
   std::unique_ptr<DiscretisationError> error_estimate_;  // null: not asked for
   std::unique_ptr<Results> results_;
@@ -127,9 +130,8 @@ class Run {
   Report report_;              // of its terms
   int steps_here_ = 0;
   int rejected_ = 0;
-  MeshQuality quality_;                    // of the committed state's mesh
-  bool poor_mesh_ = false;                 // that was said
-  std::map<std::string, double> deepest_;  // by contact with a body: beyond that depth there is a warning [m]
+  MeshQuality quality_;     // of the committed state's mesh
+  bool poor_mesh_ = false;  // that was said
   double wall_start_ = 0;
 };
 

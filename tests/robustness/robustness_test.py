@@ -1,6 +1,7 @@
 """How the program ends: exit codes 0, 3 and 4, what is left on the disc then; and its own help."""
 import math
 import os
+import re
 import signal
 import subprocess
 import time
@@ -69,12 +70,33 @@ class Endings(MudlineCase):
         self.assertEqual(more.returncode, 0, more.stderr)
 
     def test_a_body_that_is_not_borne(self):
-        """A ball pressed into clay by a contact that gives way: the run goes on, and says once that it means little."""
-        soft = program(["run", "-q", BALL, "--set", "contacts/ball on clay/penalty=1e6", "--set", "stages/push/duration=0.02"], folder=self.folder)
-        self.assertEqual(soft.returncode, 0, soft.stderr)
-        deep = [line for line in soft.stderr.splitlines() if "deep in the surface" in line]
-        self.assertEqual(len(deep), 1, soft.stderr)
-        self.assertRegex(deep[0], r"\Awarning: contact 'ball on clay': the body is 0.010\d* m deep in the surface that should bear it, more than 10 % of its half width, at t 0.01")
+        """A ball pressed into clay by a contact that gives way: the run goes on, and says once in a stage, and at its end, that it means little."""
+        push = ["run", "-q", BALL, "--overwrite", "--set", "stages/push/duration=0.01"]
+
+        def warnings(*settings, ranks=1):
+            done = program(push + [word for setting in settings for word in ("--set", setting)], ranks, folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return [line for line in done.stderr.splitlines() if "penetration" in line]
+
+        self.assertEqual(warnings(), [])  # the automatic penalty
+        soft = "contacts/ball on clay/penalty=1e6"
+        for ranks in (1, 2):
+            first, last = warnings(soft, ranks=ranks)
+            found = re.match(r"warning: contact 'ball on clay': its penetration, ([\d.]+) m at t [\d.]+ s after a way of ([\d.]+) m in sides of ([\d.]+) m, "
+                             r"over the way is ([\d.]+), usual is 0 to 0.1 \(plausibility/penetration of way\): the penalty of 1e\+06 Pa/m gives way, not the "
+                             r"soil, whose stiffness over height is [\d.e+]+ Pa/m; give a 'penalty' of ([\d.e+]+) Pa/m or more", first)
+            self.assertIsNotNone(found, first)
+            depth, way, side, share, wanted = (float(number) for number in found.groups())
+            self.assertAlmostEqual(depth / way, share, delta=0.02)
+            self.assertGreater(depth, 0.05 * side)
+            self.assertGreater(wanted, 1e7)
+            self.assertRegex(last, r"\Awarning: contact 'ball on clay' gave way during the run: its penetration was [\d.]+ m, 0.9\d* of the way, at t ")
+        # what it advises is enough; the ranges are the deck's
+        self.assertEqual(warnings(f"contacts/ball on clay/penalty={wanted}"), [])
+        patient = [soft, "plausibility/penetration of way={0, 1}"]
+        self.assertIn("over the side is 0.", "".join(warnings(*patient, "plausibility/penetration of side={0, 0.1}")))
+        self.assertIn("over the body's half width is 0.", "".join(warnings(*patient, "plausibility/penetration of width={0, 0.02}")))
+        self.assertEqual(warnings(*patient, "plausibility/penetration of side={0, 1}"), [])
 
     def test_too_many_steps(self):
         done = program(["run", "-q", BALL, "--set", "stages/push/time step/maximum steps=3"], folder=self.folder)
