@@ -44,7 +44,7 @@ double modulus(const Soil& soil, const State& state, int block, int element) {
 void PenetrationWatch::declare(Doubts& doubts) {
   doubts.declare({of_way,
                   "-",
-                  {0, 0.1},
+                  {0, 0.15},
                   "of a contact during the run: penetration over the way that the body has come since it touched (two "
                   "surfaces: over the way of their nodes)"});
   doubts.declare({of_side,
