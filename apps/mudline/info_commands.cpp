@@ -9,6 +9,7 @@
 #include <iostream>
 #include <set>
 
+#include "algebra/blas_kernels.hpp"
 #include "commands.hpp"
 #include "core/documentation.hpp"
 #include "simulation/plugin.hpp"
@@ -120,6 +121,7 @@ int become_script(const std::string& name, const std::vector<std::string>& argum
 
 int version() {
   if (rank() != 0) return 0;
+  const BlasKernels kernels = blas_kernels();
   std::cout << "mudline " << MUDLINE_VERSION << "\n"
             << "plugins: " << MUDLINE_ABI << "\n"
             << "gmsh:    "
@@ -129,6 +131,8 @@ int version() {
 #else
       "no"
 #endif
+            << "\nblas:    " << (kernels.in_use.empty() ? "not OpenBLAS" : "OpenBLAS, kernels " + kernels.in_use)
+            << (kernels.replaced.empty() ? "" : " (in place of " + kernels.replaced + ", which OpenBLAS picks here)")
             << std::endl;
   return 0;
 }

@@ -13,6 +13,7 @@
 #include <memory>
 #include <thread>
 
+#include "algebra/blas_kernels.hpp"
 #include "commands.hpp"
 #include "core/errors.hpp"
 #include "core/foreign_library.hpp"
@@ -251,6 +252,12 @@ int dispatch(int argc, char** argv, bool root) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  try {
+    use_best_blas_kernels(argv);
+  } catch (const std::exception& error) {
+    std::cerr << "error: " << error.what() << std::endl;
+    return 1;
+  }
   keep_blas_serial();
   keep_freed_memory();
   setenv("HWLOC_HIDE_ERRORS", "2", 0);  // in a container without /sys MPI's hwloc prints a line of its own in every run

@@ -26,7 +26,7 @@ sys.path.insert(0, str(HERE.parent / "support"))
 sys.path.insert(0, str(HERE.parent / "plausibility"))
 
 import numpy as np  # noqa: E402
-from mudline_case import History, program  # noqa: E402
+from mudline_case import History, program, unit_of  # noqa: E402
 from shipped_decks import shipped_decks  # noqa: E402
 
 GOLDEN = HERE / "golden"
@@ -104,11 +104,6 @@ def record(name, files):
     return f"{steps} steps, {len(keep)} rows of {len(history.header)} columns"
 
 
-def unit(column):
-    found = re.search(r"\[([^\]]*)\]$", column)
-    return found.group(1) if found else ""
-
-
 def compare(name, files, tolerance, settings=(), ranks=1):
     """List of differences; empty where the histories agree."""
     lines = path_of(name).read_text().splitlines()
@@ -125,12 +120,12 @@ def compare(name, files, tolerance, settings=(), ranks=1):
     problems += [f"column '{c}' is new" for c in found if c not in header]
     largest = {}
     for i, column in enumerate(header):
-        largest[unit(column)] = max(largest.get(unit(column), 0.0), np.abs(golden[:, i]).max())
+        largest[unit_of(column)] = max(largest.get(unit_of(column), 0.0), np.abs(golden[:, i]).max())
     for i, column in enumerate(header):
         if column not in found or TIMES.search(column):
             continue
         share = max(tolerance, 0.1) if DIFFERENCES.search(column) else tolerance
-        allowed = share * np.abs(golden[:, i]).max() + 0.1 * tolerance * largest[unit(column)] + 10 * noise[i] + 1e-20
+        allowed = share * np.abs(golden[:, i]).max() + 0.1 * tolerance * largest[unit_of(column)] + 10 * noise[i] + 1e-20
         worst = np.abs(found[column] - golden[:, i]).max()
         if not worst <= allowed:
             problems.append(f"'{column}' differs by {worst:.2e}, its largest value is {np.abs(golden[:, i]).max():.4g}")

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+namespace mudline {
+
+// OpenBLAS picks its kernels by the model of the processor. A version that is older than the processor does not know
+// the model and takes kernels of 2004 (Prescott), two to four times slower. Kernels for AVX-512 of old versions were
+// wrong on some processors. Another choice takes the environment variable OPENBLAS_CORETYPE, which the library reads
+// when it is loaded, so a program that wants other kernels has to start itself anew.
+
+/// Starts this program anew with better kernels, where there are some, and does not return then. What the user has set
+/// in OPENBLAS_CORETYPE stands. Programs that are started from this one choose for themselves. Throws
+/// std::runtime_error where results are wrong and the program cannot be started anew.
+void use_best_blas_kernels(char** argv);
+
+/// Names of OpenBLAS's kernels in this process.
+struct BlasKernels {
+  std::string in_use;    // "" where the BLAS is not OpenBLAS
+  std::string replaced;  // what OpenBLAS had picked before use_best_blas_kernels; "" where that stands
+};
+BlasKernels blas_kernels();
+
+/// The kernels that suit a processor better than `picked`, or "": Haswell's, where the processor has AVX2 and fused
+/// multiply-adds and the picked ones use less, or where the picked ones use more (AVX-512) and compute wrong results.
+std::string better_kernels(const std::string& picked, bool processor_has_avx2, bool results_are_right);
+
+/// True where products and triangular solves of this process' BLAS agree with plain loops to rounding, for sizes on
+/// both sides of the blocks of its kernels.
+bool dense_products_are_right();
+
+}  // namespace mudline

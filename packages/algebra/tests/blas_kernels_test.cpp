@@ -1,0 +1,30 @@
+#include "algebra/blas_kernels.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mudline {
+namespace {
+
+TEST(BlasKernels, OldOnesGiveWayOnAProcessorWithAvx2) {
+  for (const char* old : {"Prescott", "Nehalem", "Sandybridge", "Barcelona", "Piledriver"})
+    EXPECT_EQ(better_kernels(old, true, true), "Haswell") << old;
+}
+
+TEST(BlasKernels, OldOnesStayOnAnOldProcessor) { EXPECT_EQ(better_kernels("Prescott", false, true), ""); }
+
+TEST(BlasKernels, ThoseThatSuitStay) {
+  for (const char* name : {"Haswell", "Zen", "Excavator", "SkylakeX", "SapphireRapids", "a later one"})
+    EXPECT_EQ(better_kernels(name, true, true), "") << name;
+}
+
+TEST(BlasKernels, ThoseBeyondAvx2StayOnlyWhereTheirResultsAreRight) {
+  EXPECT_EQ(better_kernels("SkylakeX", true, false), "Haswell");
+  EXPECT_EQ(better_kernels("Haswell", true, false), "");  // there is nothing to go back to
+}
+
+TEST(BlasKernels, AnotherBlasIsLeftAlone) { EXPECT_EQ(better_kernels("", true, true), ""); }
+
+TEST(BlasKernels, ThisProcessComputesRight) { EXPECT_TRUE(dense_products_are_right()); }
+
+}  // namespace
+}  // namespace mudline
