@@ -72,10 +72,16 @@ void PatchRecovery::add(const Point& x, const double* values) {
 template <int n>
 int PatchRecovery::solve_terms(const double* moments, double* coefficients) const {
   double a[n][n], scale[n];
-  ++moments;
+  const double samples = *moments++;
   for (int r = 0; r < n; ++r)
     for (int s = r; s < n; ++s) a[r][s] = a[s][r] = *moments++;
   for (int r = 0; r < n; ++r) scale[r] = a[r][r] > 0 ? 1 / std::sqrt(a[r][r]) : 0.0;
+  // Where all samples lie in planes through the vertex, a product of two offsets is nothing, or what a small
+  // deformation of the mesh makes of it: its scale must not blow that up.
+  int term = 1 + dimension_;
+  for (int i = 0; degree_ == 2 && i < dimension_; ++i)
+    for (int j = i; j < dimension_; ++j, ++term)
+      if (samples * a[term][term] < 1e-8 * a[1 + i][1 + i] * a[1 + j][1 + j]) scale[term] = 0;
   for (int r = 0; r < n; ++r)
     for (int s = 0; s < n; ++s) a[r][s] *= scale[r] * scale[s];
   std::vector<double> b(moments, moments + n * columns_);

@@ -101,6 +101,8 @@ struct ErrorEstimator::BlockTables {
   std::vector<double> volume, area;     // [m3], [m2] or [m3]: without the length out of the plane
   std::vector<double> pressure;         // [Pa] excess
   std::vector<Point> slope;             // [Pa/m] of that
+  FieldBlock fine;                      // with points enough for the square of a quadratic
+  std::vector<double> fine_N;           // (fine point, corner)
   std::vector<double> corner_pressure;  // (element, corner)
   std::vector<Point> corner_places;
 };
@@ -193,8 +195,12 @@ void pressure_at(const FieldBlock& b, int e, int q, const CellMap<Dim>& map, con
 
 ErrorEstimator::BlockTables ErrorEstimator::tabulate_block(int k, const State& state, const NodalView& excess) const {
   const SoilBlock& b = soil_.blocks[k];
-  BlockTables t{b, num_corners(b.shape), linear_shapes(b), {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  BlockTables t{b, num_corners(b.shape), linear_shapes(b), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   t.sampler = make_sampler(b, t.N);
+  if (b.porous()) {
+    t.fine = b.with_quadrature(4);
+    t.fine_N = linear_shapes(t.fine);
+  }
   const std::size_t rows = static_cast<std::size_t>(b.elements) * b.points;
   t.places.resize(rows);
   t.values.resize(rows * recovered);
@@ -225,6 +231,27 @@ ErrorEstimator::BlockTables ErrorEstimator::tabulate_block(int k, const State& s
       }
   });
   return t;
+}
+
+double ErrorEstimator::pressure_error(const BlockTables& t, int e, const State& state,
+                                      const PatchRecovery& pressure) const {
+  double square = 0, volume = 0;
+  with_coordinates(soil_.geometry, [&](auto coordinates) {
+    using C = decltype(coordinates);
+    for (int q = 0; q < t.fine.points; ++q) {
+      CellMap<C::dim> map;
+      Point place;
+      if (!map_point(t.fine, e, q, state.coordinates, map, place)) continue;
+      const double dv = t.fine.u.weights(q) * map.det * C::measure(place.data());
+      const double* N = &t.fine_N[static_cast<std::size_t>(q) * t.corners];
+      double error = 0;
+      pressure.evaluate(&t.block.nodes(e, 0), t.corners, N, place, &error);
+      for (int c = 0; c < t.corners; ++c) error -= N[c] * t.corner_pressure[e * t.corners + c];
+      square += dv * error * error;
+      volume += dv;
+    }
+  });
+  return volume > 0 ? std::sqrt(square / volume) : 0.0;
 }
 
 void ErrorEstimator::add_samples(const BlockTables& t, PatchRecovery& to) const {
@@ -261,7 +288,7 @@ void ErrorEstimator::measure_block(const BlockTables& t, const State& state, con
   const SoilPoints soil(soil_, b, state);
   const int dim = mesh_.dimension();
   for (int e = 0; e < b.elements; ++e) {
-    double square = 0, pressure_square = 0, volume = 0, area = 0, own = 0, power = 0;
+    double square = 0, volume = 0, area = 0, own = 0, power = 0;
     for (int q = 0; q < b.points; ++q) {
       const int row = e * b.points + q;
       const double dv = t.volume[row];
@@ -287,13 +314,12 @@ void ErrorEstimator::measure_block(const BlockTables& t, const State& state, con
       const double* rate = error + tensor;
       power += dv * (contract(error, rate) - soil.material(row).biot_coefficient * p * (rate[0] + rate[1] + rate[2]));
       square += dv * contract(error, error);
-      pressure_square += dv * p * p;
       volume += dv;
       area += t.area[row];
     }
     const double per_volume = volume > 0 ? 1 / volume : 0.0;
     to.stress.push_back(std::sqrt(square * per_volume));
-    if (soil_.pressure >= 0) to.pressure.push_back(std::sqrt(pressure_square * per_volume));
+    if (soil_.pressure >= 0) to.pressure.push_back(pressure == nullptr ? 0.0 : pressure_error(t, e, state, *pressure));
     to.size.push_back(side_length(b.shape, area));
     energy.push_back(own);
     sums.error += own;

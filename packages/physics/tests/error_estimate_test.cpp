@@ -191,6 +191,26 @@ TEST(ErrorEstimate, IsTheErrorOfSmoothFields) {
   EXPECT_NEAR(std::log2(coarse.pressure_estimated / fine.pressure_estimated), 2, 0.2);
 }
 
+/// In a box of simplices some vertices have neighbours in few directions: their fits take what those around them know.
+TEST(ErrorEstimate, PressureOfQuadraticsInRegularMeshes) {
+  for (const Case& c : {Case{"quad9", "plane strain"}, Case{"tri6", "plane strain"}, Case{"quad4", "plane strain"},
+                        Case{"hex27", "three-dimensional"}, Case{"tet10", "three-dimensional"}}) {
+    SCOPED_TRACE(std::string(c.cell) + ", " + c.geometry);
+    const int n = 4;
+    Estimated one(c, n);
+    one.distort(1e-9);  // as much as stiff soil moves
+    one.estimator.start(one.state());
+    one.set_stress([](const Point&, int) { return 0.0; });
+    const auto quadratic = [](const Point& x) {
+      return 1e4 * (x[0] * x[0] - 2 * x[0] * x[1] + x[2] * (3 * x[1] - x[2]));
+    };
+    const ErrorEstimate found = one.estimator.estimate(one.state(), one.pressure(quadratic), 0.05);
+    // the interpolation error of a quadratic lies below h2 times its second derivatives
+    for (double error : found.pressure) EXPECT_LT(error, 1e4 * 6.0 / (n * n));
+    EXPECT_GT(*std::min_element(found.pressure.begin(), found.pressure.end()), 1e4 * 0.05 / (n * n));
+  }
+}
+
 /// The wanted size is that of a mesh with the target's error.
 TEST(ErrorEstimate, WantedSizeMeetsItsTarget) {
   const auto estimate = [](int n, double target) {
