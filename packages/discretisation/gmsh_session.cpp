@@ -82,6 +82,8 @@ std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& posit
       return work();
     } catch (const InputError&) {
       throw;
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
       const std::string error = gmsh_error();
       position.fail("Gmsh, reading '" + short_name(file.name) + "': " + (error.empty() ? "it gave no reason" : error),
@@ -89,7 +91,7 @@ std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& posit
     }
   };
   try {
-    return in_child_process(in_gmsh, file.time_limit);
+    return in_child_process(in_gmsh, {file.time_limit});
   } catch (const ChildLost& lost) {
     position.fail("Gmsh, reading '" + short_name(file.name) + "', " + lost.what() +
                       (lost.timed_out ? "; does a boundary cut itself? 'time limit' gives it more time" : ""),
