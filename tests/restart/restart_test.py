@@ -357,7 +357,7 @@ class Stopping(RestartCase):
 
     def check_saved(self, running, code):
         out, errors = running.communicate(timeout=200)
-        self.assertEqual(running.returncode, code, out + errors)
+        self.assertEqual(running.returncode, code, (out or "") + errors)
         self.assertRegex(errors, r"warning: stopped by a signal after step \d+; continue with --restart")
         done = self.steps()
         self.runs(*self.deck, "--restart", *settings("stages/push/duration=1e-3"))
