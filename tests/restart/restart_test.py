@@ -10,7 +10,6 @@ import unittest
 
 import h5py
 import numpy as np
-import cpu_limit
 from mudline_case import MPIEXEC, PROGRAM, ROOT, History, MudlineCase, deck_text, program
 
 sys.path.insert(0, os.path.join(ROOT, "tests", "verification", "contact"))
@@ -447,9 +446,12 @@ class Stopping(RestartCase):
 def children(process):
     """Processes whose parent it is."""
     found = []
-    for name in os.listdir(f"/proc/{process}/task"):
-        with open(f"/proc/{process}/task/{name}/children") as file:
-            found += [int(word) for word in file.read().split()]
+    try:
+        for name in os.listdir(f"/proc/{process}/task"):
+            with open(f"/proc/{process}/task/{name}/children") as file:
+                found += [int(word) for word in file.read().split()]
+    except (FileNotFoundError, ProcessLookupError):
+        pass  # it has ended
     return found
 
 
@@ -487,14 +489,18 @@ class Remeshing(RestartCase):
 
     def begin(self, name, result):
         self.arguments = [*self.decks[name], *settings("output/name=" + result, "output/checkpoint steps=0")]
-        return subprocess.Popen([PROGRAM, "run", "-q", *self.arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                text=True, start_new_session=True)
+        running = subprocess.Popen([PROGRAM, "run", "-q", *self.arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True, start_new_session=True)
+        while not os.path.exists(self.result(result, ".csv")) and running.poll() is None:
+            time.sleep(0.001)
+        self.of_mpi = children(running.pid)  # before the first remeshing
+        return running
 
     def caught(self, running):
         """The process of a remeshing, which stands still; None where the run has ended."""
         while running.poll() is None:
             for child in children(running.pid):
-                if stands_still(child):
+                if child not in self.of_mpi and stands_still(child):
                     return child
             time.sleep(0.001)
         return None
@@ -506,7 +512,7 @@ class Remeshing(RestartCase):
                 running = self.begin(name, number.name)
                 child = self.caught(running)
                 self.assertIsNotNone(child, "no remeshing was seen")
-                for process in cpu_limit.family(running.pid):  # as a batch system may do
+                for process in (running.pid, child):  # as a batch system may do
                     os.kill(process, number)
                 os.kill(child, signal.SIGCONT)
                 out, errors = running.communicate(timeout=300)
