@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
@@ -20,6 +21,7 @@
 #include "core/guarded.hpp"
 #include "core/log.hpp"
 #include "core/run_error.hpp"
+#include "discretisation/geometry_commands.hpp"
 
 namespace {
 
@@ -47,6 +49,12 @@ void add_deck_options(CLI::App& command, cli::DeckOptions& deck) {
   command.add_option("deck", deck.decks, "deck, then overlays that replace single parameters of it")->required();
   command.add_option("--set", deck.settings, "replace one parameter: --set \"stages/push/duration=2.0\"")
       ->allow_extra_args(false);
+}
+
+void add_commands_option(CLI::App& command) {
+  command.add_flag_callback(
+      "--allow-commands", [] { permit_commands(true); },
+      "let geometry files (.geo) start programs and write files: only for files that you trust");
 }
 
 void add_mesh_parts_option(CLI::App& command, std::string& file) {
@@ -101,6 +109,7 @@ Command run_command(CLI::App& app) {
   const auto run = std::make_shared<cli::RunCommand>();
   add_deck_options(*command, run->deck);
   add_mesh_parts_option(*command, run->mesh_parts);
+  add_commands_option(*command);
   CLI::Option* restart = command->add_flag("--restart", run->restart,
                                            "continue from the checkpoint that an earlier run of this deck left");
   command
@@ -136,6 +145,7 @@ Command check_command(CLI::App& app) {
   const auto check = std::make_shared<cli::CheckCommand>();
   add_deck_options(*command, check->deck);
   add_mesh_parts_option(*command, check->mesh_parts);
+  add_commands_option(*command);
   command
       ->add_flag("--each", check->each,
                  "every file is a deck of its own, and no overlay: one line each on standard output")
@@ -149,6 +159,7 @@ Command split_command(CLI::App& app) {
       app.add_subcommand("split", "make a deck's mesh and cut it into a file of parts, one for each rank of a run");
   const auto split = std::make_shared<cli::SplitCommand>();
   add_deck_options(*command, split->deck);
+  add_commands_option(*command);
   command->add_option("--ranks", split->ranks, "parts to cut it into")->required()->check(CLI::Range(1, 1000000));
   command->add_option("-o,--output", split->output, "the file; by default the deck's name with .RANKS.parts.h5");
   command->footer(
@@ -249,6 +260,14 @@ int dispatch(int argc, char** argv, bool root) {
   return 1;
 }
 
+/// The program's exit code, once its text has reached where it should: a full disk, or a terminal that is gone, may
+/// have refused it.
+int after_output(int code) {
+  if (std::cout.flush() && std::fflush(stdout) == 0) return code;
+  std::cerr << "error: the text for the standard output could not be written; is the disk full?" << std::endl;
+  return code == 0 ? 1 : code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -271,7 +290,7 @@ int main(int argc, char** argv) {
   const int rank = cli::rank();
   const mudline::ExitGuard guard(rank, ranks);
   try {
-    return dispatch(argc, argv, rank == 0);
+    return after_output(dispatch(argc, argv, rank == 0));
   } catch (const mudline::InputError& error) {
     if (ranks > 1 && !all_ranks_come()) mudline::end_with_error(error.what(), 2);
     if (rank == 0) std::cerr << "error: " << error.what() << std::endl;

@@ -50,6 +50,7 @@ struct MeshReceipt {
 struct Renewal {
   std::shared_ptr<const RenewedMesh> mesh;
   std::string veto;
+  std::string lost;  // why nobody knows whether there is one: the run must not go on with another mesh
 };
 
 /// Relocation of the mesh under a committed state (arbitrary Lagrangian-Eulerian, operator split): boundary nodes slide

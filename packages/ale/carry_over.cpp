@@ -6,6 +6,7 @@
 #include "ale/ale.hpp"
 #include "ale/conservation.hpp"
 #include "ale/quality.hpp"
+#include "core/child_process.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/triangulation.hpp"
 
@@ -61,12 +62,19 @@ Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) c
       made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality), sizes);
       made.number = renewals_ + 1;
       made.step = step;
+    } catch (const ChildLost& child) {
+      result.lost = std::string("Gmsh ") + child.what() +
+                    (child.timed_out ? "; 'mesh motion/remeshing/time limit' gives it more time" : "");
+    } catch (const std::bad_alloc&) {
+      result.lost = "there is not enough memory to mesh the region";
     } catch (const std::exception& failure) {
       result.veto = std::string("the region cannot be meshed: ") + failure.what();
     }
   }
   result.veto = of_first_rank(comm, result.veto);
-  if (result.veto.empty()) result.mesh = std::make_shared<const RenewedMesh>(of_first_rank(comm, std::move(made)));
+  result.lost = of_first_rank(comm, result.lost);
+  if (result.veto.empty() && result.lost.empty())
+    result.mesh = std::make_shared<const RenewedMesh>(of_first_rank(comm, std::move(made)));
   return result;
 }
 

@@ -73,7 +73,7 @@ class MeshRenewal {
   /// BoundaryMotion::relative_sizes().
   std::function<double(double relative, const Point& at)> wanted_on_surface(const State& state) const;
   /// A mesh in the boundary at x, none of whose elements has a smaller scaled Jacobian than `least_quality`; without
-  /// its numbers of meshes and steps. Throws NoTriangulation. Serial, pure.
+  /// its numbers of meshes and steps. Throws NoTriangulation, and ChildLost where Gmsh is lost. Serial, pure.
   RenewedMesh make(const Positions& x, const State& state, double least_quality, const WantedSizes* sizes) const;
 
  private:

@@ -1,5 +1,9 @@
 #include "core/guarded.hpp"
 
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <fstream>
 #include <new>
 
 #include "core/text.hpp"
@@ -11,13 +15,52 @@ std::string last_line(const std::string& text) {
   return kept.substr(kept.find_last_of('\n') + 1);
 }
 
+namespace {
+
+/// A value of a file of /proc in kilobytes, in GiB; 0 where there is none.
+double gibibytes(const char* file, const std::string& name) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+    if (line.compare(0, name.size() + 1, name + ":") == 0) return std::stod(line.substr(name.size() + 1)) / (1 << 20);
+  return 0;
+}
+
+std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g GiB", value);
+  return text;
+}
+
+/// The words of the standard library, and of Kokkos and others that say it in their own.
+bool tells_of_memory(const std::string& line) {
+  for (const char* words : {"std::bad_alloc", "bad_array_new_length", "cannot create std::vector larger than max_size",
+                            "failed to allocate", "_M_default_append", "out of memory", "Cannot allocate memory"})
+    if (line.find(words) != std::string::npos) return true;
+  return false;
+}
+
+/// That there is not enough memory, how much this process held at most, and what limits it.
+std::string memory_exhausted() {
+  std::string text = "not enough memory for this model";
+  const double held = gibibytes("/proc/self/status", "VmHWM"), all = gibibytes("/proc/meminfo", "MemTotal");
+  if (held > 0) text += ": this process held up to " + text_of(held) + " and asked for more";
+  if (all > 0) text += "; the machine has " + text_of(all);
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    text += ", and `ulimit -v` allows " + text_of(static_cast<double>(limit.rlim_cur) / (1 << 30));
+  return text + "; a coarser mesh or more ranks on more machines need less of each";
+}
+
+}  // namespace
+
 std::string what_was_thrown() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return "not enough memory for this model";
+    return memory_exhausted();
   } catch (const std::exception& error) {
     const std::string line = last_line(error.what());
+    if (tells_of_memory(error.what())) return memory_exhausted();  // a rank may have heard it from another
     return line.empty() ? "an exception without a message" : line;
   } catch (...) {
     return "something that is no std::exception";

@@ -9,6 +9,7 @@
 #include "core/child_process.hpp"
 #include "core/errors.hpp"
 #include "core/text.hpp"
+#include "discretisation/geometry_commands.hpp"
 
 namespace mudline {
 
@@ -43,6 +44,18 @@ void override_parameters(const GmshFile& file, const SourcePosition& position) {
   gmsh::clear();
   for (const auto& [name, value] : file.overrides) gmsh::onelab::setNumber(name, {value});
   gmsh::open(file.name);
+}
+
+/// What is to be a mesh must be one, and commands that reach beyond it need the user's leave.
+void refuse_commands(const GmshFile& file, const SourcePosition& position) {
+  if (std::filesystem::path(file.name).extension() == ".msh" && gmsh_content(file.name) != GmshContent::data)
+    position.fail("'" + short_name(file.name) + "' is no mesh of Gmsh: it does not begin with $MeshFormat", "file");
+  if (commands_permitted()) return;
+  const std::string found = system_command(file.name);
+  if (!found.empty())
+    position.fail(found + "; a file that makes a mesh must not do that. Take it out, or, if you trust the file, give " +
+                      "--allow-commands on the command line",
+                  "file");
 }
 
 }  // namespace
@@ -82,14 +95,18 @@ std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& posit
       return work();
     } catch (const InputError&) {
       throw;
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
       const std::string error = gmsh_error();
       position.fail("Gmsh, reading '" + short_name(file.name) + "': " + (error.empty() ? "it gave no reason" : error),
                     "file");
     }
   };
+  refuse_commands(file, position);
   try {
-    return in_child_process(in_gmsh, file.time_limit);
+    const bool confined = !commands_permitted();
+    return in_child_process(in_gmsh, {file.time_limit, !confined, confined});
   } catch (const ChildLost& lost) {
     position.fail("Gmsh, reading '" + short_name(file.name) + "', " + lost.what() +
                       (lost.timed_out ? "; does a boundary cut itself? 'time limit' gives it more time" : ""),

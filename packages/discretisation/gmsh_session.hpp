@@ -23,7 +23,9 @@ struct GmshFile {
 
 /// Runs `work`, which gives bytes, in a process of its own with Gmsh open, silent and without the user's configuration
 /// files, so that a deck gives the same everywhere. What Gmsh complains of, a crash of it, and a call that does not
-/// come back within the file's time limit become an InputError at the entry "file" of `position`.
+/// come back within the file's time limit become an InputError at the entry "file" of `position`; so does a file with
+/// commands that would change the system (geometry_commands.hpp), unless they are permitted. The process may write in a
+/// folder of its own only.
 std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& position,
                                const std::function<std::vector<char>()>& work);
 

@@ -249,6 +249,8 @@ Result made_in_gmsh(double time_limit, Work&& work) {
             made = work();
           } catch (const NoTriangulation&) {
             throw;
+          } catch (const std::bad_alloc&) {
+            throw;
           } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
             const std::string error = gmsh_error();
             throw NoTriangulation("Gmsh: " + (error.empty() ? "it gave no reason" : error));
@@ -257,9 +259,9 @@ Result made_in_gmsh(double time_limit, Work&& work) {
           transfer(written, made);
           return written.bytes();
         },
-        time_limit);
-  } catch (const ChildLost& lost) {
-    throw NoTriangulation(std::string("Gmsh ") + lost.what());
+        {time_limit});
+  } catch (const ChildLost&) {
+    throw;
   } catch (const std::runtime_error& failure) {
     throw NoTriangulation(failure.what());
   }

@@ -42,13 +42,13 @@ bool has_triangulation();
 
 /// Triangles of the regions whose sides on the chains are the given ones, undivided, and inside are as long as `size`
 /// asks [m]. By Gmsh, in a process of its own that is given up after `time_limit` seconds; the same input gives the
-/// same triangles. Throws NoTriangulation.
+/// same triangles. Throws NoTriangulation, and ChildLost where that process is lost, which says nothing of the regions.
 Triangulation triangulate(const std::vector<std::array<double, 2>>& vertices,
                           const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit);
 
 /// Tetrahedra of the regions whose faces on the surfaces are the given ones, likewise. Regions that touch have common
-/// faces there. Throws NoTriangulation.
+/// faces there. Throws likewise.
 Tetrahedra tetrahedra_in(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
                          const std::function<double(const Point&)>& size, double time_limit);
 

@@ -1,5 +1,6 @@
 // The run goes on with a model on a mesh made anew: a restart on another mesh, and a transaction.
 #include "core/log.hpp"
+#include "core/run_error.hpp"
 #include "core/text.hpp"
 #include "simulation/model_renewal.hpp"
 #include "simulation/run.hpp"
@@ -19,11 +20,18 @@ std::unique_ptr<const WantedSizes> Run::wanted_sizes() {
 }
 
 void Run::remesh() {
+  const int tried_before = progress_.remesh_tried;
   progress_.remesh_tried = progress_.step;
   const State& state = model_->store().committed();
   std::unique_ptr<const WantedSizes> sizes;
   if (model_->ale()->renewal()->adaptive()) sizes = wanted_sizes();
   const Renewal made = model_->ale()->renew(progress_.step, state, sizes.get());
+  if (!made.lost.empty()) {
+    progress_.remesh_tried = tried_before;  // a restart tries again
+    save_checkpoint();
+    throw RunError("remeshing after step " + std::to_string(progress_.step) + ": " + made.lost +
+                   "; the run ends here with its state saved, and --restart tries again");
+  }
   std::string veto = made.veto;
   if (veto.empty()) {
     try {

@@ -20,7 +20,7 @@ namespace {
 volatile std::sig_atomic_t stop_signal = 0;
 
 void on_signal(int signal) {
-  if (stop_signal && signal != SIGUSR1) {
+  if (stop_signal && signal != SIGUSR1 && signal != SIGHUP) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -46,6 +46,7 @@ void catch_signals() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::signal(SIGUSR1, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // of nohup
 }
 
 Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettings& settings, const Origin& origin,

@@ -135,8 +135,8 @@ class Run {
   double wall_start_ = 0;
 };
 
-/// From now on SIGINT, SIGTERM and SIGUSR1 ask the run to stop after the present step; a second SIGINT or SIGTERM ends
-/// at once.
+/// From now on SIGINT, SIGTERM, SIGUSR1 and SIGHUP (unless it is ignored, as under nohup) ask the run to stop after the
+/// present step; a second SIGINT or SIGTERM ends at once.
 void catch_signals();
 
 }  // namespace mudline

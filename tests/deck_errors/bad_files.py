@@ -88,6 +88,10 @@ DECKS = [
          "they are to part", path="mesh", at=section("mesh"), ranks=BOTH),
     gmsh("inner side of a loaded set", "inner.geo", INNER, "side set 'top' has a side between two elements, at (0.15, 0.1); all its sides must be on "
          "the boundary of the mesh", path="boundary conditions/surcharge/set", at=parameter("set", "string", "top") + "\n      <Parameter name=\"value\"", ranks=BOTH),
+    gmsh("a command in a geometry", "save.geo", SQUARE + "// Save\nSave \"mine.msh\";\n" + SETS % "", "save.geo:4: 'Save' writes a file; a file that makes "
+         "a mesh must not do that. Take it out, or, if you trust the file, give --allow-commands on the command line", ranks=BOTH),
+    gmsh("a script that is called a mesh", "script.msh", 'SystemCall "touch here";\n', "'script.msh' is no mesh of Gmsh: it does not begin with "
+         "$MeshFormat", ranks=BOTH),
     gmsh("Gmsh takes too long", "slow.geo", SQUARE + "For i In {0:1e12}\nEndFor\n", "Gmsh, reading 'slow.geo', had not finished after 1 s and was "
          "stopped; does a boundary cut itself? 'time limit' gives it more time", more=parameter("time limit", "double", "1"), ranks=BOTH),
     plugin("plugin missing", "my_clay.so", "plugin 'my_clay.so' does not exist (looked for {folder}/my_clay.so)", ranks=BOTH),
