@@ -21,6 +21,7 @@
 #include "core/guarded.hpp"
 #include "core/log.hpp"
 #include "core/run_error.hpp"
+#include "core/text.hpp"
 #include "discretisation/geometry_commands.hpp"
 
 namespace {
@@ -227,7 +228,15 @@ std::vector<Command> all_commands(CLI::App& app, const std::vector<std::string>&
           {app.add_subcommand("version", "version, compiler and libraries"), [] { return cli::version(); }}};
 }
 
+/// Names of files, values and names of the deck come in here; results and reports are in UTF-8.
+void require_text(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (const std::string bad = unfit(argv[i], true); !bad.empty())
+      throw InputError("argument " + std::to_string(i) + ", '" + beginning(argv[i], 200) + "', holds " + bad);
+}
+
 int dispatch(int argc, char** argv, bool root) {
+  require_text(argc, argv);
   CLI::App app{"mudline: large-deformation dynamics of saturated porous media"};
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "help of all commands");
@@ -251,7 +260,7 @@ int dispatch(int argc, char** argv, bool root) {
   } catch (const CLI::ParseError& error) {
     if (!root) return error.get_exit_code() == 0 ? 0 : 2;
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "error: " << last_line(error.what()) << " (see mudline --help)" << std::endl;
+    std::cerr << "error: " << printable(last_line(error.what())) << " (see mudline --help)" << std::endl;
     return 2;
   }
   log::configure(cli::rank(), quiet ? log::Level::quiet : verbose ? log::Level::debug : log::Level::normal);
@@ -292,16 +301,16 @@ int main(int argc, char** argv) {
   try {
     return after_output(dispatch(argc, argv, rank == 0));
   } catch (const mudline::InputError& error) {
-    if (ranks > 1 && !all_ranks_come()) mudline::end_with_error(error.what(), 2);
-    if (rank == 0) std::cerr << "error: " << error.what() << std::endl;
+    if (ranks > 1 && !all_ranks_come()) mudline::end_with_error(printable(error.what()), 2);
+    if (rank == 0) std::cerr << "error: " << printable(error.what()) << std::endl;
     return 2;
   } catch (const mudline::RunError& error) {
-    if (rank == 0) std::cerr << "error: " << error.what() << std::endl;
+    if (rank == 0) std::cerr << "error: " << printable(error.what()) << std::endl;
     return 1;
   } catch (...) {
     const std::string what = mudline::what_was_thrown();
-    if (ranks > 1) mudline::end_with_error(what, 1);  // not foreseen, and maybe on this rank only
-    std::cerr << "error: " << what << std::endl;
+    if (ranks > 1) mudline::end_with_error(printable(what), 1);  // not foreseen, and maybe on this rank only
+    std::cerr << "error: " << printable(what) << std::endl;
     return 1;
   }
 }

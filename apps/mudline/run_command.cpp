@@ -152,7 +152,7 @@ int check_each(const DeckOptions& options) {
       answer = std::string("error: ") + error.what();
       code = 2;
     }
-    if (rank() == 0) std::cout << answer << std::endl;
+    if (rank() == 0) std::cout << printable(answer) << std::endl;
   }
   return code;
 }

@@ -104,14 +104,18 @@ void refuse_misspelt_settings(const Teuchos::ParameterList& list, const Sources&
 void Deck::overlay(const std::string& xml_text, const std::string& file_name) {
   Teuchos::ParameterList list("deck");
   Sources sources;
+  const std::filesystem::path path = std::filesystem::absolute(file_name);
+  if (const std::string bad = unfit(path.string()); !bad.empty())
+    throw InputError(path.string() + ": the name of the deck, or of its folder, holds " + bad);
   read_xml(xml_text, file_name, list, sources);
-  if (folder_.empty()) folder_ = std::filesystem::absolute(file_name).parent_path().lexically_normal().string();
+  if (folder_.empty()) folder_ = path.parent_path().lexically_normal().string();
   sources_->emplace("", sources.at(""));
   merge(*list_, *sources_, list, sources, "");
 }
 
 void Deck::set(const std::string& assignment) {
-  const std::string position = "--set " + assignment;
+  const std::string position = "--set " + beginning(assignment, 200);
+  if (const std::string bad = unfit(assignment); !bad.empty()) throw InputError(position + ": it holds " + bad);
   const auto equals = assignment.find('=');
   if (equals == std::string::npos)
     throw InputError(position + ": expected section/parameter=value, such as stages/push/duration=2.0");

@@ -54,12 +54,6 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-/// The beginning of a text that stands where none may.
-std::string beginning(const std::string& text) {
-  const std::string line = one_line(text);
-  return line.size() <= 40 ? line : line.substr(0, 40) + " ...";
-}
-
 /// A line break or tab in an attribute is a blank (XML 1.0, section 3.3.3).
 std::string attribute_text(const char* value) {
   std::string text = value;
@@ -73,12 +67,19 @@ class Reader {
   Reader(std::string file, Sources& sources) : file_(std::move(file)), sources_(sources) {}
 
   void read(const std::string& text, Teuchos::ParameterList& list) {
+    std::size_t place = 0;
+    if (const std::string bad = unfit(text, true, &place); !bad.empty()) {
+      const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+      throw InputError(file_ + ":" + std::to_string(1 + lines) + ": the deck holds " + bad +
+                       "; a deck is plain text in UTF-8");
+    }
     tinyxml2::XMLDocument document;
     document.Parse(text.c_str(), text.size());
     if (document.Error()) malformed(document);
     const tinyxml2::XMLElement* root = nullptr;
     for (const auto* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
-      if (node->ToText() != nullptr) fail(*node, "", "unexpected text '" + beginning(node->Value()) + "'");
+      if (node->ToText() != nullptr)
+        fail(*node, "", "unexpected text '" + beginning(one_line(node->Value()), 40) + "'");
       if (node->ToElement() == nullptr) continue;  // comment or declaration
       if (root != nullptr) fail(*node, "", "a second root element; a deck has one <ParameterList>");
       root = node->ToElement();
@@ -114,7 +115,8 @@ class Reader {
 
   void read_children(const tinyxml2::XMLElement& parent, const std::string& path, Teuchos::ParameterList& list) {
     for (const auto* node = parent.FirstChild(); node != nullptr; node = node->NextSibling()) {
-      if (node->ToText() != nullptr) fail(*node, path, "unexpected text '" + beginning(node->Value()) + "'");
+      if (node->ToText() != nullptr)
+        fail(*node, path, "unexpected text '" + beginning(one_line(node->Value()), 40) + "'");
       const auto* element = node->ToElement();
       if (element == nullptr) continue;  // a comment
       const std::string kind = element->Name();
@@ -128,6 +130,13 @@ class Reader {
     }
   }
 
+  /// What a reference such as "&#27;" stands for may be no more than what stands in the file itself.
+  void check_text(const tinyxml2::XMLElement& element, const std::string& path, const std::string& what,
+                  const std::string& text) const {
+    const std::string bad = unfit(text);
+    if (!bad.empty()) fail(element, path, "the " + what + " holds " + bad);
+  }
+
   /// The name attribute; its path must not be taken by another entry of this file.
   std::string new_name(const tinyxml2::XMLElement& element, const std::string& path, const Teuchos::ParameterList& list,
                        const std::string& what) const {
@@ -136,6 +145,7 @@ class Reader {
     if (trim(name).empty()) fail(element, path, "a <" + std::string(element.Name()) + "> has no name");
     const std::string full = join_path(path, name);
     if (name != trim(name)) fail(element, full, "the name begins or ends with a space");
+    check_text(element, full, "name", name);
     if (name.find('/') != std::string::npos) fail(element, full, "a name cannot contain '/', which separates sections");
     if (list.isParameter(name))
       fail(element, full, "duplicated " + what + " (first given at " + sources_.at(full) + ")");
@@ -162,9 +172,10 @@ class Reader {
       if (element.Attribute(attribute) == nullptr)
         fail(element, full, "the parameter has no " + std::string(attribute));
     sources_[full] = position(element);
+    const std::string value = attribute_text(element.Attribute("value"));
+    check_text(element, full, "value", value);
     try {
-      list.setEntry(name,
-                    make_entry(attribute_text(element.Attribute("type")), attribute_text(element.Attribute("value"))));
+      list.setEntry(name, make_entry(attribute_text(element.Attribute("type")), value));
     } catch (const InputError& error) {
       fail(element, full, error.what());
     }

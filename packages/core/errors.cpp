@@ -49,6 +49,7 @@ std::string nearest(const std::string& given, const std::vector<std::string>& ca
     // A third of the letters may differ, but never all of them: "x" is no typo of "y".
     const std::size_t length = std::max(word.size(), other.size());
     const std::size_t limit = std::min(std::max<std::size_t>(1, length / 3), length - std::min<std::size_t>(1, length));
+    if (length - std::min(word.size(), other.size()) > limit) continue;
     const std::size_t distance = edit_distance(word, other);
     if (distance > limit) continue;
     // Typos rarely hit the first letters: among equals the longest common beginning wins ("sinn": sin, not sign).

@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include "core/text.hpp"
+
 namespace mudline::log {
 
 namespace {
@@ -18,11 +20,11 @@ Settings& settings() {
 }
 
 void print(const std::string& line, Level from) {
-  if (settings().rank == 0 && settings().level >= from) std::cout << line << std::endl;
+  if (settings().rank == 0 && settings().level >= from) std::cout << printable(line) << std::endl;
 }
 
 void complain(const char* kind, const std::string& line) {
-  if (settings().rank == 0) std::cerr << kind << line << std::endl;
+  if (settings().rank == 0) std::cerr << kind << printable(line) << std::endl;
 }
 
 }  // namespace

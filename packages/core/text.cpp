@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 
 namespace mudline {
 
@@ -19,7 +20,86 @@ std::optional<Number> parse(const std::string& text) {
   return value;
 }
 
+/// Bytes of the UTF-8 character at `at`; 0 where there is none. Only what XML 1.0 takes for a character, in the
+/// shortest form.
+std::size_t character_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xf0 && first < 0xf8 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc0 || first >= 0xf8) return 0;
+  unsigned code = first & (0xff >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3f);
+  }
+  constexpr unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  return code < least[length] || code > 0x10ffff || surrogate || code == 0xfffe || code == 0xffff ? 0 : length;
+}
+
+/// Whether the character there commands a terminal instead of showing something.
+bool is_control(const std::string& text, std::size_t at) {
+  const auto first = static_cast<unsigned char>(text[at]);
+  const auto next = static_cast<unsigned char>(at + 1 < text.size() ? text[at + 1] : 0);
+  return first < 0x20 || first == 0x7f || (first == 0xc2 && next >= 0x80 && next < 0xa0);
+}
+
+std::string hexadecimal(char byte) {
+  char text[8];
+  std::snprintf(text, sizeof text, "x%02x", static_cast<unsigned>(static_cast<unsigned char>(byte)));
+  return text;
+}
+
+/// So many bytes or a few less, so that no character is cut.
+std::size_t whole_characters(const std::string& text, std::size_t bytes) {
+  while (bytes > 0 && bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80) --bytes;
+  return bytes;
+}
+
 }  // namespace
+
+std::string unfit(const std::string& text, bool lines, std::size_t* place) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const bool blank = text[at] == '\t' || text[at] == '\n' || text[at] == '\r';
+    const bool control = length > 0 && is_control(text, at) && !(lines && blank);
+    if (length == 0 || control) {
+      if (place != nullptr) *place = at;
+      const std::string byte = "0" + hexadecimal(text[at + length - (length > 0 ? 1 : 0)]);
+      return control ? "the control character " + byte : "the byte " + byte + ", which is not UTF-8";
+    }
+    at += length;
+  }
+  return "";
+}
+
+std::string beginning(const std::string& text, std::size_t bytes) {
+  return text.size() <= bytes ? text : text.substr(0, whole_characters(text, bytes)) + " ...";
+}
+
+std::string printable(const std::string& message) {
+  constexpr std::size_t begin = 1500, end = 500;  // [bytes] that are kept of a longer one
+  std::string shown = message;
+  if (message.size() > begin + end + 100) {
+    const std::size_t first = whole_characters(message, begin), last = whole_characters(message, message.size() - end);
+    shown = message.substr(0, first) + " ... (" + std::to_string(last - first) + " bytes left out) ... " +
+            message.substr(last);
+  }
+  std::string result;
+  for (std::size_t at = 0; at < shown.size();) {
+    const std::size_t length = character_length(shown, at);
+    if (length == 0 || is_control(shown, at)) {
+      for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) result += "\\" + hexadecimal(shown[at + i]);
+    } else {
+      result.append(shown, at, length);
+    }
+    at += std::max<std::size_t>(length, 1);
+  }
+  return result;
+}
 
 std::string trim(const std::string& text) {
   const char* blanks = " \t\r\n";

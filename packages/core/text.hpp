@@ -25,7 +25,18 @@ std::optional<std::vector<std::string>> parse_array(const std::string& text);
 /// "materials" + "clay" -> "materials/clay"; the root's path is "".
 std::string join_path(const std::string& parent, const std::string& name);
 
-/// `text` as the value of an XML attribute.
+/// What `text` holds that no name or value may: "" or "the byte 0xe9, which is not UTF-8", "the control character
+/// 0x1b". `lines`: line breaks and tabs may stand in it. `place`, where given: how many bytes stand before that.
+std::string unfit(const std::string& text, bool lines = false, std::size_t* place = nullptr);
+
+/// The beginning of a text, "abc ...", where it has more than so many bytes.
+std::string beginning(const std::string& text, std::size_t bytes);
+
+/// A message as a terminal may show it: control characters and what is not UTF-8 as "\\x1b", and of a very long one the
+/// beginning and the end.
+std::string printable(const std::string& message);
+
+/// `text` as the value or content of an XML element or attribute.
 std::string xml_escaped(const std::string& text);
 
 }  // namespace mudline

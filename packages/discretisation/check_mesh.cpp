@@ -37,6 +37,17 @@ void check_dimension(const GlobalMesh& mesh, Geometry geometry) {
   }
 }
 
+/// Names of regions and sets go into results and reports.
+void check_names(const GlobalMesh& mesh) {
+  const auto check = [](const std::string& name) {
+    if (const std::string bad = unfit(name); !bad.empty())
+      throw InputError("the mesh has a name '" + beginning(name, 200) + "', which holds " + bad);
+  };
+  for (const auto& block : mesh.blocks) check(block.region);
+  for (const auto& [name, sides] : mesh.side_sets) check(name);
+  for (const auto& [name, nodes] : mesh.node_sets) check(name);
+}
+
 void check_blocks(const GlobalMesh& mesh) {
   const GlobalMesh::Block* previous = nullptr;
   for (const auto& block : mesh.blocks) {
@@ -178,6 +189,7 @@ void check_sets(const GlobalMesh& mesh) {
 }  // namespace
 
 void check_mesh(const GlobalMesh& mesh, Geometry geometry) {
+  check_names(mesh);
   check_blocks(mesh);
   check_dimension(mesh, geometry);
   check_nodes(mesh, geometry);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/errors.hpp"
+#include "core/text.hpp"
 
 namespace mudline {
 
@@ -14,11 +15,27 @@ void moving_probe(Parameters& p, ProbeSettings& probe) {
   p.required("moves with", probe.moves_with, "a body, whose point it is; or nothing: it stays where it is");
 }
 
+/// Files that stay in the folder, and that an .xdmf can refer to: it writes "file:dataset", without quotes.
+void check_name(const Section& section, const std::string& name) {
+  constexpr std::size_t longest = 200;  // [bytes] file systems take 255, endings among them
+  const std::string end =
+      section.has_parameter("name") ? "" : "; it is the deck's own name, as none is given here for the results";
+  const auto refuse = [&](const std::string& why) {
+    section.fail("'" + beginning(name, longest) + "' " + why + end, "name");
+  };
+  if (trim(name).empty()) refuse("is no name for the files of the results");
+  if (name != trim(name)) refuse("begins or ends with a blank");
+  if (name == "." || name == ".." || name.find('/') != std::string::npos)
+    refuse("is no name of files in output/folder; allowed: a name without '/'");
+  if (name.find(':') != std::string::npos) refuse("contains ':', which separates file and dataset in the .xdmf");
+  if (name.size() > longest) refuse("is too long; allowed: " + std::to_string(longest) + " bytes");
+}
+
 }  // namespace
 
 void OutputSettings::parameters(Parameters& p) {
   p.add("folder", folder, "folder of the results, made if absent; relative to where the program is started");
-  p.add("name", name, "name of the result files; by default that of the deck");
+  p.add("name", name, "name of the result files, without '/' and ':'; by default that of the deck");
   p.add("field interval", field_interval, "s", non_negative(),
         "time between two written fields; 0: only at the end of every stage");
   p.add("field steps", field_steps, "-", closed(0, 1e9), "fields are written every so many steps; 0: off");
@@ -45,6 +62,7 @@ OutputSettings OutputSettings::read(const Section& section, const std::string& d
   Parameters p(section);
   settings.parameters(p);
   p.finish();
+  check_name(section, settings.name);
   const Section probes = section.section("probes");
   Parameters reader(probes);
   for (const std::string& name : probes.parameter_names()) {

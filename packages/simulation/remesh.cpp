@@ -57,7 +57,8 @@ std::string Run::hand_over(std::unique_ptr<Model> next) {
   const NodalView reference("reference pressure", next->store().committed().value.extent(0));
   if (pressure >= 0) change->carry(pressure, results_->reference_pressure(), reference);
   const double time = model_->store().committed().time;
-  const ResultsRestart files{{results_->history_mark(), time, false}, {results_->field_steps(), time, false}};
+  const ResultsRestart files{{results_->history_mark(), time, false},
+                             {results_->field_steps(), time, false, results_->field_marks(), true}};
   const long long elements = model_->mesh().num_global_elements();
   results_.reset();
   error_estimate_ = std::move(error);  // it looks at the old model

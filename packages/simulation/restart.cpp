@@ -1,7 +1,9 @@
 // The checkpoint of a run: the committed state, whole, where the run stands, and the deck that it is the state of.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <unordered_map>
 
 #include "core/deck.hpp"
@@ -20,6 +22,11 @@ namespace {
 
 /// Sections of the deck that may change between a run and its continuation.
 const char* const free_sections[] = {"stages", "solver", "output"};
+
+/// What walls() knows of the start of the stage, in the checkpoint: pressure and place by contact.
+const char* const walls_at_start = "wall at the start/";
+/// Names and fingerprints of the files of the fields, a line each.
+const char* const field_marks = "field files";
 
 /// The mesh that was made on the way, in the checkpoint: bytes in whole numbers, behind how many they are.
 const char* const renewed_mesh = "renewed mesh";
@@ -167,6 +174,22 @@ int counter(const CheckpointData& from, const std::string& name, double most) {
   return static_cast<int>(value);
 }
 
+std::string text_of(const FieldMarks& marks) {
+  std::string text;
+  for (const auto& [name, fingerprint] : marks) text += name + ' ' + std::to_string(fingerprint) + '\n';
+  return text;
+}
+
+/// Nothing where the checkpoint is of a version that kept none.
+FieldMarks field_marks_of(const CheckpointData& from) {
+  FieldMarks marks;
+  const auto found = from.texts.find(field_marks);
+  std::istringstream lines(found == from.texts.end() ? "" : found->second);
+  std::string name;
+  for (std::uint64_t fingerprint = 0; lines >> name >> fingerprint;) marks[name] = fingerprint;
+  return marks;
+}
+
 Deck deck_of(const std::string& text, const std::string& name) {
   Deck deck;
   deck.overlay(text, name);
@@ -209,6 +232,9 @@ void Run::save_checkpoint() {
   data.integers["history"] = {history.rows, history.bytes, static_cast<long long>(history.fingerprint)};
   data.scalars["field steps"] = results_->field_steps();
   data.texts["deck"] = origin_.deck;
+  data.texts[field_marks] = text_of(results_->field_marks());
+  for (const auto& [contact, wall] : walls_.start())
+    data.arrays[walls_at_start + contact] = {wall.pressure, wall.position[0], wall.position[1], wall.position[2]};
   if (model_->ale() && model_->ale()->renewal()) data.scalars["remesh tried"] = progress_.remesh_tried;
   if (model_->renewed())
     data.integers[renewed_mesh] =
@@ -325,6 +351,11 @@ void Run::restore_progress() {
   progress_.next_field_time =
       std::min(scalar(data, "next field time"), next_field_time(model_->store().committed().time));
   progress_.stage_open = counter(data, "stage open", 1) == 1;
+  std::map<std::string, WallDissipation::Start> walls;
+  for (const auto& [name, wall] : data.arrays)
+    if (name.rfind(walls_at_start, 0) == 0 && wall.size() >= 4)  // alike on all ranks
+      walls[name.substr(std::strlen(walls_at_start))] = {wall[0], {wall[1], wall[2], wall[3]}};
+  walls_.resume(std::move(walls));
   if (data.scalars.count("remesh tried")) progress_.remesh_tried = counter(data, "remesh tried", 2e9);
   if (model_->store().committed().time < progress_.stage_start && progress_.stage_open)
     throw InputError("its time lies before the start of its stage");
@@ -355,7 +386,8 @@ ResultsRestart Run::results_restart() const {
   const std::vector<long long>& history = find(checkpoint_.integers, "history", "history");
   if (history.size() < 3) does_not_fit("history");
   return {{{history[0], history[1], static_cast<std::uint64_t>(history[2])}, time, options_.accept_changes},
-          {static_cast<long long>(scalar(checkpoint_, "field steps")), time, options_.accept_changes}};
+          {static_cast<long long>(scalar(checkpoint_, "field steps")), time, options_.accept_changes,
+           field_marks_of(checkpoint_)}};
 }
 
 void Run::restore_solver() {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/run_error.hpp"
 #include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
+#include "simulation/output/collective.hpp"
 
 namespace mudline {
 
@@ -48,6 +50,18 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
   fields_.set_metadata("program", origin.program);
   fields_.set_metadata("geometry", mudline::name(model.mesh().geometry()));
   for (const auto& [name, body] : model.bodies()) fields_.add_body(name, outline_of(*body));
+}
+
+void Results::look_at_files() const {
+  const Teuchos::RCP<const Teuchos::Comm<int>> comm = model_.mesh().comm();
+  std::string lost;
+  if (comm->getRank() == 0) {
+    lost = history_.lost();
+    const std::string file = fields_.missing();
+    if (lost.empty() && !file.empty()) lost = file + ": the file was removed by another program while the run went on";
+  }
+  lost = agreed_message(raw_communicator(*comm), lost);
+  if (!lost.empty()) throw RunError(lost);
 }
 
 void Results::take_initial_pressure() { Kokkos::deep_copy(initial_pressure_, model_.store().committed().value); }

@@ -33,6 +33,10 @@ class Results {
   /// How far the files have come, for a checkpoint.
   const HistoryMark& history_mark() const { return history_.mark(); }
   int field_steps() const { return fields_.num_steps(); }
+  const FieldMarks& field_marks() const { return fields_.marks(); }
+
+  /// RunError on every rank where files that were written are not there any more. Collective.
+  void look_at_files() const;
 
   /// Of the committed state, where it is asked for. Collective.
   void estimate_error();

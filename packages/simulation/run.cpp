@@ -404,22 +404,33 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   progress_.next_dt =
       dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
   log_step(stage, dt, report);
-  if (progress_.step % settings_.history_steps == 0)
-    results_->write_history(*balances_, report_, dt, report.newton_iterations);
+  iterations_ = report.newton_iterations;
+  row_is_due_ = true;
   const double time = model_->store().committed().time;
   const bool by_time = settings_.field_interval > 0 && time >= progress_.next_field_time * (1 - 1e-12);
   const bool by_step = settings_.field_steps > 0 && progress_.step % settings_.field_steps == 0;
   const bool at_end = time >= (progress_.stage_start + stage.duration) * (1 - 1e-12);
+  if (at_end || progress_.step % settings_.history_steps == 0) write_row();
   if (by_time || by_step || at_end) results_->write_fields(progress_.step, stage.name);
   if (by_time) progress_.next_field_time = next_field_time(time);
   if (settings_.checkpoint_steps > 0 && progress_.step % settings_.checkpoint_steps == 0) save_checkpoint();
+}
+
+void Run::write_row() {
+  if (row_is_due_) results_->write_history(*balances_, report_, progress_.last_dt, iterations_);
+  row_is_due_ = false;
+}
+
+void Run::save_and_end() {
+  save_checkpoint();
+  write_row();
 }
 
 ExitCode Run::run_stage() {
   const double duration = stage().duration, end_tolerance = 1e-9 * duration;
   while (model_->store().committed().time < progress_.stage_start + duration - end_tolerance) {
     if (options_.maximum_steps > 0 && steps_here_ >= options_.maximum_steps) {
-      save_checkpoint();
+      save_and_end();
       log::info("stopped after " + std::to_string(steps_here_) + " steps; continue with --restart");
       return ExitCode::done;
     }
@@ -428,29 +439,30 @@ ExitCode Run::run_stage() {
     if (progress_.step_in_stage >= stage.control.maximum_steps) {
       log::error("stages/" + stage.name + "/time step/maximum steps: " + std::to_string(stage.control.maximum_steps) +
                  " steps were taken and the stage is not over");
-      save_checkpoint();
+      save_and_end();
       return ExitCode::no_convergence;
     }
     double dt = choose_dt(stage);
     StepReport report;
     ExitCode exit = ExitCode::done;
     if (!take_step(stage, dt, report, exit)) {
-      save_checkpoint();
+      save_and_end();
       results_->write_fields(progress_.step, stage.name);
       return exit;
     }
     after_step(stage, dt, report);
     if (ends_folded(stage)) {
-      save_checkpoint();
+      save_and_end();
       results_->write_fields(progress_.step, stage.name);
       return ExitCode::no_convergence;
     }
     if (stop_requested()) {
-      save_checkpoint();
+      save_and_end();
       log::warn("stopped by a signal after step " + std::to_string(progress_.step) + "; continue with --restart");
       return ExitCode::stopped;
     }
   }
+  write_row();
   return ExitCode::done;
 }
 
@@ -488,11 +500,12 @@ ExitCode Run::execute() {
     --progress_.stage;
   }
   save_checkpoint();
+  results_->look_at_files();
   penetration_.tell_end();
   char line[160];
-  std::snprintf(line, sizeof line, "done: %d steps, %d rejected, %.1f s; results in %s.{xdmf,csv}", progress_.step,
-                rejected_, Teuchos::Time::wallTime() - wall_start_, settings_.stem().c_str());
-  log::info(line);
+  std::snprintf(line, sizeof line, "done: %d steps, %d rejected, %.1f s", progress_.step, rejected_,
+                Teuchos::Time::wallTime() - wall_start_);
+  log::info(std::string(line) + "; results in " + settings_.stem() + ".{xdmf,csv}");
   const StepTimes& times = model_->stepper().times();
   std::snprintf(line, sizeof line, "time: residuals %.2f s, Jacobians %.2f s, linear solves %.2f s", times.residual,
                 times.jacobian, times.linear);

@@ -95,6 +95,11 @@ class Run {
   Report report_terms();
   /// Of the contacts alone, in the committed state. Collective.
   Report report_contacts();
+  /// The last step's row of the history, where that has not been written yet.
+  void write_row();
+  /// Saves where the run ends within a stage; then come rows that the run would not write here if it went on, which a
+  /// restart drops.
+  void save_and_end();
   void log_step(const Stage& stage, double dt, const StepReport& report) const;
   bool stop_requested() const;
   void save_checkpoint();
@@ -128,6 +133,8 @@ class Run {
   CheckpointData checkpoint_;  // that a restart began from
   LocalError error_;           // of the step last tried
   Report report_;              // of its terms
+  int iterations_ = 0;         // of the last step
+  bool row_is_due_ = false;    // of the last step, in the history
   int steps_here_ = 0;
   int rejected_ = 0;
   MeshQuality quality_;     // of the committed state's mesh

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "simulation/model.hpp"
@@ -18,8 +19,17 @@ class WallDissipation {
   };
   /// When a stage begins. excess: pore pressure by overlap dof. Collective.
   void begin(const Model& model, const NodalView& excess);
-  /// When it ends, after `duration` [s]; nothing where begin() was not called (a restart within the stage). Collective.
+  /// When it ends, after `duration` [s]; nothing where neither begin() nor resume() was called. Collective.
   std::vector<Line> end(const Model& model, const NodalView& excess, double duration);
+
+  /// What a contact's wall was when the stage began; part of the checkpoint.
+  struct Start {
+    double pressure;  // [Pa] mean excess pore pressure
+    Point position;   // [m] of the body
+  };
+  const std::map<std::string, Start>& start() const { return start_; }
+  /// Instead of begin(), where a run is continued within a stage.
+  void resume(std::map<std::string, Start> start) { start_ = std::move(start); }
 
  private:
   /// Means over the sides of a contact that touch, weighted by their area.
@@ -32,10 +42,6 @@ class WallDissipation {
   static Wall look(const Model& model, const Contact& contact, const NodalView& excess);
   static void add_side(const Model& model, const Side& side, const NodalView& excess, Wall& to);
 
-  struct Start {
-    double pressure;
-    Point position;
-  };
   std::map<std::string, Start> start_;  // by contact
 };
 

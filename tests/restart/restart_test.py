@@ -231,6 +231,25 @@ class Files(RestartCase):
                      "--restart")
         self.runs(*self.start, "--restart", "--accept-changes")
 
+    def test_a_bit_of_the_fields(self):
+        for name in ("mesh", "000000", "000004"):
+            ending = os.path.join(".fields", name + ".h5")
+            good = self.content("ball", ending)
+            for place in (20, len(good) // 3, len(good) - 40):
+                self.put("ball", ending, good[:place] + bytes([good[place] ^ 4]) + good[place + 1:])
+                self.refused(f"results/ball.fields/{name}.h5: the file was changed since the run wrote it; put a copy of it back, run "
+                             "without --restart, or go on all the same by --accept-changes", *self.start, "--restart",
+                             ranks=2 if place == 20 else 1)
+            os.remove(self.result("ball", ending))
+            self.refused(f"results/ball.fields/{name}.h5: the file is missing", *self.start, "--restart")
+            self.put("ball", ending, good)
+        # a number of the coordinates of a step, at which HDF5 has nothing to find fault with
+        with h5py.File(self.result("ball", os.path.join(".fields", "000003.h5")), "r+") as file:
+            file["coordinates"][0, 1] += 1e-6
+        self.refused("000003.h5: the file was changed", *self.start, "--restart")
+        done = self.runs(*self.start, "--restart", "--accept-changes")
+        self.assertEqual(done.stderr, "warning: results/ball.fields/000003.h5: the file was changed since the run wrote it\n")
+
     def test_other_columns(self):
         probe = ["--set", "output/probes/side={0.3, 0.3}"]
         self.refused("other columns than this run", *self.start, *probe, "--restart")
@@ -263,6 +282,94 @@ class Files(RestartCase):
             self.runs(*self.start[:-2], *settings("output/name=often", f"output/field interval={interval}", "stages/push/duration=1e-3"))
             with h5py.File(self.result("often", ".h5"), "r") as file:
                 self.assertEqual(len(file["steps"]), 6)  # start, geostatic, four steps
+
+
+REST = """<ParameterList name="rest">
+  <Parameter name="type" type="string" value="quasi-static"/>
+  <Parameter name="duration" type="double" value="1e5"/>
+  <Parameter name="conditions" type="Array(string)" value="{base, axis, far side, drained surface, surcharge}"/>
+  <ParameterList name="motions"><ParameterList name="ball"><Parameter name="type" type="string" value="prescribed velocity"/>
+    <Parameter name="velocity y" type="double" value="0.0"/></ParameterList></ParameterList>
+  <ParameterList name="integrator"><Parameter name="type" type="string" value="theta"/></ParameterList>
+  <ParameterList name="time step"><Parameter name="initial" type="double" value="20000"/></ParameterList>
+</ParameterList>
+</ParameterList>
+<!-- tight"""
+
+
+class Outputs(RestartCase):
+    """What a run tells and writes at its ends, with and without a restart."""
+
+    def test_set_up(self):
+        with open(BALL) as file:
+            text = file.read()
+        self.assertIn("  </ParameterList>\n  <!-- tight", text)
+        deck = self.write("ball.xml", text.replace("</ParameterList>\n  <!-- tight", REST))
+        push = settings("mesh/cells={8, 8}", "mesh/grading={3, 0.3}", "stages/push/duration=0.03", "stages/push/time step/initial=1e-3", "solver/residual tolerance=1e-8")
+        short = settings("mesh/cells={5, 5}", "stages/rest/duration=500", "stages/rest/time step/initial=125")
+        for more, stream, expected in (
+                ([], "stdout", r"  contact 'ball on clay': excess pore pressure on the wall \S+ -> \S+ kPa, \d+ % dissipated"),
+                (short, "stderr", r"warning: contact 'ball on clay': excess pore pressure .* the mesh does not resolve its dissipation.*")):
+            def told(*arguments):
+                done = program(["run", deck, *push, *more, *arguments], folder=self.folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                return [line for line in getattr(done, stream).splitlines() if "excess pore pressure" in line]
+
+            whole = told()
+            self.assertEqual(len(whole), 1)
+            self.assertRegex(whole[0], "^" + expected + "$")
+            self.assertEqual(told("--steps", "32"), [])
+            self.assertEqual(told("--restart"), whole)
+
+    def test_rows_are_few_and_the_last_is_there(self):
+        deck = [BALL, *settings(SMALL, "output/name=ball")]
+        self.runs(*deck)
+        every = History(self.result("ball", ".csv"))
+        for steps, count in ((7, 4), (1000000, 2)):  # the geostatic stage's, and of 21 steps the 7th, ..., the last
+            self.runs(*deck, *settings(f"output/history steps={steps}"))
+            few = History(self.result("ball", ".csv"))
+            whole = self.content("ball")
+            self.assertEqual((len(few.time), few.time[-1]), (count, every.time[-1]))
+            row = [every.header.index(name) for name in few.header]
+            rows = [np.where(every.time == time)[0][0] for time in few.time]
+            np.testing.assert_array_equal(few.data, every.data[rows][:, row])
+            # one that is stopped has its last row, too, and its continuation leaves what the whole run does
+            self.runs(*deck, *settings(f"output/history steps={steps}"), "--steps", "9")
+            self.assertEqual(History(self.result("ball", ".csv")).time[-1], every.time[9])
+            self.runs(*deck, *settings(f"output/history steps={steps}"), "--restart")
+            self.assertEqual(self.content("ball"), whole)
+
+    def test_results_that_go_during_the_run(self):
+        """Whatever of the results is not there at the end ends the run with an error."""
+        moved = os.path.join(self.folder, "moved")
+        csv, folder = self.result("ball", ".csv"), os.path.join(self.folder, "results")
+
+        def copy_back():
+            os.rename(csv, csv + ".old")
+            shutil.copy(csv + ".old", csv)
+
+        for what, lose, expected in (
+                ("folder removed", lambda: shutil.rmtree(folder, ignore_errors=True), ""),
+                ("folder moved", lambda: os.rename(folder, moved), ""),
+                ("folder replaced", lambda: (os.rename(folder, moved), shutil.copytree(moved, folder)), "ball.csv: the history was"),
+                ("history removed", lambda: os.remove(csv), "ball.csv: the history was removed by another program"),
+                ("history replaced", copy_back, "ball.csv: the history was re"),
+                ("history emptied", lambda: open(csv, "w").close(), "ball.csv: the history was changed by another program"),
+                ("step removed", lambda: os.remove(self.result("ball", ".fields/000001.h5")), "000001.h5: the file was removed"),
+                ("mesh removed", lambda: os.remove(self.result("ball", ".fields/mesh.h5")), "mesh.h5: the file was removed")):
+            for path in (folder, moved):
+                shutil.rmtree(path, ignore_errors=True)
+            running = subprocess.Popen([PROGRAM, "run", "-q", BALL, *settings(SMALL, "output/name=ball", "output/checkpoint steps=0",
+                                                                                "stages/push/time step/initial=2.5e-5")],
+                                       cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            deadline = time.monotonic() + 100
+            while not (os.path.exists(csv) and self.content("ball").count(b"\n") > 3) and time.monotonic() < deadline:
+                time.sleep(0.005)
+            lose()
+            out, errors = running.communicate(timeout=200)
+            self.assertEqual(running.returncode, 1, what + out + errors)
+            self.assertEqual(errors.count("\n"), 1, what + errors)
+            self.assertTrue(errors.startswith("error: ") and expected in errors, what + errors)
 
 
 class OldResults(RestartCase):

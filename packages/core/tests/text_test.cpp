@@ -48,6 +48,28 @@ TEST(Text, JoinsPathsAndEscapes) {
   EXPECT_EQ(xml_escaped("a<\"b\">&"), "a&lt;&quot;b&quot;&gt;&amp;");
 }
 
+TEST(Text, SaysWhatIsNoText) {
+  EXPECT_EQ(unfit("clay \xc3\xa4 \xe2\x82\xac \xf0\x9f\x99\x82"), "");
+  EXPECT_EQ(unfit("a\nb", true), "");
+  EXPECT_EQ(unfit("a\nb"), "the control character 0x0a");
+  EXPECT_EQ(unfit("\xc2\x9b"), "the control character 0x9b");
+  std::size_t place = 0;
+  EXPECT_EQ(unfit("caf\xe9", false, &place), "the byte 0xe9, which is not UTF-8");
+  EXPECT_EQ(place, 3u);
+  for (const char* bad : {"\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\x80", "\xef\xbf\xbf"})
+    EXPECT_NE(unfit(bad), "") << bad;
+}
+
+TEST(Text, MessagesAreShortAndPrintable) {
+  EXPECT_EQ(printable("a \x1b[31m\xe9 \xc3\xa4"), "a \\x1b[31m\\xe9 \xc3\xa4");
+  EXPECT_EQ(printable("a\xc2\x9b"), "a\\xc2\\x9b");
+  const std::string all = "begin " + std::string(10000, 'x') + " end", shown = printable(all);
+  EXPECT_LT(shown.size(), 2200u);
+  EXPECT_EQ(shown.substr(0, 7), "begin x");
+  EXPECT_EQ(shown.substr(shown.size() - 5), "x end");
+  EXPECT_EQ(beginning("\xc3\xa4\xc3\xa4", 3), "\xc3\xa4 ...");
+}
+
 TEST(Text, TuplesHaveTheShortestNumbers) {
   const double numbers[] = {0.1, -2, 1e-6};
   EXPECT_EQ(tuple_text(numbers, 3), "(0.1, -2, 1e-06)");

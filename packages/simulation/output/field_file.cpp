@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/errors.hpp"
+#include "core/log.hpp"
 #include "core/run_error.hpp"
 #include "core/space_vector.hpp"
 #include "simulation/output/collective.hpp"
@@ -13,6 +14,7 @@
 #include "simulation/output/field_layout.hpp"
 #include "simulation/output/hdf5_tools.hpp"
 #include "simulation/output/id_order.hpp"
+#include "simulation/output/seal.hpp"
 #include "simulation/output/whole_file.hpp"
 
 namespace mudline {
@@ -59,6 +61,8 @@ struct FieldFile::File {
   void create(const Mesh& mesh);
   void write_mesh(const Mesh& mesh);
   void open(const Mesh& mesh, const FieldRestart& restart);
+  void mark(const std::string& name);
+  void look_at_old_files(std::size_t steps, const FieldRestart& restart);
   xdmf::StepMesh mesh_of(hid_t step) const;
   std::string wrong_fields(const std::vector<OutputField>& fields, std::size_t rows) const;
   std::string bad_value(const std::vector<OutputField>& fields) const;
@@ -74,6 +78,7 @@ struct FieldFile::File {
   xdmf::StepMesh on;  // of the steps that are written now
   IdOrder nodes, elements;
   FieldIndex index;  // the same on every rank; rank 0 writes it
+  FieldMarks marks;
 };
 
 FieldFile::File::File(const Mesh& mesh, const std::string& path_stem, int mesh_number)
@@ -111,6 +116,57 @@ void FieldFile::File::write_mesh(const Mesh& mesh) {
   fail_alike(write_whole(comm, index.mesh_path(number), field_layout::mesh_size(mesh), [&](hid_t file) {
     on.topology_length = field_layout::write_mesh(file, comm, mesh, nodes, elements);
   }));
+  mark(FieldIndex::mesh_name(number));
+}
+
+/// Of a file that was written just now.
+void FieldFile::File::mark(const std::string& name) {
+  std::uint64_t found = 0;
+  std::string lost;
+  if (rank == 0) {
+    const std::string path = index.file_path(name);
+    const auto read = file_fingerprint(path);
+    found = read.value_or(0);
+    if (!read) lost = "'" + path + "', written just now, cannot be read";
+  }
+  fail_alike(lost);
+  MPI_Bcast(&found, 1, MPI_UINT64_T, 0, comm);
+  marks[name] = found;
+}
+
+/// The files of so many steps and of their meshes must be those of the marks. Files without one, of a run by an earlier
+/// version, get theirs now. Every rank reads its share.
+void FieldFile::File::look_at_old_files(std::size_t steps, const FieldRestart& restart) {
+  marks = restart.marks;
+  if (restart.own) return;
+  std::vector<std::string> names;
+  for (int k = 0; k < std::max(number, 1); ++k) names.push_back(FieldIndex::mesh_name(k));
+  for (std::size_t k = 0; k < steps; ++k) names.push_back(FieldIndex::step_name(k));
+  int ranks = 1;
+  MPI_Comm_size(comm, &ranks);
+  std::vector<std::uint64_t> here(2 * names.size(), 0), found(here.size());  // fingerprint, and whether there is one
+  for (std::size_t i = rank; i < names.size(); i += ranks)
+    if (const auto read = file_fingerprint(index.file_path(names[i]))) {
+      here[2 * i] = *read;
+      here[2 * i + 1] = 1;
+    }
+  MPI_Allreduce(here.data(), found.data(), static_cast<int>(here.size()), MPI_UINT64_T, MPI_SUM, comm);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto known = marks.find(names[i]);
+    if (found[2 * i + 1] == 1 && (known == marks.end() || known->second == found[2 * i])) {
+      marks[names[i]] = found[2 * i];
+      continue;
+    }
+    const std::string what =
+        index.file_path(names[i]) +
+        (found[2 * i + 1] == 1 ? ": the file was changed since the run wrote it" : ": the file is missing");
+    if (!restart.accept_loss)
+      throw InputError(what +
+                       "; put a copy of it back, run without --restart, or go on all the same by "
+                       "--accept-changes");
+    log::warn(what);
+    marks[names[i]] = found[2 * i];
+  }
 }
 
 /// Steps of earlier versions say nothing of their mesh: it is the first one.
@@ -122,14 +178,15 @@ xdmf::StepMesh FieldFile::File::mesh_of(hid_t step) const {
 
 void FieldFile::File::open(const Mesh& mesh, const FieldRestart& restart) {
   const std::size_t old = index.read(number == 0 ? &on : nullptr);
-  if (number > 0)
-    write_mesh(mesh);
-  else
-    on = index.model.mesh;
   if (static_cast<long long>(old) < restart.steps && !restart.accept_loss)
     throw InputError(index.path() + ": only " + std::to_string(old) + " of the " + std::to_string(restart.steps) +
                      " outputs up to the checkpoint are left; put a copy of the fields back, run without --restart, or "
                      "go on with outputs lost by --accept-changes");
+  look_at_old_files(std::min<std::size_t>(old, restart.steps), restart);
+  if (number > 0)
+    write_mesh(mesh);
+  else
+    on = index.model.mesh;
   const bool by_time = static_cast<long long>(old) < restart.steps;
   std::string error;
   try {
@@ -263,6 +320,9 @@ void FieldFile::add_body(const std::string& name, const BodyOutline& outline) {
   if (in_space == outline.facets.empty())
     throw std::invalid_argument("body '" + name + "': triangles are what a body in space has, and it alone");
   const auto found = index.outlines.find(link);
+  if (found != index.outlines.end() && index.model.bodies.at(link).name != name)
+    throw InputError("bodies/" + name + ": in the results it would have the name of the body '" +
+                     index.model.bodies.at(link).name + "', " + link + "; give one of them another name");
   if (found != index.outlines.end()) {
     // After a restart: the steps already written describe this outline.
     if (outline.points.size() != found->second.points.size() || outline.facets != found->second.facets)
@@ -316,9 +376,14 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
     written.cell = f.write_fields(file, "cell", cell, f.elements);
     f.write_bodies(file, poses);
   }));
+  f.mark(written.file);
   f.index.append(written);
   f.publish();
 }
+
+const FieldMarks& FieldFile::marks() const { return file_->marks; }
+
+std::string FieldFile::missing() const { return file_->index.missing(); }
 
 int FieldFile::num_steps() const { return static_cast<int>(file_->index.steps); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,12 +33,17 @@ struct BodyPose {
   Point centre{};
 };
 
+/// What a checkpoint keeps of the files of meshes and steps: their fingerprints, by name ("mesh", "000000").
+using FieldMarks = std::map<std::string, std::uint64_t>;
+
 /// Where the fields of a run are continued: after so many steps. `accept_loss`: with those up to `time` [s] that are
-/// left.
+/// left, changed or not.
 struct FieldRestart {
   long long steps = 0;
   double time = 0;
   bool accept_loss = false;
+  FieldMarks marks{};
+  bool own = false;  // written by this very process: not looked at again
 };
 
 /// The texts that set_metadata gave to the fields of this stem, by name with "_" for what is no letter, digit, "." or
@@ -57,8 +63,8 @@ class FieldFile {
  public:
   /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".xdmf".
   /// Without `restart` old files are replaced. With it so many steps stay and later ones go. InputError when the old
-  /// file cannot be continued: no result of mudline, of another mesh, or with steps missing. `number`: of a mesh that
-  /// was made on the way, which the steps from now on have; it comes with a restart only.
+  /// file cannot be continued: no result of mudline, of another mesh, or with files missing or changed. `number`: of a
+  /// mesh that was made on the way, which the steps from now on have; it comes with a restart only.
   FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart = {}, int number = 0);
   ~FieldFile();
   FieldFile(const FieldFile&) = delete;
@@ -77,6 +83,10 @@ class FieldFile {
 
   /// Number of steps written so far, those of before a restart included.
   int num_steps() const;
+  /// Of the files of these steps and of their meshes.
+  const FieldMarks& marks() const;
+  /// The files that should be there and are not, or "". Rank 0's business; not collective.
+  std::string missing() const;
 
  private:
   struct File;

@@ -132,6 +132,16 @@ std::string FieldIndex::write() const {
   return error;
 }
 
+std::string FieldIndex::missing() const {
+  std::vector<std::string> paths{path(), mesh_path(0)};
+  if (steps > 0) paths.push_back(stem + ".xdmf");
+  for (std::size_t k = 0; k < steps; ++k) paths.push_back(step_path(k));
+  std::error_code ignored;
+  for (const std::string& file : paths)
+    if (!std::filesystem::is_regular_file(file, ignored)) return file;
+  return "";
+}
+
 void FieldIndex::remove_files() const {
   std::error_code ignored;
   std::filesystem::remove(stem + ".xdmf", ignored);

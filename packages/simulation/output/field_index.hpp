@@ -17,11 +17,12 @@ namespace mudline {
 struct FieldIndex {
   FieldIndex(const std::string& stem, bool writer);
 
-  /// Paths of the index, of the folder, of the mesh's file and of a step's; and the name of a step, "000010".
+  /// Paths of the index, of the folder, of a file in it, of a mesh's and of a step's; and the name of a step, "000010".
   std::string path() const { return stem + ".h5"; }
   std::string folder() const { return stem + ".fields"; }
-  std::string mesh_path(int number) const { return folder() + "/" + mesh_name(number) + ".h5"; }
-  std::string step_path(std::size_t step) const { return folder() + "/" + step_name(step) + ".h5"; }
+  std::string file_path(const std::string& name) const { return folder() + "/" + name + ".h5"; }
+  std::string mesh_path(int number) const { return file_path(mesh_name(number)); }
+  std::string step_path(std::size_t step) const { return file_path(step_name(step)); }
   static std::string step_name(std::size_t step);
   /// "mesh", and "mesh_001" and so on for those that were made on the way.
   static std::string mesh_name(int number);
@@ -39,6 +40,9 @@ struct FieldIndex {
   /// Writes both files, if it is the writer; without steps there is no XDMF file. Returns what went wrong, "" when
   /// nothing did.
   std::string write() const;
+
+  /// The first of both files, and of those of the first mesh and of the steps, that is not there, or "".
+  std::string missing() const;
 
   /// Removes both files and the steps from `first` on from the folder.
   void remove_files() const;

@@ -136,7 +136,8 @@ std::vector<std::string> names(hid_t group) {
 std::string link_name(const std::string& name) {
   std::string result = name;
   for (char& c : result)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = '_';
+    if (const auto byte = static_cast<unsigned char>(c); byte < 0x80 && !std::isalnum(byte) && c != '.' && c != '-')
+      c = '_';
   return result;
 }
 

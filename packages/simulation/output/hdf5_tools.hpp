@@ -48,8 +48,8 @@ void flush(hid_t file, const std::string& path);
 /// Names of the links in a group, sorted.
 std::vector<std::string> names(hid_t group);
 
-/// A name that is one link and needs no quoting in an XDMF reference: anything but letters, digits, '.', '-' becomes
-/// '_'.
+/// A name that is one link and needs no quoting in an XDMF reference: anything but letters of any language,
+/// digits, '.', '-' becomes '_'.
 std::string link_name(const std::string& name);
 
 /// Names as links and back: in a name "/" is a letter, which HDF5 would take for a group.

@@ -1,5 +1,7 @@
 #include "simulation/output/history_file.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -80,8 +82,25 @@ std::string HistoryFile::truncate(const HistoryRestart& restart) {
   header_ = kept.substr(0, kept.find('\n'));
   count(kept);
   if (const std::string error = write_atomically(path_, kept); !error.empty()) return error;
-  file_.open(path_, std::ios::binary | std::ios::app);
-  return file_ ? "" : "cannot append to '" + path_ + "'";
+  return open(std::ios::app);
+}
+
+/// Rank 0. Returns what is wrong, or "".
+std::string HistoryFile::open(std::ios::openmode mode) {
+  file_.open(path_, std::ios::binary | mode);
+  struct stat found {};
+  if (!file_ || stat(path_.c_str(), &found) != 0) return "cannot write '" + path_ + "'";
+  inode_ = found.st_ino;
+  return "";
+}
+
+std::string HistoryFile::lost() const {
+  if (!file_.is_open()) return "";
+  struct stat found {};
+  const std::string begin = path_ + ": the history was ", end = " by another program while the run went on";
+  if (stat(path_.c_str(), &found) != 0) return begin + "removed" + end;
+  if (static_cast<std::uint64_t>(found.st_ino) != inode_) return begin + "replaced" + end;
+  return found.st_size == mark_.bytes ? "" : begin + "changed" + end;
 }
 
 std::string HistoryFile::keep_rows_until(double time, const std::string& text, std::string& kept) const {
@@ -129,7 +148,7 @@ void HistoryFile::fix_columns(const std::string& header) {
   if (comm_->getRank() == 0) {
     if (continued_) error = set_aside();
     mark_ = {0, 0, fingerprint(nullptr, 0)};
-    file_.open(path_, std::ios::binary | std::ios::trunc);
+    if (error.empty()) error = open(std::ios::trunc);
     if (error.empty()) error = append(header + '\n');
   }
   header_ = header;
@@ -140,6 +159,7 @@ void HistoryFile::fix_columns(const std::string& header) {
 
 /// Rank 0. Returns what is wrong, or "".
 std::string HistoryFile::append(const std::string& line) {
+  if (const std::string error = lost(); !error.empty()) return error;
   file_ << line << std::flush;
   if (!file_) return "cannot write '" + path_ + "' (disk full?)";
   count(line);

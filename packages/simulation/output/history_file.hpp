@@ -47,6 +47,10 @@ class HistoryFile {
   /// than the file, RunError when the disk refuses; on every rank alike. Collective.
   void write(double time, const std::vector<HistoryValue>& values);
 
+  /// Why the file is not what was written to it, or "": somebody has removed, replaced or cut it. Rank 0's business;
+  /// not collective.
+  std::string lost() const;
+
   /// Right on rank 0 only.
   const HistoryMark& mark() const { return mark_; }
   const std::string& path() const { return path_; }
@@ -56,6 +60,7 @@ class HistoryFile {
   std::string keep_rows_until(double time, const std::string& text, std::string& kept) const;
   void fix_columns(const std::string& header);
   std::string set_aside();
+  std::string open(std::ios::openmode mode);
   std::string append(const std::string& line);
   void count(const std::string& text);
 
@@ -65,7 +70,8 @@ class HistoryFile {
   bool continued_ = false;  // the header is that of the file found at the restart
   bool accept_loss_ = false;
   HistoryMark mark_;
-  std::ofstream file_;  // open on rank 0 after the first row
+  std::uint64_t inode_ = 0;  // of the open file
+  std::ofstream file_;       // open on rank 0 after the first row
 };
 
 }  // namespace mudline

@@ -12,9 +12,9 @@ namespace {
 
 std::string title(const std::string& kind) { return "mudline " + kind + ", format "; }
 
-/// Of what is behind the seal.
-std::uint64_t content_fingerprint(std::istream& file) {
-  file.seekg(seal_size);
+/// Of what is behind so many bytes.
+std::uint64_t content_fingerprint(std::istream& file, std::size_t begin = seal_size) {
+  file.seekg(static_cast<std::streamoff>(begin));
   std::vector<char> piece(1 << 20);
   std::uint64_t hash = fingerprint(nullptr, 0);
   while (file) {
@@ -57,6 +57,12 @@ std::string broken_seal(const std::string& path, const std::string& kind, int ve
   if (found.rfind(begin, 0) != 0)
     return "not a " + kind + " of this version of mudline, or its first bytes are damaged";
   return "the " + kind + " is damaged: its checksum does not fit its content";
+}
+
+std::optional<std::uint64_t> file_fingerprint(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return {};
+  return content_fingerprint(file, 0);
 }
 
 }  // namespace mudline

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace mudline {
@@ -15,5 +17,8 @@ std::string write_seal(const std::string& path, const std::string& kind, int ver
 
 /// Why the file is not what write_seal left, "" when it is.
 std::string broken_seal(const std::string& path, const std::string& kind, int version);
+
+/// FNV-1a of a whole file, by which a bit that has changed is found; nothing when it cannot be read.
+std::optional<std::uint64_t> file_fingerprint(const std::string& path);
 
 }  // namespace mudline

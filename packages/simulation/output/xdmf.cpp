@@ -15,7 +15,8 @@ std::string number(double value) {
 
 std::string heavy_of(const std::string& file, const std::string& path, const std::string& dimensions,
                      const std::string& type) {
-  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + file + ":" + path + "</DataItem>";
+  return "<DataItem Dimensions=\"" + dimensions + "\" " + type + " Format=\"HDF\">" + xml_escaped(file + ":" + path) +
+         "</DataItem>";
 }
 
 std::string heavy(const Model& model, const std::string& file, const std::string& path, const std::string& dimensions,

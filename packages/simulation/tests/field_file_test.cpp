@@ -226,11 +226,10 @@ TEST(FieldFile, RestartNeedsTheStepsThatTheIndexNames) {
     result.write(file, 0);
   }
   std::filesystem::remove(folder / "r.fields/000000.h5");
-  EXPECT_NE(
-      message_of<InputError>([&] {
-        FieldFile(result.mesh, folder / "r", FieldRestart{1});
-      }).find("r.h5: the result of the first run cannot be continued: cannot open '" + (folder / "r.fields/000000.h5")),
-      std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] {
+              FieldFile(result.mesh, folder / "r", FieldRestart{1});
+            }).find((folder / "r.fields/000000.h5") + ": the file is missing"),
+            std::string::npos);
 }
 
 TEST(FieldFile, RefusesToGoOnWithStepsLost) {
