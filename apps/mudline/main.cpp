@@ -279,6 +279,16 @@ int after_output(int code) {
 
 }  // namespace
 
+/// What a library calls by this name comes here, by the right of MPI's profiling interface: an abort with the code 0
+/// would look like the end of a run.
+extern "C" int MPI_Abort(MPI_Comm comm, int code) {
+  if (const char* library = mudline::foreign_caller())
+    mudline::end_with_error(
+        "the library '" + std::string(library) + "' ended the program (a call of MPI_Abort) while it was being called",
+        1);
+  return PMPI_Abort(comm, code == 0 ? 1 : code);
+}
+
 int main(int argc, char** argv) {
   try {
     use_best_blas_kernels(argv);

@@ -9,6 +9,8 @@
 #include <iostream>
 
 #include "commands.hpp"
+#include "contact/laws/slope_check.hpp"
+#include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
@@ -162,6 +164,24 @@ bool conforms(const PointDeck& d, const PointSoil& soil) {
   return good;
 }
 
+/// The same of the laws of the deck's contacts.
+bool contacts_conform(const PointDeck& d) {
+  bool good = true;
+  const auto tell = [&](const std::string& contact, const char* law, const std::string& problem) {
+    std::cout << contact << ": " << law << " slopes " << (problem.empty() ? "ok" : "FAILED " + problem) << std::endl;
+    good = good && problem.empty();
+  };
+  const Section contacts = d.root->section("contacts");
+  for (const std::string& name : contacts.section_names()) {
+    const Section contact = contacts.section(name);
+    if (contact.has_section("friction"))
+      tell(name, "friction", slope_problem(*d.registries.frictions.create(contact.section("friction"))));
+    if (contact.has_section("normal law"))
+      tell(name, "normal law", slope_problem(*d.registries.normal_laws.create(contact.section("normal law"))));
+  }
+  return good;
+}
+
 /// By the report's script, which is waited for: what it prints comes before the prompt.
 void draw(const std::string& png, const std::vector<std::string>& files) {
   std::vector<std::string> arguments{"--point", png};
@@ -180,10 +200,12 @@ void draw(const std::string& png, const std::vector<std::string>& files) {
 int point(const PointCommand& command) {
   refuse_ranks();
   const auto d = load_point(read_deck(command.deck), result_name(command.deck), !command.conformance);
+  check_foreign_code();
   if (command.conformance) {
     if (!command.png.empty()) throw InputError("--conformance draws nothing; give --png without it");
     bool good = true;
     for (const PointSoil& soil : d->soils) good = conforms(*d, soil) && good;
+    good = contacts_conform(*d) && good;
     return good ? 0 : 1;
   }
   d->output.make_folder(d->root->section("output"));
@@ -191,11 +213,13 @@ int point(const PointCommand& command) {
   std::vector<std::string> files;
   for (const NamedTest& test : d->tests) {
     HistoryFile file(Tpetra::getDefaultComm(), d->path(test));
+    const OpenDescriptors before;
     const PointOutcome outcome = test.test->run([&](double time, const std::vector<PointValue>& values) {
       std::vector<HistoryValue> row;
       for (const PointValue& v : values) row.push_back({v.name, v.unit, v.value});
       file.write(time, row);
     });
+    check_foreign_code(&before);
     files.push_back(file.path());
     log::info(summary(test.name, outcome, file.path()));
     if (!outcome.complete) {

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "core/deck.hpp"
 #include "core/errors.hpp"
+#include "core/foreign_library.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
@@ -87,6 +88,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   refuse_unused_functions(*loaded->root);
   check_probes(*loaded);
   check_error_estimate(*loaded);
+  check_foreign_code();
   return loaded;
 }
 

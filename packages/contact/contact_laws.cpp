@@ -1,8 +1,21 @@
 #include "contact/contact_laws.hpp"
 
 #include "contact/contact_rule.hpp"
+#include "contact/laws/slope_check.hpp"
+#include "core/log.hpp"
 
 namespace mudline {
+
+namespace {
+
+/// A law whose slopes are wrong makes Newton's method fail far from where the fault is.
+void doubt_slopes(const ContactContext& context, const Section& law, const std::string& problem) {
+  if (problem.empty() || context.renewed) return;
+  log::warn(law.source("type") + ": " + law.path() + "/type: the law '" + law.text("type") + "' does not conform: " +
+            problem + "; steps will hardly converge (`mudline point --conformance` checks it again)");
+}
+
+}  // namespace
 
 void ContactLaws::declare_normal_law(Parameters& p) {
   p.passes_on("normal law", "pressure over penetration; see the normal law types; by default linear");
@@ -14,12 +27,14 @@ void ContactLaws::read(const ContactContext& context, const Section& section) {
   if (section.has_section("friction")) {
     const Section law = section.section("friction");
     friction_ = context.frictions.create(law);
+    doubt_slopes(context, law, slope_problem(*friction_));
     note(friction_->reads(), law);
     if (friction_->effective()) read_.pore_pressure = true;
   }
   if (section.has_section("normal law")) {
     const Section law = section.section("normal law");
     normal_ = context.normal_laws.create(law);
+    doubt_slopes(context, law, slope_problem(*normal_));
     note(normal_->reads(), law);
   }
 }

@@ -2,18 +2,23 @@
 
 #include <dlfcn.h>
 #include <execinfo.h>
+#include <fcntl.h>
 #include <link.h>
 #include <signal.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cfenv>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <stdexcept>
 
 #include "core/guarded.hpp"
@@ -35,6 +40,8 @@ std::atomic<int> libraries{0};
 char being_loaded[sizeof LoadedCode::name];  // the file whose static initialisers run
 
 int own_rank = 0;
+pid_t own_process = 0;       // children that are forked are not guarded
+int kept_error_output = -1;  // a copy, for the last words after somebody has closed the descriptor
 std::atomic<bool> armed{false}, ending{false};
 constexpr int deadly[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 std::array<char, 1 << 16> signal_stack;  // a recursion without end has used up the ordinary one
@@ -51,6 +58,11 @@ const char* library_on_stack() {
   return being_loaded[0] != '\0' ? being_loaded : nullptr;
 }
 
+/// What the C library's _exit does: nothing but the end.
+[[noreturn]] void leave(int code) {
+  for (;;) syscall(SYS_exit_group, code);
+}
+
 /// Writes the pieces as one line with one system call, so that ranks do not mix, and ends the process.
 [[noreturn]] void end(std::initializer_list<const char*> pieces, int code) {
   if (own_rank > 0) {
@@ -62,8 +74,10 @@ const char* library_on_stack() {
   for (const char* piece : pieces)
     for (; *piece != '\0' && length + 1 < sizeof line; ++piece) line[length++] = *piece == '\n' ? ' ' : *piece;
   line[length++] = '\n';
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, line, length);
-  _exit(code);
+  if (write(STDERR_FILENO, line, length) < 0 && kept_error_output >= 0) {
+    [[maybe_unused]] const auto written = write(kept_error_output, line, length);
+  }
+  leave(code);
 }
 
 const char* words(int number) {
@@ -90,14 +104,36 @@ void on_deadly_signal(int number) {
       1);
 }
 
+[[noreturn]] void end_for(const char* library, const char* how) {
+  end({"error: the library '", library, "' ended the program (", how, ") while it was being called"}, 1);
+}
+
 void at_exit() {
   if (!armed.exchange(false)) return;
   std::fflush(stdout);
-  if (const char* library = library_on_stack())
-    end({"error: the library '", library, "' ended the program (a STOP or a call of exit) while it was being called"},
-        1);
+  if (const char* library = library_on_stack()) end_for(library, "a STOP or a call of exit");
   end({"error: the program was ended from inside by a call of exit"}, 1);
 }
+
+void at_quick_exit() {
+  if (!armed.exchange(false)) return;
+  if (const char* library = library_on_stack()) end_for(library, "a call of quick_exit");
+  end({"error: the program was ended from inside by a call of quick_exit"}, 1);
+}
+
+/// "the library 'a'", or "one of the libraries 'a', 'b'".
+std::string loaded_libraries() {
+  std::string names;
+  for (int k = 0; k < libraries; ++k) names += (k > 0 ? ", '" : "'") + std::string(loaded[k].name) + "'";
+  return (libraries > 1 ? "one of the libraries " : "the library ") + names;
+}
+
+bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+// As the program began.
+int own_rounding = FE_TONEAREST;
+struct stat own_folder {};
+std::array<struct stat, 3> own_streams{};  // standard input, output and error; st_ino 0: not there
 
 void on_terminate() {
   std::string what = "an exception was thrown where none may leave";
@@ -154,6 +190,8 @@ void remember(void* handle, const std::string& path) {
 
 ForeignLibrary::ForeignLibrary(const std::string& path) {
   copy_name(path, being_loaded);
+  std::fenv_t arithmetic;
+  std::fegetenv(&arithmetic);
   try {
     handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   } catch (...) {
@@ -161,6 +199,7 @@ ForeignLibrary::ForeignLibrary(const std::string& path) {
     throw std::runtime_error("its initialisation throws: " + what_was_thrown());
   }
   being_loaded[0] = '\0';
+  std::fesetenv(&arithmetic);  // code for -ffast-math switches small numbers off in all of the program, at its loading
   if (!handle_) throw std::runtime_error(last_line(dlerror()));
   remember(handle_, path);
 }
@@ -169,6 +208,12 @@ void* ForeignLibrary::function(const std::string& name) const { return dlsym(han
 
 ExitGuard::ExitGuard(int rank, int ranks) {
   own_rank = ranks > 1 ? rank : 0;
+  own_process = getpid();
+  kept_error_output = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 64);
+  own_rounding = std::fegetround();
+  if (stat(".", &own_folder) != 0) own_folder = {};
+  for (int i = 0; i < 3; ++i)
+    if (fstat(i, &own_streams[i]) != 0) own_streams[i] = {};
   void* frame[1];
   backtrace(frame, 1);  // loads what it needs now and not in a signal handler
   stack_t stack{};
@@ -180,12 +225,52 @@ ExitGuard::ExitGuard(int rank, int ranks) {
   action.sa_flags = SA_ONSTACK | SA_NODEFER;
   for (const int number : deadly) sigaction(number, &action, nullptr);
   std::set_terminate(on_terminate);
-  static const int registered = std::atexit(at_exit);
+  static const int registered = std::atexit(at_exit) + std::at_quick_exit(at_quick_exit);
   (void)registered;
   armed = true;
 }
 
 ExitGuard::~ExitGuard() { armed = false; }
+
+const char* foreign_caller() { return armed && getpid() == own_process ? library_on_stack() : nullptr; }
+
+OpenDescriptors::OpenDescriptors() {
+  if (libraries == 0) return;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", none)) {
+    const int number = std::atoi(entry.path().filename().c_str());
+    struct stat what {};
+    if (number > 2 && fstat(number, &what) == 0) of_.push_back({number, what.st_dev, what.st_ino});
+  }
+  // the one by which they were listed is closed by now
+  const auto closed = [](const Open& open) {
+    struct stat what {};
+    return fstat(open.number, &what) != 0;
+  };
+  of_.erase(std::remove_if(of_.begin(), of_.end(), closed), of_.end());
+}
+
+std::string OpenDescriptors::closed() const {
+  for (const Open& open : of_) {
+    struct stat now {};
+    if (fstat(open.number, &now) != 0 || now.st_dev != open.device || now.st_ino != open.file)
+      return "closed a file of the program";
+  }
+  return "";
+}
+
+void check_foreign_code(const OpenDescriptors* before) {
+  if (libraries == 0 || !armed) return;
+  std::string did = before ? before->closed() : "";
+  struct stat now {};
+  for (int i = 0; i < 3; ++i)
+    if (own_streams[i].st_ino != 0 && (fstat(i, &now) != 0 || !same_file(now, own_streams[i])))
+      did = "closed the standard " + std::string(i == 0 ? "input" : i == 1 ? "output" : "error output");
+  if (own_folder.st_ino != 0 && (stat(".", &now) != 0 || !same_file(now, own_folder)))
+    did = "changed the working folder, in which files would be written";
+  if (std::fegetround() != own_rounding) did = "changed the rounding mode, in which all numbers are computed";
+  if (!did.empty()) end_with_error(loaded_libraries() + " has " + did, 1);
+}
 
 void end_with_error(const std::string& message, int code) {
   armed = false;
@@ -194,3 +279,13 @@ void end_with_error(const std::string& message, int code) {
 }
 
 }  // namespace mudline
+
+// The program exports these: what a library that is loaded later calls by these names comes here. The C library ends
+// itself by other names.
+extern "C" {
+[[noreturn]] void _exit(int code) {
+  if (const char* library = mudline::foreign_caller()) mudline::end_for(library, "a call of _exit");
+  mudline::leave(code);
+}
+[[noreturn]] void _Exit(int code) { _exit(code); }
+}

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "ale/yield_drift.hpp"
+#include "core/foreign_library.hpp"
 #include "core/log.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
@@ -142,6 +143,7 @@ bool Run::run_geostatic(const Stage& stage) {
   NewtonOptions newton = model_->newton();
   newton.least_iterations = stage.balance_tolerance > 0 ? 1 : 0;
   const StepReport report = model_->stepper().attempt(now, model_->tolerances(), newton);
+  check_foreign_code();
   model_->store().committed().time = time;
   if (!report.converged) {
     log::error("geostatic equilibrium of stage '" + stage.name + "' not found: " + report.reason);
@@ -248,7 +250,9 @@ bool Run::take_step(const Stage& stage, double& dt, StepReport& report, ExitCode
   for (;;) {
     if (moves_mesh(stage)) model_->store().keep();
     Stepper& stepper = model_->stepper();
+    const OpenDescriptors before;
     report = stepper.attempt(request(stage, dt), model_->tolerances(), model_->newton());
+    check_foreign_code(&before);
     double next = -1;
     if (report.converged) {
       error_ = local_error(stage);
@@ -499,6 +503,7 @@ ExitCode Run::execute() {
     save_checkpoint();
     --progress_.stage;
   }
+  check_foreign_code();
   save_checkpoint();
   results_->look_at_files();
   penetration_.tell_end();

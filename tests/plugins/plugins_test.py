@@ -175,6 +175,26 @@ class Plugins(MudlineCase):
         self.assertIn("Path over which the strength falls", program(["explain", "weakening interface", "--plugin", self.example(
             "my_interface/build/my_interface.so")], folder=self.folder).stdout)
 
+    def test_interface_conforms(self):
+        """With its slopes; without one, or with another, it is named at the start of a run, and fails the conformance."""
+        good = program(["point", "--conformance", self.example("my_interface/pull.xml")], folder=self.folder)
+        self.assertEqual(good.returncode, 0, good.stdout + good.stderr)
+        self.assertIn("face: friction slopes ok", good.stdout)
+        source = os.path.join(self.folder, "slip")
+        shutil.copytree(self.example("my_interface"), source, ignore=shutil.ignore_patterns("build"))
+        self.write("slip/my_interface.cpp", text_of(source + "/my_interface.cpp").replace("at.normal, coefficient}", "at.normal, 0}"))
+        build(source)
+        said = "d strength / d normal is 0, differences give 0."
+        bad = program(["point", "--conformance", source + "/pull.xml"], folder=self.folder)
+        self.assertEqual(bad.returncode, 1, bad.stdout + bad.stderr)
+        self.assertIn("face: friction slopes FAILED " + said, bad.stdout)
+        doubted = program(["check", source + "/pull.xml"], folder=self.folder)
+        self.assertEqual(doubted.returncode, 0, doubted.stderr)
+        self.assertRegex(doubted.stderr, r"warning: \S*pull\.xml:\d+: contacts/face/friction/type: the law 'weakening interface' does not "
+                                         r"conform: " + said)
+        self.assertEqual(doubted.stderr.count("does not conform"), 1)
+        self.assertNotIn("does not conform", program(["check", self.example("my_interface/pull.xml")], folder=self.folder).stderr)
+
     # at a material point
     def test_clay_in_the_laboratory(self):
         """The oedometer against its closed form, and against the finite elements."""

@@ -1,6 +1,11 @@
 // A plugin with every fault that a plugin may have; the environment variable PLUGIN_FAULT chooses one. Without it:
 // linear elastic soil, water, and a prescribed displacement. Compiled by the category `plugins` with the program's own
 // options.
+#include <fcntl.h>
+#include <mpi.h>
+#include <unistd.h>
+
+#include <cfenv>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -45,6 +50,16 @@ void end(const std::string& where) {
   volatile int zero = 0;
   if (is("divides by zero")) zero = 7 / zero;
   if (is("recurses without end")) recursion(&zero);
+  if (is("calls _exit")) _exit(0);
+  if (is("calls _Exit")) std::_Exit(0);
+  if (is("calls quick_exit")) std::quick_exit(0);
+  if (is("aborts MPI with 0")) MPI_Abort(MPI_COMM_WORLD, 0);
+  if (is("changes the folder") && chdir("/") != 0) return;
+  if (is("rounds upward")) std::fesetround(FE_UPWARD);
+  if (is("closes standard output")) close(STDOUT_FILENO);
+  if (is("puts a file in the place of another"))
+    for (int i = 3, other = open("/dev/null", O_RDWR); i < 63; ++i)
+      if (fcntl(i, F_GETFD) >= 0 && i != other) dup2(other, i);
   if (is("throws on the second rank") && second_rank()) throw std::runtime_error("only here");
   if (is("exits on the second rank") && second_rank()) std::exit(0);
   if (is("writes nowhere on the second rank") && second_rank()) *reinterpret_cast<volatile int*>(8) = 1;

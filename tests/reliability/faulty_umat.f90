@@ -54,9 +54,21 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     call deeper(zero)
   case (13)
     open (unit=77, file='no such table', status='old')
+  case (14)
+    call put(statev, nstatv + 3)
+  case (15)
+    call put(stress, 0)
+  case (16)
+    stress = stress + predef(1)
   end select
 
 contains
+
+  subroutine put(a, i)  ! where the compiler does not see how long the array is
+    double precision :: a(*)
+    integer :: i
+    a(i) = 1
+  end subroutine put
 
   recursive subroutine deeper(depth)
     integer, volatile :: depth

@@ -20,6 +20,7 @@ HERE = pathlib.Path(__file__).parent
 AT = r"deck\.xml:\d+: "
 CRASHED = r"the library 'faulty_plugin\.so' crashed \("
 ENDED = r"the library 'faulty_plugin\.so' ended the program"
+DID = r"the library 'faulty_plugin\.so' has "
 LAW = r"the law of material 'soil' fails at \(.*\): "
 INCREMENT = r".*effective stress xx yy zz yz xz xy = .* strain increment "
 PLUGIN = {
@@ -58,6 +59,21 @@ PLUGIN = {
     "update divides by zero": CRASHED + ".*SIGFPE",
     "update aborts": CRASHED + ".*SIGABRT",
     "update recurses without end": CRASHED + ".*SIGSEGV",
+    "loading calls _exit": ENDED + r" \(a call of _exit\)",
+    "registration calls quick_exit": ENDED + r" \(a call of quick_exit\)",
+    "constructor aborts MPI with 0": ENDED + r" \(a call of MPI_Abort\)",
+    "update calls _exit": ENDED + r" \(a call of _exit\)",
+    "update calls _Exit": ENDED + r" \(a call of _exit\)",
+    "update calls quick_exit": ENDED + r" \(a call of quick_exit\)",
+    "update aborts MPI with 0": ENDED + r" \(a call of MPI_Abort\)",
+    "residual calls _exit": ENDED + r" \(a call of _exit\)",
+    "loading changes the folder": DID + "changed the working folder",
+    "constructor changes the folder": DID + "changed the working folder",
+    "update changes the folder": DID + "changed the working folder",
+    "constructor rounds upward": DID + "changed the rounding mode",
+    "update rounds upward": DID + "changed the rounding mode",
+    "update closes standard output": DID + "closed the standard output",
+    "residual puts a file in the place of another": DID + "closed a file of the program",
     "fluid of NaN density": AT + r"materials/soil/fluid/type: the fluid's density is nan",
     "conductivity is negative": AT + r"materials/soil/permeability/type: .*-0\.001",
     "bind throws a text": AT + r"boundary conditions/top/type: ",
@@ -83,6 +99,9 @@ UMAT = {
     11: ("PNEWDT", LAW + "it refuses the increment" + INCREMENT),
     12: ("a recursion without end", UMAT_CRASHED + ".*SIGSEGV"),
     13: ("a file that is not there", UMAT_ENDED),
+    14: ("STATEV past its end", r"in the library 'faulty_umat\.so' writes past the end of STATEV"),
+    15: ("STRESS before its begin", r"in the library 'faulty_umat\.so' writes before the begin of STRESS"),
+    16: ("PREDEF, which is no number", LAW + "it returns a stress that is not finite" + INCREMENT),
 }
 FULL = len(PLUGIN) + len(UMAT)
 

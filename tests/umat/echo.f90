@@ -17,7 +17,7 @@ subroutine echo(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   longest = props(3)
   if (ndi /= 3 .or. nshr /= 3 .or. ntens /= 6 .or. nstatv /= 15 .or. nprops /= 3) pnewdt = 0.5d0
   if (len(cmname) /= 80 .or. cmname(2:) /= 'cho clay') pnewdt = 0.5d0
-  if (abs(drot(1, 1) - 1) + abs(dfgrd0(2, 2) - 1) + abs(dfgrd1(3, 3) - 1) + abs(drot(1, 2)) > 0) pnewdt = 0.5d0
+  if (abs(drot(1, 1) - 1) + abs(drot(3, 3) - 1) + abs(drot(1, 2)) > 0) pnewdt = 0.5d0  ! its tensors are turned already
   if (abs(time(2) - statev(1)) > 1d-9 * (1 + time(2)) .or. time(1) /= time(2)) pnewdt = 0.5d0
   if (statev(14) > 0 .and. maxval(abs(stress - statev(2:7))) > 1d-9 * maxval(abs(stress))) pnewdt = 0.5d0
   if (maxval(abs(stran - kept)) > 1d-12) pnewdt = 0.5d0

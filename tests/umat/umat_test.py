@@ -150,6 +150,39 @@ class Umat(MudlineCase):
         for name in tests:
             self.assert_same(native[name], given[name], native[name].columns)
 
+    # what the subroutine asks for beside stress and strain: asks.f90
+    def asking(self, what, *more, **entries):
+        entries = dict({"symbol": "asks_"}, **entries)
+        skeleton = self.umat(os.path.join(HERE, "asks.f90"), **entries)
+        return dict(skeleton, properties=[E, NU, float(what), *more])
+
+    def test_what_cannot_be_told_is_no_number(self):
+        """The deformation gradient, the place, PREDEF, and a temperature that the model does not have."""
+        test = {"cd": {"type": "triaxial drained", "axial strain": [0.01], "steps": 5, "initial state": START}}
+        for what in (2, 3, 11, 12):
+            self.write("unknown.xml", point_deck(self.asking(what), test, 0.8))
+            done = program(["point", "unknown.xml"], folder=self.folder)
+            self.assertEqual(done.returncode, 3, done.stdout)
+            self.assertIn("it returns a number that is not finite", done.stderr)
+        warm = dict(self.asking(12), temperature=0.0)
+        self.assert_same(self.points(NATIVE, test, "native")["cd"], self.points(warm, test, "warm")["cd"])
+
+    def test_writing_outside_is_the_laws_fault(self):
+        """Named with the array, on the first occasion; far outside it is a crash of the library's."""
+        test = {"cd": {"type": "triaxial drained", "axial strain": [0.05], "steps": 10, "initial state": {"mean effective stress": 1e5}}}
+        said = {4: "writes past the end of STATEV, whose size is 1;", 5: "writes past the end of STRESS, whose size is 6;",
+                6: "writes past the end of DDSDDE, whose size is 36;", 7: "writes before the begin of STATEV;", 8: "the library 'asks.so' crashed (invalid memory access"}
+        block = BLOCK.replace("GEOMETRY", "plane strain").replace("SHEAR", "0.1")
+        for what, words in said.items():
+            skeleton = self.asking(what, state_variables=1)
+            self.write("point.xml", point_deck(skeleton, test, 0.8))
+            self.write("run.xml", block.replace("SKELETON", as_xml(skeleton)))
+            for command in ("point", "run"):
+                done = program([command, command + ".xml"], folder=self.folder)
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertIn(words, done.stderr)
+                self.assertIn("library 'asks.so'", done.stderr)
+
     def test_pnewdt_cuts(self):
         """Steps longer than the subroutine wants are cut, in points and in finite elements."""
         skeleton = self.umat(os.path.join(HERE, "echo.f90"), symbol="echo_", material_name="Echo clay", properties=[E, NU, 0.03],

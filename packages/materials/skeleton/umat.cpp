@@ -1,8 +1,15 @@
 #include "materials/skeleton/umat.hpp"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <limits>
+#include <new>
 
 #include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
@@ -25,15 +32,88 @@ using Routine = void (*)(double* stress, double* statev, double* ddsdde, double*
 
 constexpr int strain_size = 6;               // the state begins with the strain so far
 constexpr int ours[6] = {0, 1, 2, 5, 4, 3};  // 11 22 33 12 13 23 in xx yy zz yz xz xy; its own inverse
-const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-/// What one call needs; Fortran code may write behind what it should, so nothing of the run lies here.
-struct Umat::Scratch {
-  double stress[6], ddsdde[36], stran[6], dstran[6], ddsddt[6], drplde[6];
-  std::vector<double> statev, props;
-  std::string name;
+/// The arrays of one call. Fortran knows no ends of arrays: between them lie guards, numbers that are none, so that
+/// what is read there is seen in the result, and what is written there is found. Behind them nothing can be written.
+class Umat::Arguments {
+ public:
+  enum Array {
+    stress,
+    statev,
+    ddsdde,
+    ddsddt,
+    drplde,
+    stran,
+    dstran,
+    time,
+    predef,
+    dpred,
+    props,
+    coords,
+    drot,
+    dfgrd0,
+    dfgrd1,
+    count
+  };
+  static const char* name(int array) {
+    static const char* const names[count] = {"STRESS", "STATEV", "DDSDDE", "DDSDDT", "DRPLDE",
+                                             "STRAN",  "DSTRAN", "TIME",   "PREDEF", "DPRED",
+                                             "PROPS",  "COORDS", "DROT",   "DFGRD0", "DFGRD1"};
+    return names[array];
+  }
+
+  Arguments(int components, int state, int properties) {
+    const std::size_t n = components;
+    sizes_ = {n, std::size_t(state), n * n, n, n, n, n, 2, 1, 1, std::size_t(properties), 3, 9, 9, 9};
+    std::size_t total = guard;
+    for (int a = 0; a < count; ++a) {
+      begins_[a] = total;
+      total += sizes_[a] + guard;
+    }
+    const std::size_t page = sysconf(_SC_PAGESIZE);
+    bytes_ = (total * sizeof(double) + page - 1) / page * page;
+    memory_ =
+        mmap(nullptr, bytes_ + behind, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (memory_ == MAP_FAILED) throw std::bad_alloc();
+    mprotect(static_cast<char*>(memory_) + bytes_, behind, PROT_NONE);
+    std::fill_n(static_cast<double*>(memory_), total, unknown);
+  }
+  ~Arguments() { munmap(memory_, bytes_ + behind); }
+  Arguments(const Arguments&) = delete;
+  Arguments& operator=(const Arguments&) = delete;
+
+  double* operator[](Array a) { return static_cast<double*>(memory_) + begins_[a]; }
+  std::size_t size(Array a) const { return sizes_[a]; }
+
+  /// "" or what was written outside of the arrays: "before the begin of STRESS", "past the end of STATEV".
+  std::string overrun() const {
+    const double* all = static_cast<const double*>(memory_);
+    for (int a = 0; a < count; ++a) {
+      const double *from = all + begins_[a] + sizes_[a], *first = find_written(from, guard);
+      if (first == nullptr) continue;
+      // the guard lies between two arrays: what is near the next one was meant for that
+      if (a + 1 < count && first - from > static_cast<std::ptrdiff_t>(guard - guard / 8))
+        return "before the begin of " + std::string(name(a + 1));
+      return "past the end of " + std::string(name(a)) + ", whose size is " + std::to_string(sizes_[a]);
+    }
+    return find_written(all, guard) == nullptr ? "" : "before the begin of STRESS";
+  }
+
+ private:
+  static constexpr std::size_t guard = 512;         // numbers
+  static constexpr std::size_t behind = 64u << 20;  // bytes of addresses without memory
+  static const double* find_written(const double* from, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i)
+      if (std::memcmp(from + i, &unknown, sizeof unknown) != 0) return from + i;
+    return nullptr;
+  }
+
+  std::array<std::size_t, count> sizes_{}, begins_{};
+  std::size_t bytes_ = 0;
+  void* memory_ = nullptr;
 };
 
 void Umat::parameters(Parameters& p) {
@@ -51,6 +131,9 @@ void Umat::parameters(Parameters& p) {
   p.required("shear modulus", shear_, "Pa", positive(), "of the elastic response, for the same uses");
   p.add("K0", k0_, "-", any(),
         "earth pressure coefficient at rest of a geostatic start; negative: the deck gives it there");
+  p.add("temperature", temperature_, "degC", any(),
+        "TEMP where the model has no temperature; left out: not a number, so that a law that uses it fails");
+  if (!p.given("temperature")) temperature_ = unknown;
   make_variables();
 }
 
@@ -98,6 +181,7 @@ void Umat::check(const Section& section) {
     section.fail("the library '" + std::filesystem::path(library_).filename().string() + "' holds no subroutine '" +
                      symbol_ + "'; compilers usually write UMAT as umat_",
                  section.has_parameter("symbol") ? "symbol" : "library");
+  arguments_ = std::make_shared<Arguments>(components_, state_count_, static_cast<int>(properties_.size()));
 }
 
 std::string Umat::initialise(const InitialPoint&, double* state) const {
@@ -107,48 +191,57 @@ std::string Umat::initialise(const InitialPoint&, double* state) const {
   return "";
 }
 
-bool Umat::update(const SkeletonWorkset& w, int point, Scratch& s) const {
+bool Umat::update(const SkeletonWorkset& w, int point) const {
+  using A = Arguments;
   if (components_ == 4 && (w.strain(point, 3) != 0.0 || w.strain(point, 4) != 0.0)) return false;
+  A& to = *arguments_;
   const double* old = &w.state_old(point, 0);
-  for (int i = 0; i < 6; ++i) {
-    s.stress[i] = w.stress_old(point, ours[i]);
-    s.stran[i] = (i < 3 ? 1.0 : 2.0) * old[ours[i]];
-    s.dstran[i] = w.strain(point, ours[i]);
-    s.ddsddt[i] = s.drplde[i] = 0.0;
+  for (int i = 0; i < components_; ++i) {
+    to[A::stress][i] = w.stress_old(point, ours[i]);
+    to[A::stran][i] = (i < 3 ? 1.0 : 2.0) * old[ours[i]];
+    to[A::dstran][i] = w.strain(point, ours[i]);
   }
-  std::fill(s.ddsdde, s.ddsdde + 36, 0.0);
-  s.statev.assign(state_count_ + 1, 0.0);
-  for (int i = 0; i < state_count_; ++i) s.statev[source_[i]] = old[strain_size + i];
-  s.props = properties_;
-  s.props.push_back(0.0);  // an address also without properties
-  s.name = name_;
-  s.name.resize(80, ' ');
+  for (const A::Array a : {A::ddsdde, A::ddsddt, A::drplde}) std::fill_n(to[a], to.size(a), 0.0);
+  for (int i = 0; i < state_count_; ++i) to[A::statev][source_[i]] = old[strain_size + i];
+  std::copy(properties_.begin(), properties_.end(), to[A::props]);
+  to[A::predef][0] = to[A::dpred][0] = unknown;
+  const double begin = w.time - w.dt;
+  to[A::time][0] = to[A::time][1] = begin;
+  // what a law is not told is no number, so that one that uses it fails
+  for (const A::Array a : {A::coords, A::dfgrd0, A::dfgrd1, A::drot}) std::fill_n(to[a], to.size(a), unknown);
+  if (!tensors_.empty())  // turned already: nothing is left to turn
+    for (int i = 0; i < 9; ++i) to[A::drot][i] = i % 4 == 0 ? 1.0 : 0.0;
 
-  double sse = 0, spd = 0, scd = 0, rpl = 0, drpldt = 0, pnewdt = 1;
-  const double begin = w.time - w.dt, time[2] = {begin, begin}, zero[3] = {0, 0, 0}, celent = 1;
-  const int ndi = 3, nshr = components_ - 3, one = 1, nprops = static_cast<int>(properties_.size());
+  std::string name = name_;
+  name.resize(80, ' ');
+  double sse = 0, spd = 0, scd = 0, rpl = 0, drpldt = 0, pnewdt = 1, celent = unknown, warmth[2] = {temperature_, 0};
+  int ndi = 3, nshr = components_ - 3, ntens = components_, nstatv = state_count_,
+      nprops = static_cast<int>(properties_.size()), one = 1;
+  double dt = w.dt;
   reinterpret_cast<Routine>(routine_)(
-      s.stress, s.statev.data(), s.ddsdde, &sse, &spd, &scd, &rpl, s.ddsddt, s.drplde, &drpldt, s.stran, s.dstran, time,
-      &w.dt, zero, zero, zero, zero, s.name.data(), &ndi, &nshr, &components_, &state_count_, s.props.data(), &nprops,
-      zero, identity, &pnewdt, &celent, identity, identity, &one, &one, &one, &one, &one, &one, s.name.size());
+      to[A::stress], to[A::statev], to[A::ddsdde], &sse, &spd, &scd, &rpl, to[A::ddsddt], to[A::drplde], &drpldt,
+      to[A::stran], to[A::dstran], to[A::time], &dt, &warmth[0], &warmth[1], to[A::predef], to[A::dpred], name.data(),
+      &ndi, &nshr, &ntens, &nstatv, to[A::props], &nprops, to[A::coords], to[A::drot], &pnewdt, &celent, to[A::dfgrd0],
+      to[A::dfgrd1], &one, &one, &one, &one, &one, &one, name.size());
 
-  for (int i = 0; i < 6; ++i) w.stress(point, ours[i]) = i < components_ ? s.stress[i] : w.stress_old(point, ours[i]);
+  for (int i = 0; i < 6; ++i)
+    w.stress(point, ours[i]) = i < components_ ? to[A::stress][i] : w.stress_old(point, ours[i]);
   for (int i = 0; i < 6; ++i) w.state(point, i) = old[i] + (i < 3 ? 1.0 : 0.5) * w.strain(point, i);
-  for (int i = 0; i < state_count_; ++i) w.state(point, strain_size + i) = s.statev[source_[i]];
+  for (int i = 0; i < state_count_; ++i) w.state(point, strain_size + i) = to[A::statev][source_[i]];
   if (w.want_tangent) {
     for (int c = 0; c < 36; ++c) w.tangent(point, c) = 0.0;
     for (int i = 0; i < components_; ++i)
-      for (int j = 0; j < components_; ++j) w.tangent(point, 6 * ours[i] + ours[j]) = s.ddsdde[i + components_ * j];
+      for (int j = 0; j < components_; ++j)
+        w.tangent(point, 6 * ours[i] + ours[j]) = to[A::ddsdde][i + components_ * j];
     for (int c = 3; c < 5 && components_ == 4; ++c) w.tangent(point, 7 * c) = shear_;  // never strained, but regular
   }
   return !(pnewdt < 1.0);
 }
 
 int Umat::evaluate(const SkeletonWorkset& w) const {
-  Scratch scratch;
   int failures = 0;
   for (int i = 0; i < w.points; ++i) {
-    const bool ok = update(w, i, scratch);
+    const bool ok = update(w, i);
     w.failed(i) = ok ? 0 : 1;
     if (ok) continue;
     ++failures;  // a failed point shows its old state
@@ -156,6 +249,12 @@ int Umat::evaluate(const SkeletonWorkset& w) const {
     for (std::size_t c = 0; c < w.state.extent(1); ++c) w.state(i, c) = w.state_old(i, c);
     for (int c = 0; c < 36 && w.want_tangent; ++c) w.tangent(i, c) = 0.0;
   }
+  // what else of the program was written to, nobody knows: there is no going on
+  if (const std::string where = arguments_->overrun(); !where.empty())
+    end_with_error("the subroutine '" + symbol_ + "' in the library '" +
+                       std::filesystem::path(library_).filename().string() + "' writes " + where +
+                       "; 'state variables', 'components' and 'properties' say how long its arrays are",
+                   1);
   return failures;
 }
 

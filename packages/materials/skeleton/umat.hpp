@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,18 @@ namespace mudline {
 /// one point after the other, since such code often keeps data of its own.
 ///
 ///   STRESS, STATEV  old values in, new ones out; the stress, the strains and the tensors of STATEV ("tensor state")
-///   have
-///                   been rotated into the new configuration by mudline, so DROT is the identity
+///                   have been rotated into the new configuration by mudline
 ///   STRAN, DSTRAN   objective strain so far (kept as a state variable) and of the step
 ///   DDSDDE          must be the Jacobian of the stress update; it may be unsymmetric
 ///   TIME, DTIME     time of the run at the start of the step, and the step; DTIME is 0 in a geostatic stage
 ///   PROPS, NTENS    from the deck; NTENS = 4 (plane strain, axisymmetric) fails where there is out-of-plane shear
 ///   PNEWDT          below 1: the point has failed and the step is cut
-///   the others      SSE, SPD, SCD, RPL, their derivatives, TEMP, DTEMP, PREDEF, COORDS: 0; DFGRD0, DFGRD1: identity;
-///                   CELENT, NOEL, NPT, LAYER, KSPT, KSTEP, KINC: 1
+///   DROT            the identity where "tensor state" names the tensors of STATEV, which mudline turns
+///   TEMP, DTEMP     "temperature" and 0
+///   the others      SSE, SPD, SCD, RPL, their derivatives: 0; NOEL, NPT, LAYER, KSPT, KSTEP, KINC: 1; DFGRD0, DFGRD1,
+///                   COORDS, CELENT, PREDEF, DPRED, another DROT: not a number, so that a law that uses it fails
+///
+/// Writing outside of the arrays ends the program with the law's name.
 class Umat : public Skeleton {
  public:
   void parameters(Parameters& p);
@@ -35,8 +39,8 @@ class Umat : public Skeleton {
   double k0(double) const override { return k0_; }
 
  private:
-  struct Scratch;
-  bool update(const SkeletonWorkset& workset, int point, Scratch& scratch) const;
+  class Arguments;
+  bool update(const SkeletonWorkset& workset, int point) const;
   void make_variables();
 
   std::string library_, symbol_ = "umat_", name_ = "UMAT";
@@ -45,9 +49,11 @@ class Umat : public Skeleton {
   std::vector<int> tensors_;         // first components, from 0
   double bulk_ = 0.0, shear_ = 0.0;  // [Pa]
   double k0_ = -1.0;
+  double temperature_ = 0.0;  // [degC]
   std::vector<StateVariable> variables_;
   std::vector<int> source_;  // component of the state (behind the strain) -> index in STATEV
   void* routine_ = nullptr;
+  std::shared_ptr<Arguments> arguments_;
 };
 
 }  // namespace mudline
