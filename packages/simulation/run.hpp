@@ -130,8 +130,9 @@ class Run {
   Report report_;              // of its terms
   int steps_here_ = 0;
   int rejected_ = 0;
-  MeshQuality quality_;     // of the committed state's mesh
-  bool poor_mesh_ = false;  // that was said
+  MeshQuality quality_;        // of the committed state's mesh
+  bool poor_mesh_ = false;     // that was said
+  bool started_anew_ = false;  // likewise, of laws
   double wall_start_ = 0;
 };
 
