@@ -331,7 +331,7 @@ std::string Run::relocate_mesh() {
   return "";
 }
 
-void Run::tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) const {
+void Run::tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) {
   const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
   char line[240];
   std::snprintf(line, sizeof line,
