@@ -245,10 +245,13 @@ void Ale::conserve_grains(const PointTransfer& transfer, const SoilTable& table,
                           MeshReceipt& receipt) const {
   const std::vector<Grains> grains = restore_grains(transfer, soil_, table.void_ratio, table.origin, ratios);
   receipt.restored_grains.resize(soil_.materials.size(), 0.0);
+  receipt.unresolved_grains.resize(soil_.materials.size(), 0.0);
   double worst = 0;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const int material = transfer.after.block.made_of[k];
     receipt.restored_grains[material] += soil_.materials[material]->grain_density * grains[k].missing;
+    receipt.unresolved_grains[material] += soil_.materials[material]->grain_density * grains[k].unresolved;
+    receipt.unresolved_volume += grains[k].unresolved;
     if (std::abs(grains[k].lost()) > std::abs(worst)) worst = grains[k].lost();
   }
   if (std::abs(worst) > std::abs(receipt.restored_solid)) receipt.restored_solid = worst;
@@ -283,7 +286,9 @@ void Ale::carry_block(const BlockPoints& before, const StateStore& old_store, co
     LayerChanges layers = LayerRemap(soil_, how.remap).transfer(transfer, columns);
     receipt.changed += static_cast<int>(mesh_.sum(layers.changed));
     receipt.started += static_cast<int>(mesh_.sum(layers.started));
-    const std::string problem = of_first_rank(*mesh_.mesh().comm(), layers.problem);
+    const std::string problem = of_first_rank(*mesh_.mesh().comm(), layers.problem),
+                      where = of_first_rank(*mesh_.mesh().comm(), layers.where);
+    if (receipt.started_where.empty()) receipt.started_where = where;
     if (receipt.veto.empty()) receipt.veto = problem;
     ratios = std::move(layers.ratios);
   } else {
@@ -310,10 +315,16 @@ void Ale::carry_points(const StateStore& store, const Positions& x_old, const Po
                 {*remap_, patches_[k]}, here);
   receipt.changed += here.changed;
   receipt.started += here.started;
+  if (receipt.started_where.empty()) receipt.started_where = here.started_where;
   if (receipt.veto.empty()) receipt.veto = here.veto;
   receipt.restored_solid += here.restored_solid;
   receipt.restored_grains.resize(soil_.materials.size(), 0.0);
-  for (std::size_t k = 0; k < here.restored_grains.size(); ++k) receipt.restored_grains[k] += here.restored_grains[k];
+  receipt.unresolved_grains.resize(soil_.materials.size(), 0.0);
+  receipt.unresolved_volume += here.unresolved_volume;
+  for (std::size_t k = 0; k < here.restored_grains.size(); ++k) {
+    receipt.restored_grains[k] += here.restored_grains[k];
+    receipt.unresolved_grains[k] += here.unresolved_grains[k];
+  }
 }
 
 void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
@@ -345,6 +356,18 @@ void Ale::keep_compression(double before, const Constraints& constraints, State&
   scale(1);  // the compression is linear in the pressures
   const double most = take_inventory(soil_, to).compression - now, share = most > 0 ? (before - now) / most : 0.0;
   scale(std::abs(share) < deck_.mass_tolerance ? share : 0.0);
+}
+
+void Ale::take_stock(const State& state, MeshReceipt& receipt) const {
+  Inventory& after = receipt.after;
+  after = take_inventory(soil_, state);
+  for (std::size_t k = 0; k < receipt.unresolved_grains.size(); ++k) {
+    after.grains[k] += receipt.unresolved_grains[k];
+    after.solid += receipt.unresolved_grains[k];
+  }
+  if (soil_.pressure < 0) return;
+  after.water -= receipt.unresolved_volume;
+  after.pore_volume -= receipt.unresolved_volume;
 }
 
 std::string Ale::lost_mass(const MeshReceipt& receipt) const {
@@ -393,7 +416,7 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   }
   mesh_.scatter(x_new, moved.coordinates);
   if (deck_.conserve) keep_compression(receipt.before.compression, constraints, moved);
-  receipt.after = take_inventory(soil_, moved);
+  take_stock(moved, receipt);
   receipt.veto = lost_mass(receipt);
   if (!receipt.veto.empty()) return receipt;
   store.accept();

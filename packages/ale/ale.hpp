@@ -41,9 +41,12 @@ struct MeshReceipt {
   double largest_motion = 0;               // [-] of the element's size: Courant number
   double restored_solid = 0;               // share of the grains that the transfer lost and conservation put back [-]
   std::vector<double> restored_grains;     // [kg] of each material, by Soil::materials
+  std::vector<double> unresolved_grains;   // [kg] of each material that points of cut elements seem to have lost
   int changed = 0, started = 0;            // points with another material than before, and those whose law started anew
-  double yield_drift = 0;  // [-] share of the stress that the laws took back to their yield surfaces afterwards
-  Inventory before, after;
+  std::string started_where;               // one of the latter, and its material
+  double yield_drift = 0;        // [-] share of the stress that the laws took back to their yield surfaces afterwards
+  Inventory before, after;       // after: with the unresolved grains
+  double unresolved_volume = 0;  // [m3] of the unresolved grains of all materials
 };
 
 /// A mesh made anew, or why there is none.
@@ -136,6 +139,8 @@ class Ale {
   /// Scales the pore pressures, where they are free, until the compression of the pore water is what it was.
   void keep_compression(double before, const Constraints& constraints, State& to) const;
   void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
+  /// What the soil holds in a state after a transfer, with what the points of cut elements do not resolve.
+  void take_stock(const State& state, MeshReceipt& receipt) const;
   /// Why a receipt's masses are not what they were, "" where they are.
   std::string lost_mass(const MeshReceipt& receipt) const;
   // To another mesh: see take_over().

@@ -187,7 +187,7 @@ MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const M
     shift_pressures(soil_, mesh_, prescribed(std::max(soil_.pressure, 0), constraints), receipt.before.compression, to);
     keep_momentum(receipt.before, constraints, to);
   }
-  receipt.after = take_inventory(soil_, to);
+  take_stock(to, receipt);
   receipt.veto = lost_mass(receipt);
   if (receipt.veto.empty() && !(receipt.quality > 0)) receipt.veto = "the new mesh folds elements";
   receipt.moved = receipt.veto.empty();

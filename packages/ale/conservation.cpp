@@ -245,8 +245,10 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
   for (std::size_t row = 0; t.moved() && row < weights.size(); ++row)
     weights[row] = std::min(1.0, distance(is.parts[row].place, was.parts[row].place) / was.parts[row].size);
   add_grains(t, void_ratio, is, weights, lost);
-  for (std::size_t i = 0; i < count; ++i) grains[i].missing = lost[i];
-  if (count > 1) add_grains(t, void_ratio, is, std::vector<double>(weights.size(), 1.0), jumped);
+  for (std::size_t i = 0; i < count; ++i) {
+    grains[i].missing = lost[i];
+    grains[i].unresolved = jumped[i];
+  }
   return grains;
 }
 

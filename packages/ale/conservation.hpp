@@ -30,8 +30,9 @@ struct FreeBoundary {
 
 /// Grains of one material in a block [m3].
 struct Grains {
-  double before = 0;                                                 // the transfer
-  double missing = 0;                                                // after it, and put back
+  double before = 0;      // the transfer
+  double missing = 0;     // after it, and put back
+  double unresolved = 0;  // what the points of cut elements seem to have lost by it: not put back
   double lost() const { return before > 0 ? missing / before : 0; }  // [-]
 };
 
@@ -45,10 +46,10 @@ struct LayerRatios {
 /// proportion to how far the point moved, on another mesh by the same everywhere, by one factor for each material of
 /// the block and in proportion to what the material has of the point (Soil::layer_shares). Points at rest keep theirs.
 /// Where an interface cuts elements, shares are known to some per cent of an element, and a point has the void ratio of
-/// one side only. What a layer seems to gain or lose by these is spread over all of it. It stays within what the cut
-/// elements hold: it does not add up. `ratios`: read where there are several materials. `void_ratio`, `origin`:
-/// columns, as in a SoilTable. Returns what was lost, in the order of the block's materials; nothing is done where
-/// nothing moved. Collective.
+/// one side only. What a layer seems to gain or lose by these is no loss: the points do not resolve it, and no void
+/// ratio changes for it. It stays within what the cut elements hold: it does not add up. `ratios`: read where there are
+/// several materials. `void_ratio`, `origin`: columns, as in a SoilTable. Returns what was lost, in the order of the
+/// block's materials; nothing is done where nothing moved. Collective.
 std::vector<Grains> restore_grains(const PointTransfer& transfer, const Soil& soil, int void_ratio, int origin,
                                    const LayerRatios& ratios = {});
 

@@ -60,6 +60,40 @@ struct Spread {
   }
 };
 
+/// The metric of a patch of elements: places in it are told in units of the patch's own extent in each direction, so
+/// that a patch of flat elements is as round as any other.
+class PatchMetric {
+ public:
+  PatchMetric(int dim, const std::vector<Point>& places) : dim_(dim) {
+    const double share = 1.0 / static_cast<double>(places.size());
+    for (const Point& x : places)
+      for (int d = 0; d < dim; ++d) centre_[d] += share * x[d];
+    double moments[3][3] = {};
+    for (const Point& place : places) {
+      const Point x = minus(place, centre_);
+      for (int d = 0; d < dim; ++d)
+        for (int k = 0; k < dim; ++k) moments[d][k] += share * x[d] * x[k];
+    }
+    const Spread spread(dim, moments);
+    for (int k = 0; k < dim; ++k)
+      for (int d = 0; d < dim && spread.along[k] > 0; ++d)
+        axis_[k][d] = spread.direction[k][d] / std::sqrt(spread.along[k]);
+  }
+  /// [-]
+  Point operator()(const Point& place) const {
+    const Point x = minus(place, centre_);
+    Point result{};
+    for (int k = 0; k < dim_; ++k)
+      for (int d = 0; d < dim_; ++d) result[k] += axis_[k][d] * x[d];
+    return result;
+  }
+
+ private:
+  int dim_;
+  Point centre_{};
+  Point axis_[3] = {};
+};
+
 /// A linear function for each column, fitted to rows of a table.
 class Planes {
  public:
@@ -121,13 +155,14 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
     for (const auto& patch : t.patches.patches()) {
       std::vector<std::size_t> to;
       std::vector<const double*> rows;
-      std::vector<Point> places, there;
+      std::vector<Point> all, places, there;
       for (int e : patch.elements) {
         const auto& nodes = mesh.elements()[e].nodes;
         const bool touches = std::count(nodes.begin(), nodes.begin() + num_corners(block.shape), patch.node) > 0;
         for (int q = 0; q < points; ++q) {
           const std::size_t row = mesh.first_row(e, points) + q;
           const auto place = Recovery::position(mesh.elements()[e], block, q, x);
+          all.push_back(place);
           if (known[row] != 0) rows.push_back(&table[row * t.columns]);
           if (known[row] != 0) places.push_back(place);
           if (known[row] == 0 && touches) to.push_back(row);  // its own rank has the patches of all its corners
@@ -135,6 +170,9 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
         }
       }
       if (rows.empty() || to.empty()) continue;
+      const PatchMetric metric(mesh.dimension(), all);
+      for (std::vector<Point>* some : {&places, &there})
+        for (Point& place : *some) place = metric(place);
       const Planes planes(mesh.dimension(), places, rows, t.columns);
       if (!planes.resolved() && ring < 1 + rings) continue;  // better ones come with the next ring
       const double quality = (planes.resolved() ? 1.0 : 1e-3) * static_cast<double>(rows.size());
@@ -206,8 +244,7 @@ std::vector<char> LayerRemap::carry_origin(const PointTransfer& t, const SoilTab
   return material;
 }
 
-std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, int material, int element,
-                              int row) const {
+std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, int material, int row) const {
   double* now = &t.now[static_cast<std::size_t>(row) * t.columns];
   const SoilMaterial& soil = *soil_.materials[material];
   InitialPoint point;
@@ -219,12 +256,7 @@ std::string LayerRemap::start(const PointTransfer& t, const SoilTable& table, in
   std::vector<double> state(std::max(1, soil.skeleton->state_size()), 0.0);
   const std::string reason = start_guarded(*soil.skeleton, point, state.data());
   std::copy_n(state.begin(), soil.skeleton->state_size(), now + table.law);
-  if (reason.empty()) return "";
-  const auto& [mesh, block, x] = t.after;
-  const auto place =
-      Recovery::position(mesh.elements()[element], block, row - mesh.first_row(element, block.points), x);
-  return "the law of material '" + soil.name + "', which the soil at " + place_text(place, mesh.dimension()) +
-         " has become part of, cannot start there: " + reason;
+  return reason;
 }
 
 LayerRemap::Version LayerRemap::version_of(int material, const PointTransfer& t, const SoilTable& table,
@@ -282,8 +314,12 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
         if (c < table.origin || c > table.origin + mesh.dimension()) t.now[first + c] = version.now[first + c];
       if (version.near[row]) continue;
       ++result.started;
-      const std::string problem = start(t, table, material, e, row);
-      if (result.problem.empty()) result.problem = problem;
+      const std::string at = place_text(Recovery::position(mesh.elements()[e], block, q, x), mesh.dimension()),
+                        name = soil_.materials[material]->name, problem = start(t, table, material, row);
+      if (result.where.empty()) result.where = "material '" + name + "' at " + at;
+      if (result.problem.empty() && !problem.empty())
+        result.problem = "the law of material '" + name + "', which the soil at " + at +
+                         " has become part of, cannot start there: " + problem;
     }
   return result;
 }

@@ -19,6 +19,7 @@ struct SoilTable {
 struct LayerChanges {
   int changed = 0;      // points of this rank that have another material than before, where the mesh moved
   int started = 0;      // points whose law starts anew, because no soil of their material was near
+  std::string where;    // one of them, and its material; empty: there is none
   std::string problem;  // why a law cannot start; empty: none
   LayerRatios ratios;
   std::vector<char> was, is;  // (row of gather_points) number of the material before and after
@@ -49,15 +50,17 @@ class LayerRemap {
   Version version_of(int material, const PointTransfer& transfer, const SoilTable& table,
                      const std::vector<char>& was) const;
   /// "" or why the law of a material cannot start at a row.
-  std::string start(const PointTransfer& transfer, const SoilTable& table, int material, int element, int row) const;
+  std::string start(const PointTransfer& transfer, const SoilTable& table, int material, int row) const;
 
   const Soil& soil_;
   const Remap& remap_;
 };
 
 /// Continues the values of some rows of a block's table to the rows around them, by planes fitted to the rows at a
-/// vertex: linear fields exactly. `known`: (row) 1 for those that have values; rows that get one are given the number
-/// of the ring of elements around that they are in, from 2 on; 0 stays where there is none. Collective.
+/// vertex: linear fields exactly. Distances are measured by the extent of the elements around the vertex, so that flat
+/// elements are continued along their short side as round ones are. `known`: (row) 1 for those that have values; rows
+/// that get one are given the number of the ring of elements around that they are in, from 2 on; 0 stays where there is
+/// none. Collective.
 void continue_rows(const PointTransfer& transfer, std::vector<double>& table, std::vector<char>& known);
 
 }  // namespace mudline

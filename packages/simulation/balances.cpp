@@ -34,6 +34,7 @@ Balances::Balances(Model& model) : model_(model), terms_(model.all_terms()) {
   if (model_.ale() && model_.soil()->layered()) {
     std::vector<std::string> counted{"points changed", "points started"};
     for (const auto& material : model_.soil()->materials) counted.push_back("restored " + material->name);
+    for (const auto& material : model_.soil()->materials) counted.push_back("unresolved " + material->name);
     for (const std::string& name : counted)
       info.ids.push_back(static_cast<long long>(fingerprint(name.data(), name.size())));
   }
@@ -193,11 +194,13 @@ void Balances::add_remap(const MeshReceipt& receipt) {
   if (model_.soil()->layered()) {
     rows(first_layer_, 0) += receipt.changed;
     rows(first_layer_ + 1, 0) += receipt.started;
-    for (std::size_t k = 0; k < receipt.restored_grains.size(); ++k)
-      rows(first_layer_ + 2 + static_cast<int>(k), 0) += receipt.restored_grains[k];
+    for (std::size_t k = 0; k < receipt.restored_grains.size(); ++k) {
+      rows(row_of_restored(k), 0) += receipt.restored_grains[k];
+      rows(row_of_unresolved(k), 0) += receipt.unresolved_grains[k];
+    }
   }
-  // the steps' own balances go on from here
-  rows(water_start, 0) += after.water - before.water;
+  // the steps' own balances go on from here, with what the points hold
+  rows(water_start, 0) += after.water + receipt.unresolved_volume - before.water;
 }
 
 std::vector<HistoryValue> Balances::values() const {
@@ -222,12 +225,18 @@ std::vector<HistoryValue> Balances::values() const {
 void Balances::add_layers(const Inventory& now, std::vector<HistoryValue>& result) const {
   const PointView rows = model_.store().committed().arrays[handle_];
   const auto& materials = model_.soil()->materials;
-  for (std::size_t k = 0; k < materials.size(); ++k)
-    result.push_back({"balance/grains/" + materials[k]->name, "kg", now.grains[k]});
+  for (std::size_t k = 0; k < materials.size(); ++k) {
+    const double unresolved = model_.ale() ? rows(row_of_unresolved(k), 0) : 0.0;
+    result.push_back({"balance/grains/" + materials[k]->name, "kg", now.grains[k] + unresolved});
+  }
   if (!model_.ale()) return;
-  for (std::size_t k = 0; k < materials.size(); ++k)
-    result.push_back({"mesh motion/restored grains of " + materials[k]->name, "-",
-                      rows(first_layer_ + 2 + static_cast<int>(k), 0) / std::max(now.grains[k], 1e-300)});
+  const auto push_shares = [&](const std::string& what, int (Balances::*row_of)(std::size_t) const) {
+    for (std::size_t k = 0; k < materials.size(); ++k)
+      result.push_back({"mesh motion/" + what + " grains of " + materials[k]->name, "-",
+                        rows((this->*row_of)(k), 0) / std::max(now.grains[k], 1e-300)});
+  };
+  push_shares("restored", &Balances::row_of_restored);
+  push_shares("unresolved", &Balances::row_of_unresolved);
   result.push_back({"mesh motion/points of another material", "-", rows(first_layer_, 0)});
   result.push_back({"mesh motion/laws started anew", "-", rows(first_layer_ + 1, 0)});
 }

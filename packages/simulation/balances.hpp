@@ -54,6 +54,11 @@ class Balances {
   int row_of(const Term* term) const;
   /// Rows: content at the start, outflow, its sum over absolute values, change by mesh motion.
   int row_of_conserved(std::size_t c) const { return first_conserved_ + 4 * static_cast<int>(c); }
+  /// Of a material's grains [kg]: what transfers put back, and what points of cut elements do not resolve.
+  int row_of_restored(std::size_t material) const { return first_layer_ + 2 + static_cast<int>(material); }
+  int row_of_unresolved(std::size_t material) const {
+    return row_of_restored(material) + static_cast<int>(model_.soil()->materials.size());
+  }
   /// What leaves through the boundary at a dof of a scalar field: this rank's contributions.
   double outflow_at(int dof) const;
   void add_conserved(const PointView& rows);

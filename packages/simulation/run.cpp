@@ -336,7 +336,7 @@ std::string Run::relocate_mesh() {
   return "";
 }
 
-void Run::tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) const {
+void Run::tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) {
   const auto share = [](double before, double after) { return before != 0 ? after / before - 1 : 0.0; };
   char line[240];
   std::snprintf(line, sizeof line,
@@ -347,6 +347,14 @@ void Run::tell_transfer(const MeshReceipt& receipt, const std::string& begin, vo
                 share(receipt.before.kinetic, receipt.after.kinetic), receipt.yield_drift);
   tell(begin + line);
   if (model_->soil()->layered()) tell(layers_text(receipt));
+  if (receipt.started == 0 || started_anew_) return;
+  started_anew_ = true;
+  log::warn("laws start anew at " + std::to_string(receipt.started) + " points where the soil has become another " +
+            "one, the first of " + receipt.started_where + ", at t " +
+            format("%.6g s", model_->store().committed().time) +
+            ": no soil of that material was within an element, so that its state variables (preconsolidation pressure "
+            "and the like) follow from stress and void ratio there and its history is lost; doubt them there (smaller "
+            "elements across the layers help; 'mesh motion/laws started anew' counts on)");
 }
 
 std::string Run::layers_text(const MeshReceipt& receipt) const {

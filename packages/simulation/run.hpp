@@ -62,7 +62,7 @@ class Run {
   /// "" or why the mesh was not moved; the state is then undefined.
   std::string relocate_mesh();
   /// What a motion of the mesh or a mesh made anew changed, in a line, and in one more for layers.
-  void tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&)) const;
+  void tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&));
   /// What it did to the layers.
   std::string layers_text(const MeshReceipt& receipt) const;
   bool remeshing_due();
@@ -137,8 +137,9 @@ class Run {
   bool row_is_due_ = false;    // of the last step, in the history
   int steps_here_ = 0;
   int rejected_ = 0;
-  MeshQuality quality_;     // of the committed state's mesh
-  bool poor_mesh_ = false;  // that was said
+  MeshQuality quality_;        // of the committed state's mesh
+  bool poor_mesh_ = false;     // that was said
+  bool started_anew_ = false;  // likewise, of laws
   double wall_start_ = 0;
 };
 

@@ -79,8 +79,9 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
   return std::make_unique<Mesh>(std::move(comm), Geometry::plane_strain, std::move(global));
 }
 
-/// A unit cube of n by n by n cells, or of the six tetrahedra of each, with inner vertices scattered.
-inline std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion = 0.15) {
+/// A box, one metre high and `width` wide, of n by n by n cells, or of the six tetrahedra of each, with inner vertices
+/// scattered.
+inline std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion = 0.15, double width = 1.0) {
   Deck deck;
   const std::string cells = std::to_string(n);
   deck.overlay(
@@ -89,8 +90,9 @@ inline std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion = 0.
       "<Parameter name=\"geometry\" type=\"string\" value=\"three-dimensional\"/>"
       "<Parameter name=\"cell\" type=\"string\" value=\"" +
           std::string(name(shape)) + "\"/><Parameter name=\"cells\" type=\"Array(int)\" value=\"{" + cells + ", " +
-          cells + ", " + cells +
-          "}\"/><Parameter name=\"upper\" type=\"Array(double)\" value=\"{1.0, 1.0, 1.0}\"/>"
+          cells + ", " + cells + "}\"/><Parameter name=\"upper\" type=\"Array(double)\" value=\"{" +
+          std::to_string(width) + ", " + std::to_string(width) +
+          ", 1.0}\"/>"
           "<Parameter name=\"distortion\" type=\"double\" value=\"" +
           std::to_string(distortion) + "\"/></ParameterList></ParameterList>",
       "cube.xml");

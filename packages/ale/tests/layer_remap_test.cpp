@@ -32,7 +32,10 @@ class Remembers : public Skeleton {
 
 /// Two layers in a unit square or cube: fields that are linear in each and jump between them.
 struct Layers {
-  Layers(CellShape shape, int n) : Layers(dimension(shape) == 2 ? box(shape, n) : cube(shape, n)) {}
+  Layers(CellShape shape, int n, double width = 1)
+      : Layers(dimension(shape) == 2 ? box(shape, n, 0.2, width) : cube(shape, n, 0.15, width)) {
+    this->width = width;
+  }
   explicit Layers(std::unique_ptr<Mesh> made)
       : mesh(std::move(made)),
         space(*mesh, {displacement_field()}),
@@ -87,6 +90,7 @@ struct Layers {
     return {{whole, block, start}, {whole, block, to}, patches, table.variables, table.columns, old, now};
   }
   int up;
+  double width = 1;  // [m] of a mesh that is one metre high
   std::unique_ptr<Mesh> mesh;
   Space space;
   GhostedMesh whole;
@@ -102,14 +106,19 @@ Positions swung(const Layers& layers, double size) {
   const double pi = std::acos(-1.0);
   Positions result = layers.start;
   for (Point& p : result)
-    p[layers.up] += size * std::sin(pi * p[0]) * std::sin(pi * p[1]) * (layers.up == 2 ? std::sin(pi * p[2]) : 1.0);
+    p[layers.up] += size * std::sin(pi * p[0] / layers.width) * std::sin(pi * p[layers.up]) *
+                    (layers.up == 2 ? std::sin(pi * p[1] / layers.width) : 1.0);
   return result;
 }
 
 TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
-  for (CellShape shape : {CellShape::tri6, CellShape::quad9, CellShape::tet10, CellShape::hex27})
+  // flat elements too, as layers are meshed: 15 times as wide as high
+  for (const auto& [shape, width] :
+       {std::pair{CellShape::tri6, 1.0}, std::pair{CellShape::quad9, 1.0}, std::pair{CellShape::tet10, 1.0},
+        std::pair{CellShape::hex27, 1.0}, std::pair{CellShape::tri6, 15.0}, std::pair{CellShape::quad9, 15.0},
+        std::pair{CellShape::tet10, 15.0}, std::pair{CellShape::hex27, 15.0}})
     for (double size : {0.05, -0.05}) {
-      Layers layers(shape, 8);
+      Layers layers(shape, 8, width);
       const Positions to = swung(layers, size);
       const std::vector<double> old = layers.at(layers.start);
       std::vector<double> now = old;
@@ -124,7 +133,8 @@ TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
         EXPECT_EQ(material, changes.is[row]);
         EXPECT_EQ(material, p[layers.up] > interface ? 0 : 1);
         for (int c = 0; c < layers.table.columns; ++c)
-          EXPECT_NEAR(found[c], layers.value(c, material, p), 1e-11) << c << " at " << p[0] << " " << p[layers.up];
+          EXPECT_NEAR(found[c], layers.value(c, material, p), 1e-11 * width)
+              << c << " at " << p[0] << " " << p[layers.up];
       });
     }
 }
@@ -156,7 +166,8 @@ std::array<double, 2> grains_of(const Layers& layers, const std::vector<double>&
   return sum;
 }
 
-TEST(LayerRemap, TheGrainsOfALayerDoNotJumpAndComeBackToTheLastDigits) {
+/// What only the points of cut elements seem to lose changes no void ratio, and is told.
+TEST(LayerRemap, TheGrainsOfALayerComeBackToTheLastDigitsAndNoneForAPointThatJumps) {
   const Layers layers(CellShape::tri6, 8);
   std::vector<double> old = layers.at(layers.start);
   for (double size : {0.001, 0.01, 0.05}) {
@@ -172,17 +183,19 @@ TEST(LayerRemap, TheGrainsOfALayerDoNotJumpAndComeBackToTheLastDigits) {
     ASSERT_EQ(restored.size(), 2u);
     for (int k : {0, 1}) {
       EXPECT_NEAR(restored[k].before, before[k], 1e-14);
-      EXPECT_NEAR(after[k] / before[k], 1, 1e-14);
+      EXPECT_NEAR((after[k] + restored[k].unresolved) / before[k], 1, 1e-14);
+      // at most what a row of the cut elements' points holds: 0.0625 (1/1.6 - 1/2.4)
+      EXPECT_LT(std::abs(restored[k].unresolved), 0.5 * 0.0625 * 0.21);
     }
     EXPECT_LT(std::abs(before[0] - carried[0]), 0.02 * before[0]);
+    EXPECT_GT(std::abs(restored[0].unresolved), size > 0.02 ? 1e-5 : 0.0);
     EXPECT_LT(std::abs(restored[0].missing), 1e-3 * before[0]);
     EXPECT_GT(changes.changed, size > 0.02 ? 5 : -1);
     double most = 0;
     for (std::size_t row = 0; row < now.size() / layers.table.columns; ++row)
       most = std::max(most, std::abs(now[row * layers.table.columns + layers.table.void_ratio] -
                                      unrestored[row * layers.table.columns + layers.table.void_ratio]));
-    // what an element's row of cut points can bring or take, spread over a layer of 0.5: 0.0625 (1/1.6 - 1/2.4) / 0.5
-    EXPECT_LT(most, 0.026 * 2.4 * 2.4);
+    EXPECT_LT(most, 2e-3 * 2.4);  // the transfer's own loss
   }
 }
 

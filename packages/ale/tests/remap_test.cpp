@@ -187,6 +187,43 @@ TEST(ConvectionRemap, IsOfSecondOrderForSmoothFields) {
   }
 }
 
+/// A front three elements thick, carried over six times between two meshes: a single recovery wears it down.
+TEST(RecoveryRemap, AFrontOfThreeElementsSurvivesOtherMeshes) {
+  const auto front = [](double x, double y) { return std::exp(-8 * (1 - y)) * (1 + 0.1 * x); };
+  const auto one = box(CellShape::tri6, 8), other = box(CellShape::tri6, 9, 0.3);
+  const Points a(*one), b(*other);
+  const std::vector<double> exact = a.values(front, a.start);
+  const auto by_single = [](const PointTransfer& t) {
+    const Recovery recovered(t.before.mesh, t.before.block, t.patches, t.before.x, t.old, 1);
+    const PointLocator locator(t.before.mesh, t.before.x);
+    for (int e : t.after.mesh.block_elements(0))
+      for (int q = 0; q < t.after.block.points; ++q)
+        recovered.at(locator.find(Recovery::position(t.after.mesh.elements()[e], t.after.block, q, t.after.x), 0),
+                     &t.now[t.after.mesh.first_row(e, t.after.block.points) + q]);
+  };
+  const auto error = [&](const auto& carry) {
+    std::vector<double> values = exact;
+    for (int k = 0; k < 6; ++k) {
+      const Points &from = k % 2 == 0 ? a : b, &to = k % 2 == 0 ? b : a;
+      std::vector<double> now(static_cast<std::size_t>(to.block.elements) * to.block.points, 0.0);
+      carry(PointTransfer{{from.whole, from.block, from.start},
+                          {to.whole, to.block, to.start},
+                          from.patches,
+                          from.variables,
+                          1,
+                          values,
+                          now});
+      values = now;
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) sum += std::pow(values[i] - exact[i], 2) / exact.size();
+    return std::sqrt(sum);
+  };
+  const double twice = error([](const PointTransfer&t) { RecoveryRemap().transfer(t); }), single = error(by_single);
+  EXPECT_LT(twice, 0.6 * single);
+  EXPECT_LT(twice, 0.01);
+}
+
 TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
   for (Geometry geometry : {Geometry::plane_strain, Geometry::axisymmetric}) {
     const bool axisymmetric = geometry == Geometry::axisymmetric;

@@ -169,5 +169,65 @@ class Layers(MudlineCase):
             self.assert_error("void ratio " + name, np.abs(ratio[cells] - started).max() / (1 + started), ROW)
 
 
+CLAYS = {  # void ratio, critical stress ratio, slopes, Poisson's ratio, conductivity
+    "soft": (1.9, 0.9, 0.3, 0.05, 0.25, 1.5e-9),
+    "stiff": (1.0, 1.1, 0.1, 0.02, 0.3, 8e-9)}
+TOP_OF_SOFT = 1.19  # [m] of 2 m
+
+
+class FlatElements(MudlineCase):
+    """Two overconsolidated clays under 120 kPa more, elements up to 14 times as wide as high. Both stay elastic: their preconsolidation is what it
+    was, and at the end every point of a layer has the void ratio that the swelling line gives for its own stress path, as on a mesh that goes with the soil."""
+
+    def consolidate(self, cells, moves, name):
+        def clay(key):
+            ratio, critical, compression, swelling, poisson, conductivity = CLAYS[key]
+            return {"void ratio": ratio,
+                    "skeleton": {"type": "modified cam clay", "critical stress ratio": critical, "compression slope": compression,
+                                 "swelling slope": swelling, "Poisson's ratio": poisson},
+                    "fluid": {"type": "water", "incompressible": True, "unit weight": 9810.0},
+                    "permeability": {"type": "constant", "hydraulic conductivity": conductivity}}
+
+        deck = self.write(name + ".xml", deck_text(name, {
+            "mesh": {"type": "box", "cell": "quad9", "cells": [2, cells], "upper": [0.4, 2.0], "grading": [1.0, 0.4]},
+            "materials": {"soft": {**clay("soft"), "top": TOP_OF_SOFT}, "stiff": clay("stiff")},
+            "physics": {"ground": {"type": "biot", "initial state": {
+                "type": "uniform", "effective stress yy": 20e3, "effective stress xx": 13e3, "effective stress zz": 13e3,
+                "overconsolidation ratio": 12.0}}},
+            "boundary conditions": {
+                "base": {"type": "fixed", "set": "bottom", "components": "y"},
+                "left side": {"type": "fixed", "set": "left", "components": "x"},
+                "right side": {"type": "fixed", "set": "right", "components": "x"},
+                "drained": {"type": "pore pressure", "set": "top"},
+                "load": {"type": "pressure", "set": "top", "value": 120e3}},
+            "mesh motion": {},
+            "stages": {"consolidation": {"type": "quasi-static", "duration": 8e7, "mesh motion": moves,
+                                         "time step": {"initial": 8e3, "growth": 1.3, "maximum": 2e6}}}}))
+        history = self.run_deck(deck, name=name)
+        with h5py.File(os.path.join(self.folder, "results", name + ".h5")) as file:
+            last = file["steps"][sorted(file["steps"])[-1]]
+            columns = [last["cell/" + key][:] for key in ("void_ratio", "preconsolidation_pressure", "material")]
+            place = last["cell/place_at_the_start"][:, 1]
+        return history, place, [column.ravel() for column in columns]
+
+    def test_void_ratios_and_preconsolidation_of_each_layer(self):
+        for cells in (20, 40, 80):
+            _, there, (still, pressures, _) = self.consolidate(cells, False, "still")
+            history, place, (ratio, preconsolidation, material) = self.consolidate(cells, True, "moved")
+            self.assertGreater(history["mesh motion/points of another material"][-1], 5)
+            self.assertEqual(history["mesh motion/laws started anew"][-1], 0)
+            for number, away in ((0, TOP_OF_SOFT - place), (1, place - TOP_OF_SOFT)):
+                own = away > 1.6 / cells  # no element that the interface cuts
+                here = there[:, None] - TOP_OF_SOFT > 1.6 / cells if number else TOP_OF_SOFT - there[:, None] > 1.6 / cells
+                self.assertTrue((material[own] == number).all())
+                e, p = still[here.ravel()].mean(), pressures[here.ravel()].mean()
+                self.assert_error(f"void ratio, {cells} cells, layer {number}", np.abs(ratio[own] - e).max() / (1 + e), 0.02 / cells)
+                self.assert_error(f"preconsolidation, {cells} cells, layer {number}", np.abs(preconsolidation[own] / p - 1).max(), 2e-3)
+            for name in ("soft", "stiff"):
+                grains = history["balance/grains/" + name]
+                self.assert_error("grains of " + name, np.abs(grains / grains[0] - 1).max(), 1e-12)
+                self.assert_error("unresolved of " + name, np.abs(history["mesh motion/unresolved grains of " + name]).max(), 0.4 / cells)
+
+
 if __name__ == "__main__":
     unittest.main()

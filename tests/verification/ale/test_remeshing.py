@@ -25,7 +25,38 @@ def block(cells):
         "output": {"error estimate": True, "target error": 0.008}})
 
 
+def front():
+    """Soft clay, normally consolidated, under three times its stress: after 23 days a front some three elements thick has entered."""
+    skeleton = {"type": "modified cam clay", "critical stress ratio": 0.9, "compression slope": 0.3, "swelling slope": 0.05, "Poisson's ratio": 0.25}
+    return deck_text("front", {
+        "mesh": {"type": "box", "cell": "tri6", "cells": [8, 8], "upper": [1.0, 1.0], "distortion": 0.2},
+        "materials": {"soil": {"void ratio": 1.9, "skeleton": skeleton, "fluid": {"type": "water", "incompressible": True},
+                               "permeability": {"type": "constant", "hydraulic conductivity": 1.5e-9}}},
+        "physics": {"ground": {"type": "biot", "initial state": {
+            "type": "uniform", "effective stress yy": 20e3, "effective stress xx": 13e3, "effective stress zz": 13e3, "overconsolidation ratio": 1.0}}},
+        "boundary conditions": {"base": {"type": "fixed", "set": "bottom", "components": "y"},
+                                "left side": {"type": "fixed", "set": "left", "components": "x"},
+                                "right side": {"type": "fixed", "set": "right", "components": "x"},
+                                "drained": {"type": "pore pressure", "set": "top"},
+                                "load": {"type": "pressure", "set": "top", "value": 60e3}},
+        "stages": {"consolidation": {"type": "quasi-static", "duration": 2e6, "integrator": {"type": "theta", "theta": 1.0},
+                                     "time step": {"initial": 5e3, "growth": 1.1, "maximum": 5e4}}}})
+
+
 class Remeshing(MudlineCase):
+    def test_a_front_three_elements_thick_is_not_worn_down(self):
+        """Remeshed every four steps. (By a single recovery: 2.9 % less water flowed out, the surface was uneven by 4.1 % of the settlement.)"""
+        still = self.run_deck(self.write("front.xml", front()))
+        moved = self.run_deck([self.write("front.xml", front()), self.write("remeshing.xml", remeshing(4))])
+        self.assertGreater(moved["mesh/remeshings"][-1], 8)
+        self.assert_error("outflow", abs(moved["balance/water/outflow"][-1] / still["balance/water/outflow"][-1] - 1), 0.016)
+        with h5py.File(os.path.join(self.folder, "results", "front.h5")) as file:
+            last = file["steps"][sorted(file["steps"])[-1]]
+            y, pressure = last["coordinates"][:, 1], last["nodal/pore_pressure"][:].ravel()
+        surface = y[(y > 0.9) & (pressure == 0)]
+        self.assertGreater(len(surface), 10)
+        self.assert_error("uneven surface", np.ptp(surface) / (1 - surface.mean()), 0.028)
+
     def test_uniform_stress_survives(self):
         skeleton = {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.3}
         start = {"type": "uniform", "effective stress xx": 3e4, "effective stress yy": 5e4, "effective stress zz": 2e4,
