@@ -24,15 +24,15 @@ std::vector<std::string> components(const Condition& condition) {
   return {"x", "y", "z"};
 }
 
-/// From first to last value, over the stages in which the condition acts.
-Span over_stages(const Setup& setup, const Condition& condition, const std::string& component) {
+/// Of its values over the stages in which the condition acts, on its set, or anywhere in the mesh.
+Span over_stages(const Setup& setup, const Condition& condition, const std::string& component, bool anywhere = false) {
   Span all;
   const auto& stages = setup.model().stages();
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const auto& names = stages[i]->conditions;
     if (std::count(names.begin(), names.end(), condition.name) == 0) continue;
-    const Span span =
-        setup.given(condition.entry, component, setup.begin(i), setup.begin(i + 1), &setup.set(condition.set));
+    const Span span = setup.given(condition.entry, component, setup.begin(i), setup.begin(i + 1),
+                                  anywhere ? nullptr : &setup.set(condition.set));
     if (!span.known()) continue;
     all.add(span.low);
     all.add(span.high);
@@ -70,13 +70,15 @@ Findings load_at_all(const Setup& setup) {
   for (const Condition& condition : setup.conditions()) {
     if (!is_load(condition) && condition.type != "flux" && condition.type != "velocity") continue;
     const auto [size, given] = largest(setup, condition);
-    // a zero that the deck writes as a number is meant
-    bool written = false;
+    // a zero that the deck writes as a number is meant, and one of a function of the place that is another elsewhere
+    bool written = false, elsewhere = false;
     for (const std::string& component : components(condition)) {
       const auto value = setup.function(condition.entry, component);
       written = written || (value && !value->is_constant());
+      const Span span = over_stages(setup, condition, component, true);
+      elsewhere = elsewhere || (span.known() && span.largest() != 0);
     }
-    if (given && size == 0 && written)
+    if (given && size == 0 && written && !elsewhere)
       found.push_back({size, called(condition) + "the largest size of its function, in the stages in which it acts,",
                        "the time of functions is that of the whole run: look at their times and at the stages' "
                        "'conditions'"});

@@ -196,7 +196,7 @@ MISTAKES = [
     ("block", {LAW + "sensitivity": 3.0, LAW + "ductility": 0.1}, "ductility"),
     ("clay", {LAW + "critical stress ratio": 0.4, START + "K0": 0.8}, "critical stress ratio"),
     ("clay", {LAW + "critical stress ratio": 2.5}, "critical stress ratio"),
-    ("clay", {LAW + "minimum mean stress": 5e4}, "minimum mean stress"),
+    ("clay", {LAW + "minimum mean stress": 4e4, START + "surcharge": 1e5}, "minimum mean stress"),
     # stiffness
     ("block", {LAW + "shear modulus": 2e3}, "shear modulus"),
     ("block", {LAW + "shear modulus": 1e5}, "rigidity index"),
