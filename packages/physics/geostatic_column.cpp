@@ -89,7 +89,7 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
 void GeostaticColumn::weigh(double surcharge, const Density& density) {
   stations_.clear();
   double y = layers_.front().top;
-  double stress = surcharge + layers_.front().material->biot_coefficient * pore_pressure(y);
+  double stress = surcharge + layers_.front().material->biot_coefficient * std::max(0.0, pore_pressure(y));
   for (const Layer& layer : layers_) {
     const double from = std::min(layer.top, y);
     if (from <= layer.bottom) continue;
@@ -111,16 +111,21 @@ void GeostaticColumn::weigh(double surcharge, const Density& density) {
   }
 }
 
-double GeostaticColumn::pore_pressure(double y) const {
-  if (!water_level_) return 0;
-  double pressure = 0, from = *water_level_;
-  for (const Layer& layer : layers_) {
-    const double to = &layer == &layers_.back() ? y : std::max(layer.bottom, y);
-    if (from <= to) continue;
-    pressure += layer.fluid_density * gravity_ * (from - to);
+double GeostaticColumn::fluid_weight(double y) const {
+  double weight = 0, from = layers_.back().bottom;
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
+    const bool lowest = layer == layers_.rbegin(), highest = layer + 1 == layers_.rend();
+    // the lowest and the uppermost layer go on below and above
+    const double to = highest ? y : lowest ? std::min(y, layer->top) : std::max(from, std::min(y, layer->top));
+    weight += layer->fluid_density * gravity_ * (to - from);
     from = to;
+    if (!highest && y <= layer->top) break;
   }
-  return pressure;
+  return weight;
+}
+
+double GeostaticColumn::pore_pressure(double y) const {
+  return water_level_ ? fluid_weight(*water_level_) - fluid_weight(y) : 0;
 }
 
 double GeostaticColumn::total_stress(double y) const {

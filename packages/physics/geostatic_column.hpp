@@ -18,12 +18,13 @@ class GeostaticColumn {
   GeostaticColumn(const Soil& soil, double gravity, std::optional<double> water_level, const Section& section);
   /// [kg/m3] of a material at a height under a total vertical stress [Pa]
   using Density = std::function<double(const SoilMaterial& material, double y, double total)>;
-  /// surcharge: effective stress on the top [Pa]; water that stands above it adds to the total stress. `density` is
-  /// asked for the layers only whose law decides.
+  /// surcharge: stress on the top [Pa] beside that of water that stands above it. `density` is asked for the layers
+  /// only whose law decides.
   void weigh(double surcharge, const Density& density);
 
   double total_stress(double y) const;
-  /// Pressure [Pa] of water at rest below the water level. Water above the top is the uppermost layer's.
+  /// Pressure [Pa] of water at rest: negative, a suction, above the water level, since all soil is saturated. Water
+  /// above the top is the uppermost layer's.
   double pore_pressure(double y) const;
 
  private:
@@ -37,6 +38,9 @@ class GeostaticColumn {
   struct Station {
     double y, stress, slope;  // [m] [Pa] [Pa/m] d stress/d depth just below
   };
+  /// Of the fluid between the bottom and a height [Pa].
+  double fluid_weight(double y) const;
+
   double gravity_;
   std::optional<double> water_level_;
   std::vector<Layer> layers_;      // from the top

@@ -25,9 +25,11 @@ void InitialState::parameters(Parameters& p) {
       p.add(names[i], stress_[i], "Pa", any(),
             std::string("uniform start, compression positive") + (i == 3 || i == 4 ? "; in space" : ""));
   p.add("pore pressure", pressure_, "Pa", any(), "uniform start, compression positive");
-  p.add("surcharge", surcharge_, "Pa", non_negative(), "geostatic: effective vertical stress at the surface");
+  p.add("surcharge", surcharge_, "Pa", non_negative(),
+        "geostatic: vertical load on the surface, beside water that stands above it");
   p.add("water level", water_level_, "m", any(),
-        "geostatic: height of the water surface, counted against gravity; without it the soil is dry or single-phase");
+        "geostatic: height of the water surface, counted against gravity; water above it is held by suction. Without "
+        "it the pore pressure is zero");
   has_water_ = p.given("water level");
   p.add("K0", k0_, "-",
         "geostatic: earth pressure coefficient at rest, sigma'_h/sigma'_v; by default that of the skeleton law");

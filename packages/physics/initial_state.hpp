@@ -10,9 +10,9 @@ namespace mudline {
 /// positive; the state itself is tension positive.
 ///  "stress free": everything zero.
 ///  "uniform": given stresses.
-///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p hydrostatic below the water
-///  level; horizontal layers by mesh region and material. The weight follows the void ratio, also where that comes from
-///  the law.
+///  "geostatic": sigma'_v = surcharge + weight above - alpha p, sigma'_h = K0 sigma'_v, p that of water at rest, a
+///  suction above the water level; horizontal layers by mesh region and material. The weight follows the void ratio,
+///  also where that comes from the law.
 class InitialState {
  public:
   void parameters(Parameters& p);

@@ -11,6 +11,7 @@
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
 #include "simulation/penetration_watch.hpp"
+#include "simulation/setup.hpp"
 
 namespace mudline {
 
@@ -71,6 +72,8 @@ struct Extent {
 Doubts other_doubts() {
   Doubts result;
   PenetrationWatch::declare(result);
+  for (const SetupCheck& check : setup_checks())
+    if (*check.quantity.meaning) result.declare(check.quantity);  // one without is another's
   return result;
 }
 
@@ -179,6 +182,11 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), o
   tell_materials();
   tell_mesh();
   tell_stages(deck);
+  const Setup setup(model, deck);
+  for (const SetupCheck& check : setup_checks())
+    for (const Finding& found : check.look(setup))
+      others_.judge(check.quantity.name, found.value, found.what, found.advice);
+  doubts_.insert(doubts_.end(), others_.lines().begin(), others_.lines().end());
 }
 
 void Plausibility::print() const {

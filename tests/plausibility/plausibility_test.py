@@ -24,6 +24,10 @@ DOUBTED = {
     # a cardboard roller and a soil like diamond: references of contact, not of soil
     "contact/roller": "mass over volume is 127",
     "contact/sliding_block": "shear modulus is 5e.11",
+    # consolidation with inertia, whose steps follow the pore pressure and no waves: the doubt is right
+    "consolidation/strip_footing": "over the time in which a wave crosses the mesh",
+    # starts without stress and water pressure, but with weight: the doubt is right
+    "impact/fall_and_pull_out": "over that of water at rest",
     # falls through 60 m of water, and meets no soil
     "impact/free_fall": "distance from the soil|to reach the soil",
 }

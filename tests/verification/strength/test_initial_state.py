@@ -15,11 +15,11 @@ LAYERS = ((-2, 0, 0.4, 2650), (-5, -2, 0.6, 2700), (-6, -5, 0.3, 2650))
 
 
 def vertical(y):
-    """Effective vertical stress [Pa], by integration of each layer's weight."""
+    """Effective vertical stress [Pa], by integration of each layer's weight; above the water level there is suction."""
     total = 10e3
     for bottom, top, porosity, grains in LAYERS:
         total += ((1 - porosity) * grains + porosity * 1000) * G * max(top - max(y, bottom), 0)
-    return total - WATER * max(-1 - y, 0)
+    return total - WATER * (-1 - y)
 
 
 def overconsolidation(y):

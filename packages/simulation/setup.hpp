@@ -1,0 +1,135 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/doubts.hpp"
+#include "simulation/model.hpp"
+
+namespace mudline {
+
+/// Smallest and largest of some values.
+struct Span {
+  double low = 1e300, high = -1e300;
+  void add(double value);
+  bool known() const { return high >= low; }
+  double length() const { return known() ? high - low : 0; }
+  /// Both values, or the one that they are, or none.
+  std::vector<double> ends() const;
+  /// The value that is farther from zero.
+  double largest() const { return -low > high ? low : high; }
+};
+
+/// What a model is before its first step, for checks that doubt how a deck is meant: entries as the deck gives them,
+/// and means over the mesh.
+class Setup {
+ public:
+  /// Collective.
+  Setup(Model& model, const Section& deck);
+
+  /// Of one material at the start, means over its points; zero where it has none.
+  struct SoilMeans {
+    double points = 0;
+    double shear = 0, modulus = 0;  // [Pa] G, drained constrained modulus
+    double wave = 0;                // [m/s] of pressure, undrained
+    double density = 0;             // [kg/m3]
+    double void_ratio = 0;          // [-]
+    double conductivity = 0;        // [m/s]
+    double consolidation = 0;       // [m2/s] c_v; 0 without pore fluid
+  };
+  /// Where a set of the mesh is.
+  struct SetFigures {
+    std::array<Span, 3> box;  // [m]
+    int sides = 0;            // 0: a set of nodes
+    Point side{};             // [m] of one of them along each axis, mean
+    int order = 1;            // of the cells at its sides
+    Point normal{};           // outward, of length 1 where the sides are one plane; shorter where they turn
+  };
+  /// One entry of "boundary conditions".
+  struct ConditionEntry {
+    std::string name, type, set;
+    Section entry;
+  };
+
+  Model& model() const { return model_; }
+  const Section& deck() const { return deck_; }
+  const Mesh& mesh() const { return model_.mesh(); }
+  int dimension() const { return mesh().dimension(); }
+  /// Number of the vertical axis: the last one.
+  int vertical() const { return dimension() - 1; }
+  double extent(int axis) const { return mesh().bounds().high[axis] - mesh().bounds().low[axis]; }
+  bool porous() const { return model_.soil()->pressure >= 0; }
+
+  std::vector<Section> materials() const { return entries("materials"); }
+  std::vector<Section> physics() const { return entries("physics"); }
+  const std::vector<ConditionEntry>& conditions() const { return conditions_; }
+  std::vector<ConditionEntry> conditions(const Stage& stage) const;
+  /// [s] when a stage begins, and when the run ends.
+  double begin(std::size_t stage) const { return begins_[stage]; }
+  double end() const { return begins_.back(); }
+
+  /// The values of an entry that the deck gives, as a number, a list, or a function over the box of a set, or of the
+  /// mesh, and the time from `from` to `to`; not known where it gives none.
+  Span given(const Section& section, const std::string& name, double from, double to,
+             const SetFigures* where = nullptr) const;
+  Span given(const Section& section, const std::string& name) const { return given(section, name, 0, end()); }
+  /// The function of an entry; empty where the deck gives none.
+  std::optional<Function> function(const Section& section, const std::string& name) const;
+  /// The word or text of an entry, or the fallback.
+  static std::string word(const Section& section, const std::string& name, const std::string& fallback = "");
+
+  /// Whether stresses and loads in another unit would only scale the answer: no weight, no law with a strength.
+  bool scales() const;
+  /// By material.
+  const std::map<std::string, SoilMeans>& soils() const { return soils_; }
+  /// Of all soil.
+  const SoilMeans& soil() const { return all_; }
+  /// [m/s2] largest over the run, with its factor.
+  double gravity() const { return gravity_; }
+  const Point& gravity_vector() const { return gravity_vector_; }
+  /// The deck's entry that gives gravity; empty: none.
+  const std::optional<Section>& gravity_entry() const { return gravity_entry_; }
+  /// Collective at the first call for a set.
+  const SetFigures& set(const std::string& name) const;
+
+ private:
+  std::vector<Section> entries(const std::string& collection) const;
+  void find_soil();
+  void find_gravity();
+
+  Model& model_;
+  Section deck_;
+  std::vector<double> begins_;
+  std::vector<ConditionEntry> conditions_;
+  std::map<std::string, SoilMeans> soils_;
+  SoilMeans all_;
+  double gravity_ = 0;
+  Point gravity_vector_{};
+  std::optional<Section> gravity_entry_;
+  mutable std::map<std::string, SetFigures> sets_;
+};
+
+/// A value that a check has found: what it is of, and what to change where it is unusual.
+struct Finding {
+  double value;
+  std::string what, advice;
+};
+
+/// One way in which a deck may be meant otherwise than it is written. Its quantity's name is that of the doubt.
+struct SetupCheck {
+  Usual quantity;
+  /// Collective: the same findings on every rank.
+  std::vector<Finding> (*look)(const Setup& setup);
+};
+
+/// The checks of a group; a new one is a line in its list.
+std::vector<SetupCheck> material_checks();
+std::vector<SetupCheck> parameter_checks();
+std::vector<SetupCheck> load_checks();
+std::vector<SetupCheck> domain_checks();
+/// All of them, in the order in which they doubt.
+std::vector<SetupCheck> setup_checks();
+
+}  // namespace mudline

@@ -1,0 +1,43 @@
+"""Mistakes of practice are doubted by name, in the plane and in space; the decks that they were made of are not."""
+import collections
+import re
+import unittest
+
+from mistakes import BASES, FILES, FOOTING, MISTAKES, changed
+from mudline_case import MudlineCase, deck_text, program
+
+
+class Mistakes(MudlineCase):
+    def setUp(self):
+        super().setUp()
+        for name, (half, width, depth, cells) in FILES.items():
+            self.write(name + ".geo", FOOTING.format(half=half, width=width, depth=depth, cells=cells))
+
+    def doubts(self, decks):
+        """{name: [line]} of {name: deck}, all in one start of the program."""
+        for name, deck in decks.items():
+            self.write(name + ".xml", deck_text(name, deck))
+        done = program(["check", "--each"] + [name + ".xml" for name in decks], folder=self.folder)
+        self.assertEqual(done.returncode, 0, "\n".join(line for line in done.stdout.splitlines() if "is valid" not in line))
+        found = collections.defaultdict(list)
+        for line in done.stderr.splitlines():
+            doubt = re.fullmatch(r"warning: (\w+)\.xml: (.*)", line)
+            found[doubt[1] if doubt else "others"].append(doubt[2] if doubt else line)
+        return found
+
+    def test_right_decks_are_not_doubted(self):
+        decks = {f"{name} {space}".replace(" ", "_"): base(space) for name, base in BASES.items() for space in (False, True)}
+        self.assertEqual(dict(self.doubts(decks)), {})
+
+    def test_mistakes_are_doubted(self):
+        self.assertGreaterEqual(len(MISTAKES), 60)
+        for space in (False, True):
+            decks = {f"row_{i}": changed(BASES[base](space), changes, space) for i, (base, changes, _) in enumerate(MISTAKES)}
+            found = self.doubts(decks)
+            for i, (base, changes, name) in enumerate(MISTAKES):
+                with self.subTest(base=base, changes=changes, space=space):
+                    self.assertTrue(any(f"(plausibility/{name})" in doubt for doubt in found[f"row_{i}"]), found[f"row_{i}"])
+
+
+if __name__ == "__main__":
+    unittest.main()
