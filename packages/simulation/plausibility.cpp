@@ -10,6 +10,7 @@
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "simulation/body_setup.hpp"
 #include "simulation/penetration_watch.hpp"
 
 namespace mudline {
@@ -71,6 +72,7 @@ struct Extent {
 Doubts other_doubts() {
   Doubts result;
   PenetrationWatch::declare(result);
+  declare_body_checks(result);
   return result;
 }
 
@@ -179,6 +181,8 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), o
   tell_materials();
   tell_mesh();
   tell_stages(deck);
+  look_at_bodies(model, deck, others_);
+  doubts_.insert(doubts_.end(), others_.lines().begin(), others_.lines().end());
 }
 
 void Plausibility::print() const {
