@@ -226,7 +226,7 @@ Findings wave_step(const Setup& setup) {
 }
 
 /// Displacements that are prescribed, at a velocity too, over the largest extent of the mesh.
-Findings prescribed_way(const Setup& setup) {
+Findings prescribed_displacement(const Setup& setup) {
   Findings found;
   double longest = 0;
   for (int i = 0; i < setup.dimension(); ++i) longest = std::max(longest, setup.extent(i));
@@ -443,7 +443,7 @@ std::vector<SetupCheck> load_checks() {
         {0, 2},
         "first step of a dynamic stage over the time of a wave of the drained soil through the mesh; not with bodies"},
        wave_step},
-      {{"prescribed way", "-", {0, 2}, "prescribed displacement over the largest extent of the mesh"}, prescribed_way},
+      {{"prescribed displacement", "-", {0, 2}, "prescribed displacement over the largest extent of the mesh"}, prescribed_displacement},
       {{"prescribed pore pressure",
         "Pa",
         {500, 1e8},

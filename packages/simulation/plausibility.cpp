@@ -10,6 +10,7 @@
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "simulation/body_setup.hpp"
 #include "simulation/penetration_watch.hpp"
 #include "simulation/setup.hpp"
 
@@ -74,6 +75,7 @@ Doubts other_doubts() {
   PenetrationWatch::declare(result);
   for (const SetupCheck& check : setup_checks())
     if (*check.quantity.meaning) result.declare(check.quantity);  // one without is another's
+  declare_body_checks(result);
   return result;
 }
 
@@ -186,6 +188,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), o
   for (const SetupCheck& check : setup_checks())
     for (const Finding& found : check.look(setup))
       others_.judge(check.quantity.name, found.value, found.what, found.advice);
+  look_at_bodies(model, deck, others_);
   doubts_.insert(doubts_.end(), others_.lines().begin(), others_.lines().end());
 }
 

@@ -257,7 +257,7 @@ MISTAKES = [
     ("elastic", {B + "inflow": {"type": "flux", "set": "bottom", "value": -1e-3}}, "hydraulic gradient"),
     ("elastic", {B + "base water": {"type": "hydrostatic pressure", "set": "bottom", "water level": 0.0, "unit weight": 9.81}},
      "hydrostatic unit weight"),
-    ("block", {B + "plate": "20 mm"}, "prescribed way"),
+    ("block", {B + "plate": "20 mm"}, "prescribed displacement"),
     # times
     ("column", {B + "blast/value": "5e4 * sin(2000 * pi * t)"}, "load steps"),
     ("column", {B + "blast/value": "5e4 * min(1, t / 1e-4)"}, "load steps"),

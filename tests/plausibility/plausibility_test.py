@@ -22,8 +22,8 @@ DOUBTED = {
     "footing/dynamic_footing": EARLY,
     "footing/dynamic_footing_plastic": EARLY,
     # a cardboard roller and a soil like diamond: references of contact, not of soil
-    "contact/roller": "mass over volume is 127",
-    "contact/sliding_block": "shear modulus is 5e.11",
+    "contact/roller": "mass over volume is 127|its 'penalty' of 2e.06",
+    "contact/sliding_block": "shear modulus is 5e.11|its 'penalty' of 1e.09|its largest load in stage",
     # consolidation with inertia, whose steps follow the pore pressure and no waves: the doubt is right
     "consolidation/strip_footing": "over the time in which a wave crosses the mesh",
     # starts without stress and water pressure, but with weight: the doubt is right

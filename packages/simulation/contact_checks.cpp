@@ -1,0 +1,161 @@
+// What is unusual of contacts: penalties, friction, and what acts beside them.
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/body_setup.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// What lies in the soil's surface presses with some ten times the strength.
+constexpr double bearing_factor = 10;
+
+void penalty(const ContactSetup& of, const Judge& judge) {
+  const double given = of.number("penalty", 0);
+  std::string enforcement = "penalty";
+  if (of.entry.has_parameter("enforcement")) enforcement = of.entry.text("enforcement");
+  if (!(given > 0) || !(of.stiffness > 0) || enforcement != "penalty" || of.entry.text("type") == "mortar") return;
+  const double bears =
+      of.strength > 0 ? std::min(of.stiffness, bearing_factor * of.strength / (0.5 * of.side)) : of.stiffness;
+  judge(given / bears,
+        of.called() + ": its 'penalty' of " + told(given) + " Pa/m over what the soil behind it bears, " + told(bears) +
+            " Pa/m (modulus over element height, or ten times the strength over half a side),",
+        "give it in Pa/m, or leave it out: 'penalty factor' times the modulus over the height");
+}
+
+void penalty_factor(const ContactSetup& of, const Judge& judge) {
+  if (of.entry.has_parameter("penalty factor"))
+    judge(of.number("penalty factor", 10), of.called() + ": its 'penalty factor'",
+          "below 1 the contact gives way more than the soil, far above 1000 Newton's method has a hard time");
+}
+
+Section friction_of(const ContactSetup& of) { return of.entry.section("friction"); }
+
+void friction(const ContactSetup& of, const Judge& judge) {
+  for (const char* entry : {"coefficient", "kinetic coefficient"})
+    if (friction_of(of).has_parameter(entry))
+      judge(of.number(friction_of(of), entry, 0), of.called() + ": its friction's '" + entry + "'",
+            "it is the tangent of the interface's angle: 20 degrees is 0.36");
+}
+
+void kinetic(const ContactSetup& of, const Judge& judge) {
+  const double at_rest = of.number(friction_of(of), "coefficient", 0);
+  if (friction_of(of).has_parameter("kinetic coefficient") && at_rest > 0)
+    judge(of.number(friction_of(of), "kinetic coefficient", 0) / at_rest,
+          of.called() + ": the kinetic over the friction coefficient", "sliding surfaces have the lower one");
+}
+
+void adhesion(const ContactSetup& of, const Judge& judge) {
+  const double value = of.number(friction_of(of), "adhesion", 0);
+  if (value > 0) judge(value, of.called() + ": its 'adhesion'", "give it in Pa (1 to 100 may be kPa)");
+}
+
+void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
+  const double value = of.number(friction_of(of), "adhesion", 0);
+  if (value > 0 && of.strength > 0)
+    judge(value / of.strength,
+          of.called() + ": its 'adhesion' over the largest undrained strength at the surface, " + told(of.strength) +
+              " Pa,",
+          "the soil shears before: give a share of the strength");
+}
+
+void cap(const ContactSetup& of, const Judge& judge) {
+  if (!friction_of(of).has_parameter("cap")) return;
+  Function limit;
+  Parameters(friction_of(of)).add("cap", limit, "", "");
+  if (limit.is_constant()) judge(limit(0, {}), of.called() + ": its 'cap'", "give it in Pa (1 to 100 may be kPa)");
+}
+
+void tangential(const ContactSetup& of, const Judge& judge) {
+  if (friction_of(of).has_parameter("tangential penalty factor"))
+    judge(of.number(friction_of(of), "tangential penalty factor", 1), of.called() + ": its 'tangential penalty factor'",
+          "what sticks should move by little against what slides");
+}
+
+/// The load acts on what the body covers, too: the traction that friction sees is less by it.
+void surcharge(const ContactSetup& of, const Judge& judge) {
+  const Section conditions = of.deck.section("boundary conditions");
+  if (of.partners.body == nullptr || !(of.number(friction_of(of), "coefficient", 0) > 0)) return;
+  for (const std::string& name : conditions.section_names()) {
+    const Section entry = conditions.section(name);
+    const std::string type = entry.text("type");
+    if ((type != "pressure" && type != "traction") || !entry.has_parameter("set") ||
+        entry.text("set") != of.partners.surface)
+      continue;
+    bool together = false;
+    for (const auto& stage : of.model.stages())
+      together = together || (std::count(stage->conditions.begin(), stage->conditions.end(), name) > 0 &&
+                              std::count(stage->contacts.begin(), stage->contacts.end(), of.name) > 0);
+    const char* component = type == "pressure" ? "value" : of.model.mesh().dimension() == 3 ? "z" : "y";
+    Function load;
+    Parameters(entry).add(component, load, "", "");
+    double time = 0;
+    for (const auto& stage : of.model.stages()) time += stage->duration;
+    const double most = std::max(std::abs(load(0, {})), std::abs(load(time, {})));
+    if (together && of.side > 0)
+      judge(most / (of.stiffness * of.side),
+            of.called() + ": condition '" + name + "' loads its surface with " + told(most) +
+                " Pa where the body covers it too, and takes that from the traction that friction grows with; over the "
+                "soil's modulus this",
+            "let the load act beside the body alone, or model it by the initial state's 'surcharge' and weight");
+  }
+}
+
+void capture(const ContactSetup& of, const Judge& judge) {
+  const double distance = of.number("capture distance", 0);
+  if (distance > 0 && of.side > 0)
+    judge(distance / of.side, of.called() + ": its 'capture distance' over the mean side",
+          "give it in m, or leave it out");
+}
+
+void advance(const ContactSetup& of, const Judge& judge) {
+  if (of.entry.has_parameter("advance limit"))
+    judge(of.number("advance limit", 0.25), of.called() + ": its 'advance limit'",
+          "in a step of more than a side a body jumps over what it should touch; far below, steps are many");
+}
+
+void gap_tolerance(const ContactSetup& of, const Judge& judge) {
+  const double gap = of.number("gap tolerance", 0);
+  if (gap > 0 && of.side > 0)
+    judge(gap / of.side, of.called() + ": its 'gap tolerance' over the mean side", "give it in m, or leave it out");
+}
+
+void sealing(const ContactSetup& of, const Judge& judge) {
+  if (of.entry.has_parameter("sealing gap"))
+    judge(of.number("sealing gap", 0.1), of.called() + ": its 'sealing gap'", "it is a share of a side, no length");
+}
+
+void damping(const ContactSetup& of, const Judge& judge) {
+  const double value = of.number("damping", 0);
+  if (value > 0)
+    judge(value, of.called() + ": its 'damping'", "it is a time per length: the pressure grows by it times the speed");
+}
+
+}  // namespace
+
+std::vector<ContactCheck> contact_checks() {
+  return {
+      {{"penalty", "-", {0.5, 1e5}, "a contact's given penalty over what the soil behind it bears per metre"}, penalty},
+      {{"penalty factor", "-", {0.3, 1e4}, "of a contact's automatic penalty"}, penalty_factor},
+      {{"friction coefficient", "-", {0, 1}, "of a contact"}, friction},
+      {{"kinetic friction", "-", {0, 1}, "kinetic over friction coefficient"}, kinetic},
+      {{"adhesion", "Pa", {200, 1e6}, "of a contact with friction"}, adhesion},
+      {{"adhesion over strength", "-", {0, 1.001}, "adhesion over the undrained strength at the surface"},
+       adhesion_over_strength},
+      {{"friction cap", "Pa", {200, 1e7}, "shear stress limit of a contact with friction"}, cap},
+      {{"tangential penalty", "-", {0.01, 100}, "tangential penalty factor of friction"}, tangential},
+      {{"load under friction",
+        "-",
+        {0, 2e-3},
+        "load on the surface of a contact with friction over the soil's modulus"},
+       surcharge},
+      {{"capture distance", "-", {0.5, 1000}, "of a contact over the mean side"}, capture},
+      {{"advance limit", "-", {0.01, 4}, "of a contact, in sides"}, advance},
+      {{"gap tolerance", "-", {0, 0.01}, "of a contact over the mean side"}, gap_tolerance},
+      {{"sealing gap", "-", {0, 2}, "of a contact, in sides"}, sealing},
+      {{"contact damping", "s/m", {0, 10}, "of a contact"}, damping},
+  };
+}
+
+}  // namespace mudline
