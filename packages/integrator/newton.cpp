@@ -20,8 +20,12 @@ namespace {
 /// The per-field convergence test of the head comment; also notices a residual that is not finite.
 class FieldTest : public NOX::StatusTest::Generic {
  public:
-  FieldTest(NonlinearProblem& problem, NewtonReport& report, int least, int maximum)
-      : problem_(problem), report_(report), least_(least), maximum_(maximum) {}
+  FieldTest(NonlinearProblem& problem, NewtonReport& report, const NewtonOptions& options)
+      : problem_(problem),
+        report_(report),
+        least_(options.least_iterations),
+        maximum_(options.maximum_iterations),
+        gives_up_(options.may_be_damped()) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& group = solver.getSolutionGroup();
@@ -33,6 +37,7 @@ class FieldTest : public NOX::StatusTest::Generic {
       report_.history.push_back(f);
       problem_.observe(worst);
       at_rounding_ = problem_.at_rounding() ? at_rounding_ + 1 : 0;
+      worsts_.push_back(worst);
     }
     log_iteration(iteration, f);
     if (!std::isfinite(worst)) return finish(NOX::StatusTest::Failed, "the residual could not be evaluated");
@@ -46,6 +51,10 @@ class FieldTest : public NOX::StatusTest::Generic {
     const bool deep = worst <= 1e-2 || at_rounding_ >= idle;
     if (iteration >= least_ && (deep || (iteration > 0 && worst <= 1 && worst_update <= 1)))
       return finish(NOX::StatusTest::Converged, "");
+    if (gives_up_ && goes_to_and_fro())
+      return finish(NOX::StatusTest::Failed, "the iterates go to and fro (residual " + short_number(worst) +
+                                                 " of its tolerance) after " + std::to_string(iteration) +
+                                                 " iterations");
     if (iteration >= maximum_) {
       const std::string text = worst > 1 ? "residual " + short_number(worst) : "update " + short_number(worst_update);
       return finish(NOX::StatusTest::Failed,
@@ -69,6 +78,16 @@ class FieldTest : public NOX::StatusTest::Generic {
     std::snprintf(buffer, sizeof buffer, "%.2g times", x);
     return buffer;
   }
+  /// Whether the last two residuals are those of two iterations before, while they are large: full steps then lead from
+  /// one state of the contacts or of yielding to another and back.
+  bool goes_to_and_fro() const {
+    constexpr double same = 0.01, large = 100;
+    const std::size_t n = worsts_.size();
+    if (n < 4) return false;
+    for (std::size_t k = n - 2; k < n; ++k)
+      if (!(worsts_[k] > large) || !(std::abs(worsts_[k] - worsts_[k - 2]) <= same * worsts_[k])) return false;
+    return true;
+  }
   void log_iteration(int iteration, const std::vector<double>& f) const {
     if (log::level() < log::Level::debug) return;
     std::string line = "    newton " + std::to_string(iteration) + ":";
@@ -87,6 +106,8 @@ class FieldTest : public NOX::StatusTest::Generic {
   NonlinearProblem& problem_;
   NewtonReport& report_;
   int least_, maximum_, at_rounding_ = 0;
+  bool gives_up_;               // where another solve may do better
+  std::vector<double> worsts_;  // of the residual ratios, of every iterate
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
@@ -99,13 +120,22 @@ Range share() { return {0, 1, true, false}; }
 
 }  // namespace
 
+NewtonOptions NewtonOptions::damped() const {
+  NewtonOptions result = *this;
+  result.largest_growth = 1.2;
+  return result;
+}
+
 void NewtonOptions::parameters(Parameters& p) {
   p.add("maximum iterations", maximum_iterations, "-", closed(1, 1000), "Newton iterations before the step is cut");
   p.add("halvings", halvings, "-", closed(0, 20),
         "largest number of times that an iteration's step is halved where the residual cannot be evaluated or grows "
         "too much; not with a line search of NOX");
   p.add("largest growth", largest_growth, "-", non_negative(),
-        "of the residual in one iteration, before its step is halved; 1.2 suits deep penetration; 0: any");
+        "of the residual in one iteration, before its step is halved; 0: any, full steps are tried first");
+  p.add("damped retry", damped_retry,
+        "Where full steps do not converge, solve the time step once more with a 'largest growth' of 1.2 before it is "
+        "cut");
   p.add("reuse Jacobian", reuse_jacobian,
         "Go on with an earlier Jacobian, also of the step before, while the residual falls so fast that a new one "
         "would not pay");
@@ -118,8 +148,10 @@ void NewtonOptions::parameters(Parameters& p) {
       "out of balance, because what moves goes on moving and soil that yields goes on yielding");
   p.section("nox", nox, "a line search of NOX instead of the guarded full steps, with NOX's names");
   guarded = p.documenting() || !p.deck().has_section("nox");
-  for (const char* entry : {"halvings", "largest growth"})
+  for (const char* entry : {"halvings", "largest growth", "damped retry"})
     if (!guarded && p.given(entry)) p.deck().fail("has no effect beside a line search of NOX (section 'nox')", entry);
+  if (largest_growth > 0 && damped_retry && p.given("damped retry"))
+    p.deck().fail("has no effect beside a 'largest growth', which damps all solves", "damped retry");
 }
 
 void NoxLineSearch::FullStep::parameters(Parameters& p) {
@@ -163,7 +195,7 @@ NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& option
   auto shared = std::make_shared<NoxGroup::Shared>();
   shared->problem = &problem;
   const RCP<NoxGroup> group = rcp(new NoxGroup(shared, x));
-  const RCP<FieldTest> test = rcp(new FieldTest(problem, report, options.least_iterations, options.maximum_iterations));
+  const RCP<FieldTest> test = rcp(new FieldTest(problem, report, options));
   const RCP<Teuchos::ParameterList> list = rcp(new Teuchos::ParameterList("NOX"));
   list->set("Nonlinear Solver", "Line Search Based");
   // The tangents are consistent, so full steps converge fastest; contact and yielding raise the residual on the way,

@@ -65,12 +65,17 @@ struct NewtonOptions {
   int least_iterations = 0;  // taken even where the first guess has no residual; not a parameter
   int halvings = 4;
   double largest_growth = 0;  // 0: any
+  bool damped_retry = true;   // where full steps do not converge; see damped()
   bool reuse_jacobian = true;
   double largest_forcing = 0.1;  // share of the residual that a linear solve may leave; 0: none
   FirstGuess first_guess = FirstGuess::extrapolated;
   bool guarded = true;  // the deck names no line search of NOX
   NoxOptions nox;
   void parameters(Parameters& p);
+  /// Whether a solve that fails with these options is worth another one with those of damped().
+  bool may_be_damped() const { return guarded && damped_retry && largest_growth == 0; }
+  /// With steps that are halved where the residual grows by more than a fifth.
+  NewtonOptions damped() const;
 };
 
 struct NewtonReport {

@@ -66,17 +66,6 @@ void hold(const Constraints& constraints, const NodalView& values, int begin, in
       "hold", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) { to.prescribe(i, from(i)); });
 }
 
-/// Adds time times rate to the unknowns [begin, end) of x that are not prescribed.
-void move_on(const Constraints& constraints, const NodalView& rates, double time, int begin, int end, Vector& x) {
-  const auto data = entries(x, Tpetra::Access::ReadWrite);
-  const Kokkos::View<char*> prescribed = constraints.mask;
-  const NodalView rate = rates;
-  Kokkos::parallel_for(
-      "first guess", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) {
-        if (!prescribed(i)) data(i) += time * rate(i);
-      });
-}
-
 /// Sums of squares of the change of forces and of the forces before it.
 struct SquaresOfChange {
   NodalView now, old;
@@ -493,11 +482,7 @@ bool Stepper::predict_linear(Vector& x, bool always) {
 
 bool Stepper::extrapolate(Vector& x) {
   if (!scheme_.flow) return false;  // geostatic: no time passes
-  const State& old = store_.committed();
-  Vector guess(x, Teuchos::Copy);
-  for (int f = 0; f < space_.num_fields(); ++f)
-    if (space_.field(f).time_order > 0)
-      move_on(constraints_, old.rate, view_.dt, space_.dofs()->owned_begin(f), space_.dofs()->owned_end(f), guess);
+  const Vector guess = moved_on(x);
   Vector change(guess, Teuchos::Copy), f(map());
   change.update(-1, x, 1);
   if (change.norm2() == 0) return false;
@@ -551,6 +536,7 @@ void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& rep
     const Augmentation next = augment(report.augmentations);
     if (!next.refusal.empty()) {
       report.converged = false;
+      report.refused = true;
       report.reason = next.refusal;
       return;
     }
@@ -573,9 +559,8 @@ double Stepper::step_limit(double dt) const {
   return dt;
 }
 
-StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
-  chord_.enabled = newton.reuse_jacobian;
-  forcing_.largest = newton.largest_forcing;
+StepReport Stepper::try_step(const StepRequest& request, const StepTolerances& tolerances,
+                             const NewtonOptions& newton) {
   Vector x = begin(request, tolerances);
   const bool goes_on = newton.first_guess == NewtonOptions::FirstGuess::extrapolated && extrapolate(x);
   const int predicted = !goes_on && predict(x) ? 1 : 0;
@@ -594,6 +579,20 @@ StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& to
   measures_before_ = measures_;
   measures_.take(reference_, rounding_, tolerances_.residual, owned_field_norms(*space_.dofs(), x), matrix_sizes_);
   return report;
+}
+
+StepReport Stepper::attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton) {
+  chord_.enabled = newton.reuse_jacobian;
+  forcing_.largest = newton.largest_forcing;
+  const StepReport first = try_step(request, tolerances, newton);
+  if (first.converged || first.refused || !newton.may_be_damped()) return first;
+  log::detail("    full steps: " + first.reason + "; the step is tried once more with damped ones");
+  StepReport second = try_step(request, tolerances, newton.damped());
+  if (!second.converged) second.reason = first.reason;
+  second.newton_iterations += first.newton_iterations;
+  second.linear_iterations += first.linear_iterations;
+  second.factorisations += first.factorisations;
+  return second;
 }
 
 }  // namespace mudline

@@ -33,6 +33,7 @@ struct StepRequest {
 
 struct StepReport {
   bool converged = false;
+  bool refused = false;       // by a term, though Newton's method converged
   int newton_iterations = 0;  // over all solves of the step
   int hardest_solve = 0;      // iterations of the solve that took most
   int augmentations = 0;      // solves after the first, for terms that augment
@@ -98,6 +99,12 @@ class Stepper : public NonlinearProblem {
   /// dynamic stage). Fields whose rate matrix is singular (incompressible constituents) keep the rate zero.
   bool initialise_rates(const StepRequest& request, double linear_tolerance);
 
+  /// Whether the committed rates go on in a stage: the imbalance, relative to what acts, with which they end a step
+  /// without inertia under its loads and motions, over that of staying where everything is. Small where something
+  /// moves and they are its velocities; infinite where nothing moves, so that they are only what earlier loads left
+  /// behind; 1 where it cannot be told. Collective.
+  double misfit_of_rates(const StepRequest& request, const StepTolerances& tolerances);
+
   /// Lets the linear solver take up what LinearSolver::memory() gave in the run that is continued.
   void restore_solver(const std::vector<double>& memory);
   /// What restore_solver takes: the solver's memory and which Jacobian may serve on. The run goes on as a restarted one
@@ -108,7 +115,8 @@ class Stepper : public NonlinearProblem {
   /// may be called for any x. Returns the initial guess.
   Vector begin(const StepRequest& request, const StepTolerances& tolerances);
 
-  /// Tries one step from the committed state; on success the trial state is complete. The committed state is untouched.
+  /// Tries one step from the committed state, with full Newton steps and, where those do not converge, with damped
+  /// ones; on success the trial state is complete. The committed state is untouched.
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
   /// The step that the last attempt found is not made: it leaves nothing behind that later ones are measured against.
@@ -155,6 +163,8 @@ class Stepper : public NonlinearProblem {
   /// Moves the guess on with the committed rates; false, and x left alone, where nothing moves, where the terms cannot
   /// be evaluated there, or where it leaves more out of balance.
   bool extrapolate(Vector& x);
+  /// x after the step at the committed rates, but for what is prescribed.
+  Vector moved_on(const Vector& x) const;
   /// Whether the forces of the committed state, evaluated without any motion (the last evaluation), are those it was
   /// left with. A soil whose strength depends on the strain rate relaxes at rest: its answer there says nothing of a
   /// moving one.
@@ -163,6 +173,8 @@ class Stepper : public NonlinearProblem {
   void check_chord();
   /// Whether the trial state was last evaluated at exactly x. Collective.
   bool stands_at(const Vector& x) const;
+  /// attempt() with these options and no others.
+  StepReport try_step(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
   /// Solves from x, again where terms augment; on convergence the trial state stands at x, bit for bit.
   void solve_step(const NewtonOptions& newton, Vector& x, StepReport& report);
   /// Asks all active terms. Collective.

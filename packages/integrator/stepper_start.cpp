@@ -1,6 +1,7 @@
-// What happens to a committed state outside of steps: F_n, static residual, initial accelerations.
+// What happens to a committed state outside of steps: F_n, static residual, rates and initial accelerations.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "integrator/overlap.hpp"
 #include "integrator/stepper.hpp"
@@ -19,7 +20,60 @@ StepRequest standing_still(bool inertia) {
   return request;
 }
 
+/// Adds time times rate to the unknowns [begin, end) of x that are not prescribed.
+void move_on(const Constraints& constraints, const NodalView& rates, double time, int begin, int end, Vector& x) {
+  const auto data = entries(x, Tpetra::Access::ReadWrite);
+  const Kokkos::View<char*> prescribed = constraints.mask;
+  const NodalView rate = rates;
+  Kokkos::parallel_for(
+      "first guess", Kokkos::RangePolicy<>(begin, end), KOKKOS_LAMBDA(int i) {
+        if (!prescribed(i)) data(i) += time * rate(i);
+      });
+}
+
 }  // namespace
+
+Vector Stepper::moved_on(const Vector& x) const {
+  Vector result(x, Teuchos::Copy);
+  const DofMap& dofs = *space_.dofs();
+  for (int f = 0; f < space_.num_fields(); ++f)
+    if (space_.field(f).time_order > 0)
+      move_on(constraints_, store_.committed().rate, view_.dt, dofs.owned_begin(f), dofs.owned_end(f), result);
+  return result;
+}
+
+double Stepper::misfit_of_rates(const StepRequest& request, const StepTolerances& tolerances) {
+  StepRequest slow = request;
+  slow.scheme = TimeScheme();
+  slow.scheme.inertia = false;
+  slow.scheme.incremental = true;
+  StepRequest instant = slow;
+  instant.dt *= 1e-6;
+  const auto imbalance = [&](const StepRequest& step, bool moves, Vector& f) {
+    Vector x = begin(step, tolerances);
+    if (moves) x = moved_on(x);
+    return evaluate(x, false, f);
+  };
+  // what jumps as the stage starts, a load that is put on at once, is no motion
+  Vector jump(map()), resting(map()), moving(map());
+  if (!imbalance(instant, false, jump) || !imbalance(slow, false, resting)) return 1;
+  const std::vector<double> acting = reference_;
+  if (!imbalance(slow, true, moving)) return 1;
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    if (space_.field(f).time_order == 2) continue;
+    const auto data = entries(jump, Tpetra::Access::ReadWrite);  // a flux of the instant is one of the step, too
+    for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i) data(i) = 0;
+  }
+  for (Vector* f : {&resting, &moving}) f->update(-1, jump, 1);
+  const auto still = owned_field_norms(*space_.dofs(), resting), moved = owned_field_norms(*space_.dofs(), moving);
+  double without = 0, with = 0;
+  for (int f = 0; f < space_.num_fields(); ++f) {
+    const double scale = std::max({acting[f], reference_[f], 1e-300});
+    without = std::max(without, still[f] / scale);
+    with = std::max(with, moved[f] / scale);
+  }
+  return without > 0 ? with / without : (with > 0 ? std::numeric_limits<double>::infinity() : 1.0);
+}
 
 bool Stepper::refresh_history() {
   prepare_view(standing_still(false), StepView::Kind::rest);

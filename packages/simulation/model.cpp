@@ -310,8 +310,15 @@ void Model::activate(const Stage& stage, bool fresh) {
     if (auto* first = face<FirstActs>(*contact); first && fresh) first->first_act(store_->committed());
   }
   moved_anew_.clear();
-  for (auto& [name, body] : bodies_)
-    if (body->set_motion(motion_in(stage, name))) moved_anew_.insert(name);
+  released_before_.clear();
+  for (auto& [name, body] : bodies_) {
+    const BodyUnknowns& unknowns = body->unknowns();
+    for (int k = 0; k < unknowns.count; ++k)
+      if (body->releases(unknowns.direction[k])) released_before_.push_back(unknowns.dof[k]);
+    if (!body->set_motion(motion_in(stage, name))) continue;
+    moved_anew_.insert(name);
+    if (fresh) body->restart_clock(store_->committed());
+  }
   std::set<std::string> names(stage.conditions.begin(), stage.conditions.end());
   std::vector<Term*> loads;
   for (const auto& condition : conditions_)
@@ -348,7 +355,6 @@ std::shared_ptr<const BodyMotion> Model::motion_in(const Stage& stage, const std
 }
 
 void Model::start_bodies(const Stage& stage) {
-  for (const std::string& name : moved_anew_) bodies_.at(name)->restart_clock(store_->committed());
   if (stage.type != Stage::Type::dynamic) return;
   const auto starts = [&](const RigidBody& body) {
     if (!body.released()) return false;
@@ -365,6 +371,7 @@ void Model::start_bodies(const Stage& stage) {
 
 void Model::check_motions(const Section& deck) const {
   const Section stages = deck.section("stages"), contacts = deck.section("contacts");
+  std::map<std::string, std::shared_ptr<const BodyMotion>> before;
   for (const auto& stage : stages_) {
     const Section section = stages.section(stage->name);
     const bool geostatic = stage->type == Stage::Type::geostatic;
@@ -372,7 +379,19 @@ void Model::check_motions(const Section& deck) const {
       section.fail("bodies rest in a geostatic stage, which takes no time: it has no 'motions'", "motions");
     for (const auto& [name, body] : bodies_) {
       const auto motion = motion_in(*stage, name);
+      const bool anew = std::exchange(before[name], motion) != motion;
       if (!motion || !motion->released()) continue;
+      Point velocity{}, spin{};
+      if (anew && stage->type != Stage::Type::dynamic && motion->released()->initial_velocity(velocity, spin)) {
+        const bool own = motion == body->own_motion();
+        const Section entry =
+            own ? deck.section("bodies").section(name).section("motion") : section.section("motions").section(name);
+        entry.fail("body '" + name + "' would start with this in stage '" + stage->name +
+                       "', which is quasi-static: without inertia it has no effect, and later stages that go on with "
+                       "the motion do not give it again; allowed where a dynamic stage sets the body free (give this "
+                       "stage another motion in its 'motions', or its type 'dynamic')",
+                   entry.has_parameter("initial velocity") ? "initial velocity" : "initial spin");
+      }
       if (stage->type == Stage::Type::dynamic) {
         if (body->properties().mass <= 0)
           section.fail("body '" + name + "' is released in this dynamic stage: it needs a 'mass' greater than 0");

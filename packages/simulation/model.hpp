@@ -53,9 +53,11 @@ class Model {
   /// Terms, conditions and bodies of a stage become the active ones. `fresh`: the stage starts (not a restart within
   /// it): newly active absorbing boundaries take over the present reactions.
   void activate(const Stage& stage, bool fresh);
-  /// When a stage starts, after its initial rates: clocks, velocities and accelerations of the bodies whose motion
-  /// changes. Collective.
+  /// When a stage starts, after its initial rates: velocities and accelerations of the bodies whose motion changes.
+  /// Collective.
   void start_bodies(const Stage& stage);
+  /// Unknowns (by overlap dof) of bodies which the stage before left free.
+  const std::vector<int>& released_before() const { return released_before_; }
   /// The motion of a body in a stage; null: it rests.
   std::shared_ptr<const BodyMotion> motion_in(const Stage& stage, const std::string& body) const;
   /// Prescribed unknowns of a stage.
@@ -98,6 +100,7 @@ class Model {
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const BodyMotion>> stage_motions_;  // by stage and body
   std::set<std::string> moved_anew_;  // bodies whose motion in this stage is another than before
+  std::vector<int> released_before_;
   std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
   std::vector<std::pair<std::string, const ClosesSides*>> sealing_;  // of the contacts
   std::unique_ptr<Ale> ale_;

@@ -13,6 +13,7 @@
 #include "core/log.hpp"
 #include "integrator/overlap.hpp"
 #include "integrator/time_error.hpp"
+#include "simulation/initial_rates.hpp"
 
 namespace mudline {
 
@@ -114,16 +115,8 @@ bool Run::begin_stage(const Stage& stage) {
                model_->stepper().hints());
     return false;
   }
-  State& state = model_->store().committed();
-  if (stage.initial_rates != Stage::InitialRates::keep) {
-    Kokkos::deep_copy(state.acceleration, 0.0);
-    if (stage.initial_rates == Stage::InitialRates::zero) Kokkos::deep_copy(state.rate, 0.0);
-  }
-  if (stage.type == Stage::Type::dynamic && stage.initial_rates == Stage::InitialRates::consistent &&
-      !model_->stepper().initialise_rates(request(stage, stage.control.initial), model_->tolerances().linear)) {
-    log::warn("initial accelerations cannot be computed; stage '" + stage.name + "' starts from zero ones");
-    Kokkos::deep_copy(state.acceleration, 0.0);
-  }
+  const Stage* const before = progress_.stage > 0 ? model_->stages()[progress_.stage - 1].get() : nullptr;
+  InitialRates(*model_, stage, before).give(request(stage, stage.control.initial));
   balances_->jump([&] { model_->start_bodies(stage); });
   if (model_->soil() && model_->soil()->pressure >= 0) walls_.begin(*model_, results_->excess_pressure());
   penetration_.begin_stage(*model_, report_contacts());

@@ -17,11 +17,14 @@ void Stage::parameters(Parameters& p) {
   p.add("contacts", wanted_contacts_,
         "names of the contacts that act; absent: all in dynamic and quasi-static stages; {none}: none");
   p.choice("initial rates", initial_rates,
-           {{"keep", InitialRates::keep}, {"zero", InitialRates::zero}, {"consistent", InitialRates::consistent}},
-           "dynamic, at the begin: keep those of the stage before (rest at the start of a run); zero; consistent: "
-           "accelerations "
-           "and pressure rates from the equations of motion, for first steps short against the time a wave takes "
-           "through an element");
+           {{"automatic", InitialRates::automatic},
+            {"keep", InitialRates::keep},
+            {"zero", InitialRates::zero},
+            {"consistent", InitialRates::consistent}},
+           "dynamic, at the begin. automatic: those of the stage before (rest at the start of a run), but zero after a "
+           "stage without inertia whose rates do not go on under the loads and motions of this one; keep: those of the "
+           "stage before; zero; consistent: velocities as by automatic, accelerations and pressure rates from the "
+           "equations of motion, for first steps short against the time a wave takes through an element");
   p.add("mesh motion", mesh_motion, "the mesh moves against the soil in this stage, where the deck says how");
   p.add("allow folded elements", allow_folded,
         "go on when the mesh folds (a scaled Jacobian of 0 or less); otherwise the run ends there, its state saved");

@@ -14,7 +14,7 @@ namespace mudline {
 class Stage {
  public:
   enum class Type { geostatic, quasi_static, dynamic };
-  enum class InitialRates { consistent, zero, keep };
+  enum class InitialRates { automatic, consistent, zero, keep };
 
   /// Reads and validates. `conditions` and `contacts`: the names the deck defines. InputError.
   static std::unique_ptr<Stage> read(const Section& section, const Registry<TimeIntegrator>& integrators,
@@ -31,7 +31,7 @@ class Stage {
   StepControl control;
   std::vector<std::string> conditions;  // active ones, in deck order
   std::vector<std::string> contacts;
-  InitialRates initial_rates = InitialRates::keep;
+  InitialRates initial_rates = InitialRates::automatic;
   bool mesh_motion = true;           // where the deck has mesh motion
   bool allow_folded = false;         // the run goes on with folded elements
   bool reset_displacements = false;  // at the end

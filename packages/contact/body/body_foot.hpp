@@ -68,6 +68,8 @@ struct BodyFoot<T, 2> {
     motion.travel = advance + start.travelled;
     motion.shear_old = T(start.shear.shear[0]);
   }
+  /// The point's way past the body along its surface: 0, with derivatives.
+  KOKKOS_INLINE_FUNCTION const T& sliding() const { return advance; }
   KOKKOS_INLINE_FUNCTION PlaneVector<T> traction(const T& shear) const { return tangent * shear; }
   /// A moment as the body's rotation feels it, and one of the start of the step.
   KOKKOS_INLINE_FUNCTION static const T& felt(const T& moment, const BodyPlacement&) { return moment; }
@@ -86,8 +88,7 @@ struct BodyFoot<T, 3> {
       : turn{x.turn[0], x.turn[1], x.turn[2]} {
     const Point plain{value(x.arm[0]), value(x.arm[1]), value(x.arm[2])};
     const Vector n = numbers<T>(at.normal);
-    // how the point moves past the material of the body: 0, with derivatives
-    const Vector way = x.arm - turned_on(plain);
+    way = x.arm - turned_on(plain);
     gap = at.gap + dot(n, way);
     normal = turned_on(at.normal);
     for (int i = 0; i < 3; ++i)
@@ -106,6 +107,7 @@ struct BodyFoot<T, 3> {
     motion.travel = transported(way - middle * dot(way, middle), middle);
     motion.shear_old = transported(turned_on(turned(start.shear.shear)), from);
   }
+  KOKKOS_INLINE_FUNCTION Vector sliding() const { return way - normal * dot(normal, way); }
   KOKKOS_INLINE_FUNCTION const Vector& traction(const Vector& shear) const { return shear; }
   /// A moment along the body's axes, which its rotations are about, and one of the start of the step.
   KOKKOS_INLINE_FUNCTION Vector felt(const Vector& moment, const BodyPlacement& placement) const {
@@ -138,6 +140,7 @@ struct BodyFoot<T, 3> {
     return v - (from + normal) * (dot(v, normal) / both);
   }
   Vector turn;  // [rad] 0, with derivatives
+  Vector way;   // [m] of the point past the material of the body: 0, with derivatives
 };
 
 }  // namespace mudline

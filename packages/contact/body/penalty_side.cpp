@@ -265,6 +265,17 @@ KOKKOS_INLINE_FUNCTION void add_film(const ContactSides& on, const SideContact& 
   }
 }
 
+/// A point that the body is about to touch has no force, but the stiffness of one that presses, and sticks where there
+/// is friction: without traction it has no strength, and sides that spread under the body would all slide at the first
+/// guess, then be dragged back beyond where they came from, and slide the other way, to and fro.
+template <class T, int D>
+KOKKOS_INLINE_FUNCTION void add_stiffness_of_touch(const SideContact& side, const BodyFoot<T, D>& foot,
+                                                   ContactResponse<T, D>& now) {
+  const double stiffness = side.reach_share * side.law.penalty;
+  now.pressure = now.pressure + chain(foot.gap, 0.0, -stiffness);
+  if (side.law.friction) now.shear = now.shear - foot.sliding() * (side.law.tangential_factor * stiffness);
+}
+
 template <class T, int D>
 KOKKOS_INLINE_FUNCTION ContactPoint evaluate_point(const ContactSides& on, const SideContact& side, int c,
                                                    const SideAreas<D>& areas, SideForce<T, D>& out) {
@@ -277,7 +288,7 @@ KOKKOS_INLINE_FUNCTION ContactPoint evaluate_point(const ContactSides& on, const
   LawQuestions asked;
   ContactResponse<T, D> now = respond(side.law, motion, KnownAnswers{known, asked});
   const bool reached = !now.presses && value(foot.gap) < side.reach;
-  if (reached) now.pressure = now.pressure + chain(foot.gap, 0.0, -side.reach_share * side.law.penalty);
+  if (reached) add_stiffness_of_touch(side, foot, now);
   ContactPoint point{};
   point.gap = value(foot.gap);
   point.pressure = value(now.pressure);

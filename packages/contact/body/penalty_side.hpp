@@ -89,8 +89,8 @@ struct SideContact {
   int first = 0;                 // row of its first point
   SideCoordinates x_old{}, x{};  // [m]
   ContactPointLaw law;
-  /// [m] Points nearer than this count as pressing in the tangent, not in the force: a body without inertia that
-  /// touches nothing yet would have no stiffness at all.
+  /// [m] Points nearer than this count as pressing and sticking in the tangent, not in the force: a body without
+  /// inertia that touches nothing yet would have no stiffness at all.
   double reach = 0;
   double reach_share = 1;  // of the penalty that such points have in the tangent
   SideFilm film;

@@ -108,6 +108,40 @@ TEST(Newton, HalvesAStepWhoseResidualCannotBeEvaluated) {
   EXPECT_EQ(again.visited.size(), 2u);
 }
 
+double growth(double x) { return std::exp(x) - 1; }
+double growth_slope(double x) { return std::exp(x); }
+double root(double x) { return std::copysign(std::sqrt(std::abs(x)), x); }
+double root_slope(double x) { return 0.5 / std::sqrt(std::abs(x)); }
+
+TEST(Newton, WhatGoesToAndFroIsGivenUp) {
+  // full steps lead from x to -x
+  Scalar problem(root, root_slope);
+  const NewtonReport report = solve(problem, "", 3);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.iterations, 3);
+  EXPECT_EQ(report.reason.find("the iterates go to and fro"), 0u) << report.reason;
+  // where no other solve may follow, all iterations are used
+  for (const std::string& alone :
+       {parameter("damped retry", "bool", "false"), parameter("largest growth", "double", "1.2")}) {
+    Scalar again(root, root_slope);
+    EXPECT_EQ(solve(again, alone, 3).iterations, 15) << alone;
+  }
+}
+
+TEST(Newton, IsTriedAgainWithDampedSteps) {
+  const NewtonOptions usual = read("");
+  EXPECT_TRUE(usual.may_be_damped());
+  EXPECT_FALSE(usual.damped().may_be_damped());
+  EXPECT_FALSE(read(nox("")).may_be_damped());
+  // the first full step from -4 goes to 50, from where it takes fifty more to come back
+  Scalar full(growth, growth_slope), damped(growth, growth_slope);
+  Vector x(full.map());
+  x.putScalar(-4);
+  EXPECT_FALSE(newton_solve(full, usual, x).converged);
+  x.putScalar(-4);
+  EXPECT_TRUE(newton_solve(damped, usual.damped(), x).converged);
+}
+
 TEST(Newton, FullStepOfNoxTakesItsShare) {
   Scalar problem(itself, one);
   const auto report = solve(
@@ -154,6 +188,11 @@ TEST(Newton, WhatDoesNotFitNoxIsRefused) {
             "deck.xml:1: nox/Line Search/Backtrack: has no effect with another 'Method'");
   EXPECT_EQ(input_error([] { read(nox("") + parameter("largest growth", "double", "1.2")); }),
             "deck.xml:1: largest growth: has no effect beside a line search of NOX (section 'nox')");
+  EXPECT_EQ(input_error([] { read(nox("") + parameter("damped retry", "bool", "true")); }),
+            "deck.xml:1: damped retry: has no effect beside a line search of NOX (section 'nox')");
+  EXPECT_EQ(
+      input_error([] { read(parameter("damped retry", "bool", "true") + parameter("largest growth", "double", "2")); }),
+      "deck.xml:1: damped retry: has no effect beside a 'largest growth', which damps all solves");
 }
 
 }  // namespace
