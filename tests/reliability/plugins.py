@@ -73,7 +73,6 @@ PLUGIN = {
     "constructor rounds upward": DID + "changed the rounding mode",
     "update rounds upward": DID + "changed the rounding mode",
     "update closes standard output": DID + "closed the standard output",
-    "residual puts a file in the place of another": DID + "closed a file of the program",
     "fluid of NaN density": AT + r"materials/soil/fluid/type: the fluid's density is nan",
     "conductivity is negative": AT + r"materials/soil/permeability/type: .*-0\.001",
     "bind throws a text": AT + r"boundary conditions/top/type: ",
