@@ -235,7 +235,9 @@ Report Run::report_terms() {
 
 Report Run::report_contacts() {
   Report report;
-  for (const auto& [name, contact] : model_->contacts()) contact->histories(model_->stepper().view(), report);
+  StepView view = model_->stepper().view();  // after a restart it is of no step yet
+  view.committed = &model_->store().committed();
+  for (const auto& [name, contact] : model_->contacts()) contact->histories(view, report);
   return report;
 }
 
