@@ -1,0 +1,125 @@
+"""Signals in a remeshing, and the loss of the process that meshes."""
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from mudline_case import PROGRAM, ROOT, History, deck_text
+from restart_test import RestartCase, settings
+
+sys.path.insert(0, os.path.join(ROOT, "tests", "verification", "ale"))
+from remeshed_ball import FOCUS, WALL, ball, remeshing  # noqa: E402
+
+
+def children(process):
+    """Processes whose parent it is."""
+    found = []
+    try:
+        for name in os.listdir(f"/proc/{process}/task"):
+            with open(f"/proc/{process}/task/{name}/children") as file:
+                found += [int(word) for word in file.read().split()]
+    except (FileNotFoundError, ProcessLookupError):
+        pass  # it has ended
+    return found
+
+
+def stands_still(process):
+    """Stops a process at once; False where it had ended."""
+    try:
+        os.kill(process, signal.SIGSTOP)
+        for _ in range(10000):
+            with open(f"/proc/{process}/stat") as file:
+                state = file.read().rpartition(")")[2].split()[0]
+            if state in "TZX":
+                return state == "T"
+            time.sleep(0.001)
+    except (ProcessLookupError, FileNotFoundError):
+        pass
+    return False
+
+
+class Remeshing(RestartCase):
+    """Signals while Gmsh makes a mesh anew, in a process of its own, change no answer."""
+
+    def setUp(self):
+        super().setUp()
+        plane = [self.write("ball.xml", ball()), self.write("over.xml", remeshing(4, WALL, FOCUS)), *settings("stages/push/duration=2.5e-3")]
+        space = [os.path.join(ROOT, "inputs", "space", "ball.xml"), self.write("space.xml", deck_text("space", {"mesh motion": {
+            "remeshing": {"when quality below": 0.0, "when side above": 0.1, "least steps": 2, "wall size": 0.25}}})),
+            *settings("mesh/cells={5, 3, 3}", "mesh/distortion=0.3", "stages/push/duration=0.2")]
+        self.decks = {"plane": plane, "space": space}
+
+    def whole(self, name):
+        arguments = [*self.decks[name], *settings("output/name=whole", "output/checkpoint steps=0")]
+        self.runs(*arguments)
+        self.assertGreaterEqual(History(self.result("whole", ".csv"))["mesh/remeshings"][-1], 2)
+        return self.content("whole")
+
+    def begin(self, name, result):
+        self.arguments = [*self.decks[name], *settings("output/name=" + result, "output/checkpoint steps=0")]
+        running = subprocess.Popen([PROGRAM, "run", "-q", *self.arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True, start_new_session=True)
+        while not os.path.exists(self.result(result, ".csv")) and running.poll() is None:
+            time.sleep(0.001)
+        self.of_mpi = children(running.pid)  # before the first remeshing
+        return running
+
+    def caught(self, running):
+        """The process of a remeshing, which stands still; None where the run has ended."""
+        while running.poll() is None:
+            for child in children(running.pid):
+                if child not in self.of_mpi and stands_still(child):
+                    return child
+            time.sleep(0.001)
+        return None
+
+    def check_interrupted(self, name, numbers):
+        whole = self.whole(name)
+        for number in numbers:
+            with self.subTest(deck=name, signal=number.name):
+                running = self.begin(name, number.name)
+                child = self.caught(running)
+                self.assertIsNotNone(child, "no remeshing was seen")
+                for process in (running.pid, child):  # as a batch system may do
+                    os.kill(process, number)
+                os.kill(child, signal.SIGCONT)
+                out, errors = running.communicate(timeout=300)
+                self.assertEqual(running.returncode, 4, out + errors)
+                self.assertEqual(len(errors.splitlines()), 1, errors)
+                self.assertRegex(errors, r"^warning: stopped by a signal after step \d+; continue with --restart")
+                self.runs(*self.arguments, "--restart")
+                self.assertEqual(self.content(number.name), whole)
+
+    def test_signals_in_the_plane(self):
+        self.check_interrupted("plane", (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGUSR1))
+
+    def test_signals_in_space(self):
+        self.check_interrupted("space", (signal.SIGTERM, signal.SIGUSR1))
+
+    def test_a_process_that_is_killed(self):
+        """Once: it is tried again. As often as it begins: the run ends, and a restart is as if nothing had been."""
+        for name in self.decks:
+            with self.subTest(deck=name):
+                whole = self.whole(name)
+                running = self.begin(name, "once")
+                os.kill(self.caught(running), signal.SIGKILL)
+                out, errors = running.communicate(timeout=300)
+                self.assertEqual((running.returncode, errors), (0, ""), out)
+                self.assertEqual(self.content("once"), whole)
+                running = self.begin(name, "often")
+                while (child := self.caught(running)) is not None:
+                    os.kill(child, signal.SIGKILL)
+                out, errors = running.communicate(timeout=300)
+                self.assertEqual(running.returncode, 1, out + errors)
+                self.assertRegex(errors, r"^error: remeshing after step \d+: Gmsh was killed \(signal 9\); the run ends here with its state "
+                                 r"saved, and --restart tries again\n$")
+                self.runs(*self.arguments, "--restart")
+                self.assertEqual(self.content("often"), whole)
+                shutil.rmtree(os.path.join(self.folder, "results"))
+
+
+if __name__ == "__main__":
+    unittest.main()
