@@ -24,7 +24,8 @@ def plane(motion):
             "boundary conditions": conditions("bottom", [("left", "x"), ("right", "x")]),
             "contacts": {"touch": {"type": "penalty", "body": "bar", "surface": "top",
                                    "friction": {"type": "coulomb", "coefficient": 0.3, "adhesion": 1e3, "on": "total"}}},
-            "stages": {"move": {"type": "dynamic", "duration": 1.0, "time step": {"initial": 1e-2}}}}
+            "stages": {"move": {"type": "dynamic", "duration": 1.0, "time step": {"initial": 1e-2}}},
+            "plausibility": {"sudden weight": [0.0, 1.0]}}  # the soil is here to be touched only
 
 
 def space(motion):
@@ -34,7 +35,8 @@ def space(motion):
             "boundary conditions": conditions("bottom", [("left", "x"), ("right", "x"), ("front", "y"), ("back", "y")]),
             "contacts": {"touch": {"type": "penalty", "body": "block", "surface": "top",
                                    "friction": {"type": "coulomb", "coefficient": 0.3, "on": "total"}}},
-            "stages": {"move": {"type": "dynamic", "duration": 1.0, "time step": {"initial": 1e-2}}}}
+            "stages": {"move": {"type": "dynamic", "duration": 1.0, "time step": {"initial": 1e-2}}},
+            "plausibility": {"sudden weight": [0.0, 1.0]}}  # the soil is here to be touched only
 
 
 WATER = {"density": 1000.0, "drag coefficient": 0.5, "added mass coefficient": 0.5}

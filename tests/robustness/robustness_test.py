@@ -50,7 +50,7 @@ class Endings(MudlineCase):
 
     def test_folded_mesh(self):
         """A ball that is pushed on through the soil folds its elements: the run says where, keeps that state and ends; a stage may go on."""
-        deep = ["--set", "stages/push/duration=0.3", "--set", "mesh/cells={4, 4}", "--set", "stages/push/time step/initial=1e-3", "--set", "plausibility/drained hole={0, 2}"]
+        deep = ["--set", "stages/push/duration=0.3", "--set", "mesh/cells={4, 4}", "--set", "stages/push/time step/initial=1e-3", "--set", "plausibility/drained hole={0, 2}", "--set", "plausibility/prescribed depth={0, 1}"]
         done = program(["run", "-q", BALL] + deep, folder=self.folder)
         self.assertEqual(done.returncode, 3, done.stderr)
         poor, folded = done.stderr.splitlines()

@@ -82,12 +82,13 @@ std::string HistoryFile::truncate(const HistoryRestart& restart) {
   header_ = kept.substr(0, kept.find('\n'));
   count(kept);
   if (const std::string error = write_atomically(path_, kept); !error.empty()) return error;
-  return open(std::ios::app);
+  return open();
 }
 
-/// Rank 0. Returns what is wrong, or "".
-std::string HistoryFile::open(std::ios::openmode mode) {
-  file_.open(path_, std::ios::binary | mode);
+/// Rank 0: opens the file behind what it holds. Rows are appended, so that a file that another program has emptied
+/// stays shorter than what was written. Returns what is wrong, or "".
+std::string HistoryFile::open() {
+  file_.open(path_, std::ios::binary | std::ios::app);
   struct stat found {};
   if (!file_ || stat(path_.c_str(), &found) != 0) return "cannot write '" + path_ + "'";
   inode_ = found.st_ino;
@@ -148,7 +149,9 @@ void HistoryFile::fix_columns(const std::string& header) {
   if (comm_->getRank() == 0) {
     if (continued_) error = set_aside();
     mark_ = {0, 0, fingerprint(nullptr, 0)};
-    if (error.empty()) error = open(std::ios::trunc);
+    if (error.empty() && !std::ofstream(path_, std::ios::binary | std::ios::trunc))
+      error = "cannot write '" + path_ + "'";
+    if (error.empty()) error = open();
     if (error.empty()) error = append(header + '\n');
   }
   header_ = header;

@@ -60,7 +60,7 @@ class HistoryFile {
   std::string keep_rows_until(double time, const std::string& text, std::string& kept) const;
   void fix_columns(const std::string& header);
   std::string set_aside();
-  std::string open(std::ios::openmode mode);
+  std::string open();
   std::string append(const std::string& line);
   void count(const std::string& text);
 
