@@ -148,7 +148,8 @@ class Slips(Telling):
     def test_ranges_are_the_decks(self):
         settings = ["bodies/anchor/mass=98", "plausibility/body density={1, 20000}"]
         self.assertEqual([d for d in self.doubts(self.shipped("torpedo/tresca"), settings) if "mass over volume" in d], [])
-        self.assertEqual(self.doubts(self.shipped("torpedo/tresca"), ["bodies/anchor/position={0, 57.86}", "plausibility/first gap={0, 60}"]), [])
+        self.assertEqual(self.doubts(self.shipped("torpedo/tresca"), ["bodies/anchor/position={0, 57.86}", "plausibility/first gap={0, 60}",
+                                                                         "plausibility/speed gain={1, 2}"]), [])
         for setting, what in (("sides under a body={1e4, 1e5}", "number of sides of the surface that it covers is"),
                               ("consolidation coefficient={1, 2}", "the consolidation coefficient is")):
             doubts = self.doubts(self.shipped("cpt/clay"), ["plausibility/" + setting])

@@ -35,7 +35,8 @@ class ActiveSet(ContactCase):
         self.compare("plate", self.deck("sliding_plate"), (), ("reaction x", "friction heat", "sliding points"), 1e-8, (1, 2))
         for settings in (("contacts/face/enforcement=penalty", "contacts/face/penalty factor=1"), ()):
             decks = self.penalty_blocks() if settings else [self.deck("blocks"), self.deck("node_to_segment"), self.write("slide.xml", SLIDE)]
-            self.compare("blocks", decks, settings, ("force on slave x", "contact area", "friction heat"), 1e-5, (1, 2),
+            steps = ("solver/newton/damped retry=false",)  # which one strategy may need and the other not: heat depends on the steps
+            self.compare("blocks", decks, settings + steps, ("force on slave x", "contact area", "friction heat"), 1e-5, (1, 2),
                          "loose" if settings else "blocks")
 
     def test_guard(self):
