@@ -129,20 +129,17 @@ int run(const RunCommand& command) {
 
 namespace {
 
-/// What is doubted of a deck; nothing of one with material points. InputError.
-std::vector<std::string> doubts_of(const DeckOptions& options) {
+/// What a deck makes; null for one with material points, which are checked. InputError.
+std::unique_ptr<Loaded> checked(const DeckOptions& options, const std::string& mesh_parts) {
   const Deck deck = read_deck(options);
-  if (is_point_deck(deck)) {
-    check_point(deck, result_name(options));
-    return {};
-  }
-  return load(deck, result_name(options), "")->plausibility->doubts();
+  if (!is_point_deck(deck)) return load(deck, result_name(options), mesh_parts);
+  check_point(deck, result_name(options));
+  return nullptr;
 }
 
 int check_one(const DeckOptions& options, const std::string& mesh_parts) {
-  const Deck deck = read_deck(options);
-  if (is_point_deck(deck)) return check_point(deck, result_name(options));
-  const auto loaded = load(deck, result_name(options), mesh_parts);
+  const auto loaded = checked(options, mesh_parts);
+  if (!loaded) return 0;
   describe(*loaded->model);
   loaded->plausibility->print();
   std::string stages;
@@ -159,7 +156,8 @@ int check_each(const DeckOptions& options) {
   for (const std::string& path : options.decks) {
     std::string answer = path + ": the deck is valid";
     try {
-      for (const std::string& doubt : doubts_of({{path}, options.settings})) log::warn(path + ": " + doubt);
+      if (const auto loaded = checked({{path}, options.settings}, ""))
+        for (const std::string& doubt : loaded->plausibility->doubts()) log::warn(path + ": " + doubt);
     } catch (const InputError& error) {
       answer = std::string("error: ") + error.what();
       code = 2;

@@ -86,7 +86,8 @@ bool processor_has_avx2() {
 
 }  // namespace
 
-std::string better_kernels(const std::string& picked, bool processor_has_avx2, bool results_are_right) {
+std::string better_kernels(const std::string& picked, bool processor_has_avx2,
+                           const std::function<bool()>& results_are_right) {
   // OpenBLAS's names of kernels for x86 without AVX2, or without fused multiply-adds
   static const std::array<const char*, 20> older{
       "Katmai", "Coppermine", "Northwood",  "Prescott",    "Banias",  "Atom",         "Core2",
@@ -94,7 +95,7 @@ std::string better_kernels(const std::string& picked, bool processor_has_avx2, b
       "Bobcat", "Bulldozer",  "Piledriver", "Steamroller", "Nano",    "Sandybridge"};
   static const std::array<const char*, 3> avx2{"Haswell", "Zen", "Excavator"};
   if (picked.empty() || !processor_has_avx2 || is_one_of(picked, avx2)) return "";
-  return is_one_of(picked, older) || !results_are_right ? "Haswell" : "";
+  return is_one_of(picked, older) || !results_are_right() ? "Haswell" : "";
 }
 
 bool dense_products_are_right() {
@@ -123,8 +124,9 @@ void use_best_blas_kernels(char** argv) {
   }
   if (std::getenv(chosen_kernels) != nullptr) return;
   const std::string picked = blas_kernels().in_use;
-  const bool right = !better_kernels(picked, processor_has_avx2(), true).empty() || dense_products_are_right();
-  const std::string better = better_kernels(picked, processor_has_avx2(), right);
+  bool right = true;
+  const std::string better =
+      better_kernels(picked, processor_has_avx2(), [&] { return right = dense_products_are_right(); });
   if (better.empty()) return;
   setenv(chosen_kernels, better.c_str(), 1);
   setenv(replaced_kernels, picked.c_str(), 1);

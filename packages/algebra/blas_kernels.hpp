@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace mudline {
@@ -23,7 +24,9 @@ BlasKernels blas_kernels();
 
 /// The kernels that suit a processor better than `picked`, or "": Haswell's, where the processor has AVX2 and fused
 /// multiply-adds and the picked ones use less, or where the picked ones use more (AVX-512) and compute wrong results.
-std::string better_kernels(const std::string& picked, bool processor_has_avx2, bool results_are_right);
+/// That is asked of kernels that are not known only.
+std::string better_kernels(const std::string& picked, bool processor_has_avx2,
+                           const std::function<bool()>& results_are_right);
 
 /// True where products and triangular solves of this process' BLAS agree with plain loops to rounding, for sizes on
 /// both sides of the blocks of its kernels.

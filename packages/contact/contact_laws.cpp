@@ -9,10 +9,14 @@ namespace mudline {
 namespace {
 
 /// A law whose slopes are wrong makes Newton's method fail far from where the fault is.
-void doubt_slopes(const ContactContext& context, const Section& law, const std::string& problem) {
-  if (problem.empty() || context.renewed) return;
-  log::warn(law.source("type") + ": " + law.path() + "/type: the law '" + law.text("type") + "' does not conform: " +
-            problem + "; steps will hardly converge (`mudline point --conformance` checks it again)");
+template <class Law>
+void doubt_slopes(const ContactContext& context, const Section& entry, const Law& law) {
+  if (context.renewed) return;  // its model was doubted
+  const std::string problem = slope_problem(law);
+  if (!problem.empty())
+    log::warn(entry.source("type") + ": " + entry.path() + "/type: the law '" + entry.text("type") +
+              "' does not conform: " + problem +
+              "; steps will hardly converge (`mudline point --conformance` checks it again)");
 }
 
 }  // namespace
@@ -27,14 +31,14 @@ void ContactLaws::read(const ContactContext& context, const Section& section) {
   if (section.has_section("friction")) {
     const Section law = section.section("friction");
     friction_ = context.frictions.create(law);
-    doubt_slopes(context, law, slope_problem(*friction_));
+    doubt_slopes(context, law, *friction_);
     note(friction_->reads(), law);
     if (friction_->effective()) read_.pore_pressure = true;
   }
   if (section.has_section("normal law")) {
     const Section law = section.section("normal law");
     normal_ = context.normal_laws.create(law);
-    doubt_slopes(context, law, slope_problem(*normal_));
+    doubt_slopes(context, law, *normal_);
     note(normal_->reads(), law);
   }
 }

@@ -108,18 +108,19 @@ void on_deadly_signal(int number) {
   end({"error: the library '", library, "' ended the program (", how, ") while it was being called"}, 1);
 }
 
-void at_exit() {
+/// `inside`: how a library does it; `own`: how this program would.
+void end_from_inside(const char* inside, const char* own) {
   if (!armed.exchange(false)) return;
-  std::fflush(stdout);
-  if (const char* library = library_on_stack()) end_for(library, "a STOP or a call of exit");
-  end({"error: the program was ended from inside by a call of exit"}, 1);
+  if (const char* library = library_on_stack()) end_for(library, inside);
+  end({"error: the program was ended from inside by ", own}, 1);
 }
 
-void at_quick_exit() {
-  if (!armed.exchange(false)) return;
-  if (const char* library = library_on_stack()) end_for(library, "a call of quick_exit");
-  end({"error: the program was ended from inside by a call of quick_exit"}, 1);
+void at_exit() {
+  if (armed) std::fflush(stdout);
+  end_from_inside("a STOP or a call of exit", "a call of exit");
 }
+
+void at_quick_exit() { end_from_inside("a call of quick_exit", "a call of quick_exit"); }
 
 /// "the library 'a'", or "one of the libraries 'a', 'b'".
 std::string loaded_libraries() {
