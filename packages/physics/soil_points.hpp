@@ -1,14 +1,26 @@
 #pragma once
 
+#include <cmath>
+
 #include "physics/soil.hpp"
 
 namespace mudline {
+
+/// What waves and pore pressures find at a point of soil.
+struct SoilFigures {
+  double shear, modulus;  // [Pa] G, drained constrained modulus
+  double wave;            // [m/s] of a wave of pressure, undrained; infinite without density
+  double density;         // [kg/m3]
+  double conductivity;    // [m/s]; 0 without pore fluid, as the next
+  double consolidation;   // [m2/s] c_v
+};
 
 /// The points of one block in one state, each with its own material; for what runs on the host.
 class SoilPoints {
  public:
   SoilPoints(const Soil& soil, const SoilBlock& block, const State& state)
       : materials_(&soil.materials),
+        porous_(block.porous()),
         which_(soil.which(block, state)),
         stress_(state.arrays[block.stress]),
         void_ratio_(state.arrays[block.void_ratio]),
@@ -22,6 +34,18 @@ class SoilPoints {
   double* law(int row) const { return law_.data() + row * law_.extent(1); }
 
   ElasticModuli moduli(int row) const { return material(row).skeleton->moduli(stress(row), void_ratio(row), law(row)); }
+  /// Drained, without strain across [Pa].
+  double constrained_modulus(int row) const { return constrained(moduli(row)); }
+  SoilFigures figures(int row) const {
+    const ElasticModuli m = moduli(row);
+    SoilFigures f{m.shear, constrained(m), 0, density(row), 0, 0};
+    const double alpha = material(row).biot_coefficient, held = porous_ ? storage(row) : 0;
+    f.wave = std::sqrt((held > 0 ? f.modulus + alpha * alpha / held : f.modulus) / f.density);
+    if (!porous_) return f;
+    f.conductivity = conductivity(row);
+    f.consolidation = f.conductivity * f.modulus / material(row).fluid->unit_weight();
+    return f;
+  }
   SoilState soil_state(int row) const {
     return material(row).skeleton->soil_state(stress(row), void_ratio(row), law(row));
   }
@@ -33,7 +57,10 @@ class SoilPoints {
   }
 
  private:
+  static double constrained(const ElasticModuli& m) { return m.bulk + 4.0 / 3 * m.shear; }
+
   const std::vector<std::shared_ptr<const SoilMaterial>>* materials_;
+  bool porous_;
   PointView which_, stress_, void_ratio_, law_;
 };
 

@@ -4,16 +4,11 @@
 
 #include "core/space_vector.hpp"
 #include "simulation/body_setup.hpp"
+#include "tensor/sym6.hpp"
 
 namespace mudline {
 
 namespace {
-
-double number(const Section& section, const std::string& name, double otherwise) {
-  double value = otherwise;
-  if (section.has_parameter(name)) Parameters(section).add(name, value, "", any(), "");
-  return value;
-}
 
 double largest_of(const Section& section, const std::string& name) {
   std::vector<double> values;
@@ -84,15 +79,21 @@ void fit(const BodySetup& of, const Judge& judge) {
           "give mesh and body the same lengths (tip, diameter, position)");
 }
 
-void contacts_of(const BodySetup& of, const Judge& judge) {
-  bool moves = false;
+/// Whether a stage prescribes a way or a turn.
+bool driven(const BodySetup& of) {
   for (const auto& motion : of.motions) {
-    moves = moves || motion.law->turns() || motion.law->released();
-    for (int i = 0; i < of.dim; ++i) moves = moves || motion.law->moves(i);
+    if (motion.law->turns()) return true;
+    for (int i = 0; i < of.dim; ++i)
+      if (motion.law->moves(i)) return true;
   }
+  return false;
+}
+
+void contacts_of(const BodySetup& of, const Judge& judge) {
   double count = 0;
   for (const auto& [name, contact] : of.model.contacts()) count += contact->partners().body == &of.body;
-  if (moves) judge(count, of.called() + ": the number of its contacts", "give 'contacts' an entry for it");
+  if (driven(of) || of.free())
+    judge(count, of.called() + ": the number of its contacts", "give 'contacts' an entry for it");
 }
 
 void in_space_only_gap(const BodySetup& of, const Judge& judge) {
@@ -116,35 +117,24 @@ void in_space_sides(const BodySetup& of, const Judge& judge) {
 }
 
 void volume(const BodySetup& of, const Judge& judge) {
-  const double given = number(of.entry, "volume", 0);
+  const double given = number_in(of.entry, "volume", 0);
   double own = of.body.surface() ? of.body.surface()->moments().volume : of.body.properties().enclosed->total();
   if (given > 0 && own > 0)
     judge(given / own, of.called() + ": its 'volume' over that of its shape, " + told(own) + " m3,",
           "give it in m3, or leave it out");
 }
 
-/// Principal values of a symmetric tensor, in ascending order.
+/// Principal values of a symmetric tensor, the largest first.
 std::array<double, 3> principal(const double (&a)[3][3]) {
-  const double mean = (a[0][0] + a[1][1] + a[2][2]) / 3;
-  const double off = a[0][1] * a[0][1] + a[0][2] * a[0][2] + a[1][2] * a[1][2];
-  double spread = 2 * off;
-  for (int i = 0; i < 3; ++i) spread += (a[i][i] - mean) * (a[i][i] - mean);
-  const double p = std::sqrt(spread / 6);
-  if (!(p > 1e-12 * std::abs(mean))) return {mean, mean, mean};
-  double b[3][3];
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) b[i][j] = (a[i][j] - (i == j ? mean : 0)) / p;
-  const double half = 0.5 * dot(Point{b[0][0], b[0][1], b[0][2]},
-                                cross(Point{b[1][0], b[1][1], b[1][2]}, Point{b[2][0], b[2][1], b[2][2]}));
-  const double angle = std::acos(std::clamp(half, -1.0, 1.0)) / 3;
-  constexpr double third = 2.0943951023931953;  // [rad]
-  const double high = mean + 2 * p * std::cos(angle), low = mean + 2 * p * std::cos(angle + third);
-  return {low, 3 * mean - high - low, high};
+  const double components[6] = {a[0][0], a[1][1], a[2][2], a[1][2], a[0][2], a[0][1]};
+  std::array<double, 3> values;
+  sym6::principal_values(components, values.data());
+  return values;
 }
 
 void inertia_triangle(const BodySetup& of, const Judge& judge) {
   if (of.dim == 2 || !of.entry.has_parameter("inertia tensor")) return;
-  const auto [low, middle, high] = principal(of.body.properties().inertia);
+  const auto [high, middle, low] = principal(of.body.properties().inertia);
   judge(high / (low + middle), of.called() + ": its largest principal moment of inertia over the sum of the other two",
         "no body has more than 1: give the tensor about the centre of mass, products with the sign of -int x y dm");
 }
@@ -161,8 +151,8 @@ void gyration(const BodySetup& of, const Judge& judge) {
     tell(p.moment_of_inertia);
   } else if (of.entry.has_parameter("inertia tensor")) {
     const auto values = principal(p.inertia);
-    tell(values[0]);
     tell(values[2]);
+    tell(values[0]);
   }
 }
 
@@ -178,7 +168,7 @@ void centre_of_mass(const BodySetup& of, const Judge& judge) {
 void added_water(const BodySetup& of, const Judge& judge, const char* one, const char* several) {
   for (const auto& motion : of.motions) {
     const Section water = motion.entry.section("water");
-    const double most = std::max(number(water, one, 0), largest_of(water, several));
+    const double most = std::max(number_in(water, one, 0), largest_of(water, several));
     if (most > 0) judge(most, of.called() + ": '" + one + "' in stage '" + motion.stage + "'", "it has no unit");
   }
 }
@@ -190,7 +180,7 @@ void added_mass(const BodySetup& of, const Judge& judge) {
 
 void water_around(const BodySetup& of, const Judge& judge) {
   for (const auto& motion : of.motions) {
-    const double density = number(motion.entry.section("water"), "density", 0);
+    const double density = number_in(motion.entry.section("water"), "density", 0);
     if (density > 0)
       judge(density, of.called() + ": the density of the water around it in stage '" + motion.stage + "'",
             "give it in kg/m3, as 1000 or 1025");
@@ -201,7 +191,7 @@ void drag_area(const BodySetup& of, const Judge& judge) {
   const BodyProperties& p = of.body.properties();
   const double own = of.dim == 2 ? p.enclosed->frontal_area() : p.frontal_areas[2];
   for (const auto& motion : of.motions) {
-    const double area = number(motion.entry.section("water"), "drag area", 0);
+    const double area = number_in(motion.entry.section("water"), "drag area", 0);
     if (area > 0 && own > 0)
       judge(area / own, of.called() + ": its 'drag area' over that of its shape, " + told(own) + " m2,",
             "give it in m2, or leave it out");
@@ -212,7 +202,7 @@ void mudline_height(const BodySetup& of, const Judge& judge) {
   for (const auto& motion : of.motions) {
     const Section water = motion.entry.section("water");
     if (water.has_parameter("mudline") && of.surfaces.sides > 0)
-      judge(std::abs(number(water, "mudline", 0) - of.surfaces.box.high[of.up]) / of.size,
+      judge(std::abs(number_in(water, "mudline", 0) - of.surfaces.box.high[of.up]) / of.size,
             of.called() + ": the distance of its 'mudline' from the top of the soil, in its extents,",
             "give the height of the seabed in m");
   }
@@ -228,22 +218,28 @@ void prescribed_speed(const BodySetup& of, const Judge& judge) {
     judge(fastest, of.called() + ": its prescribed speed", "give it in m/s (mm/s and km/h are larger numbers)");
 }
 
-void start_speed(const BodySetup& of, const Judge& judge) {
+/// Calls f(velocity, spin, what it begins in) for every stage that gives the body a start of its own.
+template <class F>
+void for_each_start(const BodySetup& of, F&& f) {
   for (const auto& motion : of.motions) {
     Point velocity{}, spin{};
     if (motion.law->released() && motion.law->released()->initial_velocity(velocity, spin))
-      judge(length(velocity), of.called() + ": its initial velocity in stage '" + motion.stage + "'",
-            "give it in m/s (mm/s and km/h are larger numbers)");
+      f(velocity, spin, " in stage '" + motion.stage + "'");
   }
 }
 
+void start_speed(const BodySetup& of, const Judge& judge) {
+  for_each_start(of, [&](const Point& velocity, const Point&, const std::string& where) {
+    judge(length(velocity), of.called() + ": its initial velocity" + where,
+          "give it in m/s (mm/s and km/h are larger numbers)");
+  });
+}
+
 void start_spin(const BodySetup& of, const Judge& judge) {
-  for (const auto& motion : of.motions) {
-    Point velocity{}, spin{};
-    if (motion.law->released() && motion.law->released()->initial_velocity(velocity, spin))
-      judge(length(spin), of.called() + ": its initial spin in stage '" + motion.stage + "'",
-            "give it in rad/s (degrees per second and turns per minute are larger numbers)");
-  }
+  for_each_start(of, [&](const Point&, const Point& spin, const std::string& where) {
+    judge(length(spin), of.called() + ": its initial spin" + where,
+          "give it in rad/s (degrees per second and turns per minute are larger numbers)");
+  });
 }
 
 void turned(const BodySetup& of, const Judge& judge) {
@@ -252,15 +248,10 @@ void turned(const BodySetup& of, const Judge& judge) {
 
 void way(const BodySetup& of, const Judge& judge) {
   if (of.free() || of.surfaces.sides == 0 || of.motions.empty()) return;
-  bool meant = false;
-  for (const auto& motion : of.motions) {
-    meant = meant || motion.law->turns();
-    for (int i = 0; i < of.dim; ++i) meant = meant || motion.law->moves(i);
-  }
   double farthest = 0;
   for (const auto& place : of.places)
     farthest = std::max(farthest, length(place.displacement) + place.angle * of.size / 2);
-  if (meant)
+  if (driven(of))
     judge(farthest / of.surfaces.shortest,
           of.called() + ": its prescribed way, " + told(farthest) + " m, over the shortest side of the surface",
           "its motion does not move it within the stages: look at its function, the stages' durations and the ramp");
@@ -294,7 +285,7 @@ void ways_aside(const BodySetup& of, const Judge& judge) {
 
 void ramp(const BodySetup& of, const Judge& judge) {
   for (const auto& motion : of.motions) {
-    const double time = number(motion.entry, "ramp time", 0);
+    const double time = number_in(motion.entry, "ramp time", 0);
     if (time > 0)
       judge(time / motion.duration, of.called() + ": its 'ramp time' over the duration of stage '" + motion.stage + "'",
             "it does not come to its velocity: give the ramp in s, or a longer stage");
@@ -336,8 +327,8 @@ void force_size(const BodySetup& of, const Judge& judge) {
   double modulus = 0;
   for (const auto& [name, contact] : of.model.contacts())
     if (contact->partners().body == &of.body && modulus == 0) {
-      const ContactSetup setup(of.model, name, *contact, of.entry, of.entry);
-      modulus = setup.stiffness * setup.side;
+      const SoilBehind soil = soil_behind(of.model, contact->partners().surface);
+      modulus = soil.stiffness * soil.side;
     }
   for (const auto& motion : of.motions) {
     const ReleasedMotion* released = motion.law->released();
@@ -392,12 +383,12 @@ void load_points(const BodySetup& of, const Judge& judge) {
 }
 
 void apex(const BodySetup& of, const Judge& judge) {
-  const double angle = number(of.entry.section("contour"), "apex angle [deg]", 60);
+  const double angle = number_in(of.entry.section("contour"), "apex angle [deg]", 60);
   judge(angle, of.called() + ": its 'apex angle [deg]'", "give it in degrees, as 60 (1.05 is in rad)");
 }
 
 void tip(const BodySetup& of, const Judge& judge) {
-  const double height = number(of.entry, "tip height", 0);
+  const double height = number_in(of.entry, "tip height", 0);
   if (height > 0)
     judge(height / of.length_of(of.up), of.called() + ": its 'tip height' over its own height",
           "give it in m above the reference point");

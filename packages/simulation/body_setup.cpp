@@ -56,18 +56,15 @@ std::pair<double, Point> nearest(const RigidBody& body, const Point& x) {
 
 }  // namespace
 
-BodySetup::BodySetup(const Model& model, const Section& deck, const RigidBody& body)
-    : model(model),
+BodySetup::BodySetup(const Setup& setup, const RigidBody& body)
+    : model(setup.model()),
       body(body),
-      entry(deck.section("bodies").section(body.name())),
+      entry(setup.deck().section("bodies").section(body.name())),
       dim(body.dimension()),
-      up(body.dimension() - 1) {
-  const Section physics = deck.section("physics");
-  for (const std::string& name : physics.section_names())
-    if (physics.section(name).has_parameter("gravity"))
-      Parameters(physics.section(name)).add("gravity", soil_gravity, "", "");
+      up(body.dimension() - 1),
+      soil_gravity(setup.gravity_vector()) {
   find_box();
-  follow(deck);
+  follow(setup.deck());
   find_surfaces();
 }
 
@@ -167,46 +164,45 @@ void BodySetup::find_surfaces() {
   s.misfit = misfit;
 }
 
-ContactSetup::ContactSetup(const Model& model, const std::string& name, const Contact& contact, const Section& entry,
-                           const Section& deck)
-    : name(name), model(model), partners(contact.partners()), entry(entry), deck(deck) {
-  const State& state = model.store().committed();
+SoilBehind soil_behind(const Model& model, const std::string& surface) {
+  SoilBehind behind;
   enum { count, edges, springs, sums };
   std::vector<double> sum(sums, 0.0);
-  for (const Side& s : model.mesh().side_sets().at(partners.surface)) {
+  for (const Side& s : model.mesh().side_sets().at(surface)) {
     const SideFigures at = figures(model.mesh(), s);
     const SoilBlock& b = model.soil()->blocks[s.block];
-    const SoilPoints points(*model.soil(), b, state);
-    double modulus = 0;
-    for (int row = s.element * b.points; row < (s.element + 1) * b.points; ++row) {
-      const ElasticModuli m = points.moduli(row);
-      modulus += (m.bulk + 4.0 / 3 * m.shear) / b.points;
-      const SoilState soil = points.soil_state(row);
-      if (soil.undrained_strength) strength = std::max(strength, *soil.undrained_strength);
-    }
+    const SoilPoints points(*model.soil(), b, model.store().committed());
+    for (int row = s.element * b.points; row < (s.element + 1) * b.points; ++row)
+      behind.strength = std::max(behind.strength, points.soil_state(row).undrained_strength.value_or(0.0));
     const ElementBlock& block = model.mesh().blocks()[s.block];
     std::vector<Point> nodes;
     for (int a = 0; a < num_nodes(block.shape); ++a) nodes.push_back(model.mesh().place(block.nodes(s.element, a)));
     sum[count] += 1;
     sum[edges] += 0.5 * (at.shortest + at.longest);
-    sum[springs] += modulus / ElementMap(block.shape, [&](int a) { return nodes[a].data(); }).size().height;
+    sum[springs] += model.constrained_modulus(s.block, s.element) /
+                    ElementMap(block.shape, [&](int a) { return nodes[a].data(); }).size().height;
   }
   const Comm& comm = *model.mesh().comm();
   sum = sum_over_ranks(comm, sum);
-  strength = max_over_ranks(comm, strength);
-  if (sum[count] == 0) return;
-  side = sum[edges] / sum[count];
-  stiffness = sum[springs] / sum[count];
+  behind.strength = max_over_ranks(comm, behind.strength);
+  if (sum[count] == 0) return behind;
+  behind.side = sum[edges] / sum[count];
+  behind.stiffness = sum[springs] / sum[count];
+  return behind;
 }
 
-double ContactSetup::number(const Section& section, const std::string& parameter, double otherwise) const {
-  double value = otherwise;
-  if (section.has_parameter(parameter)) Parameters(section).add(parameter, value, "", any(), "");
+ContactSetup::ContactSetup(const Setup& setup, const std::string& name, const Contact& contact)
+    : name(name),
+      model(setup.model()),
+      partners(contact.partners()),
+      entry(setup.deck().section("contacts").section(name)),
+      deck(setup.deck()),
+      soil(soil_behind(model, partners.surface)) {}
+
+double number_in(const Section& section, const std::string& name, double fallback) {
+  double value = fallback;
+  if (section.has_parameter(name)) Parameters(section).add(name, value, "", any(), "");
   return value;
-}
-
-double ContactSetup::number(const std::string& parameter, double otherwise) const {
-  return number(entry, parameter, otherwise);
 }
 
 void declare_body_checks(Doubts& doubts) {
@@ -214,21 +210,21 @@ void declare_body_checks(Doubts& doubts) {
   for (const ContactCheck& check : contact_checks()) doubts.declare(check.quantity);
 }
 
-void look_at_bodies(const Model& model, const Section& deck, Doubts& doubts) {
+void look_at_bodies(const Setup& setup, Doubts& doubts) {
   const auto judge_of = [&](const Usual& quantity) {
     return [&doubts, &quantity](double value, const std::string& what, const std::string& advice) {
       doubts.judge(quantity.name, value, what, advice);
     };
   };
   const std::vector<BodyCheck> of_bodies = body_checks();
-  for (const auto& [name, body] : model.bodies()) {
-    const BodySetup setup(model, deck, *body);
-    for (const BodyCheck& check : of_bodies) check.look(setup, judge_of(check.quantity));
+  for (const auto& [name, body] : setup.model().bodies()) {
+    const BodySetup of(setup, *body);
+    for (const BodyCheck& check : of_bodies) check.look(of, judge_of(check.quantity));
   }
   const std::vector<ContactCheck> of_contacts = contact_checks();
-  for (const auto& [name, contact] : model.contacts()) {
-    const ContactSetup setup(model, name, *contact, deck.section("contacts").section(name), deck);
-    for (const ContactCheck& check : of_contacts) check.look(setup, judge_of(check.quantity));
+  for (const auto& [name, contact] : setup.model().contacts()) {
+    const ContactSetup of(setup, name, *contact);
+    for (const ContactCheck& check : of_contacts) check.look(of, judge_of(check.quantity));
   }
 }
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/doubts.hpp"
-#include "simulation/model.hpp"
+#include "simulation/setup.hpp"
 
 namespace mudline {
 
@@ -16,7 +15,7 @@ using Judge = std::function<void(double value, const std::string& what, const st
 /// A body before the first step, in the plane or in space: where it is, what it may touch, how its stages move it.
 struct BodySetup {
   /// Collective.
-  BodySetup(const Model& model, const Section& deck, const RigidBody& body);
+  BodySetup(const Setup& setup, const RigidBody& body);
 
   /// A stage's motion of the body.
   struct Motion {
@@ -66,24 +65,34 @@ struct BodyCheck {
   Usual quantity;
   void (*look)(const BodySetup& body, const Judge& judge);
 };
-/// One of a contact.
+
+/// The soil behind a surface of the mesh, over all ranks.
+struct SoilBehind {
+  double side = 0, stiffness = 0;  // means over the sides: [m] edges, [Pa/m] constrained modulus over height
+  double strength = 0;             // [Pa] largest undrained strength; 0: unknown
+};
+/// Collective.
+SoilBehind soil_behind(const Model& model, const std::string& surface);
+
+/// A contact before the first step.
 struct ContactSetup {
-  ContactSetup(const Model& model, const std::string& name, const Contact& contact, const Section& entry,
-               const Section& deck);
+  /// Collective.
+  ContactSetup(const Setup& setup, const std::string& name, const Contact& contact);
   std::string called() const { return "contact '" + name + "'"; }
   std::string name;
   const Model& model;
   ContactPartners partners;
   Section entry, deck;
-  double side = 0, stiffness = 0;  // means over the surface: [m] edges, [Pa/m] constrained modulus over height
-  double strength = 0;             // [Pa] largest undrained strength of the soil behind it; 0: unknown
-  double number(const std::string& parameter, double otherwise) const;
-  double number(const Section& section, const std::string& parameter, double otherwise) const;
+  SoilBehind soil;
 };
+/// As BodyCheck, of a contact.
 struct ContactCheck {
   Usual quantity;
   void (*look)(const ContactSetup& contact, const Judge& judge);
 };
+
+/// A number of the deck, or the fallback where it gives none.
+double number_in(const Section& section, const std::string& name, double fallback);
 
 /// The checks of a group; a new one is a line in its list.
 std::vector<BodyCheck> body_checks();
@@ -91,6 +100,6 @@ std::vector<ContactCheck> contact_checks();
 
 /// Declares their quantities, and keeps what they doubt. Collective.
 void declare_body_checks(Doubts& doubts);
-void look_at_bodies(const Model& model, const Section& deck, Doubts& doubts);
+void look_at_bodies(const Setup& setup, Doubts& doubts);
 
 }  // namespace mudline

@@ -12,12 +12,13 @@ namespace {
 constexpr double bearing_factor = 10;
 
 void penalty(const ContactSetup& of, const Judge& judge) {
-  const double given = of.number("penalty", 0);
+  const double given = number_in(of.entry, "penalty", 0);
   std::string enforcement = "penalty";
   if (of.entry.has_parameter("enforcement")) enforcement = of.entry.text("enforcement");
-  if (!(given > 0) || !(of.stiffness > 0) || enforcement != "penalty" || of.entry.text("type") == "mortar") return;
-  const double bears =
-      of.strength > 0 ? std::min(of.stiffness, bearing_factor * of.strength / (0.5 * of.side)) : of.stiffness;
+  if (!(given > 0) || !(of.soil.stiffness > 0) || enforcement != "penalty" || of.entry.text("type") == "mortar") return;
+  const double bears = of.soil.strength > 0
+                           ? std::min(of.soil.stiffness, bearing_factor * of.soil.strength / (0.5 * of.soil.side))
+                           : of.soil.stiffness;
   judge(given / bears,
         of.called() + ": its 'penalty' of " + told(given) + " Pa/m over what the soil behind it bears, " + told(bears) +
             " Pa/m (modulus over element height, or ten times the strength over half a side),",
@@ -26,7 +27,7 @@ void penalty(const ContactSetup& of, const Judge& judge) {
 
 void penalty_factor(const ContactSetup& of, const Judge& judge) {
   if (of.entry.has_parameter("penalty factor"))
-    judge(of.number("penalty factor", 10), of.called() + ": its 'penalty factor'",
+    judge(number_in(of.entry, "penalty factor", 10), of.called() + ": its 'penalty factor'",
           "below 1 the contact gives way more than the soil, far above 1000 Newton's method has a hard time");
 }
 
@@ -35,28 +36,28 @@ Section friction_of(const ContactSetup& of) { return of.entry.section("friction"
 void friction(const ContactSetup& of, const Judge& judge) {
   for (const char* entry : {"coefficient", "kinetic coefficient"})
     if (friction_of(of).has_parameter(entry))
-      judge(of.number(friction_of(of), entry, 0), of.called() + ": its friction's '" + entry + "'",
+      judge(number_in(friction_of(of), entry, 0), of.called() + ": its friction's '" + entry + "'",
             "it is the tangent of the interface's angle: 20 degrees is 0.36");
 }
 
 void kinetic(const ContactSetup& of, const Judge& judge) {
-  const double at_rest = of.number(friction_of(of), "coefficient", 0);
+  const double at_rest = number_in(friction_of(of), "coefficient", 0);
   if (friction_of(of).has_parameter("kinetic coefficient") && at_rest > 0)
-    judge(of.number(friction_of(of), "kinetic coefficient", 0) / at_rest,
+    judge(number_in(friction_of(of), "kinetic coefficient", 0) / at_rest,
           of.called() + ": the kinetic over the friction coefficient", "sliding surfaces have the lower one");
 }
 
 void adhesion(const ContactSetup& of, const Judge& judge) {
-  const double value = of.number(friction_of(of), "adhesion", 0);
+  const double value = number_in(friction_of(of), "adhesion", 0);
   if (value > 0) judge(value, of.called() + ": its 'adhesion'", "give it in Pa (1 to 100 may be kPa)");
 }
 
 void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
-  const double value = of.number(friction_of(of), "adhesion", 0);
-  if (value > 0 && of.strength > 0)
-    judge(value / of.strength,
-          of.called() + ": its 'adhesion' over the largest undrained strength at the surface, " + told(of.strength) +
-              " Pa,",
+  const double value = number_in(friction_of(of), "adhesion", 0);
+  if (value > 0 && of.soil.strength > 0)
+    judge(value / of.soil.strength,
+          of.called() + ": its 'adhesion' over the largest undrained strength at the surface, " +
+              told(of.soil.strength) + " Pa,",
           "the soil shears before: give a share of the strength");
 }
 
@@ -69,14 +70,14 @@ void cap(const ContactSetup& of, const Judge& judge) {
 
 void tangential(const ContactSetup& of, const Judge& judge) {
   if (friction_of(of).has_parameter("tangential penalty factor"))
-    judge(of.number(friction_of(of), "tangential penalty factor", 1), of.called() + ": its 'tangential penalty factor'",
+    judge(number_in(friction_of(of), "tangential penalty factor", 1), of.called() + ": its 'tangential penalty factor'",
           "what sticks should move by little against what slides");
 }
 
 /// The load acts on what the body covers, too: the traction that friction sees is less by it.
 void surcharge(const ContactSetup& of, const Judge& judge) {
   const Section conditions = of.deck.section("boundary conditions");
-  if (of.partners.body == nullptr || !(of.number(friction_of(of), "coefficient", 0) > 0)) return;
+  if (of.partners.body == nullptr || !(number_in(friction_of(of), "coefficient", 0) > 0)) return;
   for (const std::string& name : conditions.section_names()) {
     const Section entry = conditions.section(name);
     const std::string type = entry.text("type");
@@ -93,8 +94,8 @@ void surcharge(const ContactSetup& of, const Judge& judge) {
     double time = 0;
     for (const auto& stage : of.model.stages()) time += stage->duration;
     const double most = std::max(std::abs(load(0, {})), std::abs(load(time, {})));
-    if (together && of.side > 0)
-      judge(most / (of.stiffness * of.side),
+    if (together && of.soil.side > 0)
+      judge(most / (of.soil.stiffness * of.soil.side),
             of.called() + ": condition '" + name + "' loads its surface with " + told(most) +
                 " Pa where the body covers it too, and takes that from the traction that friction grows with; over the "
                 "soil's modulus this",
@@ -103,31 +104,33 @@ void surcharge(const ContactSetup& of, const Judge& judge) {
 }
 
 void capture(const ContactSetup& of, const Judge& judge) {
-  const double distance = of.number("capture distance", 0);
-  if (distance > 0 && of.side > 0)
-    judge(distance / of.side, of.called() + ": its 'capture distance' over the mean side",
+  const double distance = number_in(of.entry, "capture distance", 0);
+  if (distance > 0 && of.soil.side > 0)
+    judge(distance / of.soil.side, of.called() + ": its 'capture distance' over the mean side",
           "give it in m, or leave it out");
 }
 
 void advance(const ContactSetup& of, const Judge& judge) {
   if (of.entry.has_parameter("advance limit"))
-    judge(of.number("advance limit", 0.25), of.called() + ": its 'advance limit'",
+    judge(number_in(of.entry, "advance limit", 0.25), of.called() + ": its 'advance limit'",
           "in a step of more than a side a body jumps over what it should touch; far below, steps are many");
 }
 
 void gap_tolerance(const ContactSetup& of, const Judge& judge) {
-  const double gap = of.number("gap tolerance", 0);
-  if (gap > 0 && of.side > 0)
-    judge(gap / of.side, of.called() + ": its 'gap tolerance' over the mean side", "give it in m, or leave it out");
+  const double gap = number_in(of.entry, "gap tolerance", 0);
+  if (gap > 0 && of.soil.side > 0)
+    judge(gap / of.soil.side, of.called() + ": its 'gap tolerance' over the mean side",
+          "give it in m, or leave it out");
 }
 
 void sealing(const ContactSetup& of, const Judge& judge) {
   if (of.entry.has_parameter("sealing gap"))
-    judge(of.number("sealing gap", 0.1), of.called() + ": its 'sealing gap'", "it is a share of a side, no length");
+    judge(number_in(of.entry, "sealing gap", 0.1), of.called() + ": its 'sealing gap'",
+          "it is a share of a side, no length");
 }
 
 void damping(const ContactSetup& of, const Judge& judge) {
-  const double value = of.number("damping", 0);
+  const double value = number_in(of.entry, "damping", 0);
   if (value > 0)
     judge(value, of.called() + ": its 'damping'", "it is a time per length: the pressure grows by it times the speed");
 }

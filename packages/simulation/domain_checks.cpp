@@ -134,10 +134,11 @@ Findings domain_depth(const Setup& setup) {
 
 Findings absorbing_distance(const Setup& setup) {
   Findings found;
+  const std::vector<Patch> loaded = patches(setup);
   for (const auto& condition : setup.conditions()) {
     if (condition.type != "absorbing") continue;
     const Setup::SetFigures& set = setup.set(condition.set);
-    for (const Patch& patch : patches(setup)) {
+    for (const Patch& patch : loaded) {
       double square = 0;
       for (int i = 0; i < setup.dimension(); ++i) {
         const double away = std::max({0.0, set.box[i].low - patch.box[i].high, patch.box[i].low - set.box[i].high});

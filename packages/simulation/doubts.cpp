@@ -36,15 +36,19 @@ bool Doubts::usual(const std::string& name, double value) const {
   return value >= range[0] && value <= range[1];
 }
 
+std::string Doubts::unit_behind(const std::string& name) const {
+  const std::string unit = find(name).unit;
+  return unit == "-" ? "" : " " + unit;
+}
+
 std::string Doubts::line(const std::string& name, double value, const std::string& what,
                          const std::string& advice) const {
   if (usual(name, value)) return "";
   const Usual& quantity = find(name);
-  const std::string unit = std::string(quantity.unit) == "-" ? "" : std::string(" ") + quantity.unit;
   const std::string low = told(quantity.range[0], "%.4g"), high = told(quantity.range[1], "%.4g");
   const std::string range = quantity.range[1] >= any_size ? low + " or more" : low + " to " + high;
-  return what + " is " + told(value, "%.4g") + unit + ", usual is " + range + " (plausibility/" + name + ")" +
-         (advice.empty() ? "" : ": " + advice);
+  return what + " is " + told(value, "%.4g") + unit_behind(name) + ", usual is " + range + " (plausibility/" + name +
+         ")" + (advice.empty() ? "" : ": " + advice);
 }
 
 void Doubts::judge(const std::string& name, double value, const std::string& what, const std::string& advice) {

@@ -28,12 +28,17 @@ class Doubts {
   void parameters(Parameters& p);
   /// Whether a value is within what is usual of the quantity.
   bool usual(const std::string& name, double value) const;
+  /// " Pa", or "" for a quantity without a unit.
+  std::string unit_behind(const std::string& name) const;
   double lowest(const std::string& name) const { return find(name).range[0]; }
   double highest(const std::string& name) const { return find(name).range[1]; }
   /// "<what> is 3 m, usual is 0 to 1 (plausibility/name): <advice>"; "" for what is usual.
-  std::string line(const std::string& name, double value, const std::string& what, const std::string& advice) const;
+  std::string line(const std::string& name, double value, const std::string& what,
+                   const std::string& advice = "") const;
   /// Keeps that line, if there is one.
-  void judge(const std::string& name, double value, const std::string& what, const std::string& advice);
+  void judge(const std::string& name, double value, const std::string& what, const std::string& advice = "");
+  /// Keeps a doubt that is no matter of a quantity.
+  void tell(const std::string& line) { lines_.push_back(line); }
   const std::vector<std::string>& lines() const { return lines_; }
 
  private:

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/log.hpp"
 #include "integrator/overlap.hpp"
+#include "simulation/doubts.hpp"
 
 namespace mudline {
 
@@ -13,12 +13,6 @@ namespace {
 
 /// Share of the imbalance at rest, below which rates go on.
 constexpr double fits = 0.5;
-
-std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.3g", value);
-  return buffer;
-}
 
 }  // namespace
 
@@ -40,9 +34,8 @@ void InitialRates::give(const StepRequest& first) const {
 void InitialRates::judge(const StepRequest& first) const {
   const double velocity = largest_velocity();
   if (velocity == 0 || model_.stepper().misfit_of_rates(first, model_.tolerances()) < fits) return;
-  const std::string found = "stage '" + before_->name + "' without inertia left velocities of up to " +
-                            number(velocity) + " m/s, which its loads made and nothing in stage '" + stage_.name +
-                            "' keeps up";
+  const std::string found = "stage '" + before_->name + "' without inertia left velocities of up to " + told(velocity) +
+                            " m/s, which its loads made and nothing in stage '" + stage_.name + "' keeps up";
   if (stage_.initial_rates == Stage::InitialRates::keep) {
     log::warn(found +
               "; the soil starts with them, as 'initial rates' = keep says: 'zero' or 'automatic' starts at rest");

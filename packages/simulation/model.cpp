@@ -222,10 +222,7 @@ double Model::constrained_modulus(int block, int element) const {
   const SoilBlock& b = soil_->blocks[block];
   const SoilPoints points(*soil_, b, store_->committed());
   double sum = 0;
-  for (int q = 0; q < b.points; ++q) {
-    const ElasticModuli m = points.moduli(element * b.points + q);
-    sum += (m.bulk + 4.0 / 3 * m.shear) / b.points;
-  }
+  for (int q = 0; q < b.points; ++q) sum += points.constrained_modulus(element * b.points + q) / b.points;
   return sum;
 }
 

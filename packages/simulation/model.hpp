@@ -58,6 +58,8 @@ class Model {
   void start_bodies(const Stage& stage);
   /// Unknowns (by overlap dof) of bodies which the stage before left free.
   const std::vector<int>& released_before() const { return released_before_; }
+  /// Drained constrained modulus of an element of soil [Pa], the mean over its points in the committed state.
+  double constrained_modulus(int block, int element) const;
   /// The motion of a body in a stage; null: it rests.
   std::shared_ptr<const BodyMotion> motion_in(const Stage& stage, const std::string& body) const;
   /// Prescribed unknowns of a stage.
@@ -83,7 +85,6 @@ class Model {
   void check_parts(const Section& deck, const MeshParts& parts) const;
   /// Of the physics, with what contacts press.
   BlockData block_data(const StepView& view) const;
-  double constrained_modulus(int block, int element) const;
 
   std::shared_ptr<const RenewedMesh> renewed_;
   std::unique_ptr<Mesh> mesh_;

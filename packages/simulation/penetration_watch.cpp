@@ -7,7 +7,6 @@
 #include "core/space_vector.hpp"
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
-#include "physics/soil_points.hpp"
 
 namespace mudline {
 
@@ -25,18 +24,6 @@ const char* const of_width = "penetration of width";
 double depth_of(const std::string& contact, const Report& report) {
   const auto found = report.find("contact/" + contact + "/maximum penetration");
   return found == report.end() ? 0.0 : found->second.value;
-}
-
-/// Drained constrained modulus of an element [Pa], the mean over its points.
-double modulus(const Soil& soil, const State& state, int block, int element) {
-  const SoilBlock& b = soil.blocks[block];
-  const SoilPoints points(soil, b, state);
-  double sum = 0;
-  for (int q = 0; q < b.points; ++q) {
-    const ElasticModuli m = points.moduli(element * b.points + q);
-    sum += (m.bulk + 4.0 / 3 * m.shear) / b.points;
-  }
-  return sum;
 }
 
 }  // namespace
@@ -116,7 +103,7 @@ PenetrationWatch::Pressed PenetrationWatch::pressed(const Model& model, const st
     all[count] += 1;
     all[length_sum] += edge;
     if (array >= 0 && s < state.arrays[array].extent(0)) all[penalty] += state.arrays[array](s, 0);
-    all[stiffness] += modulus(*model.soil(), state, sides[s].block, sides[s].element) / height;
+    all[stiffness] += model.constrained_modulus(sides[s].block, sides[s].element) / height;
   }
   all = sum_over_ranks(*model.mesh().comm(), all);
   if (!(all[count] > 0)) return {};

@@ -18,15 +18,8 @@ namespace mudline {
 
 namespace {
 
-struct Usual {
-  const char* name;
-  const char* unit;
-  std::array<double, 2> range;
-  const char* meaning;
-};
-
-/// By UsualRanges::Quantity. Of what varies over a mesh the largest value counts.
-const Usual table[UsualRanges::count] = {
+/// The quantities of the checks in this file. Of what varies over a mesh the largest value counts.
+const Usual own_quantities[] = {
     {"undrained strength", "Pa", {200, 2e6}, "of a material, its largest: soft seabed to weak rock"},
     {"shear modulus", "Pa", {2e4, 2e11}, "of a material, its largest"},
     {"mean effective stress", "Pa", {0, 1e8}, "of a material, its largest"},
@@ -59,19 +52,10 @@ std::string text(const char* pattern, double a, double b = 0, double c = 0, doub
   return buffer;
 }
 
-/// Smallest and largest value over a mesh.
-struct Extent {
-  double low = 1e300, high = -1e300;
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  bool known() const { return high >= low; }
-};
-
-/// The quantities of the checks in files of their own.
-Doubts other_doubts() {
+/// The quantities of all checks.
+Doubts all_quantities() {
   Doubts result;
+  for (const Usual& quantity : own_quantities) result.declare(quantity);
   PenetrationWatch::declare(result);
   for (const SetupCheck& check : setup_checks())
     if (*check.quantity.meaning) result.declare(check.quantity);  // one without is another's
@@ -92,27 +76,6 @@ double expected_steps(const Stage& stage) {
 }
 
 }  // namespace
-
-UsualRanges::UsualRanges() {
-  for (int q = 0; q < count; ++q) range_[q] = table[q].range;
-}
-
-void UsualRanges::parameters(Parameters& p) {
-  for (int q = 0; q < count; ++q) {
-    p.add(table[q].name, range_[q], table[q].unit, std::string("usual {lowest, highest} ") + table[q].meaning);
-    if (!p.documenting() && range_[q][0] > range_[q][1])
-      p.deck().fail("the first value, the lowest, is above the second", table[q].name);
-  }
-}
-
-std::string UsualRanges::doubt(Quantity quantity, double value) const {
-  const auto& range = range_[quantity];
-  if (value >= range[0] && value <= range[1]) return "";
-  const std::string unit = std::string(table[quantity].unit) == "-" ? "" : std::string(" ") + table[quantity].unit;
-  const std::string usual =
-      range[1] == any_size ? text("%.4g or more", range[0]) : text("%.4g to %.4g", range[0], range[1]);
-  return text("%.4g", value) + unit + ", usual is " + usual + " (plausibility/" + table[quantity].name + ")";
-}
 
 /// What an element of soil is like, as means over its points.
 struct Plausibility::Element {
@@ -137,31 +100,22 @@ void Plausibility::for_each_element(F&& f) const {
       for (int q = 0; q < b.points; ++q) {
         const int row = e * b.points + q;
         const double share = 1.0 / b.points;
-        const SoilMaterial& material = points.material(row);
-        const ElasticModuli m = points.moduli(row);
-        const double modulus = m.bulk + 4.0 / 3 * m.shear, storage = points.storage(row);
-        const double alpha = material.biot_coefficient;
-        const double undrained = b.porous() && storage > 0 ? modulus + alpha * alpha / storage : modulus;
-        at.shear += share * m.shear;
-        at.modulus += share * modulus;
-        at.wave += share * std::sqrt(undrained / points.density(row));
-        if (b.porous()) at.consolidation += share * points.conductivity(row) * modulus / material.fluid->unit_weight();
+        const SoilFigures figures = points.figures(row);
+        at.shear += share * figures.shear;
+        at.modulus += share * figures.modulus;
+        at.wave += share * figures.wave;
+        at.consolidation += share * figures.consolidation;
       }
       f(at);
     }
   }
 }
 
-void Plausibility::document(Parameters& p) {
-  UsualRanges().parameters(p);
-  Doubts others = other_doubts();
-  others.parameters(p);
-}
+void Plausibility::document(Parameters& p) { all_quantities().parameters(p); }
 
-Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), others_(other_doubts()) {
+Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), usual_(all_quantities()) {
   Parameters p(deck.section("plausibility"));
   usual_.parameters(p);
-  others_.parameters(p);
   p.finish();
   if (!model.soil()) return;
   if (!model.bodies().empty() && model.mesh().dimension() == 2) {
@@ -187,29 +141,22 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), o
   const Setup setup(model, deck);
   for (const SetupCheck& check : setup_checks())
     for (const Finding& found : check.look(setup))
-      others_.judge(check.quantity.name, found.value, found.what, found.advice);
-  look_at_bodies(model, deck, others_);
-  doubts_.insert(doubts_.end(), others_.lines().begin(), others_.lines().end());
+      usual_.judge(check.quantity.name, found.value, found.what, found.advice);
+  look_at_bodies(setup, usual_);
 }
 
 void Plausibility::print() const {
   for (const std::string& fact : facts_) log::info(fact);
-  for (const std::string& doubt : doubts_) log::warn(doubt);
-}
-
-void Plausibility::doubt(UsualRanges::Quantity quantity, double value, const std::string& what) {
-  const std::string end = usual_.doubt(quantity, value);
-  if (!end.empty()) doubts_.push_back(what + " is " + end);
+  for (const std::string& doubt : doubts()) log::warn(doubt);
 }
 
 void Plausibility::tell_materials() {
   enum { strength, shear, mean, ocr, voids, k, cv, count };
-  const UsualRanges::Quantity quantity[count] = {UsualRanges::undrained_strength, UsualRanges::shear_modulus,
-                                                 UsualRanges::mean_stress,        UsualRanges::overconsolidation,
-                                                 UsualRanges::void_ratio,         UsualRanges::conductivity,
-                                                 UsualRanges::consolidation};
+  const char* const quantity[count] = {"undrained strength",       "shear modulus", "mean effective stress",
+                                       "overconsolidation ratio",  "void ratio",    "hydraulic conductivity",
+                                       "consolidation coefficient"};
   const char* const symbol[count] = {"s_u", "G", "p'", "OCR", "e", "k", "c_v"};
-  std::map<std::string, std::array<Extent, count>> found;  // by material, the same names on every rank
+  std::map<std::string, std::array<Span, count>> found;  // by material, the same names on every rank
   for (const auto& material : model_.soil()->materials) found[material->name];
   for_each_element([&](const Element& at) {
     const int first = at.number * at.block.points;
@@ -236,21 +183,20 @@ void Plausibility::tell_materials() {
     for (int i = 0; i < count; ++i) {
       of[i] = {min_over_ranks(comm, of[i].low), max_over_ranks(comm, of[i].high)};
       if (!of[i].known()) continue;
-      const std::string unit =
-          std::string(table[quantity[i]].unit) == "-" ? "" : std::string(" ") + table[quantity[i]].unit;
+      const std::string unit = usual_.unit_behind(quantity[i]);
       line += (line.empty() ? " " : ", ") + std::string(symbol[i]) +
               (text("%.3g", of[i].low) == text("%.3g", of[i].high) ? text(" %.3g", of[i].low)
                                                                    : text(" %.3g to %.3g", of[i].low, of[i].high)) +
               unit;
       if (i == mean) stressed_ = stressed_ || of[i].high > 0;
-      doubt(quantity[i], of[i].high, "material '" + name + "': the " + table[quantity[i]].name);
+      usual_.judge(quantity[i], of[i].high, "material '" + name + "': the " + quantity[i]);
     }
     facts_.push_back("material '" + name + "':" + line);
   }
 }
 
 void Plausibility::tell_mesh() {
-  Extent side, wave, diffusion;
+  Span side, wave, diffusion;
   for_each_element([&](const Element& at) {
     side.add(at.shortest);
     side.add(at.longest);
@@ -258,7 +204,7 @@ void Plausibility::tell_mesh() {
     if (at.consolidation > 0) diffusion.add(at.height * at.height / at.consolidation);
   });
   const Comm& comm = *model_.mesh().comm();
-  for (Extent* extent : {&side, &wave, &diffusion})
+  for (Span* extent : {&side, &wave, &diffusion})
     *extent = {min_over_ranks(comm, extent->low), max_over_ranks(comm, extent->high)};
   shortest_wave_ = wave.low;
   std::string line = text("elements: sides of %.3g to %.3g m; a wave crosses one in %.2g to %.2g s", side.low,
@@ -279,7 +225,7 @@ void Plausibility::tell_body(const BodyWay& way) {
   if (properties.mass > 0 && properties.volume > 0) {
     const double density = properties.mass / properties.volume, lost = 1000.0 * properties.volume;
     line += text(", %.4g kg/m3, weight in water %.4g N", density, 9.81 * (properties.mass - lost));
-    if (way.release()) doubt(UsualRanges::body_density, density, name + ": mass over volume");
+    if (way.release()) usual_.judge("body density", density, name + ": mass over volume");
   }
   if (way.touches_anything()) line += text(", %.3g m from the soil", std::max(0.0, way.first_gap()));
   facts_.push_back(line);
@@ -290,13 +236,13 @@ void Plausibility::tell_body(const BodyWay& way) {
 
 void Plausibility::doubt_body(const BodyWay& way, const std::string& name) {
   const double gap = std::max(0.0, way.first_gap()), width = 2 * way.radius();
-  doubt(UsualRanges::first_gap, gap / width, name + ": its distance from the soil, in widths,");
+  usual_.judge("first gap", gap / width, name + ": its distance from the soil, in widths,");
   if (way.leaves()) {
-    doubts_.push_back(name + " moves away from the soil: down is negative");
+    usual_.tell(name + " moves away from the soil: down is negative");
     return;
   }
   const auto arrival = way.arrival();
-  if (!arrival && !way.release() && way.largest_speed() > 0) doubts_.push_back(name + " never reaches the soil");
+  if (!arrival && !way.release() && way.largest_speed() > 0) usual_.tell(name + " never reaches the soil");
   double speed = way.largest_speed();
   if (way.release() && (!arrival || way.places().size() == 1)) {
     const auto [velocity, acceleration] = way.start_of_fall();
@@ -304,31 +250,32 @@ void Plausibility::doubt_body(const BodyWay& way, const std::string& name) {
     speed = std::sqrt(std::max(0.0, square));
     const double time = velocity != 0 || acceleration < 0 ? 2 * gap / std::max(1e-300, std::abs(velocity) + speed) : 0;
     if (gap > 0 && time > way.free_time())
-      doubts_.push_back(name + text(" needs %.3g s to reach the soil, and is free for %.3g s", time, way.free_time()));
+      usual_.tell(name + text(" needs %.3g s to reach the soil, and is free for %.3g s", time, way.free_time()));
   }
   if (speed > 0) {
     facts_.push_back(name + text(": %.3g m/s where it meets the soil", speed));
-    doubt(UsualRanges::speed, speed, name + ": its speed at the soil");
+    usual_.judge("speed", speed, name + ": its speed at the soil");
   }
-  const std::string layer = way.crossing_below(usual_.lowest(UsualRanges::layer_depth) * width);
+  const std::string layer = way.crossing_below(usual_.lowest("layer depth") * width);
   if (!layer.empty())
-    doubts_.push_back(name + " may come to the boundary between the regions " + layer +
-                      ", which a body cannot cross (plausibility/layer depth)");
+    usual_.tell(name + " may come to the boundary between the regions " + layer +
+                ", which a body cannot cross (plausibility/layer depth)");
 }
 
 void Plausibility::doubt_shape(const BodyWay& way, const std::string& name) {
   const RigidBody& body = way.body();
   if (body.of_revolution() && body.properties().geometry == Geometry::plane_strain)
-    doubts_.push_back(name +
-                      " is a body of revolution by its contour, but the mesh is in plane strain, where it is a wedge "
-                      "or a wall: 'mesh/geometry' = axisymmetric?");
+    usual_.tell(name +
+                " is a body of revolution by its contour, but the mesh is in plane strain, where it is a wedge "
+                "or a wall: 'mesh/geometry' = axisymmetric?");
   if (way.surface_corner() > 0)
-    doubt(UsualRanges::corner, way.surface_corner() / way.radius(),
-          name + text(": the mesh has a corner of the surface at %.4g m, the body's radius is %.4g m; their ratio",
-                      way.surface_corner(), way.radius()));
+    usual_.judge(
+        "corner", way.surface_corner() / way.radius(),
+        name + text(": the mesh has a corner of the surface at %.4g m, the body's radius is %.4g m; their ratio",
+                    way.surface_corner(), way.radius()));
   if (way.release() || way.largest_speed() > 0)
-    doubt(UsualRanges::sides, static_cast<double>(way.sides_under().size()),
-          name + ": the number of sides of the surface that it covers");
+    usual_.judge("sides under a body", static_cast<double>(way.sides_under().size()),
+                 name + ": the number of sides of the surface that it covers");
 }
 
 /// A surface that is held at a pore pressure is held there in the hole that a body opens, too.
@@ -351,13 +298,13 @@ void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, co
     if (!acts || entry.text("type") != "pore pressure") continue;
     Function value;
     Parameters(entry).add("value", value, "", "");
-    Extent held;
+    Span held;
     for (const auto* side : way.sides_under())
       if (side->sets.count(entry.text("set")) > 0)
         for (int node : side->nodes) held.add(value(0, positions[node]));
     if (!held.known() || water <= held.high) continue;
-    doubt(
-        UsualRanges::hole, depth / (2 * way.radius()),
+    usual_.judge(
+        "drained hole", depth / (2 * way.radius()),
         "body '" + way.body().name() + "': condition '" + condition->name +
             text("' holds %.4g Pa on the wall of the hole that it opens too, where down to %.3g m water at rest has "
                  "%.4g Pa: count from water at rest ('pore pressure' = excess in the physics biot); the hole's depth, "
@@ -448,11 +395,11 @@ void Plausibility::tell_stages(const Section& deck) {
     if (stage.type == Stage::Type::dynamic)
       line += text(", %.2g times that of a wave through an element", dt / shortest_wave_);
     facts_.push_back(line);
-    doubt(UsualRanges::steps, steps, name + ": the expected number of steps");
+    usual_.judge("steps", steps, name + ": the expected number of steps");
     const double time = porous ? pressure_time(deck, i) : 0;
     if (time > 0)
-      doubt(
-          UsualRanges::pressure_step, dt / time,
+      usual_.judge(
+          "pressure step", dt / time,
           name +
               text(": the first step of %.3g s at a drained surface that is loaded, over h^2/(6 c_v) = %.3g s (refine "
                    "there, or pore pressures oscillate),",

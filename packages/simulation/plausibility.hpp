@@ -10,38 +10,6 @@
 
 namespace mudline {
 
-/// What is usual, as the deck's section "plausibility" may change it: {lowest, highest} of each quantity.
-class UsualRanges {
- public:
-  enum Quantity {
-    undrained_strength,
-    shear_modulus,
-    mean_stress,
-    overconsolidation,
-    void_ratio,
-    conductivity,
-    consolidation,
-    body_density,
-    first_gap,
-    speed,
-    corner,
-    sides,
-    hole,
-    layer_depth,
-    pressure_step,
-    steps,
-    count
-  };
-  UsualRanges();
-  void parameters(Parameters& p);
-  /// "", or the end of a doubt: "is outside the usual 1000 to 20000 kg/m3 (plausibility/body density)".
-  std::string doubt(Quantity quantity, double value) const;
-  double lowest(Quantity quantity) const { return range_[quantity][0]; }
-
- private:
-  std::array<std::array<double, 2>, count> range_;
-};
-
 /// Tells the physics of a model in a dozen lines, and doubts what is unusual: slips of units and signs that a deck
 /// cannot be refused for. Reads the state before the first step.
 class Plausibility {
@@ -50,9 +18,9 @@ class Plausibility {
   Plausibility(Model& model, const Section& deck);
   static void document(Parameters& p);
   const std::vector<std::string>& facts() const { return facts_; }
-  const std::vector<std::string>& doubts() const { return doubts_; }
-  /// What is usual of the quantities that other checks look at, those during a run among them.
-  const Doubts& usual() const { return others_; }
+  const std::vector<std::string>& doubts() const { return usual_.lines(); }
+  /// What is usual of the quantities that checks look at, those during a run among them.
+  const Doubts& usual() const { return usual_; }
   /// Facts as information, doubts as warnings.
   void print() const;
 
@@ -66,7 +34,6 @@ class Plausibility {
   void doubt_body(const BodyWay& way, const std::string& name);
   void doubt_shape(const BodyWay& way, const std::string& name);
   void doubt_hole(const BodyWay& way, const Positions& positions, const Section& deck);
-  void doubt(UsualRanges::Quantity quantity, double value, const std::string& what);
   std::vector<Load> loads(const Section& deck, std::size_t stage) const;
   /// Largest consolidation time h^2/(6 c_v) [s] of an element at a surface that the stage drains and loads suddenly.
   double pressure_time(const Section& deck, std::size_t stage) const;
@@ -74,11 +41,10 @@ class Plausibility {
   void for_each_element(F&& f) const;
 
   Model& model_;
-  UsualRanges usual_;
-  Doubts others_;
+  Doubts usual_;
   double shortest_wave_ = 1e300;  // [s]
   bool stressed_ = false;         // the soil, at the start
-  std::vector<std::string> facts_, doubts_;
+  std::vector<std::string> facts_;
 };
 
 }  // namespace mudline

@@ -132,20 +132,15 @@ void Setup::find_soil() {
       const SoilMaterial& material = points.material(row);
       std::size_t k = 0;
       while (soil.materials[k].get() != &material) ++k;
-      const ElasticModuli m = points.moduli(row);
-      const double modulus = m.bulk + 4.0 / 3 * m.shear, storage = points.storage(row),
-                   alpha = material.biot_coefficient;
-      const double undrained = b.porous() && storage > 0 ? modulus + alpha * alpha / storage : modulus;
-      const double conductivity = b.porous() ? points.conductivity(row) : 0;
-      const double density = points.density(row);
+      const SoilFigures f = points.figures(row);
       const double found[count] = {1,
-                                   m.shear,
-                                   modulus,
-                                   density > 0 ? std::sqrt(undrained / density) : 0,
-                                   density,
+                                   f.shear,
+                                   f.modulus,
+                                   f.density > 0 ? f.wave : 0,
+                                   f.density,
                                    points.void_ratio(row),
-                                   conductivity,
-                                   b.porous() ? conductivity * modulus / material.fluid->unit_weight() : 0};
+                                   f.conductivity,
+                                   f.consolidation};
       for (int i = 0; i < count; ++i) sums[count * k + i] += found[i];
     }
   }
