@@ -86,8 +86,8 @@ void surcharge(const ContactSetup& of, const Judge& judge) {
       continue;
     bool together = false;
     for (const auto& stage : of.model.stages())
-      together = together || (std::count(stage->conditions.begin(), stage->conditions.end(), name) > 0 &&
-                              std::count(stage->contacts.begin(), stage->contacts.end(), of.name) > 0);
+      together = together ||
+                 (Setup::acts(name, *stage) && std::count(stage->contacts.begin(), stage->contacts.end(), of.name) > 0);
     const char* component = type == "pressure" ? "value" : of.model.mesh().dimension() == 3 ? "z" : "y";
     Function load;
     Parameters(entry).add(component, load, "", "");

@@ -217,9 +217,7 @@ Findings damping(const Setup& setup) {
 }
 
 Findings mesh_size(const Setup& setup) {
-  double longest = 0;
-  for (int i = 0; i < setup.dimension(); ++i) longest = std::max(longest, setup.extent(i));
-  return {{longest, "the largest extent of the mesh", "lengths are in m (10000 may be mm, 0.001 km)"}};
+  return {{setup.longest_extent(), "the largest extent of the mesh", "lengths are in m (10000 may be mm, 0.001 km)"}};
 }
 
 Findings tolerance(const Setup& setup, const char* name) {

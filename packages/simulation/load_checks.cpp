@@ -29,8 +29,7 @@ Span over_stages(const Setup& setup, const Condition& condition, const std::stri
   Span all;
   const auto& stages = setup.model().stages();
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    const auto& names = stages[i]->conditions;
-    if (std::count(names.begin(), names.end(), condition.name) == 0) continue;
+    if (!Setup::acts(condition.name, *stages[i])) continue;
     const Span span = setup.given(condition.entry, component, setup.begin(i), setup.begin(i + 1),
                                   anywhere ? nullptr : &setup.set(condition.set));
     if (!span.known()) continue;
@@ -215,8 +214,7 @@ Findings load_steps(const Setup& setup) {
 
 Findings wave_step(const Setup& setup) {
   Findings found;
-  double longest = 0;
-  for (int i = 0; i < setup.dimension(); ++i) longest = std::max(longest, setup.extent(i));
+  const double longest = setup.longest_extent();
   for (const auto& stage : setup.model().stages())
     if (stage->type == Stage::Type::dynamic && setup.soil().density > 0 && setup.model().bodies().empty())
       found.push_back({stage->control.initial * std::sqrt(setup.soil().modulus / setup.soil().density) / longest,
@@ -228,15 +226,13 @@ Findings wave_step(const Setup& setup) {
 /// Displacements that are prescribed, at a velocity too, over the largest extent of the mesh.
 Findings prescribed_displacement(const Setup& setup) {
   Findings found;
-  double longest = 0;
-  for (int i = 0; i < setup.dimension(); ++i) longest = std::max(longest, setup.extent(i));
+  const double longest = setup.longest_extent();
   const auto& stages = setup.model().stages();
   for (const Condition& condition : setup.conditions()) {
     if (condition.type != "displacement" && condition.type != "velocity") continue;
     double way = 0;
     for (std::size_t i = 0; i < stages.size(); ++i) {
-      const auto& names = stages[i]->conditions;
-      if (std::count(names.begin(), names.end(), condition.name) == 0) continue;
+      if (!Setup::acts(condition.name, *stages[i])) continue;
       for (const std::string& component : components(condition)) {
         const Span span =
             setup.given(condition.entry, component, setup.begin(i), setup.begin(i + 1), &setup.set(condition.set));
@@ -318,9 +314,7 @@ Findings drawdown(const Setup& setup) {
     const Stage* first = nullptr;
     double begin = 0;
     for (std::size_t i = 0; i < stages.size() && !first; ++i) {
-      const auto& names = stages[i]->conditions;
-      if (stages[i]->type == Stage::Type::geostatic || std::count(names.begin(), names.end(), condition->name) == 0)
-        continue;
+      if (stages[i]->type == Stage::Type::geostatic || !Setup::acts(condition->name, *stages[i])) continue;
       first = stages[i].get();
       begin = setup.begin(i);
     }

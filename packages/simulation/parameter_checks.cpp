@@ -1,6 +1,3 @@
-#include <iterator>
-#include <utility>
-
 #include "simulation/setup.hpp"
 
 namespace mudline {
@@ -216,18 +213,13 @@ std::vector<Finding> look(const ParameterCheck& check, const Setup& setup) {
   return found;
 }
 
-template <std::size_t i>
-std::vector<Finding> look_at(const Setup& setup) {
-  return look(table[i], setup);
-}
-
-template <std::size_t... i>
-std::vector<SetupCheck> all(std::index_sequence<i...>) {
-  return {SetupCheck{table[i].quantity, look_at<i>}...};
-}
-
 }  // namespace
 
-std::vector<SetupCheck> parameter_checks() { return all(std::make_index_sequence<std::size(table)>{}); }
+std::vector<SetupCheck> parameter_checks() {
+  std::vector<SetupCheck> checks;
+  for (const ParameterCheck& check : table)
+    checks.push_back({check.quantity, [&check](const Setup& setup) { return look(check, setup); }});
+  return checks;
+}
 
 }  // namespace mudline

@@ -291,8 +291,7 @@ void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, co
   water = max_over_ranks(*model_.mesh().comm(), water);
   for (const auto& condition : model_.conditions()) {
     const bool acts = std::any_of(model_.stages().begin(), model_.stages().end(), [&](const auto& stage) {
-      return stage->type != Stage::Type::geostatic &&
-             std::count(stage->conditions.begin(), stage->conditions.end(), condition->name) > 0;
+      return stage->type != Stage::Type::geostatic && Setup::acts(condition->name, *stage);
     });
     const Section entry = deck.section("boundary conditions").section(condition->name);
     if (!acts || entry.text("type") != "pore pressure") continue;

@@ -48,11 +48,21 @@ std::vector<Section> Setup::entries(const std::string& collection) const {
   return result;
 }
 
+bool Setup::acts(const std::string& condition, const Stage& stage) {
+  return std::count(stage.conditions.begin(), stage.conditions.end(), condition) > 0;
+}
+
 std::vector<Setup::ConditionEntry> Setup::conditions(const Stage& stage) const {
   std::vector<ConditionEntry> result;
   for (const ConditionEntry& condition : conditions_)
-    if (std::count(stage.conditions.begin(), stage.conditions.end(), condition.name) > 0) result.push_back(condition);
+    if (acts(condition.name, stage)) result.push_back(condition);
   return result;
+}
+
+double Setup::longest_extent() const {
+  double longest = 0;
+  for (int i = 0; i < dimension(); ++i) longest = std::max(longest, extent(i));
+  return longest;
 }
 
 std::string Setup::word(const Section& section, const std::string& name, const std::string& fallback) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -60,12 +61,16 @@ class Setup {
   /// Number of the vertical axis: the last one.
   int vertical() const { return dimension() - 1; }
   double extent(int axis) const { return mesh().bounds().high[axis] - mesh().bounds().low[axis]; }
+  /// [m] along any axis
+  double longest_extent() const;
   bool porous() const { return model_.soil()->pressure >= 0; }
 
   std::vector<Section> materials() const { return entries("materials"); }
   std::vector<Section> physics() const { return entries("physics"); }
   const std::vector<ConditionEntry>& conditions() const { return conditions_; }
   std::vector<ConditionEntry> conditions(const Stage& stage) const;
+  /// Whether a condition acts in a stage.
+  static bool acts(const std::string& condition, const Stage& stage);
   /// [s] when a stage begins, and when the run ends.
   double begin(std::size_t stage) const { return begins_[stage]; }
   double end() const { return begins_.back(); }
@@ -121,7 +126,7 @@ struct Finding {
 struct SetupCheck {
   Usual quantity;
   /// Collective: the same findings on every rank.
-  std::vector<Finding> (*look)(const Setup& setup);
+  std::function<std::vector<Finding>(const Setup& setup)> look;
 };
 
 /// The checks of a group; a new one is a line in its list.

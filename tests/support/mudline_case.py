@@ -45,8 +45,9 @@ class History:
             rows = list(csv.reader(file))
         self.header = rows[0]
         data = np.array(rows[1:], dtype=float)
-        self.columns = {re.sub(r" \[[^\]]*\]$", "", name): data[:, i] for i, name in enumerate(rows[0])}
-        self.units = {re.sub(r" \[[^\]]*\]$", "", name): unit_of(name) for name in rows[0]}
+        names = [re.sub(r" \[[^\]]*\]$", "", name) for name in rows[0]]
+        self.columns = {name: data[:, i] for i, name in enumerate(names)}
+        self.units = {name: unit_of(column) for name, column in zip(names, rows[0])}
         self.data = data
         self.time = self.columns["time"]
 
