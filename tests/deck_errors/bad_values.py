@@ -88,7 +88,7 @@ DECKS = [
           "materials/clay/skeleton/Poisson's ratio: 0.5 is out of range; allowed: [0, 0.5)"),
     Wrong("negative permeability", ('value="1e-8"', 'value="-1e-8"'),
           "materials/clay/permeability/hydraulic conductivity: -1e-08 is out of range; allowed: [0, inf)"),
-    Wrong("negative ramp", ('value="0.002"', 'value="-0.002"'), "bodies/ball/motion/ramp time: -0.002 is out of range; allowed: [0, inf)"),
+    Wrong("negative ramp", (parameter("ramp time", "double", "0.001"), parameter("ramp time", "double", "-0.001")), "bodies/ball/motion/ramp time: -0.001 is out of range; allowed: [0, inf)"),
     Wrong("penalty of nothing", (parameter("surface", "string", "top"), parameter("surface", "string", "top") +
                                  parameter("penalty factor", "double", "0")),
           "contacts/ball on clay/penalty factor: 0 is out of range; allowed: (0, inf)"),

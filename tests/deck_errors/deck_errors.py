@@ -110,9 +110,7 @@ class DeckErrors(Answering):
         self.assertEqual(done.stdout.splitlines(), ["good.xml: the deck is valid", "error: bad.xml:1: required section 'mesh' is missing",
                                                     "error: none.xml: the deck does not exist or cannot be read",
                                                     "over.xml: the deck is valid"])
-        self.assertEqual(done.returncode, 2)
-        doubts = done.stderr.splitlines()  # of the ramp, which the short stage of the base deck does not end
-        self.assertTrue(all("(plausibility/ramp time)" in line for line in doubts), done.stderr)
+        self.assertEqual((done.returncode, done.stderr), (2, ""))
 
     def test_run_answers_like_check(self):
         self.write("deck.xml", misspelt.DECKS[0].text)
