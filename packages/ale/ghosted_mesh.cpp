@@ -106,9 +106,9 @@ Records own_records(const Mesh& mesh) {
 }
 
 /// Finds the elements around this rank's own ones. Owners of nodes know all elements around them.
-class Surroundings {
+class Neighbourhood {
  public:
-  explicit Surroundings(const Mesh& mesh) : records(own_records(mesh)), mesh_(mesh) {}
+  explicit Neighbourhood(const Mesh& mesh) : records(own_records(mesh)), mesh_(mesh) {}
   Records records;  // of this rank's elements and those found
 
   void add_layers(int layers) {
@@ -238,7 +238,7 @@ GhostedMesh::Exchange GhostedMesh::exchange(const std::vector<long long>& own,
 }
 
 GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mesh_(mesh), layers_(layers) {
-  Surroundings around(mesh);
+  Neighbourhood around(mesh);
   around.add_layers(layers);
   if (near != nullptr) around.add_near(*near);
   const Ids element_ids = around.records.ids();

@@ -19,6 +19,7 @@ State make_state(const Space& space) {
 
 void copy(const State& from, State& to) {
   to.time = from.time;
+  to.increment = from.increment;
   Kokkos::deep_copy(to.value, from.value);
   Kokkos::deep_copy(to.rate, from.rate);
   Kokkos::deep_copy(to.acceleration, from.acceleration);

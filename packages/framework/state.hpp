@@ -25,6 +25,7 @@ inline Point place_of(const ConstCoordinateView& x, int node) {
 /// Everything that makes a restart exact. Two instances live in a StateStore: committed and trial.
 struct State {
   double time = 0;
+  Increment increment;                    // that comes next
   NodalView value, rate, acceleration;    // by overlap dof; the acceleration of first-order fields is unused
   std::vector<NodalView> history_forces;  // F_n of each history term: this rank's contributions, by overlap dof
   CoordinateView coordinates;             // (node, dimension) [m] current

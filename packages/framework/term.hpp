@@ -43,6 +43,7 @@ struct StepView {
   enum class Kind { step, rest, initial_rates };
   Kind kind = Kind::step;
   double time_old, time_end, dt;  // [s]; dt of what is no step: 1 s
+  Increment increment;
   double end_weight = 1;  // by which the integrator weighs forces of the end of the step; 1 less that: the start
   ConstNodalView value_old, value_end;
   ConstNodalView value, rate, velocity, acceleration;  // at the alpha level

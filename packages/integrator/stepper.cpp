@@ -155,6 +155,7 @@ void Stepper::prepare_view(const StepRequest& request, StepView::Kind kind) {
   view_.time_old = old.time;
   view_.time_end = trial.time;
   view_.dt = request.dt;
+  view_.increment = old.increment;
   view_.value_old = old.value;
   view_.value_end = trial.value;
   const double conjugate = 1 + (scheme_.lead() * scheme_.gamma - scheme_.bend()) / scheme_.beta;

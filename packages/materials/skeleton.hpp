@@ -21,11 +21,31 @@ struct StateVariable {
   std::string unit;
   RemapRule remap = RemapRule::value;
   double low = -1e300, high = 1e300;  // physical bounds
+  bool in_fixed_axes = false;         // a component along fixed axes: turned input gives another value
 };
 
 /// Point data: one row per quadrature point. Rows are contiguous on the host.
 using PointView = Kokkos::View<double**, Kokkos::LayoutRight>;
 using ConstPointView = Kokkos::View<const double**, Kokkos::LayoutRight>;
+
+/// The increment that leads on from a state, as laws of other programs count.
+struct Increment {
+  int stage = 1, number = 1;  // both from 1; the number within its stage
+  double stage_start = 0;     // [s]
+};
+
+/// Columns of SkeletonWorkset::surroundings: what a point is told beside its strain where its law asks for it. What is
+/// not known is not a number.
+struct Surroundings {
+  static constexpr int place = 0,  // [m] x, y, z at the end of the step; 0 out of the plane
+      deformation = 3,             // [-] row-major 3 x 3: places of the end by places of the step's start
+      rotation = deformation + 9,  // [-] row-major 3 x 3: by which stress and tensors of the state have been turned
+      temperature = rotation + 9,  // [degC] at the start of the step, and its change
+      length = temperature + 2,    // [m] of the element: root of its area, cube root of its volume, over the order
+      element = length + 1,        // number from 1, the same on any number of ranks
+      point = element + 1,         // number from 1 within the element
+      size = point + 1;
+};
 
 /// What a skeleton law sees at a batch of points. Stress and strain: tension positive, order xx yy zz yz xz xy,
 /// engineering shear strain. Plane strain: zz out of plane. Axisymmetric: xx = rr, yy = axial, zz = hoop.
@@ -43,6 +63,8 @@ struct SkeletonWorkset {
   PointView tangent;              // (points, 36) [Pa] out, row-major d stress_i / d strain_j, if want_tangent
   Kokkos::View<int*> failed;      // (points) out: 1 where the law found no admissible state
   bool plane = false;             // no shear yz and xz: the tangent's rows and columns of these are not read
+  Increment increment = {};
+  ConstPointView surroundings = {};  // (points, Surroundings::size), where Skeleton::wants_surroundings; else empty
 };
 
 /// Bulk and shear modulus [Pa] of the elastic response: wave speeds, penalties, preconditioners.
@@ -84,6 +106,8 @@ class Skeleton {
   }
   /// Fills `state` (state_size values). Returns "" or the reason why the law cannot start from this point.
   virtual std::string initialise(const InitialPoint& point, double* state) const = 0;
+  /// Whether the law reads SkeletonWorkset::surroundings, which cost time to fill.
+  virtual bool wants_surroundings() const { return false; }
   /// Updates all points; returns the number of failed ones (flags in workset.failed).
   virtual int evaluate(const SkeletonWorkset& workset) const = 0;
   virtual ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const = 0;

@@ -30,34 +30,35 @@ Inventory take_inventory(const Soil& soil, const State& state) {
         for (int q = 0; made_of > 1 && q < b.points; ++q)
           for (int d = 0; d < Loop::D; ++d) starts[q][d] = state.arrays[b.origin](e * b.points + q, 1 + d);
         if (made_of > 1) shares = soil.layer_shares(b, starts);
-        loop.template for_each_point<true>(
-            e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
-              const int row = e * b.points + q;
-              const Mixture& mixture = mixtures(row);
-              const double ratio = void_ratio(row, 0), n = ratio / (1 + ratio);
-              const double mass = mixture.density(n, at) * s.dv;
-              for (int i = 0; i < Loop::D; ++i) {
-                local[i] += mass * at.velocity[i];
-                local[3] += 0.5 * mass * at.velocity[i] * at.velocity[i];
-              }
-              const double warmth = Loop::S > 1 ? at.value[Loop::SQ - 1] : mixture.reference;
-              for (std::size_t k = 0; k < made_of; ++k) {
-                const int material = b.made_of[k];
-                const double density =
-                    made_of > 1 ? soil.materials[material]->grain_density : mixture.grain_density_at(warmth);
-                const double grains = shares[q * made_of + k] * (1 - n) * density * s.dv;
-                local[4] += grains;
-                local[shared + material] += grains;
-              }
-              if constexpr (Loop::S > 0) {
-                const double squeezed = Loop::S > 1 ? std::expm1(at.value[0] * mixture.fluid_compliance -
-                                                                 mixture.fluid_expansion * (warmth - mixture.reference))
-                                                    : at.value[0] * mixture.fluid_compliance;
-                local[5] += n * (1 + squeezed) * s.dv;
-                local[6] += n * s.dv;
-                local[7] += n * squeezed * s.dv;
-              }
-            });
+        loop.template for_each_point<true>(e, [&](int q, const typename Loop::Shape& s,
+                                                  const typename Loop::Fields& at) {
+          const int row = e * b.points + q;
+          const Mixture& mixture = mixtures(row);
+          const double ratio = void_ratio(row, 0), n = ratio / (1 + ratio);
+          const double mass = mixture.density(n, at) * s.dv;
+          for (int i = 0; i < Loop::D; ++i) {
+            local[i] += mass * at.velocity[i];
+            local[3] += 0.5 * mass * at.velocity[i] * at.velocity[i];
+          }
+          const double warmth = mixture.temperature >= 0 ? at.value[mixture.temperature] : mixture.reference;
+          for (std::size_t k = 0; k < made_of; ++k) {
+            const int material = b.made_of[k];
+            const double density =
+                made_of > 1 ? soil.materials[material]->grain_density : mixture.grain_density_at(warmth);
+            const double grains = shares[q * made_of + k] * (1 - n) * density * s.dv;
+            local[4] += grains;
+            local[shared + material] += grains;
+          }
+          if constexpr (Loop::S > 0) {
+            const double pressed = mixture.pressure >= 0 ? at.value[mixture.pressure] * mixture.fluid_compliance : 0.0;
+            const double squeezed = mixture.temperature >= 0
+                                        ? std::expm1(pressed - mixture.fluid_expansion * (warmth - mixture.reference))
+                                        : pressed;
+            local[5] += n * (1 + squeezed) * s.dv;
+            local[6] += n * s.dv;
+            local[7] += n * squeezed * s.dv;
+          }
+        });
       }
     });
   }

@@ -8,6 +8,14 @@
 
 namespace mudline {
 
+/// Place of a field of the model among the scalar fields of a block; -1 where it is not among them. What stands at a
+/// place is known by its field alone: behind the pore pressure may be a temperature or a plugin's own field.
+inline int place_of_scalar(const FieldBlock& block, int field) {
+  for (int k = 0; k < block.scalars; ++k)
+    if (field >= 0 && block.scalar[k] == field) return k;
+  return -1;
+}
+
 /// The soil's mixture at a point as laws of balance see it: porosity, density and storage follow the deformation of the
 /// step. T: double or a dual number.
 struct Mixture {
@@ -15,9 +23,12 @@ struct Mixture {
       reference;                     // [degC]
   const Permeability* permeability;  // of saturated soil
   double unit_weight;                // of its fluid [N/m3]
+  bool viscosity_follows;            // the temperature
+  int pressure, temperature;         // places among the scalar fields of the block that is looped over; -1: no such one
 
   Mixture() = default;
-  Mixture(const Soil& soil, const SoilBlock& b, const SoilMaterial& material)
+  /// `fields`: the block that is looped over, the soil's own or another one of the same elements.
+  Mixture(const Soil& soil, const SoilBlock& b, const SoilMaterial& material, const FieldBlock& fields)
       : alpha(material.biot_coefficient),
         grain_density(material.grain_density),
         fluid_density(b.porous() ? material.fluid->density() : 0.0),
@@ -28,14 +39,20 @@ struct Mixture {
         fluid_expansion(soil.water_expansion),
         reference(soil.reference_temperature),
         permeability(material.permeability.get()),
-        unit_weight(b.porous() ? material.fluid->unit_weight() : 0.0) {}
+        unit_weight(b.porous() ? material.fluid->unit_weight() : 0.0),
+        viscosity_follows(soil.viscosity_follows),
+        pressure(place_of_scalar(fields, soil.pressure)),
+        temperature(place_of_scalar(fields, soil.temperature)) {}
 
-  /// After the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step.
+  /// After the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step. `warmer`:
+  /// the change of a temperature that is not among the scalar fields [K].
   template <class C, int S, class T>
-  KOKKOS_INLINE_FUNCTION T porosity(double void_ratio, const PointFields<C, S, T>& at) const {
-    T grains = 0.0;
-    if constexpr (S > 0) grains = at.change[0] * grain_compliance;
-    if constexpr (S > 1) grains -= at.change[1] * grain_expansion;
+  KOKKOS_INLINE_FUNCTION T porosity(double void_ratio, const PointFields<C, S, T>& at, double warmer = 0) const {
+    T grains = -warmer * grain_expansion;
+    if constexpr (S > 0) {
+      if (pressure >= 0) grains = at.change[pressure] * grain_compliance + grains;
+      if (temperature >= 0) grains -= at.change[temperature] * grain_expansion;
+    }
     return porosity_after<T>(alpha, void_ratio / (1 + void_ratio), logarithm(at.volume_ratio), grains);
   }
   /// At a temperature; that of water whatever its pressure.
@@ -49,10 +66,17 @@ struct Mixture {
   }
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION T density(const T& n, const PointFields<C, S, T>& at) const {
-    if constexpr (S > 1)
-      return (1.0 - n) * grain_density_at(at.value[1]) + n * fluid_density_at(at.value[1]);
-    else
-      return (1.0 - n) * grain_density + n * fluid_density;
+    if constexpr (S > 0)
+      if (temperature >= 0)
+        return (1.0 - n) * grain_density_at(at.value[temperature]) + n * fluid_density_at(at.value[temperature]);
+    return (1.0 - n) * grain_density + n * fluid_density;
+  }
+  /// 1/viscosity of the water over that at the reference temperature (Vogel's formula) [-].
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T fluidity(const T& temperature) const {
+    constexpr double slope = 247.8 * 2.302585092994046, zero = 133.15;  // mu = 2.414e-5 Pa s 10^(247.8/(T + 133.15))
+    if (!viscosity_follows) return T(1.0);
+    return exponential(slope / (reference + zero) - slope / (temperature + zero));
   }
   /// 1/Q [1/Pa]
   template <class T>
@@ -65,10 +89,15 @@ struct Mixture {
 struct Mixtures {
   Kokkos::View<Mixture*> of;  // by number of the material
   PointView which;
+  int pressure, temperature;  // see Mixture
 
-  Mixtures(const Soil& soil, const SoilBlock& b, const State& state)
-      : of("mixtures", soil.materials.size()), which(soil.which(b, state)) {
-    for (int k : b.made_of) of(k) = Mixture(soil, b, *soil.materials[k]);
+  Mixtures(const Soil& soil, const SoilBlock& b, const State& state) : Mixtures(soil, b, state, b) {}
+  Mixtures(const Soil& soil, const SoilBlock& b, const State& state, const FieldBlock& fields)
+      : of("mixtures", soil.materials.size()),
+        which(soil.which(b, state)),
+        pressure(place_of_scalar(fields, soil.pressure)),
+        temperature(place_of_scalar(fields, soil.temperature)) {
+    for (int k : b.made_of) of(k) = Mixture(soil, b, *soil.materials[k], fields);
   }
   KOKKOS_INLINE_FUNCTION const Mixture& operator()(int row) const { return of(static_cast<int>(which(row, 0))); }
 };

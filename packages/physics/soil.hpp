@@ -75,10 +75,12 @@ struct Soil {
   std::vector<std::shared_ptr<const SoilMaterial>> materials;
   std::vector<SoilBlock> blocks;
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
+  bool viscosity_follows = false;                         // that of the water the temperature
   bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water
   /// Unit vector against gravity, along which heights are counted; without gravity the mesh's last direction.
   Point up{};
   double height(const Point& x) const { return x[0] * up[0] + x[1] * up[1] + x[2] * up[2]; }
+  std::function<Point(double time)> gravity = [](double) { return Point{}; };  // [m/s2]
   /// Gravity [m/s2] at a time, as far as pore pressures hold the water up; zero without pore fluid and where they are
   /// in excess of water at rest.
   std::function<Point(double time)> water_gravity = [](double) { return Point{}; };

@@ -15,10 +15,11 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   soil_ = make_soil(context.space, context.materials, scalar_fields(), quadrature_, context.materials_section);
   context.shared.offer(soil_);
   soil_->excess = excess_;
+  soil_->gravity = [gravity = gravity_](double time) { return gravity.at(time); };
   soil_->up = gravity_.up(context.space.mesh().dimension());
   soil_->place_materials(context.materials_section);
   if (porous() && excess_) require_one_fluid_density(context.materials_section, "with 'pore pressure' = 'excess'");
-  if (porous() && !excess_) soil_->water_gravity = [gravity = gravity_](double time) { return gravity.at(time); };
+  if (porous() && !excess_) soil_->water_gravity = soil_->gravity;
   context.terms.push_back(std::make_unique<StressDivergence>(soil_));
   context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::inertia));
   context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::gravity, gravity_));

@@ -156,6 +156,7 @@ TakeOver take_over(Model& from, const Stage& stage, Model& to) {
   const State& before = from.store().committed();
   State& state = to.store().committed();
   state.time = before.time;
+  state.increment = before.increment;
   if (const std::string name = copy_common(from, to); !name.empty()) {
     receipt.veto = "the state '" + name + "' has other rows on another mesh";
     return result;

@@ -78,6 +78,11 @@ std::unique_ptr<DiscretisationError> Run::make_error_estimate(Model& model) cons
   return settings_.error_estimate ? std::make_unique<DiscretisationError>(model, settings_.target_error) : nullptr;
 }
 
+void Run::count_increment(int taken) {
+  model_->store().committed().increment = {progress_.stage + 1, progress_.step_in_stage + taken + 1,
+                                           progress_.stage_start};
+}
+
 StepRequest Run::request(const Stage& stage, double dt) const {
   StepRequest request;
   request.dt = dt;
@@ -97,6 +102,7 @@ bool Run::begin_stage(const Stage& stage) {
   const bool fresh = !progress_.stage_open;
   model_->activate(stage, fresh);
   if (!fresh) {
+    count_increment(0);
     restore_solver();
     penetration_.begin_stage(*model_, report_contacts());
     return true;
@@ -107,6 +113,7 @@ bool Run::begin_stage(const Stage& stage) {
   progress_.step_in_stage = 0;
   progress_.stage_start = model_->store().committed().time;
   progress_.next_dt = stage.control.initial;
+  count_increment(0);
   progress_.last_dt = 0;
   progress_.next_field_time = next_field_time(progress_.stage_start);
   model_->stepper().measures().begin_stage();
@@ -293,6 +300,7 @@ bool Run::accept(const Stage& stage, StepReport& report) {
   }
   balances_->add_step();
   model_->store().accept();
+  count_increment(1);
   report_ = report_terms();
   const bool moves = moves_mesh(stage) && model_->ale()->due(progress_.step + 1, model_->store().committed());
   const std::string veto = moves ? relocate_mesh() : "";

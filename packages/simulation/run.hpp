@@ -87,6 +87,8 @@ class Run {
   double next_field_time(double time) const;
   double choose_dt(const Stage& stage) const;
   LocalError local_error(const Stage& stage) const;
+  /// Numbers the increment that comes next; `taken`: steps beside those that are counted.
+  void count_increment(int taken);
   StepRequest request(const Stage& stage, double dt) const;
   void reset_displacements();
   /// Balances, excess pressures and errors are counted from the committed state.

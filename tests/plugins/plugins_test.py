@@ -291,6 +291,36 @@ class Plugins(MudlineCase):
             exact = heat.front(1.0, speed, diffusivity, depth, times)
             np.testing.assert_allclose(history.at(f"probe/{name}/concentration", times), exact, atol=2e-3)
 
+    def beside_heat(self, *changes):
+        """The solute's column with heat in the ground; what is in the water comes in with a concentration of 35,000."""
+        text = text_of(self.example("solute/column.xml")).replace("build/", self.example("solute/build/"))
+        inflow = text.index('<ParameterList name="dyed inflow">')
+        text = text[:inflow] + text[inflow:].replace('value="1.0"', 'value="35000.0"', 1)
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        return text
+
+    def test_solute_beside_heat_is_no_temperature(self):
+        """At one temperature heat changes nothing: the same front as in `biot`, whatever the concentration's size."""
+        medium = '<Parameter name="type" type="string" value="biot"/>'
+        warm = ('<Parameter name="type" type="string" value="thermo-hydro-mechanical"/><Parameter name="reference temperature" type="double" value="10.0"/>')
+        heat_section = ('<ParameterList name="solute">\n        <Parameter name="diff', '<ParameterList name="heat"><Parameter name="conductivity" type="double" value="1.5"/>'
+                        '<Parameter name="grain heat capacity" type="double" value="700.0"/><Parameter name="grain expansion" type="double" value="3e-5"/></ParameterList>'
+                        '<ParameterList name="solute">\n        <Parameter name="diff')
+        self.write("cold.xml", self.beside_heat())
+        self.write("beside.xml", self.beside_heat((medium, warm), heat_section))
+        self.write("warm.xml", self.beside_heat((medium, warm + '<Parameter name="initial temperature" type="double" value="40.0"/>'
+                                                 '<Parameter name="water expansion" type="double" value="0.0"/>'), heat_section))
+        cold, beside, warm = (self.run_deck(name) for name in ("cold.xml", "beside.xml", "warm.xml"))
+        times = np.array([5e5, 1e6, 2e6])
+        thinner = 10 ** (247.8 / (10 + 133.15) - 247.8 / (40 + 133.15))  # viscosity at 10 degC over that at 40 (Vogel)
+        for name, depth in (("one metre", 1.0), ("three metres", 3.0), ("five metres", 5.0)):
+            column = f"probe/{name}/concentration"
+            np.testing.assert_allclose(beside.at(column, times), cold.at(column, times), atol=35000 * 1e-7)
+            exact = heat.front(1.0, 1e-6 / 0.8 * thinner, 4e-7 / 0.8, depth, times[:2])
+            np.testing.assert_allclose(warm.at(column, times[:2]) / 35000, exact, atol=3e-3)
+
     def test_solute_asks_for_its_properties(self):
         deck = self.example("solute/column.xml")
         self.write("without.xml", re.sub(r'<ParameterList name="solute">.*?</ParameterList>', "", text_of(deck), flags=re.S)

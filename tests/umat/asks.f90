@@ -14,7 +14,7 @@ subroutine asks(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   double precision :: stress(*), statev(*), ddsdde(ntens, *), ddsddt(ntens), drplde(ntens), stran(ntens), dstran(ntens), &
                       time(2), predef(1), dpred(1), props(nprops), coords(3), drot(3, 3), dfgrd0(3, 3), dfgrd1(3, 3), sse, &
                       spd, scd, rpl, drpldt, dtime, temp, dtemp, pnewdt, celent
-  double precision :: lambda, mu, s(6), p, q, more, t(3, 3), j
+  double precision :: lambda, mu, s(6), p, q, more, theta, t(3, 3), j
   integer :: i, mode, first(6) = (/1, 2, 3, 1, 1, 2/), second(6) = (/1, 2, 3, 2, 3, 3/)
 
   mode = nint(props(3))
@@ -50,6 +50,14 @@ subroutine asks(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     q = sqrt(1.5d0 * (sum(s(1:3)**2) + 2 * sum(s(4:ntens)**2)))
     if (q > statev(1)) then
       more = (q - statev(1)) / (3 * mu + props(5))
+      theta = 1 - 3 * mu * more / q
+      ddsdde(1:3, 1:3) = lambda + 2 * mu * (1 - theta) / 3
+      do i = 1, ntens
+        ddsdde(i, i) = merge(lambda + 2 * mu * (1 - theta) / 3 + 2 * mu * theta, mu * theta, i <= 3)
+      end do
+      do i = 1, ntens
+        ddsdde(i, 1:ntens) = ddsdde(i, 1:ntens) - 3 * mu / q**2 * (3 * mu / (3 * mu + props(5)) - 1 + theta) * s(i) * s(1:ntens)
+      end do
       stress(1:ntens) = s(1:ntens) * (1 - 3 * mu * more / q)
       stress(1:3) = stress(1:3) + p
       statev(1) = statev(1) + props(5) * more

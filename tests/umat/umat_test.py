@@ -4,6 +4,7 @@ import shutil
 import subprocess
 import unittest
 
+import h5py
 import numpy as np
 
 from mudline_case import ROOT, MudlineCase, point_deck, program
@@ -156,10 +157,113 @@ class Umat(MudlineCase):
         skeleton = self.umat(os.path.join(HERE, "asks.f90"), **entries)
         return dict(skeleton, properties=[E, NU, float(what), *more])
 
+    def test_first_increment(self):
+        """A yield stress that is set at KSTEP = KINC = 1, in points and in elements, there over two stages, a restart and
+        a moving mesh."""
+        strength, hardening = 60e3, 5e5
+        law = dict(self.asking(1, strength, hardening), **{"state variables": 1})
+        test = {"cd": {"type": "triaxial drained", "axial strain": [0.03, 0.02], "steps": 50, "initial state": {"mean effective stress": 1e5}}}
+        h = self.points(law, test, "first")["cd"]
+        strain = h["axial strain"]
+        expected = strength + E * hardening / (E + hardening) * (strain - strength / E)
+        yields = (strain > strength / E) & (strain >= np.maximum.accumulate(strain))
+        np.testing.assert_allclose(h["deviatoric stress"][yields], expected[yields], rtol=1e-9)
+        stored = self.umat(os.path.join(EXAMPLES, "von_mises.f90"), properties=[E, NU, strength, hardening], state_variables=1)
+        text = BLOCK.replace("GEOMETRY", "plane strain").replace("SHEAR", "0.1")
+        text = text.replace('<ParameterList name="load">', '<ParameterList name="first"><Parameter name="type" type="string" value="quasi-static"/>'
+                            '<Parameter name="duration" type="double" value="0.5"/><ParameterList name="time step"><Parameter name="initial" type="double" value="0.125"/>'
+                            '</ParameterList></ParameterList><ParameterList name="load">').replace('name="duration" type="double" value="1.0"', 'name="duration" type="double" value="0.5"')
+        runs = {}
+        for name, skeleton in (("stored", stored), ("first", law)):
+            self.write(name + ".xml", text.replace("SKELETON", as_xml(skeleton)))
+            runs[name] = self.run_deck(name + ".xml")
+        columns = [n for n in runs["stored"].columns if n.startswith("probe/") and np.abs(runs["stored"][n]).max() > 1e-9]
+        self.assert_same(runs["stored"], runs["first"], columns)
+        self.write("broken.xml", text.replace("SKELETON", as_xml(law)))
+        self.run_deck("broken.xml", "--steps", "2")
+        self.assert_same(runs["stored"], self.run_deck("broken.xml", "--restart"), columns)
+
+    def test_deformation_gradient(self):
+        """A neo-Hookean law in oedometer and simple shear against its closed form, at a point and in elements."""
+        mu, lam = E / (2 * (1 + NU)), E * NU / ((1 + NU) * (1 - 2 * NU))
+        point = self.points(self.asking(2), {"oed": {"type": "oedometer", "axial strain": [0.05], "steps": 20, "initial state": {"mean effective stress": 1e5}}}, "hyper")["oed"]
+        j = np.exp(-point["axial strain"][1:])
+        np.testing.assert_allclose(-point["effective stress yy"][1:], mu / j * (j**2 - 1) + lam * np.log(j) / j, rtol=1e-9)
+        for shear, height in (("0", "-0.1*t*y"), ("0.4*t*y", "0.0")):
+            text = BLOCK.replace("GEOMETRY", "plane strain").replace("SKELETON", as_xml(self.asking(2)))
+            begin, end = text.index('<ParameterList name="boundary conditions">'), text.index('<ParameterList name="stages">')
+            sides = "".join(f'<ParameterList name="{s}"><Parameter name="type" type="string" value="displacement"/><Parameter name="set" type="string" value="{s}"/>'
+                            f'<Parameter name="x" type="string" value="{shear}"/><Parameter name="y" type="string" value="{height}"/></ParameterList>'
+                            for s in ("left", "right", "bottom", "top"))
+            self.run_deck(self.write("hyper.xml", text[:begin] + '<ParameterList name="boundary conditions">' + sides + "</ParameterList>\n  " + text[end:]))
+            k, stretch = (0.4, 1.0) if height == "0.0" else (0.0, 0.9)
+            stress = {"xx": mu / stretch * k**2 + lam * np.log(stretch) / stretch, "xy": mu / stretch * k * stretch,
+                      "yy": mu / stretch * (stretch**2 - 1) + lam * np.log(stretch) / stretch}
+            found = self.cell_values("hyper", ["effective stress"])["effective stress"]  # xx xy xz yy yz zz, tension positive
+            for c, slot in (("xx", 0), ("xy", 1), ("yy", 3)):
+                np.testing.assert_allclose(found[:, slot], stress[c], atol=1e-8 * mu, err_msg=f"{c} {shear} {height}")
+
+    def test_place(self):
+        """A stiffness that grows with the depth by COORDS(2): the settlement of a loaded column is q/(0.1 M) ln 2."""
+        with open(os.path.join(HERE, "place.xml")) as file:
+            text = file.read()
+        history = self.run_deck(self.write("place.xml", text.replace("SKELETON", as_xml(self.asking(3)))))
+        modulus = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
+        settlement = 1e4 / (0.1 * modulus) * np.log(2)
+        self.assertAlmostEqual(-history["probe/top/displacement y"][-1] / settlement, 1, delta=1e-3)
+
+    def test_rotation_and_gradients_go_on(self):
+        """DROT turns what the law keeps as mudline turns the stress; DFGRD0 is DFGRD1 of the step before."""
+        text = BLOCK.replace("GEOMETRY", "plane strain").replace("SHEAR", "0.4")
+        steps = len(self.run_deck(self.write("native.xml", text.replace("SKELETON", as_xml(NATIVE)))).time)
+        for what, state in ((9, 6), (13, 9)):
+            law = self.asking(what, state_variables=state)
+            history = self.run_deck(self.write("asks.xml", text.replace("SKELETON", as_xml(law))))
+            self.assertEqual(len(history.time), steps)  # a refusal would cut steps
+        turned = {"shear": {"type": "simple shear", "drainage": "drained", "shear strain": [0.5], "steps": 50, "initial state": START}}
+        for what, state in ((9, 6), (13, 9)):
+            self.write("turned.xml", point_deck(self.asking(what, state_variables=state), turned, 0.8))
+            done = program(["point", "turned.xml"], folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("(50 steps, results", done.stdout)
+
+    def cell_values(self, stem, names):
+        """The last values of cells by name."""
+        with h5py.File(os.path.join(self.folder, "results", stem + ".h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]
+            return {name: np.array(step["cell/" + name.replace(" ", "_")]) for name in names}
+
+    def test_numbers(self):
+        """KSTEP, KINC, NOEL, NPT, TIME, CELENT, COORDS of a run with two stages."""
+        law = self.asking(10, state_variables=9)
+        text = BLOCK.replace("GEOMETRY", "plane strain").replace("SHEAR", "0.1").replace("SKELETON", as_xml(law))
+        text = text.replace('<ParameterList name="load">', '<ParameterList name="first"><Parameter name="type" type="string" value="quasi-static"/>'
+                            '<Parameter name="duration" type="double" value="0.5"/><ParameterList name="time step"><Parameter name="initial" type="double" value="0.125"/>'
+                            '</ParameterList></ParameterList><ParameterList name="load">')
+        self.run_deck(self.write("numbers.xml", text))
+        values = self.cell_values("numbers", ["statev %d" % i for i in range(1, 10)])
+        np.testing.assert_allclose(values["statev 1"], 2.0)
+        np.testing.assert_allclose(values["statev 2"], 8.0)
+        np.testing.assert_allclose(sorted(values["statev 3"]), [1.0, 2.0, 3.0, 4.0])
+        np.testing.assert_allclose(values["statev 4"], 5.0)  # mean of 1 to 9
+        np.testing.assert_allclose(values["statev 5"], 0.875)
+        np.testing.assert_allclose(values["statev 6"], 1.375)
+        self.assertTrue(np.all(np.abs(values["statev 7"] - 0.25) < 0.03), values["statev 7"])
+        self.assertTrue(np.all((values["statev 8"] > 0.2) & (values["statev 8"] < 0.95)))
+
+    def test_temperature(self):
+        """TEMP is that of the model: 1 kPa per degree and step of the law, in soil at 30 degC."""
+        with open(os.path.join(HERE, "warm.xml")) as file:
+            text = file.read()
+        history = self.run_deck(self.write("warm.xml", text.replace("SKELETON", as_xml(self.asking(12)))))
+        self.assertEqual(len(history.time), 2)
+        found = self.cell_values("warm", ["effective stress"])["effective stress"]
+        np.testing.assert_allclose(found[:, [0, 3, 5]], 2 * 3e4, rtol=1e-9)
+
     def test_what_cannot_be_told_is_no_number(self):
-        """The deformation gradient, the place, PREDEF, and a temperature that the model does not have."""
+        """The place of a point test, PREDEF, and a temperature that the model does not have."""
         test = {"cd": {"type": "triaxial drained", "axial strain": [0.01], "steps": 5, "initial state": START}}
-        for what in (2, 3, 11, 12):
+        for what in (3, 11, 12):
             self.write("unknown.xml", point_deck(self.asking(what), test, 0.8))
             done = program(["point", "unknown.xml"], folder=self.folder)
             self.assertEqual(done.returncode, 3, done.stdout)

@@ -99,10 +99,12 @@ class SoluteBalance : public Term {
   void for_each_law(const StepView& view, F&& f) const {
     if (!view.flow) return;  // a geostatic stage takes no time
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      const Darcy darcy(*soil_, soil_->blocks[i], view);
+      const FieldBlock& b = blocks_[i];
+      const SoilBlock& soil = soil_->blocks[i];
+      const LoopLevel end = end_level(view, b), balance = loop_level(view, view.balance, b);
       const double theta = view.sensitivity[field_].value;
-      f(blocks_[i], end_level(view, blocks_[i]), Stored{{}, darcy, values_[i]->retardation, view.dt, theta});
-      f(blocks_[i], loop_level(view, view.balance, blocks_[i]), Carried{{}, darcy, values_[i]->diffusivity});
+      f(b, end, Stored{{}, Darcy(*soil_, soil, view, b, end), values_[i]->retardation, view.dt, theta});
+      f(b, balance, Carried{{}, Darcy(*soil_, soil, view, b, balance), values_[i]->diffusivity});
     }
   }
 

@@ -2,13 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/guarded.hpp"
 #include "materials/guarded_law.hpp"
 #include "materials/pore_volume.hpp"
+#include "tensor/midpoint_rule.hpp"
 #include "tensor/sym6.hpp"
 
 namespace mudline {
+
+namespace {
+
+/// The exponential of a symmetric 3 x 3 tensor: of a 2^n-th of it by its series, then squared n times.
+std::array<double, 9> exponential_of(const Six& strain) {
+  double size = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) size = std::max(size, std::abs(strain[six(i, j)]));
+  const int squares = size > 0.1 ? 4 + static_cast<int>(std::ceil(std::log2(size))) : 0;
+  std::array<double, 9> e{}, term{}, sum{};
+  for (int i = 0; i < 9; ++i) {
+    e[i] = std::ldexp((i % 4 == 0 ? 1.0 : 0.5) * strain[six(i / 3, i % 3)], -squares);
+    sum[i] = term[i] = i % 4 == 0 ? 1.0 : 0.0;
+  }
+  const auto times = [](const std::array<double, 9>& a, const std::array<double, 9>& b) {
+    std::array<double, 9> result{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k) result[3 * i + j] += a[3 * i + k] * b[3 * k + j];
+    return result;
+  };
+  for (int n = 1; n <= 12; ++n) {
+    term = times(term, e);
+    for (int i = 0; i < 9; ++i) sum[i] += (term[i] /= n);
+  }
+  for (int n = 0; n < squares; ++n) sum = times(sum, sum);
+  return sum;
+}
+
+/// What a point without a place is told: F = V R, with the stretch V of the strain behind the rotation R.
+void write_surroundings(const PointMotion& motion, const double (&turn)[9], double* row) {
+  std::fill_n(row, Surroundings::size, std::numeric_limits<double>::quiet_NaN());
+  row[Surroundings::element] = row[Surroundings::point] = 1;
+  std::copy_n(turn, 9, row + Surroundings::rotation);
+  const std::array<double, 9> V = exponential_of(motion.strain);
+  double* F = row + Surroundings::deformation;
+  std::fill_n(F, 9, 0.0);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) F[3 * i + j] += V[3 * i + k] * turn[3 * k + j];
+}
+
+}  // namespace
 
 MaterialPoint::MaterialPoint(const Skeleton& law, const InitialPoint& start, double biot_coefficient)
     : law_(law),
@@ -41,8 +86,14 @@ PointTrial MaterialPoint::evaluate(const PointMotion& motion, double dt, bool wa
   std::copy(motion.strain.begin(), motion.strain.end(), strain.data());
   std::copy(state.begin(), state.end(), state_old.data());
   void_ratio(0, 0) = void_ratio_;
-  const SkeletonWorkset w{1,          time_ + dt, dt,         want_tangent, stress_old, strain,
-                          void_ratio, state_old,  stress_new, state_new,    tangent,    failed};
+  SkeletonWorkset w{1,          time_ + dt, dt,         want_tangent, stress_old, strain,
+                    void_ratio, state_old,  stress_new, state_new,    tangent,    failed};
+  w.increment = increment_;
+  if (law_.wants_surroundings()) {
+    PointView surroundings("", 1, Surroundings::size);
+    write_surroundings(motion, turn, surroundings.data());
+    w.surroundings = surroundings;
+  }
   PointTrial trial;
   std::string reason;
   int failures = 1;
@@ -76,6 +127,7 @@ void MaterialPoint::commit(const PointMotion& motion, double dt, const PointTria
   stress_ = trial.stress;
   state_ = trial.state;
   time_ += dt;
+  ++increment_.number;
 }
 
 }  // namespace mudline

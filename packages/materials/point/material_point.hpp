@@ -53,6 +53,7 @@ class MaterialPoint {
   std::vector<double> state_;
   std::vector<int> tensors_;  // first components of the tensors of the state
   std::string refusal_;
+  Increment increment_;
 };
 
 }  // namespace mudline

@@ -30,7 +30,8 @@ using Routine = void (*)(double* stress, double* statev, double* ddsdde, double*
                          const int* npt, const int* layer, const int* kspt, const int* kstep, const int* kinc,
                          std::size_t cmname_length);
 
-constexpr int strain_size = 6;               // the state begins with the strain so far
+// The state begins with the strain so far and the deformation gradient, row-major.
+constexpr int strain_size = 6, own_size = strain_size + 9;
 constexpr int ours[6] = {0, 1, 2, 5, 4, 3};  // 11 22 33 12 13 23 in xx yy zz yz xz xy; its own inverse
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -140,6 +141,9 @@ void Umat::parameters(Parameters& p) {
 /// STATEV in its own order, except that tensors become one variable each.
 void Umat::make_variables() {
   variables_ = {{"accumulated strain", strain_size, "-", RemapRule::tensor}};
+  for (int i = 0; i < 9; ++i)
+    variables_.push_back({"deformation gradient " + std::to_string(i / 3 + 1) + std::to_string(i % 3 + 1), 1, "-",
+                          RemapRule::value, -1e300, 1e300, true});
   source_.clear();
   tensors_.clear();
   for (int i = 0; i < state_count_;) {
@@ -186,9 +190,35 @@ void Umat::check(const Section& section) {
 
 std::string Umat::initialise(const InitialPoint&, double* state) const {
   std::fill(state, state + state_size(), 0.0);
+  for (int i = 0; i < 3; ++i) state[strain_size + 4 * i] = 1.0;
   if (!initial_state_.empty())
-    for (int i = 0; i < state_count_; ++i) state[strain_size + i] = initial_state_[source_[i]];
+    for (int i = 0; i < state_count_; ++i) state[own_size + i] = initial_state_[source_[i]];
   return "";
+}
+
+bool Umat::tell_surroundings(const SkeletonWorkset& w, int point, Arguments& to) const {
+  using A = Arguments;
+  for (const A::Array a : {A::coords, A::dfgrd0, A::dfgrd1, A::drot}) std::fill_n(to[a], to.size(a), unknown);
+  const double* old = &w.state_old(point, strain_size);
+  double* now = &w.state(point, strain_size);
+  std::copy_n(old, 9, now);
+  if (w.surroundings.extent(0) > 0) {
+    const double* around = &w.surroundings(point, 0);
+    std::copy_n(around + Surroundings::place, 3, to[A::coords]);
+    const double *step = around + Surroundings::deformation, *turn = around + Surroundings::rotation;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        to[A::drot][i + 3 * j] = turn[3 * i + j];
+        double& sum = now[3 * i + j] = 0;
+        for (int k = 0; k < 3; ++k) sum += step[3 * i + k] * old[3 * k + j];
+        to[A::dfgrd0][i + 3 * j] = old[3 * i + j];
+        to[A::dfgrd1][i + 3 * j] = sum;
+        if (!std::isfinite(sum)) return false;
+      }
+  }
+  if (!tensors_.empty())  // turned already: nothing is left to turn
+    for (int i = 0; i < 9; ++i) to[A::drot][i] = i % 4 == 0 ? 1.0 : 0.0;
+  return true;
 }
 
 bool Umat::update(const SkeletonWorkset& w, int point) const {
@@ -202,19 +232,24 @@ bool Umat::update(const SkeletonWorkset& w, int point) const {
     to[A::dstran][i] = w.strain(point, ours[i]);
   }
   for (const A::Array a : {A::ddsdde, A::ddsddt, A::drplde}) std::fill_n(to[a], to.size(a), 0.0);
-  for (int i = 0; i < state_count_; ++i) to[A::statev][source_[i]] = old[strain_size + i];
+  for (int i = 0; i < state_count_; ++i) to[A::statev][source_[i]] = old[own_size + i];
   std::copy(properties_.begin(), properties_.end(), to[A::props]);
   to[A::predef][0] = to[A::dpred][0] = unknown;
-  const double begin = w.time - w.dt;
-  to[A::time][0] = to[A::time][1] = begin;
-  // what a law is not told is no number, so that one that uses it fails
-  for (const A::Array a : {A::coords, A::dfgrd0, A::dfgrd1, A::drot}) std::fill_n(to[a], to.size(a), unknown);
-  if (!tensors_.empty())  // turned already: nothing is left to turn
-    for (int i = 0; i < 9; ++i) to[A::drot][i] = i % 4 == 0 ? 1.0 : 0.0;
+  to[A::time][1] = w.time - w.dt;
+  to[A::time][0] = to[A::time][1] - w.increment.stage_start;
+  if (!tell_surroundings(w, point, to)) return false;
 
   std::string name = name_;
   name.resize(80, ' ');
   double sse = 0, spd = 0, scd = 0, rpl = 0, drpldt = 0, pnewdt = 1, celent = unknown, warmth[2] = {temperature_, 0};
+  int element = 1, number = 1, stage = w.increment.stage, increment = w.increment.number;
+  if (w.surroundings.extent(0) > 0) {
+    const double* around = &w.surroundings(point, 0);
+    celent = around[Surroundings::length];
+    element = static_cast<int>(around[Surroundings::element]);
+    number = static_cast<int>(around[Surroundings::point]);
+    if (!std::isnan(around[Surroundings::temperature])) std::copy_n(around + Surroundings::temperature, 2, warmth);
+  }
   int ndi = 3, nshr = components_ - 3, ntens = components_, nstatv = state_count_,
       nprops = static_cast<int>(properties_.size()), one = 1;
   double dt = w.dt;
@@ -222,12 +257,12 @@ bool Umat::update(const SkeletonWorkset& w, int point) const {
       to[A::stress], to[A::statev], to[A::ddsdde], &sse, &spd, &scd, &rpl, to[A::ddsddt], to[A::drplde], &drpldt,
       to[A::stran], to[A::dstran], to[A::time], &dt, &warmth[0], &warmth[1], to[A::predef], to[A::dpred], name.data(),
       &ndi, &nshr, &ntens, &nstatv, to[A::props], &nprops, to[A::coords], to[A::drot], &pnewdt, &celent, to[A::dfgrd0],
-      to[A::dfgrd1], &one, &one, &one, &one, &one, &one, name.size());
+      to[A::dfgrd1], &element, &number, &one, &one, &stage, &increment, name.size());
 
   for (int i = 0; i < 6; ++i)
     w.stress(point, ours[i]) = i < components_ ? to[A::stress][i] : w.stress_old(point, ours[i]);
   for (int i = 0; i < 6; ++i) w.state(point, i) = old[i] + (i < 3 ? 1.0 : 0.5) * w.strain(point, i);
-  for (int i = 0; i < state_count_; ++i) w.state(point, strain_size + i) = to[A::statev][source_[i]];
+  for (int i = 0; i < state_count_; ++i) w.state(point, own_size + i) = to[A::statev][source_[i]];
   if (w.want_tangent) {
     for (int c = 0; c < 36; ++c) w.tangent(point, c) = 0.0;
     for (int i = 0; i < components_; ++i)

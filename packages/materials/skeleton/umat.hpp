@@ -16,14 +16,23 @@ namespace mudline {
 ///   STRESS, STATEV  old values in, new ones out; the stress, the strains and the tensors of STATEV ("tensor state")
 ///                   have been rotated into the new configuration by mudline
 ///   STRAN, DSTRAN   objective strain so far (kept as a state variable) and of the step
+///   DFGRD0, DFGRD1  deformation gradient at the start and at the end of the step, since the start of the run (kept as
+///                   state variables; on a mesh that moves against the soil they are transferred like these)
 ///   DDSDDE          must be the Jacobian of the stress update; it may be unsymmetric
-///   TIME, DTIME     time of the run at the start of the step, and the step; DTIME is 0 in a geostatic stage
+///   COORDS          place of the point at the end of the step [m]; not a number in a point test, which has none
+///   TIME, DTIME     time of the stage and of the run at the start of the step, and the step; DTIME is 0 in a geostatic
+///                   stage
+///   KSTEP, KINC     number of the stage, 1 in a point test, and of the step within it, from 1
+///   NOEL, NPT       number of the element and of the point in it, from 1, the same on any number of ranks
+///   CELENT          root of the element's area, or cube root of its volume, over its order [m]; not a number in a point
+///                   test
 ///   PROPS, NTENS    from the deck; NTENS = 4 (plane strain, axisymmetric) fails where there is out-of-plane shear
 ///   PNEWDT          below 1: the point has failed and the step is cut
-///   DROT            the identity where "tensor state" names the tensors of STATEV, which mudline turns
-///   TEMP, DTEMP     "temperature" and 0
-///   the others      SSE, SPD, SCD, RPL, their derivatives: 0; NOEL, NPT, LAYER, KSPT, KSTEP, KINC: 1; DFGRD0, DFGRD1,
-///                   COORDS, CELENT, PREDEF, DPRED, another DROT: not a number, so that a law that uses it fails
+///   DROT            rotation of the step; the identity where "tensor state" names the tensors of STATEV, which mudline
+///                   turns
+///   TEMP, DTEMP     of the model's temperature; without one "temperature" and 0
+///   the others      SSE, SPD, SCD, RPL, their derivatives: 0; LAYER, KSPT: 1; PREDEF, DPRED: not a number, so that a
+///                   law that uses them fails
 ///
 /// Writing outside of the arrays ends the program with the law's name.
 class Umat : public Skeleton {
@@ -34,12 +43,15 @@ class Umat : public Skeleton {
 
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
   std::string initialise(const InitialPoint& point, double* state) const override;
+  bool wants_surroundings() const override { return true; }
   int evaluate(const SkeletonWorkset& workset) const override;
   ElasticModuli moduli(const double*, double, const double*) const override { return {bulk_, shear_}; }
   double k0(double) const override { return k0_; }
 
  private:
   class Arguments;
+  /// Fills what a law is told beside stress, strain and state. False where the deformation is beyond all numbers.
+  bool tell_surroundings(const SkeletonWorkset& workset, int point, Arguments& to) const;
   bool update(const SkeletonWorkset& workset, int point) const;
   void make_variables();
 

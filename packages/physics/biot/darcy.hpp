@@ -1,27 +1,38 @@
 #pragma once
 
-#include "framework/term.hpp"
+#include "framework/element_loop.hpp"
 #include "physics/mixture.hpp"
 
 namespace mudline {
 
-/// Darcy's law at the points of one block of saturated soil, for laws of balance whose first scalar is the pore
-/// pressure and whose points are the soil's: w = -k(e)/gamma_w (grad p - rho_f g).
+/// Darcy's law at the points of one block of saturated soil, for laws of balance that have the pore pressure among
+/// their scalar fields and whose points are the soil's: w = -k(e)/gamma_w (grad p - rho_f g). In soil with a
+/// temperature, viscosity and weight of the water follow it, whether the temperature is among the fields or not.
 struct Darcy {
   Mixtures mixture;
-  double gravity[3];     // [m/s2] of water whose weight the pressures hold
+  double gravity[3];     // [m/s2]
+  double lift;           // density that the pressures leave out [kg/m3]
   PointView void_ratio;  // (point; e and initial e) at the start of the step
+  PointView elsewhere;  // (point; temperature, its change since the start of the step) where it is not among the fields
 
-  Darcy(const Soil& soil, const SoilBlock& block, const StepView& view)
-      : mixture(soil, block, *view.committed), void_ratio(view.committed->arrays[block.void_ratio]) {
-    const auto g = soil.water_gravity(view.balance.time);
-    for (int i = 0; i < 3; ++i) gravity[i] = g[i];
-  }
+  /// For laws over the soil's own fields.
+  Darcy(const Soil& soil, const SoilBlock& block, const StepView& view) : Darcy(soil, block, view, block, {}) {}
+  /// For laws over other fields of the same elements, at the level of their loop.
+  Darcy(const Soil& soil, const SoilBlock& block, const StepView& view, const FieldBlock& fields,
+        const LoopLevel& level);
+
   template <class C, int S, class T>
   T porosity(int row, const PointFields<C, S, T>& at) const {
-    return mixture(row).porosity(void_ratio(row, 0), at);
+    return mixture(row).porosity(void_ratio(row, 0), at, elsewhere.extent(0) > 0 ? elsewhere(row, 1) : 0.0);
   }
-  /// k/gamma_w [m2/(Pa s)] at a porosity.
+  /// Whether the model has a temperature.
+  bool warm() const { return mixture.temperature >= 0 || elsewhere.extent(0) > 0; }
+  /// [degC]; of a warm model.
+  template <class C, int S, class T>
+  T temperature(int row, const PointFields<C, S, T>& at) const {
+    return mixture.temperature >= 0 ? at.value[mixture.temperature] : T(elsewhere(row, 0));
+  }
+  /// k/gamma_w [m2/(Pa s)] at a porosity, at the viscosity for which the conductivity is given.
   template <class T>
   T mobility(int row, const T& n) const {
     const T e = n / (1.0 - n);
@@ -32,8 +43,14 @@ struct Darcy {
   /// Minus the discharge, kappa (grad p - rho_f g) [m/s]; what drives it may have more.
   template <class C, int S, class T>
   void minus_discharge(int row, const PointFields<C, S, T>& at, T (&w)[C::dim]) const {
-    const T kappa = mobility(row, porosity(row, at));
-    for (int i = 0; i < C::dim; ++i) w[i] = kappa * (at.gradient[0][i] - mixture(row).fluid_density * gravity[i]);
+    const Mixture& here = mixture(row);
+    T kappa = mobility(row, porosity(row, at)), weight = here.fluid_density - lift;
+    if (warm()) {
+      const T t = temperature(row, at);
+      kappa = kappa * here.fluidity(t);
+      weight = here.fluid_density_at(t) - lift;
+    }
+    for (int i = 0; i < C::dim; ++i) w[i] = kappa * (at.gradient[mixture.pressure][i] - weight * gravity[i]);
   }
 };
 

@@ -17,10 +17,10 @@ struct DarcyFlow : PointLaw {
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     const T n = darcy.porosity(row, at), mobility = darcy.mobility(row, n);
     const Mixture& mixture = darcy.mixture(row);
-    const double density = mixture.fluid_density;
+    const double density = mixture.fluid_density, weight = density - darcy.lift;
     out.storage[0] = mixture.alpha * at.divergence() + mixture.storage(n) * at.rate[0];
     for (int i = 0; i < C::dim; ++i) {
-      T drive = at.gradient[0][i] - density * darcy.gravity[i];
+      T drive = at.gradient[0][i] - weight * darcy.gravity[i];
       if constexpr (FluidAcceleration) drive += density * at.acceleration[i];
       out.flux[0][i] = mobility * drive;
     }

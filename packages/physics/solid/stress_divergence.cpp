@@ -10,6 +10,7 @@
 #include "materials/guarded_law.hpp"
 #include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
+#include "physics/solid/point_surroundings.hpp"
 
 namespace mudline {
 
@@ -47,7 +48,8 @@ struct TotalStress : PointLaw {
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     T pressure = 0.0;
-    if constexpr (S > 0) pressure = mixtures(row).alpha * at.value[0];
+    if constexpr (S > 0)
+      if (mixtures.pressure >= 0) pressure = mixtures(row).alpha * at.value[mixtures.pressure];
     for (int i = 0; i < C::dim; ++i)
       for (int j = 0; j < C::dim; ++j) out.stress[i][j] = stress(row, six(i, j));
     out.hoop_stress = stress(row, 2);
@@ -67,7 +69,8 @@ struct TotalStress : PointLaw {
       for (int j = 0; j < C::dim; ++j) out.stress_change[i][j] = stress(row, six(i, j)) - stress_old(row, six(i, j));
     out.hoop_change = stress(row, 2) - stress_old(row, 2);
     out.pressure_change = 0;
-    if constexpr (S > 0) out.pressure_change = -mixtures(row).alpha * at.change[0];
+    if constexpr (S > 0)
+      if (mixtures.pressure >= 0) out.pressure_change = -mixtures(row).alpha * at.change[mixtures.pressure];
   }
 
   /// d sigma' = D (de - [W, e]) + [W, sigma'] for a further displacement of gradient de with the turn W.
@@ -100,12 +103,13 @@ struct TotalStress : PointLaw {
       motion.hoop_variation(e, turn);
       put(D * D, e, turn);
     }
-    if constexpr (S > 1) {
+    if constexpr (S > 0) {
+      if (mixtures.temperature < 0) return;
       const double expansion = mixtures(row).grain_expansion;  // of the skeleton with the temperature [1/K]
       const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
       for (double& t : turn) t = 0;
-      put(ElementLoop<C, ElementShapes<C::dim + 1, C::dim + 1, S>>::template Directions<TotalStress>::value + 1, warmer,
-          turn);
+      using Loop = ElementLoop<C, ElementShapes<C::dim + 1, C::dim + 1, S>>;
+      put(Loop::template Directions<TotalStress>::value + mixtures.temperature, warmer, turn);
     }
   }
 };
@@ -147,8 +151,9 @@ struct Staging {
     const bool valid = find_motion(at, motion);
     if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
     motion.increment(&to.strain(i, 0));
-    if constexpr (Loop::S > 1)  // what heat alone would do is no strain of the law's
-      for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[1];
+    if constexpr (Loop::S > 0)
+      if (mixture.temperature >= 0)  // what heat alone would do is no strain of the law's
+        for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[mixture.temperature];
     for (int c = 0; c < 6 && !valid; ++c) to.strain(i, c) = 0;
     motion.rotate(&stress(from, 0), &to.stress_old(i, 0));
     for (std::size_t c = 0; c < to.state_old.extent(1); ++c) to.state_old(i, c) = law(from, c);
@@ -212,7 +217,7 @@ class StressUpdate {
   LoopLevel level_;
   Tangent wanted_;
   LawInput input_;
-  PointView tangent_;
+  PointView surroundings_, tangent_;
   Kokkos::View<int*> failed_;
   std::string failure_;
   bool law_is_broken_ = false;
@@ -235,6 +240,9 @@ StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepV
   tangent_ = wanted_ == Tangent::all ? all : PointView("tangent", wanted_ == Tangent::batch ? rows : 0, 36);
   failed_ = Kokkos::View<int*>("failed", rows);
   input_.tensors = tensor_columns(soil);
+  for (int k : block.made_of)
+    if (soil.materials[k]->skeleton->wants_surroundings() && surroundings_.extent(0) == 0)
+      surroundings_ = PointView("surroundings", rows, Surroundings::size);
 }
 
 int StressUpdate::stage_motion(int first, int last) {
@@ -257,6 +265,7 @@ int StressUpdate::stage_motion(int first, int last) {
 
 int StressUpdate::run(int first, int last) {
   int failures = stage_motion(first, last);
+  if (surroundings_.extent(0) > 0) write_surroundings(soil_, block_, view_, first, last, surroundings_);
   const int count = (last - first) * block_.points, row = first * block_.points;
   if (failures > 0 && failure_.empty())
     failure_ = "material '" + points_.material(row).name + "': the motion turns elements inside out";
@@ -288,6 +297,8 @@ int StressUpdate::run_law(const SoilMaterial& material, int row, int begin, int 
   if (w.want_tangent) w.tangent = part(tangent_, wanted_ == Tangent::all ? from : begin);
   w.failed = Kokkos::View<int*>(failed_.data() + begin, count);
   w.plane = soil_.geometry != Geometry::space;
+  w.increment = view_.increment;
+  if (material.skeleton->wants_surroundings()) w.surroundings = part(surroundings_, begin);
   LawFailure failure;
   const int failures = evaluate_guarded(*material.skeleton, w, failure);
   if (failure.point >= 0 && failure_.empty()) {

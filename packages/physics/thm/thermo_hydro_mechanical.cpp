@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "framework/element_loop.hpp"
-#include "physics/mixture.hpp"
+#include "physics/biot/darcy.hpp"
 
 namespace mudline {
 
@@ -24,8 +24,7 @@ constexpr int pressure = 0, temperature = 1;  // among the scalar fields
 struct WarmSoil {
   Mixture mixture;
   WaterHeat water;
-  double reference, grain_capacity, conductivity, unit_weight;
-  const Permeability* permeability;
+  double reference, grain_capacity, conductivity;
   PointView void_ratio;
 
   double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
@@ -33,13 +32,6 @@ struct WarmSoil {
   template <class T>
   T density(const T& p, const T& t) const {
     return exponential(p * mixture.fluid_compliance - water.expansion * (t - reference));
-  }
-  /// 1/viscosity over that at the reference temperature (Vogel's formula).
-  template <class T>
-  T fluidity(const T& t) const {
-    constexpr double slope = 247.8 * 2.302585092994046, zero = 133.15;  // mu = 2.414e-5 Pa s 10^(247.8/(T + 133.15))
-    if (!water.viscosity_follows) return T(1.0);
-    return exponential(slope / (reference + zero) - slope / (t + zero));
   }
 };
 
@@ -71,18 +63,16 @@ struct Flows : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   WarmSoil soil;
-  double gravity[3], lift;  // [m/s2]; density that the pressures leave out [kg/m3]
+  Darcy darcy;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     const T& t = at.value[temperature];
-    const T n = soil.mixture.porosity(soil.void_ratio(row, 0), at), e = n / (1.0 - n);
-    const Permeability::Value k = soil.permeability->conductivity(value(e), soil.void_ratio(row, 1));
-    const T mobility = chain(e, k.k, k.dk_de) * (1 / soil.unit_weight) * soil.fluidity(t);
-    const T weight = soil.mixture.fluid_density_at(t) - lift, density = soil.density(at.value[pressure], t);
-    T carried = 0.0;
+    const T density = soil.density(at.value[pressure], t);
+    T minus_discharge[C::dim], carried = 0.0;
+    darcy.minus_discharge(row, at, minus_discharge);
     for (int i = 0; i < C::dim; ++i) {
-      const T minus_flow = mobility * density * (at.gradient[pressure][i] - weight * gravity[i]);
+      const T minus_flow = density * minus_discharge[i];
       carried -= minus_flow * at.gradient[temperature][i];
       out.flux[pressure][i] = minus_flow;
       out.flux[temperature][i] = soil.conductivity * at.gradient[temperature][i];
@@ -94,9 +84,8 @@ struct Flows : PointLaw {
 
 class WaterAndHeat : public Term {
  public:
-  WaterAndHeat(std::shared_ptr<Soil> soil, WaterHeat water, Gravity gravity,
-               std::vector<std::shared_ptr<const HeatProperties>> heat)
-      : soil_(std::move(soil)), water_(water), gravity_(gravity), heat_(std::move(heat)) {}
+  WaterAndHeat(std::shared_ptr<Soil> soil, WaterHeat water, std::vector<std::shared_ptr<const HeatProperties>> heat)
+      : soil_(std::move(soil)), water_(water), heat_(std::move(heat)) {}
   std::string name() const override { return "water and heat"; }
   Role role() const override { return Role::balance; }
 
@@ -144,32 +133,24 @@ class WaterAndHeat : public Term {
   WarmSoil warm_soil(const SoilBlock& b, const State& state) const {
     const HeatProperties& heat = *heat_[b.block];
     const SoilMaterial& material = soil_->any_of(b);
-    return {Mixture(*soil_, b, material),
-            water_,
-            soil_->reference_temperature,
-            heat.grain_capacity,
-            heat.conductivity,
-            material.fluid->unit_weight(),
-            material.permeability.get(),
-            state.arrays[b.void_ratio]};
+    return {
+        Mixture(*soil_, b, material, b), water_, soil_->reference_temperature, heat.grain_capacity, heat.conductivity,
+        state.arrays[b.void_ratio]};
   }
 
   /// Calls f(block, level, law); in a geostatic stage, which takes no time, there is none.
   template <class F>
   void for_each_law(const StepView& view, F&& f) const {
     if (!view.flow) return;
-    const auto g = gravity_.at(view.balance.time);
     for (const SoilBlock& b : soil_->blocks) {
       const WarmSoil soil = warm_soil(b, *view.committed);
       f(b, end_level(view, b), Stored{{}, soil, view.dt, view.sensitivity[soil_->temperature].value});
-      f(b, loop_level(view, view.balance, b),
-        Flows{{}, soil, {g[0], g[1], g[2]}, soil_->excess ? soil.mixture.fluid_density : 0.0});
+      f(b, loop_level(view, view.balance, b), Flows{{}, soil, Darcy(*soil_, b, view)});
     }
   }
 
   std::shared_ptr<Soil> soil_;
   WaterHeat water_;
-  Gravity gravity_;
   std::vector<std::shared_ptr<const HeatProperties>> heat_;  // by block
 };
 
@@ -189,7 +170,7 @@ void ThermoHydroMechanical::parameters(Parameters& p) {
   Viscosity viscosity = Viscosity::follows;
   p.choice("viscosity", viscosity, {{"constant", Viscosity::constant}, {"follows temperature", Viscosity::follows}},
            "of the pore water; it falls by 2 % per kelvin at 20 degC, and the conductivity grows with it");
-  water_.viscosity_follows = viscosity == Viscosity::follows;
+  viscosity_follows_ = viscosity == Viscosity::follows;
 }
 
 std::vector<Field> ThermoHydroMechanical::fields() const {
@@ -200,6 +181,7 @@ void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
   std::vector<std::shared_ptr<const HeatProperties>> heat;
   soil_->water_expansion = water_.expansion;
   soil_->reference_temperature = reference_;
+  soil_->viscosity_follows = viscosity_follows_;
   for (SoilBlock& b : soil_->blocks) {
     const SoilMaterial& material = soil_->any_of(b);
     if (b.made_of.size() > 1)
@@ -211,7 +193,7 @@ void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
     b.grain_expansion = heat.back()->grain_expansion;
   }
   require_one_fluid_density(context.materials_section, "in physics 'thermo-hydro-mechanical'");
-  auto term = std::make_unique<WaterAndHeat>(soil_, water_, gravity_, heat);
+  auto term = std::make_unique<WaterAndHeat>(soil_, water_, heat);
   const WaterAndHeat* balance = term.get();
   const double per_water =
       soil_->blocks.empty() ? 0.0 : water_.capacity * soil_->any_of(soil_->blocks.front()).fluid->density();

@@ -15,9 +15,8 @@ class HeatProperties : public Properties {
 
 /// Heat in the pore water.
 struct WaterHeat {
-  double capacity = 4186;         // c_w [J/(kg K)]
-  double expansion = 2.07e-4;     // beta_w [1/K], volumetric
-  bool viscosity_follows = true;  // the temperature; else it is that of the reference temperature
+  double capacity = 4186;      // c_w [J/(kg K)]
+  double expansion = 2.07e-4;  // beta_w [1/K], volumetric
 };
 
 /// Saturated soil with heat: the skeleton expands with its grains, water expands more and presses, heat is conducted
@@ -41,7 +40,8 @@ class ThermoHydroMechanical : public SoilPhysics {
 
  private:
   WaterHeat water_;
-  double reference_ = 20;  // [degC]
+  bool viscosity_follows_ = true;  // the temperature; else it is that of the reference temperature
+  double reference_ = 20;          // [degC]
   Function initial_;
   bool initial_given_ = false;
 };
