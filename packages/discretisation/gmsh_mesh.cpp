@@ -1,24 +1,20 @@
 #include "discretisation/gmsh_mesh.hpp"
 
+#ifdef MUDLINE_HAVE_GMSH
 #include <gmsh.h>
+#endif
 
 #include <filesystem>
 
 #include "core/errors.hpp"
+#include "core/log.hpp"
+#ifdef MUDLINE_HAVE_GMSH
 #include "discretisation/gmsh_model.hpp"
-#include "discretisation/mesh_stream.hpp"
+#include "discretisation/gmsh_session.hpp"
+#endif
+#include "discretisation/old_msh_file.hpp"
 
 namespace mudline {
-
-namespace {
-
-/// A mesh on its way from Gmsh's process.
-struct Delivery {
-  GlobalMesh mesh;
-  void transfer(ByteStream& s) { transfer_mesh(s, mesh); }
-};
-
-}  // namespace
 
 void GmshMesh::parameters(Parameters& p) {
   position_.remember(p);
@@ -31,10 +27,39 @@ void GmshMesh::check(const Section& section) {
   if (!is_gmsh_geometry(file_.name) && std::filesystem::path(file_.name).extension() != ".msh")
     section.fail("expected a .msh or .geo file, given '" + short_name(file_.name) + "'", "file");
   file_.overrides = gmsh_overrides(section, file_.name);
+#ifndef MUDLINE_HAVE_GMSH
+  if (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name))
+    section.fail("'" + short_name(file_.name) + "' needs Gmsh, and this program was built without it " +
+                     "(MUDLINE_GMSH=OFF); allowed: mesh files (.msh) of the formats 1 to 2.2",
+                 "file");
+#endif
 }
 
 GlobalMesh GmshMesh::generate() const {
-  Delivery delivery = with_gmsh<Delivery>(file_, position_, [&] {
+  const TaggedMesh tagged = read();
+  try {
+    GlobalMesh mesh = global_mesh(tagged, order_, dimension_);
+    if (const std::string told = elements_without_centres(tagged); !told.empty())
+      log::info("mesh: " + told + " in '" + short_name(file_.name) + "' get nodes in their centres" +
+                (dimension_ == 3 ? " and those of their faces" : "") + ", where their shapes have them");
+    return mesh;
+  } catch (const InputError& error) {
+    position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
+  }
+}
+
+TaggedMesh GmshMesh::read() const {
+  if (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name)) return read_by_gmsh();
+  try {
+    return read_old_msh(file_.name, dimension_);
+  } catch (const InputError& error) {
+    position_.fail(error.what(), "file");
+  }
+}
+
+#ifdef MUDLINE_HAVE_GMSH
+TaggedMesh GmshMesh::read_by_gmsh() const {
+  return with_gmsh<TaggedMesh>(file_, position_, [&] {
     open_in_gmsh(file_, position_);
     if (is_gmsh_geometry(file_.name)) {
       gmsh::model::mesh::generate(dimension_);
@@ -42,17 +67,15 @@ GlobalMesh GmshMesh::generate() const {
       const std::string error = gmsh_error();
       if (!error.empty()) position_.fail("Gmsh, reading '" + short_name(file_.name) + "': " + error, "file");
     }
-    return Delivery{read_model()};
+    try {
+      return read_gmsh_model(dimension_);
+    } catch (const InputError& error) {
+      position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
+    }
   });
-  return std::move(delivery.mesh);
 }
-
-GlobalMesh GmshMesh::read_model() const {
-  try {
-    return read_gmsh_model(order_, dimension_);
-  } catch (const InputError& error) {
-    position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
-  }
-}
+#else
+TaggedMesh GmshMesh::read_by_gmsh() const { throw std::logic_error("there is no Gmsh"); }
+#endif
 
 }  // namespace mudline
