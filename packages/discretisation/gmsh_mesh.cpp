@@ -40,8 +40,8 @@ GlobalMesh GmshMesh::generate() const {
   try {
     GlobalMesh mesh = global_mesh(tagged, order_, dimension_);
     if (const std::string told = elements_without_centres(tagged); !told.empty())
-      log::info("mesh: " + told + " in '" + short_name(file_.name) + "' get nodes in their centres" +
-                (dimension_ == 3 ? " and those of their faces" : "") + ", where their shapes have them");
+      log::info("mesh: " + told + " in '" + short_name(file_.name) + "' made complete by nodes in the centre" +
+                (dimension_ == 3 ? " and the faces" : "") + "; the geometry stays as it is");
     return mesh;
   } catch (const InputError& error) {
     position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");

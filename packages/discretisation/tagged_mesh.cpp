@@ -242,8 +242,11 @@ std::string elements_without_centres(const TaggedMesh& tagged) {
     if (cells.type == 16) quadrilaterals += cells.nodes.size() / 8;
     if (cells.type == 17) hexahedra += cells.nodes.size() / 20;
   }
-  if (quadrilaterals > 0) return std::to_string(quadrilaterals) + " quadrilaterals of 8 nodes";
-  return hexahedra > 0 ? std::to_string(hexahedra) + " hexahedra of 20 nodes" : "";
+  const auto told = [](std::size_t count, const std::string& one, const std::string& more, const std::string& nodes) {
+    return std::to_string(count) + " " + (count == 1 ? one : more) + " of " + nodes + " nodes";
+  };
+  if (quadrilaterals > 0) return told(quadrilaterals, "quadrilateral", "quadrilaterals", "8");
+  return hexahedra > 0 ? told(hexahedra, "hexahedron", "hexahedra", "20") : "";
 }
 
 }  // namespace mudline
