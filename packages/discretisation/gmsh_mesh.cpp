@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "core/log.hpp"
 #ifdef MUDLINE_HAVE_GMSH
+#include "discretisation/geometry_commands.hpp"
 #include "discretisation/gmsh_model.hpp"
 #include "discretisation/gmsh_session.hpp"
 #endif
@@ -59,6 +60,7 @@ TaggedMesh GmshMesh::read() const {
 
 #ifdef MUDLINE_HAVE_GMSH
 TaggedMesh GmshMesh::read_by_gmsh() const {
+  if (is_gmsh_geometry(file_.name)) refuse_merged_groups();
   return with_gmsh<TaggedMesh>(file_, position_, [&] {
     open_in_gmsh(file_, position_);
     if (is_gmsh_geometry(file_.name)) {
@@ -73,6 +75,29 @@ TaggedMesh GmshMesh::read_by_gmsh() const {
       position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
     }
   });
+}
+
+void GmshMesh::refuse_merged_groups() const {
+  GroupsOfEntities groups;
+  std::string merged;
+  for (const std::string& reached : files_reached(file_.name))
+    if (reached != file_.name && is_old_msh(reached)) {
+      try {
+        add_groups_of_entities(reached, groups);
+      } catch (const InputError&) {
+        continue;  // Gmsh tells what it thinks of it
+      }
+      merged += (merged.empty() ? "'" : ", '") + short_name(reached) + "'";
+    }
+  const char* const kinds[] = {"points", "lines", "faces", "cells"};
+  for (const auto& [entity, sets] : groups)
+    if (sets.size() > 1)
+      position_.fail("'" + short_name(file_.name) + "' merges " + merged + ", where " + kinds[entity.first] +
+                         " of different physical groups have the same elementary tag, " +
+                         std::to_string(entity.second) +
+                         "; Gmsh would put all of them in all of these groups. Give the mesh itself as 'file', or " +
+                         "give each group an elementary tag of its own",
+                     "file");
 }
 #else
 TaggedMesh GmshMesh::read_by_gmsh() const { throw std::logic_error("there is no Gmsh"); }

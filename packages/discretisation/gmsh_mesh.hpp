@@ -23,6 +23,8 @@ class GmshMesh : public MeshSource {
  private:
   TaggedMesh read() const;
   TaggedMesh read_by_gmsh() const;
+  /// InputError where a geometry merges files of old formats whose groups Gmsh would mix up.
+  void refuse_merged_groups() const;
 
   GmshFile file_;
   int order_ = 2, dimension_ = 2;

@@ -145,6 +145,17 @@ bool MshElements::is_double(const Element& e, const Element& before) const {
   return group == other;
 }
 
+void MshElements::add_groups_of_entities(
+    std::map<std::pair<int, long long>, std::set<std::set<std::string>>>& groups) const {
+  std::map<std::pair<std::pair<int, long long>, std::vector<Tag>>, std::set<std::string>> of_elements;
+  for (const Element& e : elements_) {
+    std::vector<Tag> sorted(nodes(e), nodes(e) + e.type->nodes);
+    std::sort(sorted.begin(), sorted.end());
+    of_elements[{{e.type->dimension, e.tags.entity}, std::move(sorted)}].insert(group_name(e));
+  }
+  for (const auto& [element, names] : of_elements) groups[element.first].insert(names);
+}
+
 void MshElements::add_cells(TaggedMesh& mesh) const {
   std::map<std::tuple<long long, int, std::string>, std::vector<Tag>> lists;  // by entity, type, region
   for (const Element& e : elements_) {

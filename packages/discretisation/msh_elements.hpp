@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -33,6 +34,8 @@ class MshElements {
 
   /// InputError where elements name nodes that are none, or are listed twice.
   TaggedMesh mesh();
+  /// By dimension and elementary tag: the sets of groups that elements have (old_msh_file.hpp).
+  void add_groups_of_entities(std::map<std::pair<int, long long>, std::set<std::set<std::string>>>& groups) const;
 
  private:
   struct Element {

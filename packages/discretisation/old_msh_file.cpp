@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <limits>
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
@@ -15,12 +17,14 @@ namespace {
 
 using Tag = TaggedMesh::Tag;
 
-std::string in_quotes(std::string_view text) { return "'" + beginning(std::string(text), 60) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + printable(beginning(std::string(text), 60)) + "'"; }
 
 class Reader {
  public:
   Reader(const std::string& file, int dimension) : in_(file), elements_(in_, dimension), dimension_(dimension) {}
   TaggedMesh read();
+  void read_all();
+  const MshElements& elements() const { return elements_; }
 
  private:
   void read_section(const std::string& name);
@@ -48,11 +52,15 @@ class Reader {
 };
 
 TaggedMesh Reader::read() {
+  read_all();
+  return elements_.mesh();
+}
+
+void Reader::read_all() {
   while (in_.next_line())  // text between sections is no part of the mesh
     if (in_.line()[0] == '$') read_section(std::string(in_.line().substr(1)));
   for (const auto& [read, name] : {std::pair{nodes_read_, "$Nodes"}, {elements_read_, "$Elements"}})
     if (!read) in_.fail("the file ends without a section " + std::string(name));
-  return elements_.mesh();
 }
 
 void Reader::read_section(const std::string& name) {
@@ -61,7 +69,7 @@ void Reader::read_section(const std::string& name) {
   if (name == "Nodes" || name == "ParametricNodes" || name == "NOD") return read_nodes(name);
   if (name == "Elements" || name == "ELM") return read_elements(name);
   if (name.compare(0, 3, "End") == 0 || name.compare(0, 3, "END") == 0)
-    in_.fail(in_quotes(in_.line()) + " stands without the beginning of its section, $" + beginning(name.substr(3), 60));
+    in_.fail(in_quotes(in_.line()) + " stands without the beginning of its section");
   skip_section(name);
 }
 
@@ -108,6 +116,9 @@ void Reader::read_names() {
         (with_dimension && (*first < 0 || *first > 3)))
       in_.fail("expected a name of a physical group (" + wanted + "), given " + in_quotes(line));
     const std::string name(line.substr(open + 1, close - open - 1));
+    if (const std::string bad = unfit(name); !bad.empty())
+      in_.fail("the physical group " + std::to_string(*second) + " has the name " + in_quotes(name) + ", which holds " +
+               bad);
     for (int d = 0; d <= 3; ++d)
       if (!with_dimension || d == *first) elements_.name_group(d, *second, name);
   }
@@ -189,13 +200,13 @@ void Reader::read_element() {
   if (numbers.size() < (first_format ? 5 : 3))
     in_.fail("expected an element (" + wanted + "), given " + in_quotes(in_.line()));
   const MshElement& type = elements_.type(numbers[1]);
-  const long long head = first_format ? 5 : 3 + numbers[2];
   const auto size = static_cast<long long>(numbers.size());
-  const std::string of_type =
-      "an element of the type '" + std::string(type.name) + "' has " + std::to_string(type.nodes) + " nodes, given ";
   if (!first_format && (numbers[2] < 0 || numbers[2] > size - 3))
     in_.fail("an element with " + std::to_string(numbers[2]) + " tags, and " + std::to_string(size - 3) +
              " numbers for tags and nodes");
+  const long long head = first_format ? 5 : 3 + numbers[2];
+  const std::string of_type =
+      "an element of the type '" + std::string(type.name) + "' has " + std::to_string(type.nodes) + " nodes, given ";
   if (size - head != type.nodes) in_.fail(of_type + std::to_string(size - head));
   if (first_format && numbers[4] != type.nodes) in_.fail(of_type + std::to_string(numbers[4]));
   elements_.add(type, first_format ? tags(&numbers[2], 2) : tags(&numbers[2] + 1, static_cast<std::size_t>(numbers[2])),
@@ -225,7 +236,7 @@ std::size_t Reader::read_binary_elements() {
 /// Physical and elementary tag, then in 2.2 the number of partitions and those, before that one partition.
 MshElements::Tags Reader::tags(const long long* tags, std::size_t count) const {
   MshElements::Tags result;
-  if (count > 0) result.group = tags[0] < 0 ? -tags[0] : tags[0];
+  if (count > 0) result.group = std::llabs(std::max(tags[0], -std::numeric_limits<long long>::max()));
   if (count > 1) result.entity = tags[1];
   if (version_ >= 2.2 && count > 3 && tags[2] > 0) result.part = tags[3];
   if (version_ < 2.2 && count > 2) result.part = tags[2];
@@ -281,5 +292,11 @@ bool is_old_msh(const std::string& file) {
 }
 
 TaggedMesh read_old_msh(const std::string& file, int dimension) { return Reader(file, dimension).read(); }
+
+void add_groups_of_entities(const std::string& file, GroupsOfEntities& groups) {
+  Reader reader(file, 3);
+  reader.read_all();
+  reader.elements().add_groups_of_entities(groups);
+}
 
 }  // namespace mudline

@@ -153,6 +153,15 @@ TEST(GmshMesh, Errors) {
   EXPECT_CONTAINS(message("cone.geo", override_with("size", "-2")), "mesh/file: Gmsh, reading 'cone.geo': Wrong mesh");
 }
 
+TEST(GmshMesh, GeometryThatMergesAFileWhoseGroupsShareAnElementaryTag) {
+  EXPECT_CONTAINS(
+      input_error([] { make(gmsh("merged_shared.geo", parameter("order", "int", "1"))); }),
+      "mesh/file: 'merged_shared.geo' merges 'shared.msh', where lines of different physical groups have the "
+      "same elementary tag, 1; Gmsh would put all of them in all of these groups");
+  const auto mesh = make(gmsh("merged.geo"));  // one tag for each group
+  EXPECT_EQ(mesh->side_set_names(), (std::vector<std::string>{"axis", "bottom", "interface", "notch", "right"}));
+}
+
 TEST(GmshMesh, TimeLimit) {
   const std::string text = input_error(
       [&] { make(gmsh("cone.geo", parameter("time limit", "double", "1e-4") + override_with("size", "0.003"))); });

@@ -325,7 +325,9 @@ TEST_F(OldMshFile, Errors) {
          "'bottom', first in line 24");
   expect(replaced(squares, "$EndElements\n", ""),
          "31: expected $EndElements, given the end of the file (line 23 announces 8");
-  expect(replaced(squares, "$Nodes\n", ""), "20: '$EndNodes' stands without the beginning of its section, $Nodes");
+  expect(replaced(squares, "$Nodes\n", ""), "20: '$EndNodes' stands without the beginning of its section");
+  expect(replaced(squares, "bottom", "bot\xf6m"),
+         "6: the physical group 1 has the name 'bot\\xf6m', which holds the byte 0xf6, which is not UTF-8");
   expect(squares + nodes, "33: a second section '$Nodes'; allowed: one");
   expect(squares + "$NodeData\n1\n", "33: the section '$NodeData' has no end ('$EndNodeData')");
   expect(format + names + nodes, "21: the file ends without a section $Elements");
