@@ -74,6 +74,8 @@ class Scanner {
  public:
   /// The first command found, or "".
   std::string look_through(const std::filesystem::path& file, bool included);
+  /// The files that were looked at, or would be data.
+  const std::set<std::filesystem::path>& reached() const { return reached_; }
 
  private:
   struct Place {
@@ -93,7 +95,7 @@ class Scanner {
   }
 
   std::string found_;
-  std::set<std::filesystem::path> seen_;
+  std::set<std::filesystem::path> seen_, reached_;
   std::set<Reading> readings_, next_;
   std::set<std::pair<std::size_t, Reading>> begun_;
   std::vector<std::pair<std::size_t, Reading>> waiting_;
@@ -103,7 +105,8 @@ class Scanner {
 std::string Scanner::look_through(const std::filesystem::path& file, bool included) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(file, none)) return found_;  // Gmsh says so
-  const std::filesystem::path beside = file.string() + ".opt";       // Gmsh reads it with the file
+  reached_.insert(file);
+  const std::filesystem::path beside = file.string() + ".opt";  // Gmsh reads it with the file
   if (!included && std::filesystem::is_regular_file(beside, none)) look_through(beside, true);
   if ((included || gmsh_content(file.string()) == GmshContent::commands) &&
       seen_.insert(std::filesystem::weakly_canonical(file, none)).second)
@@ -318,6 +321,14 @@ GmshContent gmsh_content(const std::string& file) {
 }
 
 std::string system_command(const std::string& file) { return Scanner().look_through(file, false); }
+
+std::vector<std::string> files_reached(const std::string& file) {
+  Scanner scanner;
+  scanner.look_through(file, false);
+  std::vector<std::string> result;
+  for (const std::filesystem::path& reached : scanner.reached()) result.push_back(reached.string());
+  return result;
+}
 
 void permit_commands(bool permitted) { permission = permitted; }
 bool commands_permitted() { return permission; }

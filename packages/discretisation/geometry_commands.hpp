@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace mudline {
 
@@ -18,6 +19,9 @@ GmshContent gmsh_content(const std::string& file);
 /// commands. Where Gmsh might read a stretch in two ways (it goes back in the file at loops and macros, and looks for
 /// the end of a condition in texts and comments too) both count.
 std::string system_command(const std::string& file);
+
+/// The file itself and those that it includes, merges or brings along, as far as their names need no working out.
+std::vector<std::string> files_reached(const std::string& file);
 
 /// For the whole program, like the level of the log: files for Gmsh may contain such commands (`--allow-commands`).
 void permit_commands(bool permitted);

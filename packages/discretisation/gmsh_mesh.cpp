@@ -1,24 +1,21 @@
 #include "discretisation/gmsh_mesh.hpp"
 
+#ifdef MUDLINE_HAVE_GMSH
 #include <gmsh.h>
+#endif
 
 #include <filesystem>
 
 #include "core/errors.hpp"
+#include "core/log.hpp"
+#ifdef MUDLINE_HAVE_GMSH
+#include "discretisation/geometry_commands.hpp"
 #include "discretisation/gmsh_model.hpp"
-#include "discretisation/mesh_stream.hpp"
+#include "discretisation/gmsh_session.hpp"
+#endif
+#include "discretisation/old_msh_file.hpp"
 
 namespace mudline {
-
-namespace {
-
-/// A mesh on its way from Gmsh's process.
-struct Delivery {
-  GlobalMesh mesh;
-  void transfer(ByteStream& s) { transfer_mesh(s, mesh); }
-};
-
-}  // namespace
 
 void GmshMesh::parameters(Parameters& p) {
   position_.remember(p);
@@ -31,10 +28,40 @@ void GmshMesh::check(const Section& section) {
   if (!is_gmsh_geometry(file_.name) && std::filesystem::path(file_.name).extension() != ".msh")
     section.fail("expected a .msh or .geo file, given '" + short_name(file_.name) + "'", "file");
   file_.overrides = gmsh_overrides(section, file_.name);
+#ifndef MUDLINE_HAVE_GMSH
+  if (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name))
+    section.fail("'" + short_name(file_.name) + "' needs Gmsh, and this program was built without it " +
+                     "(MUDLINE_GMSH=OFF); allowed: mesh files (.msh) of the formats 1 to 2.2",
+                 "file");
+#endif
 }
 
 GlobalMesh GmshMesh::generate() const {
-  Delivery delivery = with_gmsh<Delivery>(file_, position_, [&] {
+  const TaggedMesh tagged = read();
+  try {
+    GlobalMesh mesh = global_mesh(tagged, order_, dimension_);
+    if (const std::string told = elements_without_centres(tagged); !told.empty())
+      log::info("mesh: " + told + " in '" + short_name(file_.name) + "' made complete by nodes in the centre" +
+                (dimension_ == 3 ? " and the faces" : "") + "; the geometry stays as it is");
+    return mesh;
+  } catch (const InputError& error) {
+    position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
+  }
+}
+
+TaggedMesh GmshMesh::read() const {
+  if (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name)) return read_by_gmsh();
+  try {
+    return read_old_msh(file_.name, dimension_);
+  } catch (const InputError& error) {
+    position_.fail(error.what(), "file");
+  }
+}
+
+#ifdef MUDLINE_HAVE_GMSH
+TaggedMesh GmshMesh::read_by_gmsh() const {
+  if (is_gmsh_geometry(file_.name)) refuse_merged_groups();
+  return with_gmsh<TaggedMesh>(file_, position_, [&] {
     open_in_gmsh(file_, position_);
     if (is_gmsh_geometry(file_.name)) {
       gmsh::model::mesh::generate(dimension_);
@@ -42,17 +69,38 @@ GlobalMesh GmshMesh::generate() const {
       const std::string error = gmsh_error();
       if (!error.empty()) position_.fail("Gmsh, reading '" + short_name(file_.name) + "': " + error, "file");
     }
-    return Delivery{read_model()};
+    try {
+      return read_gmsh_model(dimension_);
+    } catch (const InputError& error) {
+      position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
+    }
   });
-  return std::move(delivery.mesh);
 }
 
-GlobalMesh GmshMesh::read_model() const {
-  try {
-    return read_gmsh_model(order_, dimension_);
-  } catch (const InputError& error) {
-    position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
-  }
+void GmshMesh::refuse_merged_groups() const {
+  GroupsOfEntities groups;
+  std::string merged;
+  for (const std::string& reached : files_reached(file_.name))
+    if (reached != file_.name && is_old_msh(reached)) {
+      try {
+        add_groups_of_entities(reached, groups);
+      } catch (const InputError&) {
+        continue;  // Gmsh tells what it thinks of it
+      }
+      merged += (merged.empty() ? "'" : ", '") + short_name(reached) + "'";
+    }
+  const char* const kinds[] = {"points", "lines", "faces", "cells"};
+  for (const auto& [entity, sets] : groups)
+    if (sets.size() > 1)
+      position_.fail("'" + short_name(file_.name) + "' merges " + merged + ", where " + kinds[entity.first] +
+                         " of different physical groups have the same elementary tag, " +
+                         std::to_string(entity.second) +
+                         "; Gmsh would put all of them in all of these groups. Give the mesh itself as 'file', or " +
+                         "give each group an elementary tag of its own",
+                     "file");
 }
+#else
+TaggedMesh GmshMesh::read_by_gmsh() const { throw std::logic_error("there is no Gmsh"); }
+#endif
 
 }  // namespace mudline

@@ -68,10 +68,6 @@ void start_gmsh() {
   gmsh::logger::start();
 }
 
-bool is_gmsh_geometry(const std::string& file) { return std::filesystem::path(file).extension() == ".geo"; }
-
-std::string short_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
-
 std::string gmsh_error() {
   std::vector<std::string> lines;
   gmsh::logger::get(lines);
@@ -79,12 +75,6 @@ std::string gmsh_error() {
   for (const std::string& line : lines)
     if (line.compare(0, mark.size(), mark) == 0) return trim(line.substr(mark.size()));
   return "";
-}
-
-void GmshFile::parameters(Parameters& p, const std::string& formats) {
-  p.required_file("file", name, formats);
-  p.passes_on("parameters", "Values for the geometry's named constants (DefineConstant with a Name), by these names");
-  p.add("time limit", time_limit, "s", positive(), "Gmsh is given up when it has not finished after this time");
 }
 
 std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& position,
@@ -122,19 +112,6 @@ void open_in_gmsh(const GmshFile& file, const SourcePosition& position) {
   if (!file.overrides.empty()) override_parameters(file, position);
   const std::string error = gmsh_error();
   if (!error.empty()) position.fail("Gmsh, reading '" + short_name(file.name) + "': " + error, "file");
-}
-
-GmshOverrides gmsh_overrides(const Section& section, const std::string& file) {
-  GmshOverrides result;
-  const Section given = section.section("parameters");
-  Parameters p(given);
-  for (const std::string& name : given.parameter_names()) p.required(name, result[name], "-", any(), "");
-  p.finish();
-  if (!result.empty() && !is_gmsh_geometry(file)) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    given.fail("a " + extension + " file has no parameters; they need a .geo file");
-  }
-  return result;
 }
 
 }  // namespace mudline

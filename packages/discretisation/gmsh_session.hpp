@@ -1,25 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "discretisation/byte_stream.hpp"
+#include "discretisation/gmsh_file.hpp"
 #include "discretisation/source_position.hpp"
 
 namespace mudline {
-
-/// Values for a geometry's named constants.
-using GmshOverrides = std::map<std::string, double>;
-
-/// A file for Gmsh and how it is to be read.
-struct GmshFile {
-  std::string name;
-  GmshOverrides overrides;
-  double time_limit = 600;  // [s]
-  void parameters(Parameters& p, const std::string& formats);
-};
 
 /// Runs `work`, which gives bytes, in a process of its own with Gmsh open, silent and without the user's configuration
 /// files, so that a deck gives the same everywhere. What Gmsh complains of, a crash of it, and a call that does not
@@ -50,14 +39,7 @@ void start_gmsh();
 /// that Gmsh cannot read, and for constants it does not have.
 void open_in_gmsh(const GmshFile& file, const SourcePosition& position);
 
-/// Reads the sublist "parameters". InputError where the file is no geometry.
-GmshOverrides gmsh_overrides(const Section& section, const std::string& file);
-
 /// The first error that Gmsh has noted, in one line; "" when there is none.
 std::string gmsh_error();
-
-bool is_gmsh_geometry(const std::string& file);
-/// A file's name without its folders.
-std::string short_name(const std::string& file);
 
 }  // namespace mudline

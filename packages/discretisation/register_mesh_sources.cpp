@@ -1,11 +1,7 @@
 #include "discretisation/box_mesh.hpp"
 #include "discretisation/extruded_mesh.hpp"
-#include "discretisation/revolved_mesh.hpp"
-#ifdef MUDLINE_HAVE_GMSH
 #include "discretisation/gmsh_mesh.hpp"
-#else
-#include "discretisation/without_gmsh.hpp"
-#endif
+#include "discretisation/revolved_mesh.hpp"
 
 namespace mudline {
 
@@ -16,7 +12,8 @@ void register_plane_sources(Registry<MeshSource>& registry) {
 #ifdef MUDLINE_HAVE_GMSH
   registry.add<GmshMesh>("gmsh", "Mesh file (.msh) or geometry (.geo) of Gmsh; physical groups are regions and sets");
 #else
-  registry.add<MeshWithoutGmsh>("gmsh", "Mesh file (.msh) or geometry (.geo) of Gmsh; not in this build");
+  registry.add<GmshMesh>(
+      "gmsh", "Mesh file (.msh) of Gmsh's formats 1 to 2.2; others and geometries (.geo) are not in this build");
 #endif
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <stdexcept>
-
-#include "discretisation/mesh.hpp"
+#include "core/parameters.hpp"
 
 namespace mudline {
 
@@ -13,12 +11,5 @@ inline void refuse_without_gmsh(const Parameters& p) {
   section.fail("'" + section.text("type") + "' needs Gmsh, and this program was built without it (MUDLINE_GMSH=OFF)",
                "type");
 }
-
-/// What "gmsh" is in such a program.
-class MeshWithoutGmsh : public MeshSource {
- public:
-  void parameters(Parameters& p) { refuse_without_gmsh(p); }
-  GlobalMesh generate() const override { throw std::logic_error("there is no Gmsh"); }
-};
 
 }  // namespace mudline

@@ -19,7 +19,7 @@
 
 #include "core/errors.hpp"
 
-/// Drivers that mutate seeds and feed them to a reader: fuzz_deck, fuzz_checkpoint.
+/// Drivers that mutate seeds and feed them to a reader: fuzz_deck, fuzz_checkpoint, fuzz_msh.
 namespace mudline::fuzz {
 
 inline std::string read_file(const std::string& path) {
@@ -53,7 +53,7 @@ struct Current {
     return path;
   }
   static void keep() {
-    const int out = open(file(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
+    const int out = ::open(file(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
     if (out < 0) return;
     const auto written = write(out, input().data(), input().size());
     if (written != static_cast<ssize_t>(input().size())) std::cerr << "the input could not be kept whole\n";

@@ -81,12 +81,31 @@ TEST(GmshMesh, QuadrilateralsOfBothOrders) {
   }
 }
 
+TEST(GmshMesh, QuadrilateralsOfEightNodesGetCentres) {
+  const auto mesh = make(gmsh("quad8.geo"));
+  EXPECT_EQ(mesh->blocks()[0].shape, CellShape::quad9);
+  expect_cone(*mesh, 0.5, 2e-3);
+}
+
+/// Written by Gmsh 4.8 with lines between partitions and ghost elements: a square of 2 x 1 in three parts.
+TEST(GmshMesh, PartitionedFile) {
+  const auto mesh = make(gmsh("partitioned_41.msh"));
+  EXPECT_EQ(mesh->regions(), std::vector<std::string>{"soil"});
+  EXPECT_EQ(mesh->num_global_elements(), 86);
+  EXPECT_NEAR(area(*mesh, "soil"), 2, 1e-12);
+  EXPECT_EQ(mesh->side_set_names(), (std::vector<std::string>{"bottom", "left", "right", "sides", "top"}));
+  EXPECT_NEAR(side_integral(*mesh, "top")[2], 2, 1e-12);
+  EXPECT_NEAR(side_integral(*mesh, "sides")[0], 2, 1e-12);
+  EXPECT_EQ(mesh->node_sets().size(), 1u);
+  EXPECT_EQ(mesh->nodes_of_set("corner").size(), 1u);
+}
+
 TEST(GmshMesh, OneMeshLeavesNoTraceInTheNext) {
   const long long elements = make(gmsh("cone.geo"))->num_global_elements();
   make(gmsh("cone.geo", override_with("size", "0.2")));
   input_error([&] { make(gmsh("syntax_error.geo")); });
   EXPECT_EQ(make(gmsh("cone.geo"))->num_global_elements(), elements);
-  input_error([&] { make(gmsh("quad8.geo")); });
+  make(gmsh("quad8.geo"));
   EXPECT_EQ(make(gmsh("quads.geo"))->blocks()[0].shape, CellShape::quad9);
 }
 
@@ -116,7 +135,6 @@ TEST(GmshMesh, Errors) {
   EXPECT_CONTAINS(message("no_surface.geo"), "there are no two-dimensional elements in it");
   EXPECT_CONTAINS(message("no_group.geo"), "elements of surface 1 belong to no physical group; add a Physical Surface");
   EXPECT_CONTAINS(message("two_groups.geo"), "surface 2 is in two physical groups, 'clay' and 'rock'");
-  EXPECT_CONTAINS(message("quad8.geo"), "has 8-node quadrilaterals");
   EXPECT_CONTAINS(message("lone_point.geo"), "the point group 'far' has a point at (7, 7) that no element uses");
   EXPECT_CONTAINS(message("out_of_plane.geo"), "the mesh is not in the x-y plane");
   EXPECT_CONTAINS(message("cone_22.msh", parameter("order", "int", "1")),
@@ -133,6 +151,15 @@ TEST(GmshMesh, Errors) {
   EXPECT_CONTAINS(message("cone.geo", override_with("radius", "2") + parameter("time limit", "double", "20")),
                   "mesh/file: Gmsh, reading 'cone.geo'");
   EXPECT_CONTAINS(message("cone.geo", override_with("size", "-2")), "mesh/file: Gmsh, reading 'cone.geo': Wrong mesh");
+}
+
+TEST(GmshMesh, GeometryThatMergesAFileWhoseGroupsShareAnElementaryTag) {
+  EXPECT_CONTAINS(
+      input_error([] { make(gmsh("merged_shared.geo", parameter("order", "int", "1"))); }),
+      "mesh/file: 'merged_shared.geo' merges 'shared.msh', where lines of different physical groups have the "
+      "same elementary tag, 1; Gmsh would put all of them in all of these groups");
+  const auto mesh = make(gmsh("merged.geo"));  // one tag for each group
+  EXPECT_EQ(mesh->side_set_names(), (std::vector<std::string>{"axis", "bottom", "interface", "notch", "right"}));
 }
 
 TEST(GmshMesh, TimeLimit) {

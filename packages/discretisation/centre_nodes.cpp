@@ -1,0 +1,65 @@
+#include "discretisation/centre_nodes.hpp"
+
+#include <algorithm>
+
+namespace mudline {
+
+namespace {
+
+using Tag = CentreNodes::Tag;
+
+std::array<Tag, 4> corners_of(const std::vector<int>& face, const Tag* cell) {
+  std::array<Tag, 4> key{};
+  for (int c = 0; c < 4; ++c) key[c] = cell[face[c]];
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+}  // namespace
+
+void CentreNodes::note(CellShape shape, const std::vector<Tag>& nodes) {
+  if (shape != CellShape::hex27) return;
+  for (std::size_t first = 0; first < nodes.size(); first += num_nodes(shape)) {
+    const Tag* const cell = nodes.data() + first;
+    for (int s = 0; s < num_sides(shape); ++s) {
+      const std::vector<int> face = side_nodes(shape, s);
+      if (cell[face.back()] != missing) faces_.emplace(corners_of(face, cell), cell[face.back()]);
+    }
+  }
+}
+
+void CentreNodes::add(CellShape shape, std::vector<Tag>& nodes) {
+  const int n = num_nodes(shape), corners = num_corners(shape), edges = num_edges(shape);
+  if (order(shape) == 1 || is_simplex(shape)) return;
+  std::vector<int> all_corners, all_edges;
+  for (int a = 0; a < corners; ++a) all_corners.push_back(a);
+  for (int a = corners; a < corners + edges; ++a) all_edges.push_back(a);
+  for (std::size_t first = 0; first < nodes.size(); first += n) {
+    Tag* const cell = nodes.data() + first;
+    if (cell[n - 1] != missing) continue;
+    for (int s = 0; mudline::dimension(shape) == 3 && s < num_sides(shape); ++s)
+      cell[side_nodes(shape, s).back()] = centre_of_face(side_nodes(shape, s), cell);
+    cell[n - 1] = centre(all_corners, all_edges, cell);
+  }
+}
+
+Tag CentreNodes::centre_of_face(const std::vector<int>& face, const Tag* cell) {
+  const auto [known, added] = faces_.emplace(corners_of(face, cell), missing);
+  if (added) known->second = centre({face.begin(), face.begin() + 4}, {face.begin() + 4, face.begin() + 8}, cell);
+  return known->second;
+}
+
+/// The serendipity shapes in the middle of a quadrilateral: -1/4 at corners, 1/2 at middles of edges; of a hexahedron:
+/// -1/4 and 1/4.
+Tag CentreNodes::centre(const std::vector<int>& corners, const std::vector<int>& middles, const Tag* cell) {
+  const double of_corner = -0.25, of_middle = (1 - of_corner * static_cast<double>(corners.size())) / middles.size();
+  Point place{};
+  for (const int a : corners)
+    for (int i = 0; i < 3; ++i) place[i] += of_corner * places_.at(cell[a])[i];
+  for (const int a : middles)
+    for (int i = 0; i < 3; ++i) place[i] += of_middle * places_.at(cell[a])[i];
+  places_.emplace(next_, place);
+  return next_--;
+}
+
+}  // namespace mudline

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "discretisation/tagged_mesh.hpp"
+
+namespace mudline {
+
+/// Whether a file is a mesh of Gmsh's formats 1 to 2.2 (text or binary): it begins with $NOD, or with $MeshFormat and a
+/// version below 3. Comments ($Comments) may stand before. Files that are too spoilt to tell count as such.
+bool is_old_msh(const std::string& file);
+
+/// The mesh of such a file, of the given dimension. Groups belong to elements there, not to entities of a geometry:
+/// files whose elements all have the same elementary tag are read as they are meant, and an element that is listed once
+/// for each of its groups is in all of them. The physical tag 0 is no group; a negative one is that of the group turned
+/// over, and taken for it. To which partition an element belongs does not count, and what Gmsh has put between
+/// partitions is left out. InputError "<file>:<line>: <what was found>; <what is allowed>".
+TaggedMesh read_old_msh(const std::string& file, int dimension);
+
+/// The physical groups of elements by dimension and elementary tag: an element's groups are a set, and an entry has all
+/// the sets that its elements have.
+using GroupsOfEntities = std::map<std::pair<int, long long>, std::set<std::set<std::string>>>;
+
+/// Adds those of such a file. Gmsh takes elements of one entry for one entity, which has one set of groups: a model
+/// into which it has merged files with entries of several sets is not what they say. InputError.
+void add_groups_of_entities(const std::string& file, GroupsOfEntities& groups);
+
+}  // namespace mudline

@@ -1,0 +1,1 @@
+Merge "cone_22.msh";
