@@ -79,6 +79,8 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   known.push_back("tests");
   loaded->root->allow_sections(known);
   load_plugins(loaded->root->section("plugins"), loaded->registries);
+  // whether places have two numbers or three is the mesh's to say: what is wrong with its section comes first
+  agree(*comm, [&] { mesh_recipe(*loaded->root, loaded->registries); });
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});

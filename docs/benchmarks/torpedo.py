@@ -3,6 +3,7 @@
 
     torpedo.py FALLS CLAY FIGURE.png PICTURE.png     FALLS: folder of `mudline sweep inputs/torpedo/impact_velocity.xml`, CLAY: results of
                                                      inputs/torpedo/clay.xml without ending
+    torpedo.py CLAY PICTURE.png                      the picture alone; the anchor must rest, the set-up may be missing
 """
 import pathlib
 import sys
@@ -119,7 +120,14 @@ def draw(file, history, picture):
     figure.savefig(picture, dpi=80, bbox_inches="tight")
 
 
+def read(stem):
+    return h5py.File(stem + ".h5", "r"), History(stem + ".csv")
+
+
 def main():
+    if len(sys.argv) == 3:
+        draw(*read(sys.argv[1]), sys.argv[2])
+        return
     folder, stem, figure, picture = pathlib.Path(sys.argv[1]), *sys.argv[2:5]
     falls, axes = plt.subplots(1, 4, figsize=(15, 4.4))
     print("impact [m/s]  depth [m]  one body: no rate, power law, True   mean deceleration while it slows down [m/s2]  its spread  that of one body  energy error / first kinetic energy")
@@ -151,10 +159,9 @@ def main():
     axes[2].set_ylim(62, 16)
     axes[2].set(xlabel="impact velocity [m/s]", ylabel="final depth of the tip [m]")
     axes[2].legend(fontsize=8, loc="lower left")
-    with h5py.File(stem + ".h5", "r") as file:
-        clay = History(stem + ".csv")
-        times, share = dissipation(file, clay)
-        draw(file, clay, picture)
+    file, clay = read(stem)
+    times, share = dissipation(file, clay)
+    draw(file, clay, picture)
     axes[3].semilogx(np.maximum(times, 1) / DAY, share, "k.-")
     axes[3].set(xlabel="time since rest [days]", ylabel="excess pressure near the shaft / its largest", ylim=(0, 1.05))
     falling = np.argmax(share)

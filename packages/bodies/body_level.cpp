@@ -33,6 +33,8 @@ BodyLevel::BodyLevel(const RigidBody& body, const StepView& view) {
   const BodyUnknowns& unknowns = body.unknowns();
   const Sensitivity& by = view.sensitivity[unknowns.field];
   at.time = view.momentum.time;
+  const Rotation start = body.initial_placement().turn;
+  at.axes = BodyAxes(start);
   rates(body, view.velocity, view.acceleration, by);
   for (int k = 0; k < unknowns.count; ++k) {
     const int dof = unknowns.dof[k], direction = unknowns.direction[k];
@@ -40,8 +42,10 @@ BodyLevel::BodyLevel(const RigidBody& body, const StepView& view) {
       at.position[direction] = number(view.value(dof), k, by.value);
     } else if (body.dimension() == 2) {
       const BodyNumber angle = number(view.value(dof), k, by.value) * unknowns.scale[k];
-      const BodyNumber c = chain(angle, std::cos(angle.v), -std::sin(angle.v)),
-                       s = chain(angle, std::sin(angle.v), std::cos(angle.v));
+      const BodyNumber cosine = chain(angle, std::cos(angle.v), -std::sin(angle.v)),
+                       sine = chain(angle, std::sin(angle.v), std::cos(angle.v));
+      const double c0 = start.matrix[0][0], s0 = start.matrix[1][0];
+      const BodyNumber c = cosine * c0 - sine * s0, s = sine * c0 + cosine * s0;
       at.axes.axis[0] = {c, s, BodyNumber(0.0)};
       at.axes.axis[1] = {-s, c, BodyNumber(0.0)};
     } else {

@@ -7,7 +7,8 @@
 namespace mudline {
 
 /// Directions of a body's freedom: the axes, then the rotations. In the plane x, y, rotation (counter-clockwise); in
-/// space x, y, z, and the rotations about the body's own axes, which are those of the model at the start.
+/// space x, y, z, and the rotations about the body's own axes, which are those of the model at the start of a body that
+/// has no 'rotation'.
 inline int num_directions(Geometry geometry) { return dimension(geometry) == 2 ? 3 : 6; }
 /// As decks name it.
 const char* direction_name(int dimension, int direction);
@@ -27,6 +28,8 @@ struct BodyProperties {
   const ContourVolume* enclosed = nullptr;  // in the plane
   Point centre{};                           // [m] of mass, in the body's frame
   Point middle{};                           // [m] of the volume, from the centre of mass; the same where it is unknown
+  double frontal_area = 0;                  // [m2] in the plane: largest section across the vertical, at the start
+  bool turned = false;                      // it has a rotation at the start
   Point frontal_areas{};                    // [m2] in space: of the surface seen along the body's axes; 0: unknown
 };
 

@@ -60,9 +60,11 @@ void BodyWater::check(const BodyProperties& body, bool rotates, const Section& s
     section.fail(std::string("the body's ") + (space ? "surface" : "contour") +
                      " is open: its buoyancy needs a 'volume' of the body",
                  "density");
-  if (has_mudline && (rotates || space))
-    section.fail(space ? "a body in space is wholly in the water: it takes no 'mudline'"
-                       : "a body that may rotate is wholly in the water: it takes no 'mudline'",
+  if (has_mudline && (rotates || space || body.turned))
+    section.fail(std::string(space         ? "a body in space"
+                             : body.turned ? "a body with a 'rotation' at the start"
+                                           : "a body that may rotate") +
+                     " is wholly in the water: it takes no 'mudline'",
                  "mudline");
   const bool unknown_area = space && ((drag > 0 && area == 0) || (!drags.empty() && areas.empty()));
   if (unknown_area && body.frontal_areas[2] == 0)
@@ -95,7 +97,7 @@ void BodyWater::act_in_plane(const BodyProperties& body, const Point& gravity, c
     share = 1.0 - chain(height, body.enclosed->below(height.v), body.enclosed->section(height.v)) / body.volume;
     if (share.v <= 0) share = BodyNumber(0.0);
   }
-  const double displaced = density * body.volume, across = area > 0 ? area : body.enclosed->frontal_area();
+  const double displaced = density * body.volume, across = area > 0 ? area : body.frontal_area;
   const double factor = 0.5 * density * drag * across;
   BodyNumber squares = at.velocity[0] * at.velocity[0] + at.velocity[1] * at.velocity[1];
   const BodyNumber speed = squares.v > 0 ? square_root(squares) : BodyNumber(0.0);

@@ -14,7 +14,7 @@ class ReleasedMotion;
 struct BodyState {
   Point displacement{};    // [m] of the centre of mass from where it was at the start
   Point velocity{};        // [m/s]
-  Rotation turn;           // about the centre of mass, from the orientation at the start
+  Rotation turn;           // about the centre of mass, from the orientation of the body's frame
   Point spin{};            // [rad/s]
   double moving_time = 0;  // [s] since the body was last set in motion
 };

@@ -1,6 +1,7 @@
 #include "bodies/rigid_body.hpp"
 
 #include "core/guarded.hpp"
+#include "core/pi.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,11 @@ void RigidBody::parameters(Parameters& p) {
   has_centre_ = p.given("centre of mass");
   p.add("volume", properties_.volume, "m3", non_negative(),
         "Volume that displaces water; 0: that of the contour, if it is closed");
+  p.add(
+      "rotation", rotation_, "deg", any(),
+      "How the body is turned about its reference point before any motion, with its centre of mass and its inertia: in "
+      "space the rotation vector x, y, z (about its direction, right-handed, by its length), in the plane one number, "
+      "counter-clockwise");
   p.add("tip height", tip_height_, "m", non_negative(),
         "Height above the reference point below which contact forces are the tip's, above it the shaft's; 0: the "
         "shape's own");
@@ -71,7 +77,14 @@ void RigidBody::read_contour(const Section& section, const BodyRegistries& regis
   if (half && centre_[0] != 0)
     section.fail("the centre of mass of a body with a half contour is on its axis: the first value must be 0",
                  "centre of mass");
+  read_rotation(section);
+  for (const PlanePoint& x : contour().sample(1e-3 * contour().length())) {
+    outline_.push_back({x[0], x[1], 0});
+    if (half) outline_.push_back({-x[0], x[1], 0});
+  }
   properties_.enclosed = enclosed_.get();
+  properties_.frontal_area =
+      properties_.turned ? shadow(initial_placement(), {0, 1, 0}).width : enclosed_->frontal_area();
   properties_.centre = centre_;
   if (properties_.volume == 0) properties_.volume = enclosed_->total();
   reach_ = 0.5 * contour().length();
@@ -82,11 +95,32 @@ void RigidBody::read_surface(const Section& section, const BodyRegistries& regis
   const auto shape = registries.surfaces.create(entry, {registries.surfaces, registries.contours});
   surface_ = shape->surface();
   if (tip_height_ == 0) tip_height_ = shape->tip_height();
+  read_rotation(section);
   fill_evenly(section);
   constexpr double coarse = 0.01;  // of its extent; [m] where it goes on for ever
   const double extent = surface_->bounds().extent();
-  for (const Point& x : surface_->triangles(coarse * (std::isfinite(extent) ? extent : 1.0)).points)
-    reach_ = std::max(reach_, length(minus(x, centre_)));
+  outline_ = surface_->triangles(coarse * (std::isfinite(extent) ? extent : 1.0)).points;
+  for (const Point& x : outline_) reach_ = std::max(reach_, length(minus(x, centre_)));
+}
+
+void RigidBody::read_rotation(const Section& section) {
+  if (rotation_.empty()) return;
+  const bool space = properties_.geometry == Geometry::space;
+  const std::size_t needed = space ? 3 : 1;
+  if (rotation_.size() != needed)
+    section.fail((space ? "expected 3 numbers, a rotation vector in degrees, given "
+                        : "expected 1 number, the angle in degrees, given ") +
+                     std::to_string(rotation_.size()),
+                 "rotation");
+  const Point vector =
+      scaled(pi / 180, space ? Point{rotation_[0], rotation_[1], rotation_[2]} : Point{0, 0, rotation_[0]});
+  properties_.turned = length(vector) > 0;
+  if (properties_.turned && contour_ && contour().extent() == ContourExtent::half)
+    section.fail(
+        "a body with a half contour stands upright on its axis: it takes no rotation; in plane strain a contour "
+        "of 'extent' = full does",
+        "rotation");
+  start_turn_ = Rotation::by(vector);
 }
 
 void RigidBody::fill_evenly(const Section& section) {
@@ -180,7 +214,7 @@ void RigidBody::restart_clock(State& committed) const { committed.arrays[array_]
 
 Rotation RigidBody::turn_of_row(const State& state) const {
   const PointView& row = state.arrays[array_];
-  return Rotation::by({row(0, 7), row(0, 8), row(0, 9)});
+  return Rotation::by({row(0, 7), row(0, 8), row(0, 9)}) * start_turn_;
 }
 
 Point RigidBody::increment(const State& state, const ConstNodalView* ahead) const {
@@ -198,6 +232,7 @@ BodyState RigidBody::state_of(const State& state) const {
   const PointView& row = state.arrays[array_];
   const int axes = dimension();
   BodyState result;
+  result.turn = start_turn_;
   result.moving_time = row(0, 2 * axes);
   for (int i = 0; i < axes; ++i) {
     result.displacement[i] = row(0, i);
@@ -213,7 +248,7 @@ BodyState RigidBody::state_of(const State& state) const {
       result.displacement[direction] = state.value(dof);
       result.velocity[direction] = state.rate(dof);
     } else if (axes == 2) {
-      result.turn = Rotation::by({0, 0, state.value(dof) * unknowns_.scale[k]});
+      result.turn = Rotation::by({0, 0, state.value(dof) * unknowns_.scale[k]}) * start_turn_;
       result.spin[2] = state.rate(dof) * unknowns_.scale[k];
     } else {
       result.spin[direction - 3] = state.rate(dof) * unknowns_.scale[k];
@@ -267,9 +302,11 @@ void RigidBody::advance(const StepView& view) const {
   const bool unknown = unknowns_.count > 0;
   if (unknown && axes == 2) return;
   // the unknowns turn the body on from where it is
-  const Point turned = (unknown ? state_of(*view.committed) : now).turn.vector();
+  const Rotation turn = (unknown ? state_of(*view.committed) : now).turn, before = turn_of_row(*view.committed);
+  const bool rests = std::equal(&turn.matrix[0][0], &turn.matrix[0][0] + 9, &before.matrix[0][0]);
+  const Point turned = (turn * start_turn_.inverse()).vector();
   for (int i = 0; i < axes; ++i) {
-    if (axes == 3) row(0, 7 + i) = turned[i];
+    if (axes == 3) row(0, 7 + i) = rests ? view.committed->arrays[array_](0, 7 + i) : turned[i];
     if (unknown) {
       row(0, 13 + i) = view.committed->value(unknowns_.dof[3 + i]);
       continue;
@@ -310,7 +347,12 @@ double RigidBody::speed(const State& state, double dt) const {
   return fastest;
 }
 
-BodyPlacement RigidBody::initial_placement() const { return {plus(position_, 1, centre_), {}}; }
+BodyInstant RigidBody::initial_instant() const {
+  BodyInstant result;
+  result.position = constant_vector(position_);
+  result.axes = BodyAxes(start_turn_);
+  return result;
+}
 
 BodyPlacement RigidBody::placement(const State& state) const {
   const BodyState now = state_of(state);
@@ -351,7 +393,7 @@ Point RigidBody::position(const State& state) const {
 
 Point RigidBody::displacement(const State& state) const {
   const BodyState now = state_of(state);
-  return plus(plus(now.displacement, 1, centre_), -1, now.turn(centre_));
+  return plus(plus(now.displacement, 1, start_turn_(centre_)), -1, now.turn(centre_));
 }
 
 Point RigidBody::velocity(const State& state) const {
@@ -377,14 +419,29 @@ SurfaceFoot RigidBody::foot(const BodyPlacement& placement, const Point& x) cons
   return PlacedSurface{surface_, plus(placement.centre, 1, arm(placement)), placement.turn}.closest(x);
 }
 
-double RigidBody::half_width() const {
-  double result = 0;
-  if (surface_) {
-    for (const Point& p : surface_->triangles(1e-2).points) result = std::max(result, std::hypot(p[0], p[1]));
-  } else {
-    for (const PlanePoint& p : contour_->sample(1e-3 * contour_->length())) result = std::max(result, std::abs(p[0]));
-  }
+std::vector<Point> RigidBody::outline(const BodyPlacement& placement) const {
+  std::vector<Point> result;
+  for (const Point& x : outline_) result.push_back(from_frame(placement, x));
   return result;
+}
+
+Shadow RigidBody::shadow(const BodyPlacement& placement, const Point& direction) const {
+  const Point along = placement.turn.back(direction);
+  if (surface_) return shadow_in_space(outline_, along);
+  const double width = extent_along(outline_, {-along[1], along[0], 0});
+  return {width, width};
+}
+
+double RigidBody::own_height() const {
+  Point up{};
+  up[dimension() - 1] = 1;
+  return extent_along(outline_, up);
+}
+
+double RigidBody::way(const BodyPlacement& from, const BodyPlacement& to) const {
+  double longest = 0;
+  for (const Point& x : outline_) longest = std::max(longest, length(minus(from_frame(to, x), from_frame(from, x))));
+  return longest;
 }
 
 double RigidBody::gap(const BodyPlacement& placement, const Point& x) const {

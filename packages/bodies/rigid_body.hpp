@@ -9,6 +9,7 @@
 #include "framework/constraints.hpp"
 #include "framework/state.hpp"
 #include "framework/term.hpp"
+#include "geometry/shadow.hpp"
 #include "geometry/surface_shape.hpp"
 
 namespace mudline {
@@ -20,7 +21,7 @@ struct BodyRegistries {
   const Registry<BodyMotion>& motions;
 };
 
-/// Where a body is: its centre of mass [m] and the rotation about it, from the orientation at the start.
+/// Where a body is: its centre of mass [m] and the rotation about it, from the orientation of the body's own frame.
 struct BodyPlacement {
   Point centre{};
   Rotation turn{};
@@ -70,12 +71,20 @@ class RigidBody {
   const BodyProperties& properties() const { return properties_; }
   /// Of the reference point before any motion [m].
   const Point& initial_position() const { return position_; }
-  BodyPlacement initial_placement() const;
+  BodyPlacement initial_placement() const { return {plus(position_, 1, start_turn_(centre_)), start_turn_}; }
+  /// As it is placed at the start, at rest, at time 0: for what asks its loads before the first step.
+  BodyInstant initial_instant() const;
   /// Height [m] above the reference point, in the body's frame, below which contact counts as the tip's.
   double tip_height() const { return tip_height_; }
-  /// Largest distance of its surface from the axis through the reference point, or half its width [m]. It samples the
-  /// shape.
-  double half_width() const;
+  /// Sampled points of its surface [m], in the coordinates of the mesh; of a half contour with its other half.
+  std::vector<Point> outline(const BodyPlacement& placement) const;
+  /// What it covers, seen along a direction of the mesh (of any length but 0): half its `width` is the half width of a
+  /// body that moves or presses that way. In the plane `width` and `length` are equal.
+  Shadow shadow(const BodyPlacement& placement, const Point& direction) const;
+  /// Its extent [m] along the upright axis of its own frame.
+  double own_height() const;
+  /// The longest way [m] of a sampled point of its surface from one placement to another.
+  double way(const BodyPlacement& from, const BodyPlacement& to) const;
   /// A body of revolution by the name of its shape.
   bool of_revolution() const { return of_revolution_; }
 
@@ -120,7 +129,7 @@ class RigidBody {
   /// With the unknowns `ahead` (by overlap dof) of where they are.
   BodyPlacement placement(const State& state, const ConstNodalView& ahead) const;
   /// Rotation vector [rad] from the orientation at the start, and spin [rad/s].
-  Point rotation(const State& state) const { return state_of(state).turn.vector(); }
+  Point rotation(const State& state) const { return (state_of(state).turn * start_turn_.inverse()).vector(); }
   Point spin(const State& state) const { return state_of(state).spin; }
   BodyState state_of(const State& state) const;
   /// Nearest point of the contour; x and the foot in the coordinates of the mesh. In the plane.
@@ -139,6 +148,7 @@ class RigidBody {
   void parameters(Parameters& p);
   void read_contour(const Section& section, const BodyRegistries& registries);
   void read_surface(const Section& section, const BodyRegistries& registries);
+  void read_rotation(const Section& section);
   void fill_evenly(const Section& section);
   /// In space: the rotation of the unknowns from that of the row, along the body's axes, plus `ahead`.
   Point increment(const State& state, const ConstNodalView* ahead) const;
@@ -146,9 +156,15 @@ class RigidBody {
   Point in_frame(const BodyPlacement& placement, const Point& x) const;
   /// Of the reference point from the centre of mass, as the body is turned.
   Point arm(const BodyPlacement& placement) const { return scaled(-1, placement.turn(centre_)); }
+  Point from_frame(const BodyPlacement& placement, const Point& x) const {
+    return plus(placement.centre, 1, placement.turn(minus(x, centre_)));
+  }
   std::string name_;
-  Point position_{}, centre_{};  // reference point in the mesh; centre of mass in the body's frame
+  Point position_{}, centre_{};   // reference point in the mesh; centre of mass in the body's frame
+  std::vector<double> rotation_;  // [deg] as the deck gives it
+  Rotation start_turn_{};         // from the body's frame to its orientation at the start
   std::vector<double> inertia_;
+  std::vector<Point> outline_;  // in the body's frame
   bool has_centre_ = false;
   BodyProperties properties_;
   double tip_height_ = 0, reach_ = 0;

@@ -190,6 +190,7 @@ void remember(void* handle, const std::string& path) {
 }  // namespace
 
 ForeignLibrary::ForeignLibrary(const std::string& path) {
+  const OpenDescriptors before(true);
   copy_name(path, being_loaded);
   std::fenv_t arithmetic;
   std::fegetenv(&arithmetic);
@@ -197,12 +198,13 @@ ForeignLibrary::ForeignLibrary(const std::string& path) {
     handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   } catch (...) {
     being_loaded[0] = '\0';
-    throw std::runtime_error("its initialisation throws: " + what_was_thrown());
+    throw std::runtime_error("its initialisation throws: " + fault_thrown());
   }
   being_loaded[0] = '\0';
   std::fesetenv(&arithmetic);  // code for -ffast-math switches small numbers off in all of the program, at its loading
   if (!handle_) throw std::runtime_error(last_line(dlerror()));
   remember(handle_, path);
+  check_foreign_code(&before);
 }
 
 void* ForeignLibrary::function(const std::string& name) const { return dlsym(handle_, name.c_str()); }
@@ -235,8 +237,8 @@ ExitGuard::~ExitGuard() { armed = false; }
 
 const char* foreign_caller() { return armed && getpid() == own_process ? library_on_stack() : nullptr; }
 
-OpenDescriptors::OpenDescriptors() {
-  if (libraries == 0) return;
+OpenDescriptors::OpenDescriptors(bool loading) {
+  if (libraries == 0 && !loading) return;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", none)) {
     const int number = std::atoi(entry.path().filename().c_str());

@@ -38,10 +38,11 @@ class ExitGuard {
 /// The foreign library that is nearest on the stack while the ExitGuard lives; null: none.
 const char* foreign_caller();
 
-/// The descriptors that are open when this is made, beyond the standard three; nothing where no library is loaded.
+/// The descriptors that are open when this is made, beyond the standard three; nothing where no library is loaded,
+/// unless one is about to be.
 class OpenDescriptors {
  public:
-  OpenDescriptors();
+  explicit OpenDescriptors(bool loading = false);
   /// "" or that one of them is closed, or another file.
   std::string closed() const;
 

@@ -67,4 +67,17 @@ std::string what_was_thrown() {
   }
 }
 
+std::string fault_thrown() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    if (tells_of_memory(error.what())) throw;
+    return what_was_thrown();
+  } catch (...) {
+    return what_was_thrown();
+  }
+}
+
 }  // namespace mudline

@@ -14,8 +14,12 @@ std::string last_line(const std::string& text);
 /// What was thrown, in one line, inside a catch block: the last line of a std::exception's text, or that it is none.
 std::string what_was_thrown();
 
+/// The same of code that may be a plugin's, but for exhausted memory: that is no fault of what was called, and is
+/// thrown on to the end of the program, which has a line of its own for it.
+std::string fault_thrown();
+
 /// The result of `action`, code that may be a plugin's. Whatever it throws becomes an InputError at `entry` of the
-/// section, "<what it was to do>: <what was thrown>"; an InputError stays as it is.
+/// section, "<what it was to do>: <what was thrown>"; an InputError and exhausted memory stay as they are.
 template <class Action>
 auto guarded(const Section& section, const std::string& entry, const std::string& failure, Action&& action)
     -> decltype(action()) {
@@ -24,7 +28,7 @@ auto guarded(const Section& section, const std::string& entry, const std::string
   } catch (const InputError&) {
     throw;
   } catch (...) {
-    section.fail(failure + ": " + what_was_thrown(), entry);
+    section.fail(failure + ": " + fault_thrown(), entry);
   }
 }
 

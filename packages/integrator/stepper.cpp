@@ -9,6 +9,7 @@
 
 #include "algebra/absolute_product.hpp"
 #include "algebra/ordered_sum.hpp"
+#include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
 #include "core/log.hpp"
 #include "discretisation/agree.hpp"
@@ -223,16 +224,15 @@ int Stepper::history_slot(int k) const {
 int Stepper::evaluate_term(Term& term, const NodalView& force, const ResidualView& to) {
   std::string problem;
   int failed = 0;
+  const OpenDescriptors before;
   try {
     failed = term.residual(view_, to);
+    check_foreign_code(&before);  // before the ranks wait for each other, by files that may be gone
+    if (failed == 0 && !finite(force)) problem = ", which gives a force or flux that is not finite";
   } catch (...) {
-    failed = 1;
-    problem = ", which throws: " + what_was_thrown();
+    problem = ", which throws: " + fault_thrown();
   }
-  if (failed == 0 && !finite(force)) {
-    failed = 1;
-    problem = ", which gives a force or flux that is not finite";
-  }
+  if (!problem.empty()) failed = 1;
   if (failed > 0 && failure_.empty()) failure_ = term.name() + problem;
   return failed;
 }
@@ -292,7 +292,7 @@ bool Stepper::add_matrices() {
     try {
       active_[k]->jacobian(view_, assembler_, history_slot(static_cast<int>(k)) >= 0 ? view_.end_weight : 1.0);
     } catch (...) {
-      if (problem.empty()) problem = "the Jacobian of " + active_[k]->name() + ": " + what_was_thrown();
+      if (problem.empty()) problem = "the Jacobian of " + active_[k]->name() + ": " + fault_thrown();
     }
   }
   assembler_.end();

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <set>
 
+#include "core/foreign_library.hpp"
 #include "core/guarded.hpp"
 #include "core/text.hpp"
 
@@ -50,7 +51,7 @@ std::string guarded_k0(const Skeleton& law, double overconsolidation_ratio, doub
   try {
     k0 = law.k0(overconsolidation_ratio);
   } catch (...) {
-    return "the K0 of its law throws: " + what_was_thrown();
+    return "the K0 of its law throws: " + fault_thrown();
   }
   return std::isfinite(k0) ? "" : "the K0 of its law is not finite; give 'K0'";
 }
@@ -63,7 +64,7 @@ std::string start_guarded(const Skeleton& law, const InitialPoint& point, double
     if (!finite(state, law.state_size())) return "its law starts with a state that is not finite";
     m = law.moduli(point.stress.data(), point.void_ratio, state);
   } catch (...) {
-    return "its law throws: " + what_was_thrown();
+    return "its law throws: " + fault_thrown();
   }
   if (m.bulk > 0 && m.shear > 0 && std::isfinite(m.bulk) && std::isfinite(m.shear)) return "";
   return "its law gives a bulk modulus of " + number_text(m.bulk) + " Pa and a shear modulus of " +
@@ -72,10 +73,12 @@ std::string start_guarded(const Skeleton& law, const InitialPoint& point, double
 
 int evaluate_guarded(const Skeleton& law, const SkeletonWorkset& w, LawFailure& first) {
   int failures = 0;
+  const OpenDescriptors before;
   try {
     failures = law.evaluate(w);
+    check_foreign_code(&before);  // before the ranks wait for each other, by files that may be gone
   } catch (...) {
-    first = {0, "it throws: " + what_was_thrown(), false};
+    first = {0, "it throws: " + fault_thrown(), false};
     for (int i = 0; i < w.points; ++i) {
       w.failed(i) = 1;
       show_old_state(w, i);

@@ -22,9 +22,8 @@ double largest_of(const Section& section, const std::string& name) {
 Point load_at(const BodySetup& of, const ReleasedMotion& motion, double mass, double time) {
   BodyProperties properties = of.body.properties();
   properties.mass = mass;
-  BodyInstant at;
+  BodyInstant at = of.body.initial_instant();
   at.time = time;
-  at.position = constant_vector(of.body.initial_position());
   const BodyLoad load = motion.load(properties, at);
   return {load.force[0].v, load.force[1].v, load.force[2].v};
 }
@@ -42,16 +41,19 @@ void size(const BodySetup& of, const Judge& judge) {
 
 void over_mesh(const BodySetup& of, const Judge& judge) {
   const Bounds& mesh = of.model.mesh().bounds();
-  double most = 0;
-  for (int i = 0; i < of.up; ++i)
-    most = std::max(most, of.length_of(i) / 2 /
-                              std::max({mesh.high[i] - of.body.initial_position()[i],
-                                        of.body.initial_position()[i] - mesh.low[i], 1e-300}));
+  double most = 0, half = 0;
+  for (int i = 0; i < of.up; ++i) {
+    const double room =
+        std::max({mesh.high[i] - of.body.initial_position()[i], of.body.initial_position()[i] - mesh.low[i], 1e-300});
+    if (of.length_of(i) / 2 / room <= most) continue;
+    half = of.length_of(i) / 2;
+    most = half / room;
+  }
   // a plate over a column of soil is wider on purpose; so much wider it is in mm
   constexpr double plate = 25;
   const bool round = of.body.of_revolution() || (of.dim == 3 && of.model.soil()->pressure >= 0);
   if (of.surfaces.sides > 0 && (round || most > plate))
-    judge(most, of.called() + ": its half width, " + told(of.width / 2) + " m, over the mesh's on its wider side",
+    judge(most, of.called() + ": its half width, " + told(half) + " m, over the mesh's on its wider side",
           "make the mesh wider, or give the body's lengths in m");
 }
 
@@ -189,7 +191,7 @@ void water_around(const BodySetup& of, const Judge& judge) {
 
 void drag_area(const BodySetup& of, const Judge& judge) {
   const BodyProperties& p = of.body.properties();
-  const double own = of.dim == 2 ? p.enclosed->frontal_area() : p.frontal_areas[2];
+  const double own = of.dim == 2 ? p.frontal_area : p.frontal_areas[2];
   for (const auto& motion : of.motions) {
     const double area = number_in(motion.entry.section("water"), "drag area", 0);
     if (area > 0 && own > 0)
@@ -337,11 +339,13 @@ void force_size(const BodySetup& of, const Judge& judge) {
     for (int k = 0; k <= 50; ++k)
       most = std::max(
           most, length(load_at(of, *released, of.body.properties().mass, motion.begin + motion.duration * k / 50)));
-    const double area = of.body.properties().geometry == Geometry::plane_strain ? of.width : of.width * of.width;
+    const double area =
+        of.body.properties().geometry == Geometry::plane_strain ? of.width : of.width * of.shadow.length;
     if (most > 0 && modulus > 0)
       judge(most / area / modulus,
             of.called() + ": its largest load in stage '" + motion.stage + "', " + told(most) +
-                " N, over its width's square (plane strain: width) and the soil's modulus, " + told(modulus) + " Pa,",
+                " N, over its width times its length (plane strain: width) and the soil's modulus, " + told(modulus) +
+                " Pa,",
             "give forces in N and mass in kg");
   }
 }
@@ -371,10 +375,8 @@ void load_points(const BodySetup& of, const Judge& judge) {
       Point at{};
       Parameters(loads.section(name)).add("point", at, "", "");
       double outside = 0;
-      for (int i = 0; i < of.dim; ++i) {
-        const double x = at[i] + of.body.initial_position()[i];
-        outside = std::max({outside, of.box.low[i] - x, x - of.box.high[i]});
-      }
+      const Point x = plus(of.body.initial_placement().turn(at), 1, of.body.initial_position());
+      for (int i = 0; i < of.dim; ++i) outside = std::max({outside, of.box.low[i] - x[i], x[i] - of.box.high[i]});
       judge(outside / of.size,
             of.called() + ": how far the point of load '" + name + "' is outside of it, in its extents,",
             "give 'point' in m from the reference point");
@@ -390,7 +392,7 @@ void apex(const BodySetup& of, const Judge& judge) {
 void tip(const BodySetup& of, const Judge& judge) {
   const double height = number_in(of.entry, "tip height", 0);
   if (height > 0)
-    judge(height / of.length_of(of.up), of.called() + ": its 'tip height' over its own height",
+    judge(height / of.body.own_height(), of.called() + ": its 'tip height' over its own height",
           "give it in m above the reference point");
 }
 

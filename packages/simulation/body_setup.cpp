@@ -69,22 +69,12 @@ BodySetup::BodySetup(const Setup& setup, const RigidBody& body)
 }
 
 void BodySetup::find_box() {
-  const Point at = body.initial_position();
-  if (body.surface()) {
-    const double extent = body.surface()->bounds().extent();
-    for (const Point& p : body.surface()->triangles(1e-2 * (std::isfinite(extent) ? extent : 1.0)).points)
-      box.enclose(plus(p, 1, at));
-  } else {
-    const bool half = body.contour().extent() == ContourExtent::half;
-    for (const PlanePoint& p : body.contour().sample(1e-3 * body.contour().length())) {
-      box.enclose({at[0] + p[0], at[1] + p[1], 0});
-      if (half) box.enclose({at[0] - p[0], at[1] + p[1], 0});
-    }
-  }
-  for (int i = 0; i < dim; ++i) {
-    if (i != up) width = std::max(width, length_of(i));
-    size = std::max(size, length_of(i));
-  }
+  for (const Point& p : body.outline(body.initial_placement())) box.enclose(p);
+  for (int i = 0; i < dim; ++i) size = std::max(size, length_of(i));
+  Point vertical{};
+  vertical[up] = 1;
+  shadow = body.shadow(body.initial_placement(), vertical);
+  width = shadow.width;
 }
 
 void BodySetup::follow(const Section& deck) {
@@ -151,7 +141,7 @@ void BodySetup::find_surfaces() {
     const double facing = -dot(side.normal, normal);
     if (gap <= s.gap + s.longest) s.facing = std::max(s.facing, facing);
     const double away = std::abs(side.middle[0] - 0.5 * (box.low[0] + box.high[0]));
-    const bool in_hole = side.middle[up] < top - 2 * side.longest && away < 0.75 * width && facing > 0.5 &&
+    const bool in_hole = side.middle[up] < top - 2 * side.longest && away < 0.75 * shadow.length && facing > 0.5 &&
                          side.middle[up] < box.high[up];
     if (touches && in_hole && std::abs(gap) > s.misfit) {
       s.misfit = std::abs(gap);

@@ -47,7 +47,8 @@ struct BodySetup {
   Section entry;
   int dim, up;
   Bounds box = Bounds::nothing();  // [m] of the body as it is drawn, at its place at the start
-  double width = 0, size = 0;      // [m] largest extent across the vertical axis, and along any
+  Shadow shadow;                   // [m] along the vertical axis
+  double width = 0, size = 0;      // [m] that of the shadow, and the largest extent along any axis
   std::vector<Motion> motions;
   std::vector<Place> places;
   const ReleasedMotion* release = nullptr;  // the first

@@ -19,7 +19,8 @@ double distance(const Vec& a, const Vec& b) { return std::hypot(a[0] - b[0], a[1
 
 BodyWay::BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions)
     : body_(body), positions_(positions) {
-  radius_ = body.half_width();
+  for (const Point& p : body.outline(body.initial_placement()))
+    radius_ = std::max(radius_, std::abs(p[0] - body.initial_position()[0]));
   follow(model);
   find_surface(model, mesh);
   find_boundaries(model, mesh);
@@ -162,10 +163,10 @@ double BodyWay::lowest() const {
     for (std::size_t i = 0; i < positions_.size(); ++i) lowest = std::min(lowest, positions_[i][1]);
     return lowest;
   }
-  for (const PlanePoint& p : body_.contour().sample(1e-3 * body_.contour().length())) lowest = std::min(lowest, p[1]);
+  for (const Point& p : body_.outline(body_.initial_placement())) lowest = std::min(lowest, p[1]);
   double down = 0;
   for (const Place& place : places_) down = std::min(down, place.displacement[1]);
-  return body_.initial_position()[1] + lowest + down;
+  return lowest + down;
 }
 
 std::array<double, 2> BodyWay::start_of_fall() const {
@@ -173,9 +174,8 @@ std::array<double, 2> BodyWay::start_of_fall() const {
   Point velocity{}, spin{};
   release()->initial_velocity(velocity, spin);
   const double mass = body_.properties().mass + release()->added_mass(body_.properties()).mass[1];
-  BodyInstant at;
+  BodyInstant at = body_.initial_instant();
   at.time = places_.back().time;
-  at.position = constant_vector(body_.initial_position());
   at.velocity = constant_vector(velocity);
   const BodyNumber up = release()->load(body_.properties(), at).force[1];
   return {velocity[1], mass > 0 ? up.v / mass : 0.0};

@@ -7,6 +7,7 @@
 #include "core/space_vector.hpp"
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
+#include "simulation/pressed_direction.hpp"
 
 namespace mudline {
 
@@ -43,17 +44,17 @@ void PenetrationWatch::declare(Doubts& doubts) {
 
 std::vector<Point> PenetrationWatch::places(const Model& model, const ContactPartners& partners) const {
   const State& state = model.store().committed();
-  if (partners.body != nullptr) return {partners.body->position(state), partners.body->rotation(state)};
   std::vector<Point> result;
+  if (partners.body != nullptr) return result;
   for (const std::string& set : {partners.surface, partners.opposite})
     for (int node : model.mesh().nodes_of_set(set)) result.push_back(place_of(state.coordinates, node));
   return result;
 }
 
 double PenetrationWatch::way(const Model& model, const ContactPartners& partners, const Record& record) const {
-  const std::vector<Point> now = places(model, partners);
   if (partners.body != nullptr)
-    return length(minus(now[0], record.places[0])) + record.width * length(minus(now[1], record.places[1]));
+    return partners.body->way(record.placement, partners.body->placement(model.store().committed()));
+  const std::vector<Point> now = places(model, partners);
   double farthest = 0;
   for (std::size_t i = 0; i < now.size() && i < record.places.size(); ++i)
     farthest = std::max(farthest, length(minus(now[i], record.places[i])));
@@ -110,12 +111,16 @@ PenetrationWatch::Pressed PenetrationWatch::pressed(const Model& model, const st
   return {all[length_sum] / all[count], all[penalty] / all[count], all[stiffness] / all[count]};
 }
 
+void PenetrationWatch::start_way(const Model& model, const ContactPartners& partners, Record& record) const {
+  record.places = places(model, partners);
+  if (partners.body != nullptr) record.placement = partners.body->placement(model.store().committed());
+}
+
 void PenetrationWatch::begin_stage(const Model& model, const Report& report) {
   for (const auto& [name, contact] : model.contacts()) {
     Record& record = records_[name];
     const ContactPartners partners = contact->partners();
-    if (partners.body != nullptr && record.width == 0) record.width = partners.body->half_width();
-    record.places = places(model, partners);
+    start_way(model, partners, record);
     record.depth = depth_of(name, report);
     record.way = 0;
     record.told = false;
@@ -132,11 +137,10 @@ void PenetrationWatch::look(const Model& model, const Report& report, double lea
     if (found == records_.end()) continue;
     Record& record = found->second;
     const double depth = depth_of(name, report);
-    const std::size_t places_now = contact->partners().body != nullptr ? 2 : record.places.size();
     if (depth > 0) {
       look_at(model, name, *contact, depth, least, record);
-    } else if (record.way == 0 || record.places.size() != places_now) {
-      record.places = places(model, contact->partners());
+    } else if (record.way == 0) {
+      start_way(model, contact->partners(), record);
       record.depth = 0;
     }
   }
@@ -147,7 +151,8 @@ void PenetrationWatch::look_at(const Model& model, const std::string& name, cons
   const ContactPartners partners = contact.partners();
   record.way = std::max(record.way, way(model, partners, record));
   const double more = depth - record.depth, share_of_way = record.way > 0 ? more / record.way : 0.0;
-  const double share_of_width = record.width > 0 ? depth / record.width : 0.0;
+  const double width = partners.body != nullptr ? pressed_half_width(model, contact) : 0.0;
+  const double share_of_width = width > 0 ? depth / width : 0.0;
   const double time = model.store().committed().time;
   if (record.told) {
     const double share = record.quantity == of_way    ? share_of_way

@@ -13,8 +13,8 @@ namespace mudline {
 /// come since it touched, what the contact gives way is no deformation of the soil, and a geometry that overlaps by a
 /// good part of a side is another one. Warns once per contact and stage, and at the run's end.
 ///
-/// The way is that of the body (or of the nodes of both surfaces) since the stage began or, where it does not touch
-/// then, since it last did not. A restart within a stage counts from the restart.
+/// The way is that of the body's surface (or of the nodes of both surfaces) since the stage began or, where it does not
+/// touch then, since it last did not. A restart within a stage counts from the restart.
 class PenetrationWatch {
  public:
   /// Its quantities, of the section "plausibility".
@@ -29,10 +29,10 @@ class PenetrationWatch {
 
  private:
   struct Record {
-    std::vector<Point> places;  // of the body (and its rotation) or of the nodes of both surfaces
+    BodyPlacement placement;    // of the body
+    std::vector<Point> places;  // of the nodes of both surfaces
     double depth = 0;           // [m] when they were there
     double way = 0;             // [m] greatest since
-    double width = 0;           // [m] half the body's; 0: two surfaces
     bool told = false;          // in this stage: there was a warning
     // of the last warning: the quantity, the side's length [m], and the greatest since
     std::string quantity, over;
@@ -47,6 +47,7 @@ class PenetrationWatch {
   void look(const Model& model, const Report& report, double least);
   void look_at(const Model& model, const std::string& name, const Contact& contact, double depth, double least,
                Record& record);
+  void start_way(const Model& model, const ContactPartners& partners, Record& record) const;
   std::vector<Point> places(const Model& model, const ContactPartners& partners) const;
   double way(const Model& model, const ContactPartners& partners, const Record& record) const;
   double shortest_side(const Model& model, const std::string& surface) const;

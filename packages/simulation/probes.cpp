@@ -93,7 +93,7 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
   if (probe.moves_with.empty()) return probe.point;
   const RigidBody& body = *model_.bodies().at(probe.moves_with);
   const BodyPlacement start = body.initial_placement(), now = body.placement(state);
-  return plus(now.centre, 1, now.turn(minus(probe.point, start.centre)));
+  return plus(now.centre, 1, now.turn(start.turn.back(minus(probe.point, start.centre))));
 }
 
 double Probes::distance(const MeshPlace& place, const Point& at, const Positions& x) const {

@@ -24,13 +24,15 @@ BodyOutline outline_of(const RigidBody& body) {
     if (body.contour().extent() == ContourExtent::half && !outline.points.empty())
       outline.points.push_back({0, outline.points.back()[1], 0});
   }
-  for (Point& point : outline.points) point = plus(point, 1, body.initial_position());
+  const BodyPlacement start = body.initial_placement();
+  const Point at = body.initial_position();
+  for (Point& point : outline.points) point = plus(start.turn(point), 1, at);
   return outline;
 }
 
 BodyPose pose_of(const RigidBody& body, const State& state) {
   const BodyPlacement now = body.placement(state), start = body.initial_placement();
-  return {minus(now.centre, start.centre), now.turn, start.centre};
+  return {minus(now.centre, start.centre), now.turn * start.turn.inverse(), start.centre};
 }
 
 }  // namespace

@@ -205,9 +205,8 @@ void Supports::Collector::add_body_springs(double time) {
     if (!body) continue;
     const ReleasedMotion& motion = *supports_.model_.motion_in(stage_, body->name())->released();
     const int direction = motions_[k].direction;
-    BodyInstant at;
+    BodyInstant at = body->initial_instant();
     at.time = time;
-    at.position = constant_vector(body->initial_position());
     if (direction < body->dimension()) at.position[direction].d[direction] = 1;
     Row row(motions_.size(), 0.0);
     row[k] = along(motion.load(body->properties(), at), body->dimension(), direction).d[direction] != 0 ? 1 : 0;

@@ -8,6 +8,7 @@
 #include "discretisation/side_map.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "simulation/pressed_direction.hpp"
 
 namespace mudline {
 
@@ -101,7 +102,7 @@ std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, cons
     const auto start = start_.find(name);
     if (start == start_.end()) continue;
     const RigidBody& body = *contact->partners().body;
-    const double width = body.half_width();
+    const double width = pressed_half_width(model, *contact);
     const Wall now = look(model, *contact, excess);
     // the set-up of a body that rests
     const bool rested = length(minus(body.position(model.store().committed()), start->second.position)) < 0.01 * width;

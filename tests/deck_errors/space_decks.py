@@ -33,6 +33,12 @@ def with_mesh(*entries):
     return (whole("mesh", BASE), "  " + section("mesh") + "\n" + "\n".join(entries) + GEOMETRY + plane + "\n  </ParameterList>\n")
 
 
+def in_the_plane(*entries):
+    """The same without its geometry."""
+    old, new = with_mesh(*entries)
+    return old, new.replace(GEOMETRY, "")
+
+
 def with_section(name, inner, *entries):
     return before("boundary conditions", section(name) + section(inner) + "".join(entries) + "</ParameterList></ParameterList>\n  ")
 
@@ -41,6 +47,7 @@ SPHERE = parameter("type", "string", "sphere")
 MOTION = section("motion") + parameter("type", "string", "prescribed displacement")
 CONTACT = parameter("type", "string", "penalty")
 BODY = parameter("body", "string", "ball")
+POSITION = parameter("position", "Array(double)", "{1.0, 1.0, 2.0}")
 REVOLVED = section("surface") + parameter("type", "string", "revolved") + section("contour") + SPHERE + parameter("diameter", "double", "2.0") + "</ParameterList></ParameterList>"
 
 
@@ -104,6 +111,9 @@ DECKS = [
     wrong("misspelt equal order", beside(parameter("type", "string", "biot"), parameter("pressure", "string", "equal-order")),
           "physics/ground/pressure: 'equal-order' is not a choice (did you mean 'equal order'?)"),
     wrong("axisymmetric hexahedra", [(GEOMETRY, parameter("geometry", "string", "axisymmetric")), (CELL, parameter("cell", "string", "hex27"))],
+          "mesh/cell: 'hex27' is a cell of space, and the geometry is one of the plane; allowed: quad9, tri6, quad4, tri3", at=parameter("cell", "string", "hex27")),
+    wrong("probe of three numbers", [(GEOMETRY, parameter("geometry", "string", "plane strain")), (CELL, parameter("cell", "string", "quad9")), (CELLS, parameter("cells", "Array(int)", "{2, 2}")),
+                                     (UPPER, parameter("upper", "Array(double)", "{2.0, 2.0}"))],
           "output/probes/centre: expected 2 numbers, as the mesh's 'geometry' is not 'three-dimensional'; given 3", at=PROBE),
     wrong("misspelt geometry", [(GEOMETRY, parameter("geometry", "string", "3d")), (PROBE, ""), (GRAVITY, "")],
           "mesh/geometry: '3d' is not a choice; allowed: plane strain, axisymmetric, three-dimensional"),
@@ -225,4 +235,10 @@ DECKS = [
           "mesh: required parameter 'length' is missing", at=section("mesh")),
     wrong("revolution of more than a turn", with_mesh(parameter("type", "string", "revolved"), parameter("angle", "double", "400.0"), parameter("layers", "int", "2")),
           "mesh/angle: 400 is out of range; allowed: (0, 360]", at=parameter("angle", "double", "400.0")),
+    wrong("revolution without a geometry", in_the_plane(parameter("type", "string", "revolved"), parameter("angle", "double", "90.0"), parameter("layers", "int", "2")),
+          "mesh/type: a revolved mesh is one of space: give the geometry 'three-dimensional'", at=parameter("type", "string", "revolved"), ranks=BOTH),
+    wrong("extrusion without a geometry", in_the_plane(parameter("type", "string", "extruded"), parameter("length", "double", "1.0"), parameter("layers", "int", "2")),
+          "mesh/type: an extruded mesh is one of space: give the geometry 'three-dimensional'", at=parameter("type", "string", "extruded")),
+    with_ball("rotation of one number in space", [(POSITION, POSITION + "\n" + parameter("rotation", "Array(double)", "{30.0}"))],
+              "bodies/ball/rotation: expected 3 numbers, a rotation vector in degrees, given 1", at=parameter("rotation", "Array(double)", "{30.0}")),
 ]

@@ -103,6 +103,7 @@ MISTAKES = [
     ("free", {BAR + "motion/freedom": ["y"], BAR + "motion/water/mudline": 50.0}, "mudline"),
     ("pushed", {BAR + "contour": {"type": "cone", "diameter": 0.4, "apex angle [deg]": 1.05, "shaft length": 1.0}}, "apex angle"),
     ("pushed in space", {BLOCK + "surface": {"type": "box", "length x": 0.02, "length y": 0.02, "length z": 0.5, "fillet radius": 1e-3}}, "width over side"),
+    ("pushed in space", {BLOCK + "surface": {"type": "box", "length x": 1.5, "length y": 0.02, "length z": 0.5, "fillet radius": 1e-3}}, "width over side"),
     ("pushed in space", {BLOCK + "motion/velocity z": -2000.0}, "prescribed speed"),
     ("pushed in space", {BLOCK + "motion/velocity z": -2.0}, "prescribed depth"),
     ("pushed in space", {BLOCK + "motion/velocity z": 0.1}, "rise"),

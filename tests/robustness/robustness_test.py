@@ -2,6 +2,7 @@
 import math
 import os
 import re
+import resource
 import signal
 import subprocess
 import time
@@ -10,7 +11,8 @@ import xml.etree.ElementTree as tree
 
 import h5py
 import cpu_limit
-from mudline_case import PROGRAM, ROOT, History, MudlineCase, program
+from mudline_case import PROGRAM, ROOT, History, MudlineCase, deck_text, program
+from own_lines import own_lines
 
 BALL = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
 TERZAGHI = os.path.join(ROOT, "inputs", "consolidation", "terzaghi.xml")
@@ -47,6 +49,32 @@ class Endings(MudlineCase):
         whole = History(self.result("ball", ".csv")).time
         self.assertEqual(list(whole[:len(accepted)]), list(accepted))
         self.assertAlmostEqual(whole[-1], 0.005)
+
+    def test_text_that_nobody_takes(self):
+        """Standard output on a full disk: exit code 1 and one line, whatever the command; what else was asked for is done."""
+        small = ["--set", "mesh/cells={1, 4}", "--set", "stages/consolidation/duration=1.0"]
+        ended = program(["run", "-q", TERZAGHI, *small], folder=self.folder)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        sweep = self.write("sweep.xml", deck_text("sweep", {
+            "deck": TERZAGHI, "abscissa": "load [Pa]", "variables": {"load": [1e3, 2e3]}, "settings": {"boundary conditions/load/y": "-load"},
+            "results": {"load [Pa]": "load", "end [s]": "last('time')"}}))
+        for arguments in (["run", TERZAGHI, *small, "--overwrite"], ["check", TERZAGHI], ["list"], ["explain", "water"], ["template", "biot"], ["version"],
+                          ["report", "results/terzaghi"], ["sweep", sweep, "--set", "stages/consolidation/duration=1.0"]):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(done.returncode, 1, f"{arguments}: {done.stderr}")
+            self.assertEqual(own_lines(done.stderr)[-1:], ["error: the text for the standard output could not be written; is the disk full?"], arguments)
+
+    def test_lack_of_memory(self):
+        """A mesh that no address space of 2 GiB holds: exit code 1, and how much there was."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+
+        for command in ("run", "check"):
+            done = subprocess.run([PROGRAM, command, TERZAGHI, "--set", "mesh/cells={4000, 4000}"], cwd=self.folder, capture_output=True, text=True,
+                                  preexec_fn=limit)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertRegex(own_lines(done.stderr)[-1], r"\Aerror: not enough memory for this model: this process held up to .*`ulimit -v` allows 2 GiB; a coarser mesh")
 
     def test_folded_mesh(self):
         """A ball that is pushed on through the soil folds its elements: the run says where, keeps that state and ends; a stage may go on."""

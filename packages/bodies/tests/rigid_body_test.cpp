@@ -66,6 +66,76 @@ TEST(BodyMotion, DisplacementCountsChangesOnly) {
   EXPECT_FALSE(pull->moves(0));
 }
 
+/// A body with a surface in space, or a full contour in the plane, that is given as text.
+std::string shaped_xml(const std::string& shape, const std::string& parameters, const std::string& more,
+                       const std::string& position) {
+  const std::string space =
+      shape == "surface"
+          ? "<ParameterList name=\"mesh\">\n" + text_parameter("geometry", geometry_in_space) + "</ParameterList>\n"
+          : "";
+  return space + "<ParameterList name=\"bodies\">\n<ParameterList name=\"b\">\n" + more +
+         array_parameter("position", position) + "<ParameterList name=\"" + shape + "\">\n" + parameters +
+         "</ParameterList>\n<ParameterList name=\"motion\">\n" + text_parameter("type", "prescribed velocity") +
+         "</ParameterList>\n</ParameterList>\n</ParameterList>\n";
+}
+
+std::string beam(double x, double y, double z) {
+  return text_parameter("type", "box") + number_parameter("length x", x) + number_parameter("length y", y) +
+         number_parameter("length z", z) + number_parameter("fillet radius", 0.02);
+}
+
+TEST(RigidBody, ALyingBeamIsAsWideAsItsSectionWhereItMovesDown) {
+  BodyDeck deck(shaped_xml("surface", beam(4, 0.3, 0.3), "", "1, 2, 3"));
+  const auto body = deck.body("b", Geometry::space);
+  const BodyPlacement placement = body->initial_placement();
+  EXPECT_NEAR(body->shadow(placement, {0, 0, -1}).width, 0.3, 0.005);
+  EXPECT_NEAR(body->shadow(placement, {0, 0, -1}).length, 4, 0.05);
+  EXPECT_NEAR(body->shadow(placement, {1, 0, 0}).length, 0.3, 0.005);
+}
+
+TEST(RigidBody, TurnedAtTheStartItIsTheBodyThatIsDrawnTurned) {
+  // a quarter turn about x takes y to z and z to -y
+  const auto read = [](const std::string& surface, const std::string& more) {
+    BodyDeck deck(shaped_xml("surface", surface, more, "1, 2, 3"));
+    return deck.body("b", Geometry::space);
+  };
+  const std::string mass = number_parameter("mass", 100);
+  const auto turned = read(beam(0.8, 0.5, 0.2), mass + array_parameter("rotation", "90, 0, 0") +
+                                                    array_parameter("centre of mass", "0.1, 0.05, -0.02")),
+             drawn = read(beam(0.8, 0.2, 0.5), mass + array_parameter("centre of mass", "0.1, 0.02, 0.05"));
+  const BodyPlacement a = turned->initial_placement(), b = drawn->initial_placement();
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a.centre[i], b.centre[i], 1e-14);
+  for (const Point& x : {Point{1.7, 2.3, 3.4}, Point{1.1, 1.7, 3.05}, Point{0.3, 2, 2.9}}) {
+    EXPECT_NEAR(turned->gap(a, x), drawn->gap(b, x), 1e-12);
+    const SurfaceFoot here = turned->foot(a, x), there = drawn->foot(b, x);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(here.normal[i], there.normal[i], 1e-9);
+      EXPECT_NEAR(here.foot[i], there.foot[i], 1e-9);
+    }
+  }
+  EXPECT_NEAR(turned->shadow(a, {0, 0, 1}).width, 0.2, 0.005);
+  EXPECT_NEAR(turned->own_height(), 0.2, 1e-9);
+  const BodyInstant at = turned->initial_instant();
+  EXPECT_NEAR(at.axes.axis[1][2].v, 1, 1e-15);
+  EXPECT_NEAR(at.axes.axis[2][1].v, -1, 1e-15);
+}
+
+TEST(RigidBody, ATurnedContourCoversWhatItCoversTurned) {
+  const std::string plate = text_parameter("type", "strip") + text_parameter("extent", "full") +
+                            number_parameter("width", 2) + number_parameter("thickness", 0.5);
+  const auto read = [&](const std::string& rotation) {
+    BodyDeck deck(shaped_xml("contour", plate, array_parameter("rotation", rotation), "0, 1"));
+    return deck.body("b", Geometry::plane_strain);
+  };
+  const auto lies = read("0"), stands = read("90");
+  EXPECT_NEAR(lies->properties().frontal_area, 2, 1e-12);
+  EXPECT_NEAR(stands->properties().frontal_area, 0.5, 1e-12);
+  EXPECT_NEAR(stands->shadow(stands->initial_placement(), {1, 0, 0}).width, 2, 1e-12);
+  // it stands to the left of its reference point, the middle of its base
+  EXPECT_NEAR(stands->gap(stands->initial_placement(), {0.25, 1}), 0.25, 1e-12);
+  EXPECT_NEAR(stands->gap(stands->initial_placement(), {-0.25, 2.3}), 0.3, 1e-12);
+}
+
 TEST(RigidBody, WrongEntriesAreNamed) {
   const std::string pile = text_parameter("type", "flat pile") + number_parameter("diameter", 1);
   const std::string still = text_parameter("type", "prescribed velocity");
@@ -78,6 +148,10 @@ TEST(RigidBody, WrongEntriesAreNamed) {
   has(error(body_xml("b", pile + text_parameter("extent", "full"), still), Geometry::axisymmetric),
       "a half contour, not a full one");
   has(error(body_xml("b", pile, still, "0.1, 0"), Geometry::axisymmetric), "bodies/b/position: the axis");
+  has(error(body_xml("b", pile, still, "0, 0", array_parameter("rotation", "30")), Geometry::axisymmetric),
+      "bodies/b/rotation: a body with a half contour stands upright on its axis");
+  has(error(body_xml("b", pile, still, "0, 0", array_parameter("rotation", "0, 0, 30")), Geometry::plane_strain),
+      "bodies/b/rotation: expected 1 number, the angle in degrees, given 3");
   has(error(body_xml("b", pile, still + number_parameter("velocity x", 1)), Geometry::plane_strain),
       "cannot leave its axis");
   has(error(body_xml("b", pile, still + number_parameter("ramp time", -1)), Geometry::plane_strain), "ramp time");

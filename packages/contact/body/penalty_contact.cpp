@@ -351,7 +351,8 @@ struct PenaltyContact::Sums {
     water,
     vapour,
     film,
-    count = film + 3
+    moment = film + 3,
+    count = moment + 3
   };
   double of[count] = {}, deepest = 0;
 };
@@ -365,6 +366,10 @@ PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
     local[Sums::reaction + i] = -force.force[i];
     local[Sums::damping + i] = -done(0, 2 + i);
   }
+  // the points tell it about the centre of mass
+  const Point arm = minus(body_->placement(state).centre, body_->position(state));
+  const Point moment = plus(force.moment, 1, cross(arm, force.force));
+  for (int i = 0; i < 3; ++i) local[Sums::moment + i] = -moment[i];
   local[Sums::work] = done(0, 0);
   local[Sums::damping_heat] = done(0, 1);
   if (deck_.has_film()) {
@@ -401,6 +406,10 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   add_vector("reaction", Sums::reaction);
   values[name() + "/tip reaction " + up] = {"N", sum[Sums::tip]};
   values[name() + "/shaft reaction " + up] = {"N", sum[Sums::reaction + axes() - 1] - sum[Sums::tip]};
+  const bool half = axes() == 2 && body_->contour().extent() == ContourExtent::half;
+  for (int i = 0; i < 3 && axes() == 3; ++i)
+    values[name() + "/moment " + axis_names[i]] = {"N m", sum[Sums::moment + i]};
+  if (axes() == 2 && !half) values[name() + "/moment"] = {"N m", sum[Sums::moment + 2]};
   values[name() + "/contact area"] = {"m2", sum[Sums::area]};
   values[name() + "/active points"] = {"-", sum[Sums::active]};
   values[name() + "/maximum penetration"] = {"m", all.deepest};

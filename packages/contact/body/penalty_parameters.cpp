@@ -2,6 +2,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -153,13 +154,9 @@ void PenaltyContact::check_above(const Section& section) const {
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, upwards, Teuchos::outArg(faces_up));
+  if (body_->surface() && !std::isfinite(body_->surface()->bounds().extent())) return;  // it goes on for ever
   double top = -1e300;
-  if (body_->surface())
-    top = body_->surface()->bounds().high[2];
-  else
-    for (const PlanePoint& point : body_->contour().sample(1e-2 * body_->contour().length()))
-      top = std::max(top, point[1]);
-  top += body_->initial_position()[up];
+  for (const Point& point : body_->outline(body_->initial_placement())) top = std::max(top, point[up]);
   if (top >= everywhere - 0.5 * surface_->shortest(mesh.coordinates()) || faces_up <= 0) return;
   char text[160];
   std::snprintf(

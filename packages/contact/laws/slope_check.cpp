@@ -185,7 +185,7 @@ std::string guarded_problem(const Find& find) {
   try {
     return find();
   } catch (...) {
-    return "it throws: " + what_was_thrown();
+    return "it throws: " + fault_thrown();
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <stdexcept>
 
 #include "core/deck.hpp"
@@ -28,6 +29,8 @@ struct Thrower : Interface {
     if (kind == 2) throw "text";
     if (kind == 3) throw std::runtime_error("Teuchos says\n\nwhat happened\n");
     if (kind == 4) throw std::logic_error("");
+    if (kind == 6) throw std::bad_alloc();
+    if (kind == 7) throw std::length_error("cannot create std::vector larger than max_size()");
     if (kind == 5) section.fail("its own words", "kind");
   }
 };
@@ -57,6 +60,16 @@ TEST(Guarded, WhateverAnObjectThrowsIsAnErrorOfItsType) {
   EXPECT_EQ(refusal(3), begin + "what happened");
   EXPECT_EQ(refusal(4), begin + "an exception without a message");
   EXPECT_EQ(refusal(5), "deck.xml:4: x/kind: its own words");
+}
+
+TEST(Guarded, ExhaustedMemoryIsNoErrorOfTheDeck) {
+  EXPECT_THROW(refusal(6), std::bad_alloc);
+  EXPECT_THROW(refusal(7), std::length_error);
+  try {
+    refusal(6);
+  } catch (...) {
+    EXPECT_EQ(what_was_thrown().find("not enough memory for this model"), 0u);
+  }
 }
 
 }  // namespace

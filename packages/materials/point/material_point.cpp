@@ -102,7 +102,7 @@ PointTrial MaterialPoint::evaluate(const PointMotion& motion, double dt, bool wa
     reason = failures != 0 ? "it refuses the increment" : "it returns a number that is not finite";
   } catch (...) {
     failed(0) = 1;
-    reason = "it throws: " + what_was_thrown();
+    reason = "it throws: " + fault_thrown();
   }
 
   std::copy_n(stress_new.data(), 6, trial.stress.begin());

@@ -9,7 +9,7 @@ import unittest
 import h5py
 import numpy as np
 
-from mudline_case import MudlineCase, deck_text
+from mudline_case import History, MudlineCase, deck_text, program
 from remeshed_ball import remeshing
 
 SOFT, STIFF = 1e6, 4e6  # [Pa] confined moduli
@@ -167,6 +167,31 @@ class Layers(MudlineCase):
             self.assertGreater(cells.sum(), 20)
             self.assertTrue((material[cells] == number).all())
             self.assert_error("void ratio " + name, np.abs(ratio[cells] - started).max() / (1 + started), ROW)
+
+
+class StartsAnew(MudlineCase):
+    def test_it_is_told_once_and_counted(self):
+        """A wedge that runs out to nothing: no point is in its thin end at the start. A mesh that swings through it brings points there which
+        have no soil of the wedge within an element; their laws start anew."""
+        wedge = "0.5+0.04*x"
+        deck = self.write("wedge.xml", deck_text("wedge", {
+            "mesh": {"type": "box", "cell": "quad9", "cells": [10, 10], "upper": [1.0, 1.0]},
+            "materials": {"upper": soil(SOFT), "wedge": soil(STIFF, top=wedge), "lower": soil(SOFT, top=0.5)},
+            "physics": {"ground": {"type": "solid"}},
+            "boundary conditions": {"base": {"type": "fixed", "set": "bottom"}, "load": {"type": "traction", "set": "top", "y": -LOAD}},
+            **SWING, "stages": {"swing": {"type": "quasi-static", "duration": 3.5, "time step": {"initial": 0.25, "maximum": 0.25}}}}))
+        done = program(["run", deck], folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        history = History(os.path.join(self.folder, "results", "wedge.csv"))
+        anew = history["mesh motion/laws started anew"]
+        self.assertGreater(anew[-1], 0)
+        told = re.findall(r"^warning: laws start anew at (\d+) points where the soil has become another one, the first of material '(\w+)' at \(.*\), at t (\S+) s: "
+                          r"no soil of that material was within an element", done.stderr, re.MULTILINE)
+        self.assertEqual(len(told), 1, done.stderr)
+        first = int(np.argmax(anew > 0))
+        points, material, time = told[0]
+        self.assertEqual((int(points), material), (int(anew[first]), "wedge"))
+        self.assertAlmostEqual(float(time), history.time[first], delta=1e-5)
 
 
 CLAYS = {  # void ratio, critical stress ratio, slopes, Poisson's ratio, conductivity

@@ -5,7 +5,7 @@ import unittest
 import numpy as np
 from scipy.optimize import brentq
 
-from mudline_case import MudlineCase, point_deck
+from mudline_case import ROOT, MudlineCase, point_deck
 from references.cam_clay import CamClay
 
 KPA = 1e3
@@ -194,6 +194,45 @@ class CamClayTests(MudlineCase):
         ratio = history["effective stress xx"] / history["effective stress yy"]
         self.close("K0", ratio, 0.647629, 2e-6)
         self.close("void ratio", 1 + history["void ratio"][-1], 2 - 0.15 * np.log(4), 1e-6)
+
+    def test_work_of_an_elastic_loop(self):
+        """Compressed, sheared, expanded and sheared back inside the yield surface. With a constant Poisson's ratio the loop of strains
+        gives back 3/2 (G2 - G1) eps_q^2 more than it took, and leaves a shear stress; the other way round it takes as much. With a
+        constant shear modulus it leaves nothing. docs/materials.md tells the figure."""
+        volume, shear, steps = 0.006, 0.01, 1000
+
+        def there(k):
+            return f"(min(max(t-{k},0),1)-min(max(t-{k + 2},0),1))"  # up in the second k, down two seconds later
+
+        works, left = {}, {}
+        for name, elasticity in (("ratio", {"Poisson's ratio": 0.3}), ("modulus", {"shear modulus": 4e6})):
+            clay = dict({key: value for key, value in CLAY.items() if key != "Poisson's ratio"}, **elasticity)
+            tests = {}
+            for way, (first, second) in {"there": (0, 1), "back": (1, 0)}.items():
+                ev, eq = f"{volume}*{there(first)}", f"{shear}*{there(second)}"
+                tests[way] = {"type": "path", "duration": 4.0, "steps": 4 * steps, "strain yy": f"{ev}/3+{eq}",
+                              **{f"strain {axis}": f"{ev}/3-{eq}/2" for axis in ("xx", "zz")},
+                              "initial state": {"mean effective stress": 100 * KPA, "overconsolidation ratio": 4.0}}
+            for way, h in self.point(tests, clay).items():
+                np.testing.assert_array_equal(h["plastic shear strain"], 0)
+                self.assertLess(max(abs(h[f"strain {axis}"][-1]) for axis in ("xx", "yy", "zz")), 1e-15)
+                works[name, way] = sum(np.sum(0.5 * (h[f"effective stress {axis}"][1:] + h[f"effective stress {axis}"][:-1]) * np.diff(h[f"strain {axis}"]))
+                                       for axis in ("xx", "yy", "zz"))
+                left[name, way] = h["stress difference"][-1]
+        soil = CamClay()
+        v = soil.v0 * np.exp(-volume)
+        p = 100 * KPA * np.exp((soil.v0 - v) / soil.swelling)
+        stiffer = soil.g / soil.swelling * (v * p - soil.v0 * 100 * KPA)
+        if os.environ.get("MUDLINE_SHOW_ERRORS"):
+            print("work of a loop [J/m3]:", works, "stress left [Pa]:", left)
+        self.close("work", works["ratio", "there"], -1.5 * stiffer * shear ** 2, 1e-4)
+        self.close("work, the other way", works["ratio", "back"], 1.5 * stiffer * shear ** 2, 1e-4)
+        self.close("stress left", left["ratio", "there"], 3 * stiffer * shear, 1e-4)
+        for way in ("there", "back"):
+            self.assertLess(abs(works["modulus", way]), 1e-3)
+            self.assertLess(abs(left["modulus", way]), 1e-3)
+        with open(os.path.join(ROOT, "docs", "materials.md")) as file:
+            self.assertIn(f"{abs(works['ratio', 'there']):.0f} J/m", file.read())
 
     def test_isotropic(self):
         start = {"mean effective stress": 100 * KPA, "overconsolidation ratio": 2.0}
