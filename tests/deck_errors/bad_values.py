@@ -114,8 +114,8 @@ DECKS = [
           "output/probes/tip: y = 0.4 lies outside the mesh, which reaches from 0 to 0.3", ranks=BOTH),
     Wrong("component", ('value="x"', 'value="z"'), "boundary conditions/axis/components: 'z' is not a choice; allowed: x, y, x y"),
     # space
-    Wrong("points of the plane in space", ('value="axisymmetric"', 'value="three-dimensional"'),
-          "output/probes/tip: expected 3 numbers, as the mesh's 'geometry' is 'three-dimensional'; given 2", at='name="tip"', ranks=BOTH),
+    Wrong("mesh and points of the plane in space", ('value="axisymmetric"', 'value="three-dimensional"'),
+          "mesh/cell: 'quad9' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4", at='name="cell"', ranks=BOTH),
     Wrong("two cells in space", [('value="axisymmetric"', 'value="three-dimensional"'), (parameter("tip", "Array(double)", "{0.0, 0.3}"), parameter("tip", "Array(double)", "{0.0, 0.0, 0.3}"))],
           "mesh/cell: 'quad9' is a cell of the plane, and the geometry is 'three-dimensional'; allowed: hex27, tet10, hex8, tet4",
           at='name="cell"'),

@@ -200,7 +200,7 @@ DECKS = [
     with_ball("body in the ground", [("{1.0, 1.0, 2.0}", "{1.0, 1.0, 1.0}")],
               "contacts/face/body: body 'ball' overlaps the surface by 1 m at (1, 1, 2) at the start, more than half of its shortest side, 1 m; move its 'position'", at=BODY),
     with_ball("body under the ground", [("{1.0, 1.0, 2.0}", "{1.0, 1.0, -8.0}")],
-              "contacts/face/body: body 'ball' lies below the surface: its top is at -5.99969 m, the surface reaches down to 2 m; move its 'position'", at=BODY),
+              "contacts/face/body: body 'ball' lies below the surface: its top is at -6 m, the surface reaches down to 2 m; move its 'position'", at=BODY),
     with_ball("contact at nodes in space", [(BODY, BODY + parameter("method", "string", "nodes"))],
               "contacts/face/method: nodes has no tributary areas on quadratic triangles; allowed in space: surface quadrature", at=parameter("method", "string", "nodes")),
     with_ball("quadrature beyond triangles", [(BODY, BODY + parameter("quadrature degree", "int", "9"))],
