@@ -38,8 +38,12 @@ def small_disk(folder, kilobytes):
 
 
 def begin(arguments, folder, ranks):
-    return subprocess.Popen([*launcher(ranks), program(), *arguments], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            text=True, errors="replace", start_new_session=True)
+    hearing = signal.signal(signal.SIGHUP, signal.SIG_DFL)  # below nohup a run would inherit that it is ignored
+    try:
+        return subprocess.Popen([*launcher(ranks), program(), *arguments], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                text=True, errors="replace", start_new_session=True)
+    finally:
+        signal.signal(signal.SIGHUP, hearing)
 
 
 def end(running, limit=120):
