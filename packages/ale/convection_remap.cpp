@@ -24,6 +24,24 @@ double size_of(const GhostedMesh::Element& element, const Positions& x) {
   return std::sqrt(std::abs(corners == 3 ? area2 : 0.5 * area2));
 }
 
+/// Strains of a simplex are no more than linear in it, and the quadratic polynomials of the recovery have room for what
+/// its points say. A field that it resolves departs from what is recovered of it by less than this share of what that
+/// changes over the element. What is beyond is scatter from point to point, as the volumetric strains of undrained soil
+/// leave it, which cancel in the mean alone. (Quadrilaterals and bricks have terms of strain that the polynomials
+/// lack.)
+constexpr double resolved = 0.5;
+/// Scatter is gone when a point has moved by this share of half an element: it would add up from step to step where
+/// points hardly move. The departure of a field goes with the whole half.
+constexpr double gone = 0.01;
+
+/// What a point of a simplex keeps of its departure from the recovered field, of which `rest` would be left by the
+/// distance moved alone. `courant`: its motion in half elements; `change`: that of the recovered field over the
+/// element.
+double without_scatter(double rest, double courant, double change) {
+  const double within = std::clamp(rest, -resolved * change, resolved * change);
+  return rest + std::min(1.0, courant / gone) * (within - rest);
+}
+
 /// What is recovered of a table, and, recovered likewise, what that left out at the points (Tukey's twicing): a field
 /// that elements hardly resolve, as a front few of them thick, is smoothed much less, and scatter from point to point
 /// as before.
@@ -66,7 +84,8 @@ class TwiceRecovered {
 
 void ConvectionRemap::parameters(Parameters& p) {
   p.choice("scheme", scheme_, {{"upwind", Scheme::upwind}, {"incremental", Scheme::incremental}},
-           "share of the recovered field itself: growing with the distance moved, or none");
+           "share of the recovered field itself: growing with the distance moved (and in triangles and tetrahedra soon "
+           "all of it where points scatter about it by more than a field would), or none");
   p.add("limited", limited_, "no new extremum over the elements that a point leaves and enters");
 }
 
@@ -76,7 +95,8 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
   const Recovery recovered(mesh, block, t.patches, x_old, t.old, t.columns);
   const PointLocator locator(mesh, x_old);
   const ColumnBounds bounds(t.variables);
-  std::vector<double> there(t.columns), here(t.columns);  // recovered
+  std::vector<double> there(t.columns), here(t.columns), changes(t.columns);  // recovered
+  const bool scatters = scheme_ == Scheme::upwind && is_simplex(block.shape);
   for (int e : mesh.own_elements(block.block)) {
     const auto& element = mesh.elements()[e];
     bool moved = false;
@@ -84,6 +104,7 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
       moved = moved || x_new[element.nodes[a]] != x_old[element.nodes[a]];
     if (!moved) continue;
     const double size = size_of(element, x_old);
+    if (scatters) recovered.changes(e, changes.data());
     for (int q = 0; q < block.points; ++q) {
       const auto from = Recovery::position(element, block, q, x_old), to = Recovery::position(element, block, q, x_new);
       const MeshPlace place = locator.find(to, e);
@@ -93,7 +114,9 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
       recovered.at(place, there.data());
       recovered.at_point(e, q, here.data());
       for (int c = 0; c < t.columns; ++c) {
-        double value = there[c] + own * (t.old[row + c] - here[c]);
+        double kept = own * (t.old[row + c] - here[c]);
+        if (scatters) kept = without_scatter(kept, courant, changes[c]);
+        double value = there[c] + kept;
         if (limited_) {
           const auto &left = recovered.range(e, c), &entered = recovered.range(place.element, c);
           value = std::clamp(value, std::min(left.first, entered.first), std::max(left.second, entered.second));

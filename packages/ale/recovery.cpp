@@ -231,6 +231,19 @@ void Recovery::find_ranges() {
   }
 }
 
+void Recovery::changes(int e, double* values) const {
+  const auto& nodes = mesh_.elements()[e].nodes;
+  for (int c = 0; c < columns_; ++c) {
+    double low = 1e300, high = -1e300;
+    for (int a = 0; a < num_nodes(block_.shape); ++a) {
+      const double value = nodal_[static_cast<std::size_t>(nodes[a]) * columns_ + c];
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    values[c] = high - low;
+  }
+}
+
 void Recovery::interpolate(const GhostedMesh::Element& element, const double* N, int nodes, double* values) const {
   std::fill_n(values, columns_, 0.0);
   for (int a = 0; a < nodes; ++a)

@@ -46,6 +46,8 @@ class Recovery {
   void at(const MeshPlace& place, double* values) const;
   /// At a quadrature point of an element.
   void at_point(int element, int point, double* values) const;
+  /// (column) by how much what is recovered at an element's nodes differs, the highest less the lowest value.
+  void changes(int element, double* values) const;
   /// Lowest and highest of the old values of the element's points and of what is recovered at its nodes; at a node
   /// inside the block no farther than the old values around it reach, where the polynomial of a steep field overshoots.
   /// (On the block's boundary what is recovered lies outside of those values even for a linear field.)

@@ -37,8 +37,9 @@ class Remap {
 
 /// The convection formula f + (x_new - x_old) . grad f with the gradient of the recovered field f*, taken along the
 /// way: f_new = f + f*(x_new) - f*(x_old). Upwind: the further a point moves, in half element sizes, the more of f*
-/// itself and the less of the point's own deviation from it is taken. Limited: no new extremum over the elements the
-/// point leaves and enters. Exact for linear fields.
+/// itself and the less of the point's own deviation from it is taken. In simplices a deviation of more than half of
+/// what f* changes over the element is no field but scatter: what is beyond goes with a hundredth of that way.
+/// Limited: no new extremum over the elements the point leaves and enters. Exact for linear fields.
 class ConvectionRemap : public Remap {
  public:
   enum class Scheme { upwind, incremental };

@@ -76,14 +76,16 @@ std::string contour_fault(const Contour& contour) {
   const std::vector<PlanePoint> p = contour.sample(1e-3 * contour.length());
   const std::size_t n = p.size();
   const bool half = contour.extent() == ContourExtent::half;
-  // twice the area on the left of the path; a half contour is closed along its axis, an open one above all of it
+  // twice the area on the left of the path; a half contour is closed along its axis, an open one beyond all of it,
+  // above or, where its last line runs down for ever, below
   double area = 0;
   for (std::size_t i = 0; i + 1 < n; ++i) area += p[i][0] * p[i + 1][1] - p[i + 1][0] * p[i][1];
   if (half && p[n - 1][0] > 1e-9 * contour.length()) {
-    double top = p[0][1];
-    for (const PlanePoint& point : p) top = std::max(top, point[1]);
-    top += p[n - 1][0];
-    area += p[n - 1][0] * (top - p[n - 1][1]) + p[n - 1][0] * top;
+    const bool down = p[n - 1][1] < p[n - 2][1] - 0.7 * std::abs(p[n - 1][0] - p[n - 2][0]);
+    double end = p[0][1];
+    for (const PlanePoint& point : p) end = down ? std::min(end, point[1]) : std::max(end, point[1]);
+    end += down ? -p[n - 1][0] : p[n - 1][0];
+    area += p[n - 1][0] * (end - p[n - 1][1]) + p[n - 1][0] * end;
   } else if (!half) {
     area += p[n - 1][0] * p[0][1] - p[0][0] * p[n - 1][1];
   }

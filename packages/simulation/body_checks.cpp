@@ -81,6 +81,42 @@ void fit(const BodySetup& of, const Judge& judge) {
           "give mesh and body the same lengths (tip, diameter, position)");
 }
 
+/// Whether two ends of a contour are one point, and whether a half contour ends on its axis.
+bool is_closed(const Contour& contour) {
+  const ContourPiece &first = *contour.pieces().front(), &last = *contour.pieces().back();
+  const PlanePoint from = first.point(0), to = last.point(last.length());
+  const double apart =
+      contour.extent() == ContourExtent::half ? std::abs(to[0]) : std::hypot(to[0] - from[0], to[1] - from[1]);
+  return apart <= 1e-9 * contour.length();
+}
+
+/// Lines at the ends of an open contour run on for ever. They do so upwards, or to both sides; otherwise a side is
+/// missing.
+void open_contour(const BodySetup& of, const Judge& judge) {
+  if (of.dim == 3 || of.body.contour().extent() == ContourExtent::half || is_closed(of.body.contour())) return;
+  const auto& pieces = of.body.contour().pieces();
+  const PlanePoint in = pieces.front()->tangent(0), out = pieces.back()->tangent(pieces.back()->length());
+  const double x = out[0] - in[0], y = out[1] - in[1], size = std::hypot(x, y);
+  constexpr double both_sides = 0.5;
+  if (size > both_sides)
+    judge(
+        y / size,
+        of.called() + ": the cosine between the vertical and the direction in which its open contour runs on for ever",
+        "close the contour: its last point is its first one (in a box of four corners give five points)");
+}
+
+/// An end that is no line does not run on: beyond it the body has no side.
+void contour_end(const BodySetup& of, const Judge& judge) {
+  if (of.dim == 3 || is_closed(of.body.contour())) return;
+  const auto& pieces = of.body.contour().pieces();
+  const bool half = of.body.contour().extent() == ContourExtent::half;
+  const auto line = [](const ContourPiece& piece) { return dynamic_cast<const LinePiece*>(&piece) != nullptr; };
+  const double curves = (line(*pieces.back()) ? 0 : 1) + (half || line(*pieces.front()) ? 0 : 1);
+  judge(curves, of.called() + ": the number of open ends of its contour that are curves",
+        half ? "end it on the axis x = 0, or by a straight line, which runs on for ever"
+             : "let the last piece end where the first one starts, or end it by straight lines, which run on for ever");
+}
+
 /// Whether a stage prescribes a way or a turn.
 bool driven(const BodySetup& of) {
   for (const auto& motion : of.motions) {
@@ -405,7 +441,10 @@ std::vector<BodyCheck> body_checks() {
       {{"beside the surface", "-", {0, 1e-6}, "how far a body stands beside its contact's surface, in widths"}, aside},
       {{"facing", "-", {0, 1.001}, "cosine between the sides that are nearest to a body and its surface there"},
        facing},
-      {{"fit in a hole", "-", {0, 1}, "distance of a body from the sides of a hole that it lies in, in sides"}, fit},
+      {{"fit in a hole", "-", {0, 0.1}, "distance of a body from the sides of a hole that it lies in, in sides"}, fit},
+      {{"open contour", "-", {0.5, 1.0001}, "cosine between the vertical and the way in which an open contour runs on"},
+       open_contour},
+      {{"ends of a contour", "-", {0, 0}, "open ends of a contour that are curves and do not run on"}, contour_end},
       {{"contacts of a body", "-", {1, any_size}, "number of contacts of a body that moves"}, contacts_of},
       {{"gap in space", "-", {0, 5}, "distance of a body in space from the soil over its width"}, in_space_only_gap},
       {{"density in space", "kg/m3", {1000, 20000}, "mass over volume of a body in space that may move freely"},

@@ -143,8 +143,13 @@ void BodySetup::find_surfaces() {
     const double away = std::abs(side.middle[0] - 0.5 * (box.low[0] + box.high[0]));
     const bool in_hole = side.middle[up] < top - 2 * side.longest && away < 0.75 * shadow.length && facing > 0.5 &&
                          side.middle[up] < box.high[up];
-    if (touches && in_hole && std::abs(gap) > s.misfit) {
-      s.misfit = std::abs(gap);
+    if (!touches || !in_hole) continue;
+    // of a curved shape the middles of sides are off by the arc's height, but no corner is
+    double corners = 0;
+    for (const Point& x : side.corners) corners = std::max(corners, std::abs(nearest(body, x).first));
+    const double misfit = std::min(std::abs(gap), corners);
+    if (misfit > s.misfit) {
+      s.misfit = misfit;
       s.reach = side.longest;
     }
   }

@@ -11,18 +11,39 @@ namespace {
 /// What lies in the soil's surface presses with some ten times the strength.
 constexpr double bearing_factor = 10;
 
-void penalty(const ContactSetup& of, const Judge& judge) {
+/// A given penalty over what the soil behind it bears, where the contact is enforced this way; 0: none is given.
+double over_soil(const ContactSetup& of, bool augmented, double& bears) {
   const double given = number_in(of.entry, "penalty", 0);
-  std::string enforcement = "penalty";
-  if (of.entry.has_parameter("enforcement")) enforcement = of.entry.text("enforcement");
-  if (!(given > 0) || !(of.soil.stiffness > 0) || enforcement != "penalty" || of.entry.text("type") == "mortar") return;
-  const double bears = of.soil.strength > 0
-                           ? std::min(of.soil.stiffness, bearing_factor * of.soil.strength / (0.5 * of.soil.side))
-                           : of.soil.stiffness;
-  judge(given / bears,
-        of.called() + ": its 'penalty' of " + told(given) + " Pa/m over what the soil behind it bears, " + told(bears) +
-            " Pa/m (modulus over element height, or ten times the strength over half a side),",
-        "give it in Pa/m, or leave it out: 'penalty factor' times the modulus over the height");
+  const bool is_augmented = of.entry.has_parameter("enforcement") && of.entry.text("enforcement") != "penalty";
+  if (!(given > 0) || !(of.soil.stiffness > 0) || is_augmented != augmented || of.entry.text("type") == "mortar")
+    return 0;
+  bears = of.soil.strength > 0 ? std::min(of.soil.stiffness, bearing_factor * of.soil.strength / (0.5 * of.soil.side))
+                               : of.soil.stiffness;
+  return given / bears;
+}
+
+void judge_penalty(const ContactSetup& of, bool augmented, const std::string& advice, const Judge& judge) {
+  double bears = 0;
+  const double share = over_soil(of, augmented, bears);
+  if (share > 0)
+    judge(share,
+          of.called() + ": its 'penalty' of " + told(share * bears) + " Pa/m over what the soil behind it bears, " +
+              told(bears) + " Pa/m (modulus over element height, or ten times the strength over half a side),",
+          advice);
+}
+
+void penalty(const ContactSetup& of, const Judge& judge) {
+  judge_penalty(of, false, "give it in Pa/m, or leave it out: 'penalty factor' times the modulus over the height",
+                judge);
+}
+
+/// Multipliers make up for a soft penalty, but the softer it is the more often a step is solved.
+void augmented_penalty(const ContactSetup& of, const Judge& judge) {
+  judge_penalty(
+      of, true,
+      "give it in Pa/m, or leave it out; multipliers that make up for so soft a penalty take many rounds, and "
+      "those for so stiff a one leave Newton's method little to go by",
+      judge);
 }
 
 void penalty_factor(const ContactSetup& of, const Judge& judge) {
@@ -140,6 +161,11 @@ void damping(const ContactSetup& of, const Judge& judge) {
 std::vector<ContactCheck> contact_checks() {
   return {
       {{"penalty", "-", {0.5, 1e5}, "a contact's given penalty over what the soil behind it bears per metre"}, penalty},
+      {{"augmented penalty",
+        "-",
+        {0.02, 1e5},
+        "as 'penalty', of a contact by augmented Lagrangian, whose multipliers make up for a soft one"},
+       augmented_penalty},
       {{"penalty factor", "-", {0.3, 1e4}, "of a contact's automatic penalty"}, penalty_factor},
       {{"friction coefficient", "-", {0, 1}, "of a contact"}, friction},
       {{"kinetic friction", "-", {0, 1}, "kinetic over friction coefficient"}, kinetic},

@@ -48,6 +48,7 @@ BASES = {
 }
 TIP = 3.2  # m, where the mesh was made for 2.14
 BAR, BLOCK, TOUCH = "bodies/bar/", "bodies/block/", "contacts/touch/"
+BOX = {"type": "polyline", "extent": "full"}
 WEIGHT = {"type": "pressure", "set": "top", "value": 2e5}
 
 # base deck, edits, the doubt
@@ -68,6 +69,11 @@ MISTAKES = [
     ("pushed", {TOUCH + "surface": "left"}, "facing"),
     ("pushed", {TOUCH + "penalty": 1e2}, "penalty"),
     ("pushed", {TOUCH + "penalty": 1e13}, "penalty"),
+    ("pushed", {TOUCH + "penalty": 1e2, TOUCH + "enforcement": "augmented Lagrangian"}, "augmented penalty"),
+    ("pushed", {TOUCH + "penalty": 1e13, TOUCH + "enforcement": "augmented Lagrangian"}, "augmented penalty"),
+    ("pushed", {BAR + "contour": dict(BOX, x=[-0.25, 0.25, 0.25, -0.25], y=[0.0, 0.0, 0.5, 0.5])}, "open contour"),  # a side is missing
+    ("pushed", {BAR + "contour": {"type": "path", "extent": "full", "start": [-0.25, 0.25], "pieces": {
+        "round": {"type": "arc", "to": [0.25, 0.25], "radius": 0.25}}}}, "ends of a contour"),                       # half a circle
     ("pushed", {TOUCH + "penalty factor": 0.01}, "penalty factor"),
     ("pushed", {TOUCH + "penalty factor": 1e6}, "penalty factor"),
     ("pushed", {TOUCH + "friction/coefficient": 20.0}, "friction coefficient"),
@@ -139,7 +145,7 @@ def edited(base, edits):
 
 class Mistakes(MudlineCase):
     def doubts(self, decks):
-        """Of each deck the names of its doubts; all in one start of the program. A refused deck fails."""
+        """Of each deck the answer and the lines of its doubts; all in one start of the program."""
         files = [self.write(f"{k}.xml", deck_text("deck", deck)) for k, deck in enumerate(decks)]
         done = subprocess.run([PROGRAM, "check", "--each"] + files, cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=600)
         result, lines = [], []
@@ -170,6 +176,27 @@ class Mistakes(MudlineCase):
                 self.assertRegex(line, r" is -?[\d.e+-]+.*, usual is .*\(plausibility/[^)]*\)")
         self.assertEqual(silent, [], "\n".join(map(str, silent)))
 
+    def test_two_ranks_doubt_the_same(self):
+        files = [self.write(f"{k}.xml", deck_text("deck", edited(base, edits))) for k, (base, edits, _) in enumerate(MISTAKES[::6])]
+        one, two = (sorted(program(["check", "--each", *files], ranks, self.folder).stderr.splitlines()) for ranks in (1, 2))
+        self.assertGreaterEqual(len(one), len(files))
+        self.assertEqual(two, one)
+
+    def test_closed_and_upright_contours_are_not_doubted(self):
+        """Contours that are meant: a closed box, one whose sides run on upwards, a plate that runs on to both sides."""
+        contours = [dict(BOX, x=[-0.25, 0.25, 0.25, -0.25, -0.25], y=[0.0, 0.0, 0.5, 0.5, 0.0]),
+                    dict(BOX, x=[-0.25, -0.25, 0.25, 0.25], y=[0.5, 0.0, 0.0, 0.5]),
+                    dict(BOX, x=[-0.25, 0.25], y=[0.0, 0.0])]
+        for contour, (answer, lines) in zip(contours, self.doubts([edited("pushed", {BAR + "contour": c}) for c in contours])):
+            self.assertTrue(answer.endswith("the deck is valid"), answer)
+            self.assertEqual([line for line in lines if "contour" in line], [], contour)
+
+    def test_inverted_contours_are_refused(self):
+        """The body on the right of its path: a box, and a pile from its axis downwards."""
+        for extent, x, y in (("full", [-0.25, -0.25, 0.25, 0.25, -0.25], [0.0, 0.5, 0.5, 0.0, 0.0]), ("half", [0.0, 0.2, 0.2], [0.0, -0.1, -2.0])):
+            ((answer, _),) = self.doubts([edited("pushed", {BAR + "contour": {"type": "polyline", "extent": extent, "x": x, "y": y}})])
+            self.assertIn("the contour is inverted: the body must lie on the left of the path", answer)
+
     def test_ranges_are_the_decks(self):
         deck = edited("pushed", {TOUCH + "friction/coefficient": 20.0, "plausibility/friction coefficient": [0.0, 30.0]})
         wanted = edited("pushed", {"plausibility/contacts of a body": [2.0, 3.0]})
@@ -179,10 +206,13 @@ class Mistakes(MudlineCase):
 
     def test_a_tip_of_another_length_than_the_hole(self):
         deck = os.path.join(ROOT, "inputs", "torpedo", "tresca.xml")
-        for length, doubted in ((2.14, False), (TIP, True)):
+        for length, doubted in ((2.14, False), (2.5, True), (TIP, True)):
             done = program(["check", "-q", deck, "--set", f"bodies/anchor/contour/tip length={length}"], folder=self.folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual("(plausibility/fit in a hole)" in done.stderr, doubted, done.stderr)
+        done = program(["check", "-q", deck, "--set", "bodies/anchor/contour/tip length=1.8"], folder=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)  # blunter than the hole
+        self.assertIn("body 'anchor' overlaps the surface by 0.045", done.stderr)
         self.assertNotIn("fit in a hole", program(["check", "-q", deck, "--set", f"bodies/anchor/contour/tip length={TIP}", "--set",
                                                    "plausibility/fit in a hole={0, 10}"], folder=self.folder).stderr)
 

@@ -13,11 +13,11 @@ class Mistakes(MudlineCase):
         for name, (half, width, depth, cells) in FILES.items():
             self.write(name + ".geo", FOOTING.format(half=half, width=width, depth=depth, cells=cells))
 
-    def doubts(self, decks):
+    def doubts(self, decks, ranks=1):
         """{name: [line]} of {name: deck}, all in one start of the program."""
         for name, deck in decks.items():
             self.write(name + ".xml", deck_text(name, deck))
-        done = program(["check", "--each"] + [name + ".xml" for name in decks], folder=self.folder)
+        done = program(["check", "--each"] + [name + ".xml" for name in decks], ranks, self.folder)
         self.assertEqual(done.returncode, 0, "\n".join(line for line in done.stdout.splitlines() if "is valid" not in line))
         found = collections.defaultdict(list)
         for line in done.stderr.splitlines():
@@ -37,6 +37,14 @@ class Mistakes(MudlineCase):
             for i, (base, changes, name) in enumerate(MISTAKES):
                 with self.subTest(base=base, changes=changes, space=space):
                     self.assertTrue(any(f"(plausibility/{name})" in doubt for doubt in found[f"row_{i}"]), found[f"row_{i}"])
+
+    def test_two_ranks_doubt_the_same(self):
+        """Every seventh mistake, in turn in the plane and in space; figures agree in the digits that are told."""
+        rows = MISTAKES[::7]
+        decks = {f"row_{i}": changed(BASES[base](i % 2 == 1), changes, i % 2 == 1) for i, (base, changes, _) in enumerate(rows)}
+        one, two = self.doubts(decks), self.doubts(decks, ranks=2)
+        self.assertEqual(one, two)
+        self.assertEqual(len(one), len(rows))
 
 
 if __name__ == "__main__":

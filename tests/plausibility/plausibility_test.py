@@ -2,7 +2,9 @@
 import copy
 import math
 import os
+import pathlib
 import re
+import shlex
 import unittest
 
 from mudline_case import ROOT, MudlineCase, deck_text, program
@@ -65,6 +67,41 @@ class Shipped(Telling):
         self.assertEqual({name: [d for d in doubts if not re.search(DOUBTED.get(name, "^$"), d)] for name, doubts in found.items()
                           if name not in DOUBTED or not all(re.search(DOUBTED[name], d) for d in doubts)}, {})
         self.assertEqual(sorted(set(DOUBTED) - set(found)), [])  # the list has no more than is needed
+
+
+class Documented(Telling):
+    """What a reader is told to run, and the decks that the program itself writes."""
+
+    COMMAND = re.compile(r"mudline (?:-n \d+ )?(?:run|check) ((?:inputs/[\w/.-]+\.xml\s+)+(?:--set\s+(?:\"[^\"]+\"|\S+)\s*)*)")
+
+    def commands(self):
+        """{words: document} of the commands on shipped decks in the documents."""
+        found = {}
+        for path in [pathlib.Path(ROOT, "README.md"), pathlib.Path(ROOT, "inputs", "README.md"), *sorted(pathlib.Path(ROOT, "docs").rglob("*.md"))]:
+            for command in self.COMMAND.finditer(path.read_text().replace("`", "\n")):
+                found[tuple(shlex.split(command[1]))] = path.name
+        return found
+
+    def test_commands_of_the_documents_are_not_doubted(self):
+        commands = self.commands()
+        self.assertGreaterEqual(len(commands), 5)
+        names = {tuple(os.path.relpath(f, ROOT) for f in files): name for name, files in shipped_decks().items()}
+        for words, document in commands.items():
+            with self.subTest(command=" ".join(words), document=document):
+                decks = tuple(word for word in words if word.endswith(".xml") and "=" not in word)
+                allowed = DOUBTED.get(names.get(decks), "^$")
+                rest = [word for word in words if word not in decks and word != "--set"]
+                doubts = self.doubts([os.path.join(ROOT, deck) for deck in decks], rest)
+                self.assertEqual([doubt for doubt in doubts if not re.search(allowed, doubt)], [])
+
+    def test_the_readme_walk_with_its_changes(self):
+        self.assertEqual(self.doubts(self.shipped("pile/clay"), ["stages/push/duration=0.5"]), [])
+
+    def test_templates_are_not_doubted(self):
+        for physics in ("biot", "solid"):
+            with self.subTest(physics=physics):
+                deck = self.write(physics + ".xml", program(["template", physics]).stdout)
+                self.assertEqual(self.doubts([deck]), [])
 
 
 class Slips(Telling):

@@ -7,7 +7,8 @@ NAME is a deck's path below inputs/ without ".xml", say pile/clay. The program i
 A refactoring keeps them to 1e-9. A change of a default that changes answers is compared with the old setting by --set, and
 the decks are recorded anew with a note of the figure.
 
-A deck runs for as many steps as about five seconds allow, decided when it is recorded and kept in the file's first line; at
+A deck runs for as many steps as about five seconds allow, decided when it is first recorded and kept in the file's first line, also
+when it is recorded again, on a busier machine say (`--anew` decides again); at
 most twelve rows are kept, spread over the run. A second run on two ranks tells what rounding does to each column (the row
 `noise`): what is a difference of large numbers cannot be kept to 1e-9. Ten times that is allowed for.
 """
@@ -82,8 +83,16 @@ def rounding(files, steps, history):
     return np.abs(other.data[:, columns] - history.data).max(axis=0)
 
 
-def record(name, files):
-    steps, history = find_steps(files)
+def recorded_steps(name):
+    """Of the file that is there; None without one."""
+    path = path_of(name)
+    return int(path.read_text().split(maxsplit=2)[1]) if path.exists() else None
+
+
+def record(name, files, anew=False):
+    steps, history = recorded_steps(name), None
+    if anew or steps is None:
+        steps, history = find_steps(files)
     noise, limit = None, CALM.get(name, steps)
     while noise is None:
         if limit < steps or history is None:
@@ -138,6 +147,7 @@ def main():
     parser.add_argument("names", nargs="*")
     parser.add_argument("--tolerance", type=float, default=1e-9, help="of a column's largest value")
     parser.add_argument("--set", action="append", default=[], dest="settings", help="as of the program")
+    parser.add_argument("--anew", action="store_true", help="record: decide again how many steps a deck runs for")
     parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     arguments = parser.parse_args()
@@ -151,7 +161,7 @@ def main():
     def work(name):
         try:
             if arguments.command == "record":
-                return name, record(name, decks[name]), True
+                return name, record(name, decks[name], arguments.anew), True
             problems = compare(name, decks[name], arguments.tolerance, arguments.settings, arguments.ranks)
             return name, "\n    ".join(problems[:6]) if problems else "equal", not problems
         except RuntimeError as error:

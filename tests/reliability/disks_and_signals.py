@@ -13,9 +13,9 @@ import cpu_limit
 from fault import Ended, Outcome, judge, launcher, program, start
 from mudline_case import ROOT
 
-TITLE = "full disks, SIGINT, SIGTERM, SIGUSR1, two runs at once; 1 and 2 ranks"
-FULL = 60
-SAMPLE = 8
+TITLE = "full disks, SIGINT, SIGTERM, SIGHUP, SIGUSR1, two runs at once; 1 and 2 ranks"
+FULL = 70
+SAMPLE = 9
 
 DECK = os.path.join(ROOT, "tests", "mpi", "ball_in_clay.xml")
 SETTINGS = ["mesh/cells={4, 4}", "output/name=run", "output/checkpoint steps=4", "output/field steps=4"]
@@ -38,8 +38,12 @@ def small_disk(folder, kilobytes):
 
 
 def begin(arguments, folder, ranks):
-    return subprocess.Popen([*launcher(ranks), program(), *arguments], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            text=True, errors="replace", start_new_session=True)
+    hearing = signal.signal(signal.SIGHUP, signal.SIG_DFL)  # below nohup a run would inherit that it is ignored
+    try:
+        return subprocess.Popen([*launcher(ranks), program(), *arguments], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                text=True, errors="replace", start_new_session=True)
+    finally:
+        signal.signal(signal.SIGHUP, hearing)
 
 
 def end(running, limit=120):
@@ -116,11 +120,12 @@ FAULTS = [
     disk_that_fills,
     stopped(signal.SIGINT, lambda generator: generator.randint(2, 40)),
     stopped(signal.SIGTERM, lambda generator: generator.randint(2, 40)),
+    stopped(signal.SIGHUP, lambda generator: generator.randint(2, 40)),
     stopped(signal.SIGUSR1, lambda generator: generator.randint(2, 40)),
     second_run,
 ]
-# mpirun answers SIGINT and SIGTERM by killing the ranks; on several it is SIGUSR1 that asks them to stop
-TWO_RANKS = [disk_too_small, disk_that_fills, FAULTS[4], second_run]
+# mpirun answers SIGINT, SIGTERM and SIGHUP by killing the ranks; on several it is SIGUSR1 that asks them to stop
+TWO_RANKS = [disk_too_small, disk_that_fills, FAULTS[5], second_run]
 
 
 def run(count, seed, folder):

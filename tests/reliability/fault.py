@@ -12,18 +12,23 @@ GOOD = {
     "said": "one line that says what is wrong, and a non-zero exit code",
     "unchanged": "exit code 0 and the numbers of the run without the fault",
     "survived": "continued after a restart, with the numbers of the run without the fault",
+    "doubted": "a warning that names the quantity, what it is and what is usual; the run is not stopped",
+}
+OPEN = {
+    "silent": "a mistake about which nothing is said: the deck could be meant as it stands",
 }
 BAD = {
     "other numbers": "exit code 0 although the numbers are others",
     "crash": "ended by a signal, or with a stack trace",
     "hang": "still running at the time limit",
     "several lines": "more than one line of explanation, or none",
+    "carried out": "a file of data did what a program may do: it wrote, started a program, or ended Gmsh",
 }
 
 
 @dataclass
 class Outcome:
-    """One fault: what was done, the verdict (a key of GOOD or BAD), and what the program said or what was compared."""
+    """One fault: what was done, the verdict (a key of GOOD, OPEN or BAD), and what the program said or what was compared."""
 
     fault: str
     verdict: str

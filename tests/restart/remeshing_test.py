@@ -7,38 +7,12 @@ import sys
 import time
 import unittest
 
+from meshing_child import caught, children
 from mudline_case import PROGRAM, ROOT, History, deck_text
 from restart_test import RestartCase, settings
 
 sys.path.insert(0, os.path.join(ROOT, "tests", "verification", "ale"))
 from remeshed_ball import FOCUS, WALL, ball, remeshing  # noqa: E402
-
-
-def children(process):
-    """Processes whose parent it is."""
-    found = []
-    try:
-        for name in os.listdir(f"/proc/{process}/task"):
-            with open(f"/proc/{process}/task/{name}/children") as file:
-                found += [int(word) for word in file.read().split()]
-    except (FileNotFoundError, ProcessLookupError):
-        pass  # it has ended
-    return found
-
-
-def stands_still(process):
-    """Stops a process at once; False where it had ended."""
-    try:
-        os.kill(process, signal.SIGSTOP)
-        for _ in range(10000):
-            with open(f"/proc/{process}/stat") as file:
-                state = file.read().rpartition(")")[2].split()[0]
-            if state in "TZX":
-                return state == "T"
-            time.sleep(0.001)
-    except (ProcessLookupError, FileNotFoundError):
-        pass
-    return False
 
 
 class Remeshing(RestartCase):
@@ -69,12 +43,7 @@ class Remeshing(RestartCase):
 
     def caught(self, running):
         """The process of a remeshing, which stands still; None where the run has ended."""
-        while running.poll() is None:
-            for child in children(running.pid):
-                if child not in self.of_mpi and stands_still(child):
-                    return child
-            time.sleep(0.001)
-        return None
+        return caught(running, self.of_mpi)
 
     def check_interrupted(self, name, numbers):
         whole = self.whole(name)

@@ -111,6 +111,39 @@ TEST(ConvectionRemap, BoundsHoldAndAStepMakesNoNewExtremum) {
   }
 }
 
+/// Scatter of this size about a field goes in steps by a thousandth of the box; returns what is left of it, and how far
+/// the field itself is off, both rms.
+std::pair<double, double> left_of_scatter(Field field, double size) {
+  const auto mesh = box(CellShape::tri6, 8, 0.2);
+  const Points points(*mesh);
+  std::vector<double> clean = points.values(field, points.start), scattered = clean;
+  for (std::size_t i = 0; i < scattered.size(); ++i) scattered[i] += size * std::sin(12.9898 * i + 78.233 * i * i);
+  Positions from = points.start;
+  for (int k = 1; k <= 10; ++k) {
+    const Positions to = swirled(points.start, 0.001 * k, 0.5);
+    clean = points.carried(clean, from, to);
+    scattered = points.carried(scattered, from, to);
+    from = to;
+  }
+  const std::vector<double> exact = points.values(field, from);
+  double scatter = 0, off = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    scatter += std::pow(scattered[i] - clean[i], 2) / exact.size();
+    off += std::pow(clean[i] - exact[i], 2) / exact.size();
+  }
+  return {std::sqrt(2 * scatter) / size, std::sqrt(off)};
+}
+
+TEST(ConvectionRemap, ScatterAboutAUniformFieldGoesLongBeforePointsCrossTheirElement) {
+  const auto uniform = left_of_scatter([](double, double) { return 1.2; }, 0.01);
+  EXPECT_LT(uniform.first, 0.7);  // by the distance moved alone: 0.9
+  EXPECT_LT(uniform.second, 1e-15);
+  // of a field that changes over the elements it is told apart by its size, and the field stays what it is
+  EXPECT_LT(left_of_scatter(smooth, 0.5).first, 0.8);
+  EXPECT_GT(left_of_scatter(smooth, 1e-3).first, 0.6);
+  EXPECT_LT(left_of_scatter(smooth, 1e-3).second, 2e-3);
+}
+
 /// There and back again in steps that move by a fixed share of an element: what the convection of a field costs.
 double journey(ConvectionRemap remap, Field field, int n) {
   const auto mesh = box(CellShape::tri6, n);
