@@ -180,8 +180,8 @@ class Umat(MudlineCase):
         columns = [n for n in runs["stored"].columns if n.startswith("probe/") and np.abs(runs["stored"][n]).max() > 1e-9]
         self.assert_same(runs["stored"], runs["first"], columns)
         self.write("broken.xml", text.replace("SKELETON", as_xml(law)))
-        self.run_deck("broken.xml", "--steps", "2")
-        self.assert_same(runs["stored"], self.run_deck("broken.xml", "--restart"), columns)
+        self.run_deck("broken.xml", extra=["--steps", "2"])
+        self.assert_same(runs["stored"], self.run_deck("broken.xml", extra=["--restart"]), columns)
 
     def test_deformation_gradient(self):
         """A neo-Hookean law in oedometer and simple shear against its closed form, at a point and in elements."""

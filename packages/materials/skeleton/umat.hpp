@@ -24,8 +24,8 @@ namespace mudline {
 ///                   stage
 ///   KSTEP, KINC     number of the stage, 1 in a point test, and of the step within it, from 1
 ///   NOEL, NPT       number of the element and of the point in it, from 1, the same on any number of ranks
-///   CELENT          root of the element's area, or cube root of its volume, over its order [m]; not a number in a point
-///                   test
+///   CELENT          root of the element's area, or cube root of its volume, over its order [m]; not a number in a
+///                   point test
 ///   PROPS, NTENS    from the deck; NTENS = 4 (plane strain, axisymmetric) fails where there is out-of-plane shear
 ///   PNEWDT          below 1: the point has failed and the step is cut
 ///   DROT            rotation of the step; the identity where "tensor state" names the tensors of STATEV, which mudline
