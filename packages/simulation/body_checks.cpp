@@ -441,7 +441,7 @@ std::vector<BodyCheck> body_checks() {
       {{"beside the surface", "-", {0, 1e-6}, "how far a body stands beside its contact's surface, in widths"}, aside},
       {{"facing", "-", {0, 1.001}, "cosine between the sides that are nearest to a body and its surface there"},
        facing},
-      {{"fit in a hole", "-", {0, 0.1}, "distance of a body from the sides of a hole that it lies in, in sides"}, fit},
+      {{"fit in a hole", "-", {0, 0.25}, "distance of a body from the sides of a hole that it lies in, in sides"}, fit},
       {{"open contour", "-", {0.5, 1.0001}, "cosine between the vertical and the way in which an open contour runs on"},
        open_contour},
       {{"ends of a contour", "-", {0, 0}, "open ends of a contour that are curves and do not run on"}, contour_end},
