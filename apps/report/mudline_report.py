@@ -10,7 +10,6 @@ import argparse
 import base64
 import html
 import io
-import os
 import re
 import sys
 import time
@@ -22,6 +21,9 @@ import report_pictures as pictures
 import report_point
 import report_space_pictures
 from report_result import FieldResult, History, ReportError, find_files, text
+
+sys.path.append(str(Path(__file__).resolve().parent.parent / "support"))
+from standard_output import after_output  # noqa: E402
 
 FAVOURITES = [
     "excess pore pressure",
@@ -398,19 +400,6 @@ def main(arguments=None):
         print(path)
     print(output)
     return 0
-
-
-def after_output(main):
-    """The exit code of main(), once its text has reached where it should: a full disk, or a terminal that is gone, refuses it."""
-    try:
-        code = main()
-        sys.stdout.flush()
-        return code
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for what is flushed at the end
-        told = "the text for the standard output could not be written; is the disk full?"
-        print(f"error: {told if error.filename is None else error}", file=sys.stderr)
-        return 1
 
 
 if __name__ == "__main__":

@@ -18,6 +18,9 @@ import numpy as np
 
 from sweep_deck import Formula, SweepDeck, SweepError
 
+sys.path.append(str(Path(__file__).resolve().parent.parent / "support"))
+from standard_output import after_output  # noqa: E402
+
 
 def history(path):
     """Columns of a history file by name, without unit."""
@@ -120,19 +123,6 @@ def main(arguments):
         print(f"{name:>{width}}  " + "  ".join(f"{row[name]:12.5g}" for row in table))
     print(f"done: {len(table)} runs; results in {stem}.{{csv,png}}")
     return 0
-
-
-def after_output(main):
-    """The exit code of main(), once its text has reached where it should: a full disk, or a terminal that is gone, refuses it."""
-    try:
-        code = main()
-        sys.stdout.flush()
-        return code
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for what is flushed at the end
-        told = "the text for the standard output could not be written; is the disk full?"
-        print(f"error: {told if error.filename is None else error}", file=sys.stderr)
-        return 1
 
 
 if __name__ == "__main__":

@@ -8,6 +8,12 @@ namespace {
 
 using Tag = CentreNodes::Tag;
 
+std::vector<std::vector<int>> faces_of(CellShape shape) {
+  std::vector<std::vector<int>> faces;
+  for (int s = 0; mudline::dimension(shape) == 3 && s < num_sides(shape); ++s) faces.push_back(side_nodes(shape, s));
+  return faces;
+}
+
 std::array<Tag, 4> corners_of(const std::vector<int>& face, const Tag* cell) {
   std::array<Tag, 4> key{};
   for (int c = 0; c < 4; ++c) key[c] = cell[face[c]];
@@ -19,26 +25,25 @@ std::array<Tag, 4> corners_of(const std::vector<int>& face, const Tag* cell) {
 
 void CentreNodes::note(CellShape shape, const std::vector<Tag>& nodes) {
   if (shape != CellShape::hex27) return;
+  const std::vector<std::vector<int>> faces = faces_of(shape);
   for (std::size_t first = 0; first < nodes.size(); first += num_nodes(shape)) {
     const Tag* const cell = nodes.data() + first;
-    for (int s = 0; s < num_sides(shape); ++s) {
-      const std::vector<int> face = side_nodes(shape, s);
+    for (const std::vector<int>& face : faces)
       if (cell[face.back()] != missing) faces_.emplace(corners_of(face, cell), cell[face.back()]);
-    }
   }
 }
 
 void CentreNodes::add(CellShape shape, std::vector<Tag>& nodes) {
   const int n = num_nodes(shape), corners = num_corners(shape), edges = num_edges(shape);
   if (order(shape) == 1 || is_simplex(shape)) return;
+  const std::vector<std::vector<int>> faces = faces_of(shape);
   std::vector<int> all_corners, all_edges;
   for (int a = 0; a < corners; ++a) all_corners.push_back(a);
   for (int a = corners; a < corners + edges; ++a) all_edges.push_back(a);
   for (std::size_t first = 0; first < nodes.size(); first += n) {
     Tag* const cell = nodes.data() + first;
     if (cell[n - 1] != missing) continue;
-    for (int s = 0; mudline::dimension(shape) == 3 && s < num_sides(shape); ++s)
-      cell[side_nodes(shape, s).back()] = centre_of_face(side_nodes(shape, s), cell);
+    for (const std::vector<int>& face : faces) cell[face.back()] = centre_of_face(face, cell);
     cell[n - 1] = centre(all_corners, all_edges, cell);
   }
 }

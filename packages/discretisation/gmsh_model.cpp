@@ -70,13 +70,11 @@ void for_each_type(int dimension, int entity, F&& f) {
     if (!tags[t].empty()) f(types[t], nodes[t]);
 }
 
-/// Number of nodes and of corners of elements of a type, which are the first nodes.
-std::pair<int, int> nodes_and_corners(int type) {
-  std::string name;
-  int dimension = 0, order = 0, nodes = 0, corners = 0;
-  std::vector<double> places;
-  gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, places, corners);
-  return {nodes, corners};
+const MshElement& known_element(int type) {
+  const MshElement* const known = msh_element(type);
+  if (known == nullptr)
+    throw InputError("it has elements of Gmsh's type " + std::to_string(type) + ", which no mesh takes");
+  return *known;
 }
 
 class Reader {
@@ -126,10 +124,10 @@ void Reader::read_cells() {
     const auto known = region_of.find(entity);
     const std::string region = known == region_of.end() ? "" : known->second;
     for_each_type(dimension_, entity, [&](int type, const std::vector<std::size_t>& nodes) {
-      if (msh_element(type) == nullptr)
-        throw InputError("it has elements of Gmsh's type " + std::to_string(type) + ", which no mesh takes");
-      mesh_.cells.push_back(
-          {type, region, (plane() ? "surface " : "volume ") + std::to_string(entity), {nodes.begin(), nodes.end()}});
+      mesh_.cells.push_back({known_element(type).type,
+                             region,
+                             (plane() ? "surface " : "volume ") + std::to_string(entity),
+                             {nodes.begin(), nodes.end()}});
     });
   }
 }
@@ -139,10 +137,10 @@ void Reader::read_sides() {
     mesh_.sides.push_back({set, dimension_, {}});  // a group without elements is a set too
     for (const int entity : entities)
       for_each_type(dimension_ - 1, entity, [&, &name = set](int type, const std::vector<std::size_t>& nodes) {
-        const auto [count, corners] = nodes_and_corners(type);
-        TaggedMesh::Sides sides{name, corners, {}};
-        for (std::size_t first = 0; first < nodes.size(); first += count)
-          sides.nodes.insert(sides.nodes.end(), nodes.begin() + first, nodes.begin() + first + corners);
+        const MshElement& side = known_element(type);
+        TaggedMesh::Sides sides{name, side.corners, {}};
+        for (std::size_t first = 0; first < nodes.size(); first += side.nodes)
+          sides.nodes.insert(sides.nodes.end(), nodes.begin() + first, nodes.begin() + first + side.corners);
         mesh_.sides.push_back(std::move(sides));
       });
   }

@@ -145,8 +145,7 @@ bool MshElements::is_double(const Element& e, const Element& before) const {
   return group == other;
 }
 
-void MshElements::add_groups_of_entities(
-    std::map<std::pair<int, long long>, std::set<std::set<std::string>>>& groups) const {
+void MshElements::add_groups_of_entities(GroupsOfEntities& groups) const {
   std::map<std::pair<std::pair<int, long long>, std::vector<Tag>>, std::set<std::string>> of_elements;
   for (const Element& e : elements_) {
     std::vector<Tag> sorted(nodes(e), nodes(e) + e.type->nodes);

@@ -13,6 +13,10 @@
 
 namespace mudline {
 
+/// The physical groups of elements by dimension and elementary tag: an element's groups are a set, and an entry has all
+/// the sets that its elements have.
+using GroupsOfEntities = std::map<std::pair<int, long long>, std::set<std::set<std::string>>>;
+
 /// Nodes, elements and names of groups as a file of Gmsh's formats 1 to 2.2 gives them, one after the other, and the
 /// mesh of one dimension that they are. What is wrong with them is told at the element's place in the file.
 class MshElements {
@@ -34,8 +38,7 @@ class MshElements {
 
   /// InputError where elements name nodes that are none, or are listed twice.
   TaggedMesh mesh();
-  /// By dimension and elementary tag: the sets of groups that elements have (old_msh_file.hpp).
-  void add_groups_of_entities(std::map<std::pair<int, long long>, std::set<std::set<std::string>>>& groups) const;
+  void add_groups_of_entities(GroupsOfEntities& groups) const;
 
  private:
   struct Element {

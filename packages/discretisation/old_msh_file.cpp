@@ -8,8 +8,6 @@
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
-#include "discretisation/msh_elements.hpp"
-#include "discretisation/msh_input.hpp"
 
 namespace mudline {
 

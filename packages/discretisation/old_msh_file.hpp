@@ -1,11 +1,8 @@
 #pragma once
 
-#include <map>
-#include <set>
 #include <string>
-#include <utility>
 
-#include "discretisation/tagged_mesh.hpp"
+#include "discretisation/msh_elements.hpp"
 
 namespace mudline {
 
@@ -20,12 +17,8 @@ bool is_old_msh(const std::string& file);
 /// partitions is left out. InputError "<file>:<line>: <what was found>; <what is allowed>".
 TaggedMesh read_old_msh(const std::string& file, int dimension);
 
-/// The physical groups of elements by dimension and elementary tag: an element's groups are a set, and an entry has all
-/// the sets that its elements have.
-using GroupsOfEntities = std::map<std::pair<int, long long>, std::set<std::set<std::string>>>;
-
-/// Adds those of such a file. Gmsh takes elements of one entry for one entity, which has one set of groups: a model
-/// into which it has merged files with entries of several sets is not what they say. InputError.
+/// Adds the groups of such a file's elements. Gmsh takes elements of one entry for one entity, which has one set of
+/// groups: a model into which it has merged files with entries of several sets is not what they say. InputError.
 void add_groups_of_entities(const std::string& file, GroupsOfEntities& groups);
 
 }  // namespace mudline

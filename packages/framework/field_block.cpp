@@ -43,4 +43,11 @@ Point FieldBlock::place(int e, int q, const ConstCoordinateView& x) const {
   return at;
 }
 
+double FieldBlock::scalar_at(int e, int q, int k, const ConstNodalView& values) const {
+  const int first = static_cast<int>(dofs.extent(1)) - (scalars - k) * p.nodes;  // column of the field's first node
+  double value = 0;
+  for (int a = 0; a < p.nodes; ++a) value += p.N(q, a) * values(dofs(e, first + a));
+  return value;
+}
+
 }  // namespace mudline

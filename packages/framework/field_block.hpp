@@ -27,6 +27,8 @@ struct FieldBlock {
   FieldBlock with_quadrature(int degree) const;
   /// Where quadrature point q of element e lies on a configuration [m].
   Point place(int e, int q, const ConstCoordinateView& x) const;
+  /// The scalar field at place k of `scalar` at a quadrature point; `values` by overlap dof.
+  double scalar_at(int e, int q, int k, const ConstNodalView& values) const;
 
   FieldBlock() = default;
   /// displacement: its field, or -1; scalar_fields: all with the same nodes. degree: of the quadrature.

@@ -89,14 +89,10 @@ struct Mixture {
 struct Mixtures {
   Kokkos::View<Mixture*> of;  // by number of the material
   PointView which;
-  int pressure, temperature;  // see Mixture
 
   Mixtures(const Soil& soil, const SoilBlock& b, const State& state) : Mixtures(soil, b, state, b) {}
   Mixtures(const Soil& soil, const SoilBlock& b, const State& state, const FieldBlock& fields)
-      : of("mixtures", soil.materials.size()),
-        which(soil.which(b, state)),
-        pressure(place_of_scalar(fields, soil.pressure)),
-        temperature(place_of_scalar(fields, soil.temperature)) {
+      : of("mixtures", soil.materials.size()), which(soil.which(b, state)) {
     for (int k : b.made_of) of(k) = Mixture(soil, b, *soil.materials[k], fields);
   }
   KOKKOS_INLINE_FUNCTION const Mixture& operator()(int row) const { return of(static_cast<int>(which(row, 0))); }

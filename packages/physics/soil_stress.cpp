@@ -49,11 +49,9 @@ std::array<double, 6> total_stress(const Soil& soil, const State& state, int blo
   for (int q = 0; q < b.points; ++q) places.push_back(b.place(element, q, state.coordinates));
   const std::vector<double> weights = fit_weights(places, dimension, at);
   const SoilPoints soil_at(soil, b, state);
-  const int first = dimension * b.u.nodes;  // column of the pore pressures
   std::array<double, 6> result{};
   for (int q = 0; q < b.points; ++q) {
-    double pressure = 0;
-    for (int a = 0; b.porous() && a < b.p.nodes; ++a) pressure += b.p.N(q, a) * state.value(b.dofs(element, first + a));
+    const double pressure = b.porous() ? b.scalar_at(element, q, 0, state.value) : 0.0;
     for (int c = 0; c < 6; ++c) {
       const int row = element * b.points + q;
       const double pores = c < 3 ? soil_at.material(row).biot_coefficient * pressure : 0.0;

@@ -11,25 +11,19 @@ namespace {
 /// What lies in the soil's surface presses with some ten times the strength.
 constexpr double bearing_factor = 10;
 
-/// A given penalty over what the soil behind it bears, where the contact is enforced this way; 0: none is given.
-double over_soil(const ContactSetup& of, bool augmented, double& bears) {
+/// A given penalty over what the soil behind it bears, where the contact is enforced this way.
+void judge_penalty(const ContactSetup& of, bool augmented, const std::string& advice, const Judge& judge) {
   const double given = number_in(of.entry, "penalty", 0);
   const bool is_augmented = of.entry.has_parameter("enforcement") && of.entry.text("enforcement") != "penalty";
   if (!(given > 0) || !(of.soil.stiffness > 0) || is_augmented != augmented || of.entry.text("type") == "mortar")
-    return 0;
-  bears = of.soil.strength > 0 ? std::min(of.soil.stiffness, bearing_factor * of.soil.strength / (0.5 * of.soil.side))
-                               : of.soil.stiffness;
-  return given / bears;
-}
-
-void judge_penalty(const ContactSetup& of, bool augmented, const std::string& advice, const Judge& judge) {
-  double bears = 0;
-  const double share = over_soil(of, augmented, bears);
-  if (share > 0)
-    judge(share,
-          of.called() + ": its 'penalty' of " + told(share * bears) + " Pa/m over what the soil behind it bears, " +
-              told(bears) + " Pa/m (modulus over element height, or ten times the strength over half a side),",
-          advice);
+    return;
+  const double bears = of.soil.strength > 0
+                           ? std::min(of.soil.stiffness, bearing_factor * of.soil.strength / (0.5 * of.soil.side))
+                           : of.soil.stiffness;
+  judge(given / bears,
+        of.called() + ": its 'penalty' of " + told(given) + " Pa/m over what the soil behind it bears, " + told(bears) +
+            " Pa/m (modulus over element height, or ten times the strength over half a side),",
+        advice);
 }
 
 void penalty(const ContactSetup& of, const Judge& judge) {

@@ -23,7 +23,6 @@ std::string signature_of(const ForeignLibrary& library) {
 /// Loads one library and lets it register.
 void load_plugin(const Section& section, const std::string& given, const std::string& path, Registries& registries) {
   const std::string plugin = "plugin '" + given + "' ";
-  const OpenDescriptors before(true);
   const auto library = guarded(section, "files", plugin + "cannot be loaded", [&] { return ForeignLibrary(path); });
   const auto enter = reinterpret_cast<void (*)(Registries&)>(library.function("mudline_plugin_register"));
   if (!enter || !library.function("mudline_plugin_abi"))
@@ -34,6 +33,7 @@ void load_plugin(const Section& section, const std::string& given, const std::st
     section.fail(plugin + "was built for \"" + signature + "\", this program is \"" + std::string(MUDLINE_ABI) +
                      "\"; rebuild the plugin",
                  "files");
+  const OpenDescriptors before;
   guarded(section, "files", plugin + "cannot register", [&] { enter(registries); });
   check_foreign_code(&before);
 }

@@ -119,4 +119,19 @@ inline int run(const std::vector<std::string>& seeds, const std::vector<std::str
   return 0;
 }
 
+/// main() of a fuzzer called `name` whose arguments are SECONDS SEED and files, the seeds. The input that fails is kept
+/// as fuzz_failure with the `ending` of such files.
+inline int run_on_files(int argc, char** argv, const std::string& name, const std::string& ending,
+                        const std::vector<std::string>& words,
+                        const std::function<std::string(const std::string&)>& read) {
+  if (argc < 4) {
+    std::cerr << name << " SECONDS SEED FILE" << ending << "...\n";
+    return 2;
+  }
+  std::vector<std::string> seeds;
+  for (int i = 3; i < argc; ++i) seeds.push_back(read_file(argv[i]));
+  const std::string kept = "fuzz_failure" + ending;
+  return run(seeds, words, std::atof(argv[1]), std::strtoull(argv[2], nullptr, 10), kept.c_str(), read);
+}
+
 }  // namespace mudline::fuzz

@@ -43,13 +43,7 @@ std::string read_and_write(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) {
-    std::cerr << "fuzz_deck SECONDS SEED deck.xml...\n";
-    return 2;
-  }
-  std::vector<std::string> seeds;
-  for (int i = 3; i < argc; ++i) seeds.push_back(mudline::fuzz::read_file(argv[i]));
-  return mudline::fuzz::run(
-      seeds, words, std::atof(argv[1]), std::strtoull(argv[2], nullptr, 10), "fuzz_failure.xml",
-      [](const std::string& text) { return mudline::fuzz::fault_of([&] { return read_and_write(text); }); });
+  return mudline::fuzz::run_on_files(argc, argv, "fuzz_deck", ".xml", words, [](const std::string& text) {
+    return mudline::fuzz::fault_of([&] { return read_and_write(text); });
+  });
 }

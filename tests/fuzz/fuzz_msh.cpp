@@ -49,12 +49,5 @@ std::string read_mesh(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) {
-    std::cerr << "fuzz_msh SECONDS SEED mesh.msh...\n";
-    return 2;
-  }
-  std::vector<std::string> seeds;
-  for (int i = 3; i < argc; ++i) seeds.push_back(mudline::fuzz::read_file(argv[i]));
-  return mudline::fuzz::run(seeds, words, std::atof(argv[1]), std::strtoull(argv[2], nullptr, 10), "fuzz_failure.msh",
-                            read_mesh);
+  return mudline::fuzz::run_on_files(argc, argv, "fuzz_msh", ".msh", words, read_mesh);
 }

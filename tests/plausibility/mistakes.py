@@ -15,6 +15,13 @@ Physical Curve("footing") = {{4}}; Physical Curve("left") = {{5}};
 # name: half width, width and depth of the mesh [m], cells below the footing
 FILES = {"footing": (1, 12, 8, 6), "narrow": (1, 2, 8, 6), "shallow": (1, 12, 0.5, 6), "coarse": (1, 12, 8, 2)}
 
+
+def mesh_files():
+    """{file name: text} of the geometries that decks of the tables name."""
+    return {f"{name}.geo": FOOTING.format(half=half, width=width, depth=depth, cells=cells)
+            for name, (half, width, depth, cells) in FILES.items()}
+
+
 CLAY = {"type": "modified cam clay", "critical stress ratio": 1.0, "compression slope": 0.2, "swelling slope": 0.04, "Poisson's ratio": 0.3}
 SAND = {"type": "mohr-coulomb", "Young's modulus": 4e7, "Poisson's ratio": 0.3, "cohesion": 1e3, "friction angle [deg]": 32.0,
         "dilation angle [deg]": 4.0}

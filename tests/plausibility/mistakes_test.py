@@ -3,15 +3,15 @@ import collections
 import re
 import unittest
 
-from mistakes import BASES, FILES, FOOTING, MISTAKES, changed
+from mistakes import BASES, MISTAKES, changed, mesh_files
 from mudline_case import MudlineCase, deck_text, program
 
 
 class Mistakes(MudlineCase):
     def setUp(self):
         super().setUp()
-        for name, (half, width, depth, cells) in FILES.items():
-            self.write(name + ".geo", FOOTING.format(half=half, width=width, depth=depth, cells=cells))
+        for name, text in mesh_files().items():
+            self.write(name, text)
 
     def doubts(self, decks, ranks=1):
         """{name: [line]} of {name: deck}, all in one start of the program."""

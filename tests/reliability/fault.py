@@ -57,6 +57,16 @@ def launcher(ranks):
     return [*words, *(["--quiet"] if "--oversubscribe" in words else []), "-n", str(ranks)]
 
 
+def arguments_of(folder, deck, overlay, settings):
+    """The words that run a deck, a file or a function that gives its text, with an overlay; both are put into the new folder."""
+    folder.mkdir()
+    (folder / "over.xml").write_text(overlay)
+    if callable(deck):
+        (folder / "deck.xml").write_text(deck())
+        deck = "deck.xml"
+    return ["run", "-q", deck, "over.xml", *(word for setting in settings for word in ("--set", setting))]
+
+
 def start(arguments, folder, ranks=1, limit=120, **options):
     """Runs the program in `folder`; kills it and all that it started after `limit` seconds of CPU time."""
     process = subprocess.Popen(

@@ -11,7 +11,7 @@ import time
 import cpu_limit
 import h5py
 import numpy as np
-from fault import Outcome, launcher, program, start
+from fault import Outcome, arguments_of, launcher, program, start
 from mudline_case import ROOT, deck_text
 
 TITLE = "kill -9 at a random moment, then `--restart`; contact, friction, mesh motion, free bodies, remeshing; 1 and 2 ranks"
@@ -50,14 +50,7 @@ class Case:
         deck, overlay, settings = CASES[name]
         self.ranks = ranks
         self.folder = folder / f"{name} {ranks}".replace(" ", "_").replace(",", "")
-        self.folder.mkdir()
-        (self.folder / "over.xml").write_text(overlay)
-        if callable(deck):
-            (self.folder / "deck.xml").write_text(deck())
-            deck = "deck.xml"
-        self.arguments = ["run", "-q", deck, "over.xml"]
-        for setting in [*settings, *OFTEN, "output/name=run"]:
-            self.arguments += ["--set", setting]
+        self.arguments = arguments_of(self.folder, deck, overlay, [*settings, *OFTEN, "output/name=run"])
         ended = start(self.arguments, self.folder, ranks)
         assert ended.code == 0, ended.stderr
         self.rows = self.lines()

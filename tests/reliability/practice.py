@@ -30,8 +30,8 @@ def rows():
 
 
 def run(count, seed, folder):
-    for name, (half, width, depth, cells) in mistakes.FILES.items():
-        (folder / f"{name}.geo").write_text(mistakes.FOOTING.format(half=half, width=width, depth=depth, cells=cells))
+    for name, text in mistakes.mesh_files().items():
+        (folder / name).write_text(text)
     chosen = random.Random(seed).sample(rows(), count)
     for (what, _, told), answer in zip(chosen, checked([deck for _, deck, _ in chosen], folder)):
         if answer.refused:

@@ -8,7 +8,7 @@ import sys
 import time
 
 from disks_and_signals import begin, end
-from fault import Outcome, start
+from fault import Outcome, arguments_of, start
 from meshing_child import caught, children
 from mudline_case import ROOT, deck_text
 
@@ -36,14 +36,7 @@ class Case:
         deck, overlay, settings = DECKS[name]
         self.name = name
         self.folder = folder / name
-        self.folder.mkdir()
-        (self.folder / "over.xml").write_text(overlay)
-        if callable(deck):
-            (self.folder / "deck.xml").write_text(deck())
-            deck = "deck.xml"
-        self.arguments = ["run", "-q", deck, "over.xml"]
-        for setting in [*settings, "output/checkpoint steps=0", "output/name=run"]:
-            self.arguments += ["--set", setting]
+        self.arguments = arguments_of(self.folder, deck, overlay, [*settings, "output/checkpoint steps=0", "output/name=run"])
         ended = start(self.arguments, self.folder)
         assert ended.code == 0, ended.stderr
         self.whole = self.history()

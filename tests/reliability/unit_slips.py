@@ -62,8 +62,8 @@ _verdicts, _silent = collections.Counter(), collections.Counter()
 
 
 def run(count, seed, folder):
-    for name, (half, width, depth, cells) in mistakes.FILES.items():
-        (folder / f"{name}.geo").write_text(mistakes.FOOTING.format(half=half, width=width, depth=depth, cells=cells))
+    for name, text in mistakes.mesh_files().items():
+        (folder / name).write_text(text)
     chosen = random.Random(seed).sample(slips(), count)
     for (base, path, factor, _), answer in zip(chosen, checked([slip[-1] for slip in chosen], folder)):
         verdict = "said" if answer.refused else "doubted" if answer.doubts else "silent"

@@ -8,15 +8,13 @@ namespace {
 
 /// The temperature at the points of a block that has it among its fields: (point; value, change of the step) [degC].
 PointView temperatures(const SoilBlock& b, int place, const LoopLevel& level) {
-  const int nodes = b.p.nodes, begin = static_cast<int>(b.dofs.extent(1)) - (b.scalars - place) * nodes;
   PointView result("temperature", static_cast<std::size_t>(b.elements) * b.points, 2);
   for (int e = 0; e < b.elements; ++e)
-    for (int q = 0; q < b.points; ++q)
-      for (int a = 0; a < nodes; ++a) {
-        const int dof = b.dofs(e, begin + a);
-        result(e * b.points + q, 0) += b.p.N(q, a) * level.value(dof);
-        result(e * b.points + q, 1) += b.p.N(q, a) * (level.value(dof) - level.value_old(dof));
-      }
+    for (int q = 0; q < b.points; ++q) {
+      const double value = b.scalar_at(e, q, place, level.value);
+      result(e * b.points + q, 0) = value;
+      result(e * b.points + q, 1) = value - b.scalar_at(e, q, place, level.value_old);
+    }
   return result;
 }
 
@@ -27,11 +25,13 @@ Darcy::Darcy(const Soil& soil, const SoilBlock& block, const StepView& view, con
     : mixture(soil, block, *view.committed, fields),
       lift(soil.excess ? soil.any_of(block).fluid->density() : 0.0),
       void_ratio(view.committed->arrays[block.void_ratio]) {
-  if (mixture.pressure < 0) throw std::logic_error("Darcy's law is asked for without a pore pressure among the fields");
+  if (place_of_scalar(fields, soil.pressure) < 0)
+    throw std::logic_error("Darcy's law is asked for without a pore pressure among the fields");
   if (fields.points != block.points) throw std::logic_error("Darcy's law is asked for at other points than the soil's");
   const Point g = soil.gravity(view.balance.time);
   for (int i = 0; i < 3; ++i) gravity[i] = g[i];
-  if (const int place = place_of_scalar(block, soil.temperature); place >= 0 && mixture.temperature < 0)
+  if (const int place = place_of_scalar(block, soil.temperature);
+      place >= 0 && place_of_scalar(fields, soil.temperature) < 0)
     elsewhere = temperatures(block, place, level);
 }
 

@@ -26,11 +26,12 @@ struct Darcy {
     return mixture(row).porosity(void_ratio(row, 0), at, elsewhere.extent(0) > 0 ? elsewhere(row, 1) : 0.0);
   }
   /// Whether the model has a temperature.
-  bool warm() const { return mixture.temperature >= 0 || elsewhere.extent(0) > 0; }
+  bool warm(const Mixture& here) const { return here.temperature >= 0 || elsewhere.extent(0) > 0; }
   /// [degC]; of a warm model.
   template <class C, int S, class T>
   T temperature(int row, const PointFields<C, S, T>& at) const {
-    return mixture.temperature >= 0 ? at.value[mixture.temperature] : T(elsewhere(row, 0));
+    const Mixture& here = mixture(row);
+    return here.temperature >= 0 ? at.value[here.temperature] : T(elsewhere(row, 0));
   }
   /// k/gamma_w [m2/(Pa s)] at a porosity, at the viscosity for which the conductivity is given.
   template <class T>
@@ -45,12 +46,12 @@ struct Darcy {
   void minus_discharge(int row, const PointFields<C, S, T>& at, T (&w)[C::dim]) const {
     const Mixture& here = mixture(row);
     T kappa = mobility(row, porosity(row, at)), weight = here.fluid_density - lift;
-    if (warm()) {
+    if (warm(here)) {
       const T t = temperature(row, at);
       kappa = kappa * here.fluidity(t);
       weight = here.fluid_density_at(t) - lift;
     }
-    for (int i = 0; i < C::dim; ++i) w[i] = kappa * (at.gradient[mixture.pressure][i] - weight * gravity[i]);
+    for (int i = 0; i < C::dim; ++i) w[i] = kappa * (at.gradient[here.pressure][i] - weight * gravity[i]);
   }
 };
 

@@ -48,8 +48,10 @@ struct TotalStress : PointLaw {
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     T pressure = 0.0;
-    if constexpr (S > 0)
-      if (mixtures.pressure >= 0) pressure = mixtures(row).alpha * at.value[mixtures.pressure];
+    if constexpr (S > 0) {
+      const Mixture& here = mixtures(row);
+      if (here.pressure >= 0) pressure = here.alpha * at.value[here.pressure];
+    }
     for (int i = 0; i < C::dim; ++i)
       for (int j = 0; j < C::dim; ++j) out.stress[i][j] = stress(row, six(i, j));
     out.hoop_stress = stress(row, 2);
@@ -69,8 +71,10 @@ struct TotalStress : PointLaw {
       for (int j = 0; j < C::dim; ++j) out.stress_change[i][j] = stress(row, six(i, j)) - stress_old(row, six(i, j));
     out.hoop_change = stress(row, 2) - stress_old(row, 2);
     out.pressure_change = 0;
-    if constexpr (S > 0)
-      if (mixtures.pressure >= 0) out.pressure_change = -mixtures(row).alpha * at.change[mixtures.pressure];
+    if constexpr (S > 0) {
+      const Mixture& here = mixtures(row);
+      if (here.pressure >= 0) out.pressure_change = -here.alpha * at.change[here.pressure];
+    }
   }
 
   /// d sigma' = D (de - [W, e]) + [W, sigma'] for a further displacement of gradient de with the turn W.
@@ -104,12 +108,13 @@ struct TotalStress : PointLaw {
       put(D * D, e, turn);
     }
     if constexpr (S > 0) {
-      if (mixtures.temperature < 0) return;
-      const double expansion = mixtures(row).grain_expansion;  // of the skeleton with the temperature [1/K]
+      const Mixture& here = mixtures(row);
+      if (here.temperature < 0) return;
+      const double expansion = here.grain_expansion;  // of the skeleton with the temperature [1/K]
       const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
       for (double& t : turn) t = 0;
       using Loop = ElementLoop<C, ElementShapes<C::dim + 1, C::dim + 1, S>>;
-      put(Loop::template Directions<TotalStress>::value + mixtures.temperature, warmer, turn);
+      put(Loop::template Directions<TotalStress>::value + here.temperature, warmer, turn);
     }
   }
 };
@@ -118,7 +123,30 @@ struct TotalStress : PointLaw {
 struct LawInput {
   PointView strain, stress_old, void_ratio_old, state_old;  // tensors rotated with the material
   Kokkos::View<int**> tensors;  // first columns of the tensor variables of each material's law; -1: no more
+  PointView surroundings;       // where a law asks for them, else empty
 };
+
+/// Deformation gradient and rotation of a step, as columns of Surroundings. Where the step turns the element inside
+/// out, which it may not, there is no motion.
+template <class C, int S, class T>
+KOKKOS_INLINE_FUNCTION void write_motion(const PointFields<C, S, T>& at, const MidpointRule<C::dim>& motion, bool valid,
+                                         double* row) {
+  constexpr int D = C::dim;
+  double *deformation = row + Surroundings::deformation, *rotation = row + Surroundings::rotation;
+  for (int i = 0; i < 9; ++i) deformation[i] = rotation[i] = i % 4 == 0 ? 1.0 : 0.0;
+  double back[D][D], F[D][D];  // dx_n / dx_{n+1} = 1 - moved
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) back[i][j] = (i == j ? 1.0 : 0.0) - at.moved[i][j];
+  const double det = determinant(back), hoop = 1 - at.hoop_moved;
+  if (!valid || !(det > 0) || !(hoop > 0)) return;
+  invert(back, det, F);
+  if constexpr (D == 2) deformation[8] = 1 / hoop;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) {
+      deformation[3 * i + j] = F[i][j];
+      rotation[3 * i + j] = motion.rotation[i][j];
+    }
+}
 
 /// Writes the law's input, and the void ratios of the end, for the points of an element.
 template <class Loop>
@@ -155,6 +183,7 @@ struct Staging {
       if (mixture.temperature >= 0)  // what heat alone would do is no strain of the law's
         for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[mixture.temperature];
     for (int c = 0; c < 6 && !valid; ++c) to.strain(i, c) = 0;
+    if (to.surroundings.extent(0) > 0) write_motion(at, motion, valid, &to.surroundings(i, 0));
     motion.rotate(&stress(from, 0), &to.stress_old(i, 0));
     for (std::size_t c = 0; c < to.state_old.extent(1); ++c) to.state_old(i, c) = law(from, c);
     const int material = static_cast<int>(mixtures.which(from, 0));
@@ -217,7 +246,7 @@ class StressUpdate {
   LoopLevel level_;
   Tangent wanted_;
   LawInput input_;
-  PointView surroundings_, tangent_;
+  PointView tangent_;
   Kokkos::View<int*> failed_;
   std::string failure_;
   bool law_is_broken_ = false;
@@ -241,8 +270,8 @@ StressUpdate::StressUpdate(const Soil& soil, const SoilBlock& block, const StepV
   failed_ = Kokkos::View<int*>("failed", rows);
   input_.tensors = tensor_columns(soil);
   for (int k : block.made_of)
-    if (soil.materials[k]->skeleton->wants_surroundings() && surroundings_.extent(0) == 0)
-      surroundings_ = PointView("surroundings", rows, Surroundings::size);
+    if (soil.materials[k]->skeleton->wants_surroundings() && input_.surroundings.extent(0) == 0)
+      input_.surroundings = PointView("surroundings", rows, Surroundings::size);
 }
 
 int StressUpdate::stage_motion(int first, int last) {
@@ -265,7 +294,7 @@ int StressUpdate::stage_motion(int first, int last) {
 
 int StressUpdate::run(int first, int last) {
   int failures = stage_motion(first, last);
-  if (surroundings_.extent(0) > 0) write_surroundings(soil_, block_, view_, first, last, surroundings_);
+  if (input_.surroundings.extent(0) > 0) write_surroundings(soil_, block_, view_, first, last, input_.surroundings);
   const int count = (last - first) * block_.points, row = first * block_.points;
   if (failures > 0 && failure_.empty())
     failure_ = "material '" + points_.material(row).name + "': the motion turns elements inside out";
@@ -298,7 +327,7 @@ int StressUpdate::run_law(const SoilMaterial& material, int row, int begin, int 
   w.failed = Kokkos::View<int*>(failed_.data() + begin, count);
   w.plane = soil_.geometry != Geometry::space;
   w.increment = view_.increment;
-  if (material.skeleton->wants_surroundings()) w.surroundings = part(surroundings_, begin);
+  if (material.skeleton->wants_surroundings()) w.surroundings = part(input_.surroundings, begin);
   LawFailure failure;
   const int failures = evaluate_guarded(*material.skeleton, w, failure);
   if (failure.point >= 0 && failure_.empty()) {

@@ -24,14 +24,14 @@ constexpr int pressure = 0, temperature = 1;  // among the scalar fields
 struct WarmSoil {
   Mixture mixture;
   WaterHeat water;
-  double reference, grain_capacity, conductivity;
+  double grain_capacity, conductivity;
   PointView void_ratio;
 
   double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
   /// Of water, over that at the reference temperature and no pressure.
   template <class T>
   T density(const T& p, const T& t) const {
-    return exponential(p * mixture.fluid_compliance - water.expansion * (t - reference));
+    return exponential(p * mixture.fluid_compliance - water.expansion * (t - mixture.reference));
   }
 };
 
@@ -119,7 +119,7 @@ class WaterAndHeat : public Term {
                 e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
                   const double ratio = soil.void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
                                t = at.value[temperature];
-                  here += s.dv * (t - soil.reference) *
+                  here += s.dv * (t - soil.mixture.reference) *
                           ((1 - n) * soil.mixture.grain_density_at(t) * soil.grain_capacity +
                            n * soil.density(at.value[pressure], t) * soil.water_capacity());
                 });
@@ -133,9 +133,8 @@ class WaterAndHeat : public Term {
   WarmSoil warm_soil(const SoilBlock& b, const State& state) const {
     const HeatProperties& heat = *heat_[b.block];
     const SoilMaterial& material = soil_->any_of(b);
-    return {
-        Mixture(*soil_, b, material, b), water_, soil_->reference_temperature, heat.grain_capacity, heat.conductivity,
-        state.arrays[b.void_ratio]};
+    return {Mixture(*soil_, b, material, b), water_, heat.grain_capacity, heat.conductivity,
+            state.arrays[b.void_ratio]};
   }
 
   /// Calls f(block, level, law); in a geostatic stage, which takes no time, there is none.
