@@ -6,8 +6,8 @@
 
 #include "ale/interior_motion.hpp"
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
 #include "core/text.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -126,7 +126,7 @@ void BoundaryMotion::take_sizes(const Positions& source, const SizeField& size) 
   for (const SurfaceFace& face : surfaces_.surfaces().faces) {
     if (num_corners(face.shape) != 3) continue;
     const Point &a = source[face.nodes[0]], &b = source[face.nodes[1]], &c = source[face.nodes[2]];
-    const double area = 0.5 * length(cross(minus(b, a), minus(c, a)));
+    const double area = 0.5 * length(cross(b - a, c - a));
     for (int k = 0; k < 3; ++k) {
       relative_sizes_[face.nodes[k]] += 2 * std::sqrt(area / std::sqrt(3.0)) / size(source[face.nodes[k]]);
       ++around[face.nodes[k]];

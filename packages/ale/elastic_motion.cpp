@@ -4,6 +4,7 @@
 #include "ale/interior_motion.hpp"
 #include "core/pi.hpp"
 #include "discretisation/cell_map.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -20,7 +21,7 @@ class ElasticMesh {
     for (int i = 0; i < mesh.corners.of_elements; ++i) {
       const Simplex& t = mesh.corners.simplices[i];
       CellMap<Dim> map;
-      double edges[Dim][Dim];  // dx_i / dxi_k
+      Mat<double, Dim> edges;  // dx_i / dxi_k
       for (int i = 0; i < Dim; ++i)
         for (int k = 0; k < Dim; ++k) edges[i][k] = from[t[k + 1]][i] - from[t[0]][i];
       map.compute(edges);
@@ -45,7 +46,8 @@ class ElasticMesh {
     for (std::size_t e = 0; e < gradients_.size(); ++e) {
       const Simplex& t = mesh_.corners.simplices[e];
       const Gradients& g = gradients_[e];
-      double slope[Dim][Dim] = {}, spread = 0;  // du_i / dx_j
+      Mat<double, Dim> slope = {};
+      double spread = 0;  // du_i / dx_j
       for (int a = 0; a <= Dim; ++a)
         for (int i = 0; i < Dim; ++i)
           for (int j = 0; j < Dim; ++j) slope[i][j] += u[Dim * t[a] + i] * g[a][j];
@@ -69,7 +71,7 @@ class ElasticMesh {
   double diagonal(std::size_t i) const { return diagonal_[i]; }
 
  private:
-  using Gradients = std::array<std::array<double, Dim>, Dim + 1>;  // of the corners' shapes [1/m]
+  using Gradients = std::array<Vec<double, Dim>, Dim + 1>;  // of the corners' shapes [1/m]
   const InteriorMesh& mesh_;
   double lambda_, shear_;
   std::vector<Gradients> gradients_;

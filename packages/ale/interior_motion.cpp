@@ -6,7 +6,7 @@
 #include <set>
 
 #include "algebra/raw_communicator.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -144,7 +144,7 @@ void CornerSimplices::add_tangents(const Positions& curve, Positions& x) const {
 double determinant(const Simplex& t, const Positions& x) {
   const Point &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
   if (t.corners == 3) return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  return dot(minus(b, a), cross(minus(c, a), minus(x[t[3]], a)));
+  return dot(b - a, cross(c - a, x[t[3]] - a));
 }
 
 double size(const Simplex& t, const Positions& x) {

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "ale/ghosted_mesh.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
 /// Matrix of the cofactors of a; its determinant.
 template <int Dim>
-double cofactors(const double (&a)[Dim][Dim], double (&c)[Dim][Dim]) {
+double cofactors(const Mat<double, Dim>& a, Mat<double, Dim>& c) {
   if constexpr (Dim == 2) {
     c[0][0] = a[1][1];
     c[0][1] = -a[1][0];
@@ -38,7 +39,7 @@ template <int Dim>
 struct IdealSimplex {
   double w[Dim + 1][Dim];
   explicit IdealSimplex(const std::array<Point, Dim + 1>& ideal) {
-    double edges[Dim][Dim], c[Dim][Dim];
+    Mat<double, Dim> edges, c;
     for (int i = 0; i < Dim; ++i)
       for (int k = 0; k < Dim; ++k) edges[i][k] = ideal[i + 1][k] - ideal[0][k];
     const double det = cofactors(edges, c), scale = edge_of_content<Dim>(std::abs(det));  // size does not count
@@ -66,7 +67,7 @@ struct MeanRatio {
   template <class Corner>
   void add(const IdealSimplex<Dim>& ideal, double weight, int moving, const Corner& corner) {
     constexpr double power = 2.0 / Dim;
-    double t[Dim][Dim] = {}, c[Dim][Dim];
+    Mat<double, Dim> t = {}, c;
     for (int v = 0; v <= Dim; ++v) {
       const Point& x = corner(v);
       for (int i = 0; i < Dim; ++i)
@@ -110,7 +111,7 @@ struct MeanRatio {
 
   /// Newton's step; false where there is none.
   bool step(double (&to)[Dim]) {
-    double c[Dim][Dim];
+    Mat<double, Dim> c;
     for (int i = 1; i < Dim; ++i)
       for (int j = 0; j < i; ++j) hessian[i][j] = hessian[j][i];
     const double det = cofactors(hessian, c);

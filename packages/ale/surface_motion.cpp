@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/space_vector.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -111,7 +111,7 @@ void SurfaceMotion::add_corners(const SurfaceFace& face, Positions& source) {
 
 Point SurfaceMotion::tangent_end(const Tangent& tangent, const Positions& x) {
   // derivative of the quadratic edge at its end, over a reference length of 1
-  return plus(plus(scaled(4, x[tangent.middle]), -2, x[tangent.at]), -1, x[tangent.other]);
+  return 4 * x[tangent.middle] - 2 * x[tangent.at] - x[tangent.other];
 }
 
 std::array<Point, 4> SurfaceMotion::corners_of(const BoundarySimplex& simplex, const Positions& x) {
@@ -136,10 +136,10 @@ void SurfaceMotion::add_tangents(Positions& x) const {
 }
 
 void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions& source) {
-  const Point p = minus(source[nodes[1]], source[nodes[0]]), q = minus(source[nodes[2]], source[nodes[0]]);
+  const Point p = source[nodes[1]] - source[nodes[0]], q = source[nodes[2]] - source[nodes[0]];
   const Point e = unit(p);
-  const double a = length(p), b = dot(q, e), c = length(plus(q, -b, e)), scale = std::sqrt(a * c);  // size is free
-  const double inverse[2][2] = {{scale / a, -b * scale / (a * c)}, {0, scale / c}};
+  const double a = length(p), b = dot(q, e), c = length(q - b * e), scale = std::sqrt(a * c);  // size is free
+  const Mat<double, 2> inverse = {{{scale / a, -b * scale / (a * c)}, {0, scale / c}}};
   Corner corner{nodes, {}};
   for (int k = 0; k < 2; ++k) {
     corner.w[1][k] = inverse[0][k];
@@ -152,29 +152,29 @@ void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions&
 }
 
 double SurfaceMotion::edge_of(const Middle& middle, const Positions& x) {
-  return length(minus(x[middle.ends[1]], x[middle.ends[0]]));
+  return length(x[middle.ends[1]] - x[middle.ends[0]]);
 }
 
 Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
   Point sum{};
   if (middle.sides.empty()) {
-    for (int node : middle.ends) sum = plus(sum, 0.5, x[node]);
+    for (int node : middle.ends) sum += 0.5 * x[node];
     return sum;
   }
-  for (int node : middle.sides) sum = plus(sum, 0.5, x[node]);  // transfinite: exact for straight edges
-  for (int node : middle.ends) sum = plus(sum, -0.25, x[node]);
+  for (int node : middle.sides) sum += 0.5 * x[node];  // transfinite: exact for straight edges
+  for (int node : middle.ends) sum -= 0.25 * x[node];
   return sum;
 }
 
 Point SurfaceMotion::normal_at(const Middle& middle, const Positions& x) const {
   Point sum{};
-  for (const auto& [face, place] : middle.on) sum = plus(sum, 1, unit(face_normal(surfaces_.faces[face], place, x)));
+  for (const auto& [face, place] : middle.on) sum += unit(face_normal(surfaces_.faces[face], place, x));
   return unit(sum);
 }
 
 double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
-  const Point off = minus(x[middle.node], middle_of(middle, x)), normal = normal_at(middle, x);
-  return length(plus(off, -dot(off, normal), normal)) / edge_of(middle, x);
+  const Point off = x[middle.node] - middle_of(middle, x), normal = normal_at(middle, x);
+  return length(off - dot(off, normal) * normal) / edge_of(middle, x);
 }
 
 Point SurfaceMotion::at(const SurfacePlace& place, const Positions& x) const {
@@ -193,9 +193,9 @@ SurfacePlace SurfaceMotion::nearest(int node, int guess, const Positions& x_old,
     const SurfaceFace& face = surfaces_.faces[f];
     Bounds box = Bounds::nothing();
     for (int a = 0; a < num_nodes(face.shape); ++a) box.enclose(x_old[face.nodes[a]]);
-    const Point across = scaled(0.5, minus(box.high, box.low));
+    const Point across = 0.5 * (box.high - box.low);
     // a curved face is not far outside the box of its nodes
-    if (length(minus(point, plus(box.low, 1, across))) - 1.5 * length(across) > least) continue;
+    if (length(point - (box.low + across)) - 1.5 * length(across) > least) continue;
     const NearestOnFace there = look(f);
     if (there.distance >= least) continue;
     least = there.distance;
@@ -231,7 +231,7 @@ double SurfaceMotion::shortest_edge(int node, const Positions& x) const {
   double shortest = 1e300;
   for (int c : at_[node])
     for (int other : corners_[c].nodes)
-      if (other != node && other < nodes_) shortest = std::min(shortest, length(minus(x[other], x[node])));
+      if (other != node && other < nodes_) shortest = std::min(shortest, length(x[other] - x[node]));
   return shortest;
 }
 

@@ -80,10 +80,10 @@ BodyLoad ReleasedMotion::load(const BodyProperties& body, const BodyInstant& now
     for (int i = 0; i < 3; ++i) v[i] = at(f[i], now.time, now.position, dimension_);
     return v;
   };
-  result.force = vector(force_) + constant_vector(scaled(body.mass, gravity_));
+  result.force = vector(force_) + constant_vector(body.mass * gravity_);
   result.moment = vector(moment_);
   for (const PointLoad& load : loads_) {
-    const BodyVector arm = now.axes.outward(constant_vector(minus(load.point, body.centre)));
+    const BodyVector arm = now.axes.outward(constant_vector(load.point - body.centre));
     const BodyVector force = vector(load.force), moment = vector(load.moment);
     result.add(load.turns ? now.axes.outward(force) : force, arm);
     result.moment = result.moment + (load.turns ? now.axes.outward(moment) : moment);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -47,7 +47,7 @@ SurfaceFoot RoundedBox::closest(const Point& x) const {
       for (int i = 0; i < 3; ++i) result.normal[i] = std::abs(x[i]) == core_[i] ? sign[i] / std::sqrt(sides) : 0.0;
     }
   }
-  result.foot = plus(x, -result.gap, result.normal);
+  result.foot = x - result.gap * result.normal;
   return result;
 }
 

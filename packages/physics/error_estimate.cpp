@@ -9,6 +9,7 @@
 #include "framework/coordinates.hpp"
 #include "framework/normal_equations.hpp"
 #include "physics/soil_points.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -145,7 +146,7 @@ bool map_point(const FieldBlock& b, int e, int q, const ConstCoordinateView& x, 
       nodes[a][i] = x(b.nodes(e, a), i);
       place[i] += b.u.N(q, a) * nodes[a][i];
     }
-  double slope[Dim][Dim] = {};
+  Mat<double, Dim> slope = {};
   for (int a = 0; a < b.u.nodes; ++a)
     for (int i = 0; i < Dim; ++i)
       for (int k = 0; k < Dim; ++k) slope[i][k] += nodes[a][i] * b.u.dN(q, a, k);
@@ -157,7 +158,8 @@ bool map_point(const FieldBlock& b, int e, int q, const ConstCoordinateView& x, 
 template <int Dim>
 void strain_rate(const FieldBlock& b, int e, int q, const CellMap<Dim>& map, const ConstNodalView& rate, bool hoop,
                  double radius, double* d) {
-  double grad[3][3] = {}, radial = 0;
+  Mat<double, 3> grad = {};
+  double radial = 0;
   for (int a = 0; a < b.u.nodes; ++a) {
     double g[Dim];
     for (int j = 0; j < Dim; ++j) {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 #include "simulation/setup.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

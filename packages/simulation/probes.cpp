@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -93,7 +93,7 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
   if (probe.moves_with.empty()) return probe.point;
   const RigidBody& body = *model_.bodies().at(probe.moves_with);
   const BodyPlacement start = body.initial_placement(), now = body.placement(state);
-  return plus(now.centre, 1, now.turn(start.turn.back(minus(probe.point, start.centre))));
+  return now.centre + now.turn(start.turn.back(probe.point - start.centre));
 }
 
 double Probes::distance(const MeshPlace& place, const Point& at, const Positions& x) const {
@@ -102,7 +102,7 @@ double Probes::distance(const MeshPlace& place, const Point& at, const Positions
   double N[27], dN[81];
   evaluate_shape(element.shape, place.xi, N, dN);
   Point off = at;
-  for (int a = 0; a < num_nodes(element.shape); ++a) off = plus(off, -N[a], x[element.nodes[a]]);
+  for (int a = 0; a < num_nodes(element.shape); ++a) off -= N[a] * x[element.nodes[a]];
   return length(off);
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -181,8 +181,8 @@ const Setup::SetFigures& Setup::set(const std::string& name) const {
       const std::vector<int> local = side_nodes(block.shape, side.side);
       const auto at = [&](int a) { return mesh().place(block.nodes(side.element, local[a])); };
       const int corners = num_corners(side_shape(block.shape));
-      const Point across = minus(at(corners == 4 ? 2 : 1), at(0));
-      const Point other = dimension() == 3 ? minus(at(corners == 4 ? 3 : 2), at(corners == 4 ? 1 : 0)) : Point{0, 0, 1};
+      const Point across = at(corners == 4 ? 2 : 1) - at(0);
+      const Point other = dimension() == 3 ? at(corners == 4 ? 3 : 2) - at(corners == 4 ? 1 : 0) : Point{0, 0, 1};
       const Point normal = cross(across, other);
       sums[0] += 1;
       for (int i = 0; i < 3; ++i) sums[1 + i] += normal[i];

@@ -9,6 +9,7 @@
 #include "ale/ghosted_mesh.hpp"
 #include "core/deck.hpp"
 #include "physics/soil.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline::testing {
 
@@ -119,7 +120,8 @@ inline double grains(const GhostedMesh& mesh, const SoilBlock& block, const Posi
   for (int e : mesh.block_elements(block.block)) {
     const auto& nodes = mesh.elements()[e].nodes;
     for (int q = 0; q < block.points; ++q) {
-      double j[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, r = 0;
+      Mat<double, 3> j = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+      double r = 0;
       for (int i = 0; i < mesh.dimension(); ++i)
         for (int k = 0; k < mesh.dimension(); ++k) {
           j[i][k] = 0;

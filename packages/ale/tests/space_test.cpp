@@ -10,6 +10,7 @@
 #include "ale/surface_motion.hpp"
 #include "ale/vertex_colours.hpp"
 #include "ale_mesh.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -134,7 +135,7 @@ TEST_P(EveryCellOfSpace, NearestOnTheBoundaryBeatsEveryOtherPointOfIt) {
         const bool triangle = is_simplex(GetParam());
         for (int i = 0; i <= 20; ++i)
           for (int j = 0; j <= (triangle ? 20 - i : 20); ++j) {
-            std::array<double, 2> on{i / 20.0, j / 20.0};
+            Vec<double, 2> on{i / 20.0, j / 20.0};
             for (double& c : on) c = triangle ? c : 2 * c - 1;
             MeshPlace there{e, {}};
             const auto xi = on_side(GetParam(), s, on);

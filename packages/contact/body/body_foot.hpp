@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/body/penalty_side.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -35,13 +35,13 @@ struct PointNumbers {
       for (int i = 0; i < 3; ++i) turn[i] += angle * about[i];
     }
   }
-  SpatialVector<T, D> arm;  // [m] from the body's centre
-  T turn[rotations];        // [rad] of the body beyond its placement: 0, with derivatives
-  T area, pore_pressure;    // [m2], [Pa]
+  Vec<T, D> arm;          // [m] from the body's centre
+  T turn[rotations];      // [rad] of the body beyond its placement: 0, with derivatives
+  T area, pore_pressure;  // [m2], [Pa]
 };
 
 template <class T>
-KOKKOS_INLINE_FUNCTION SpatialVector<T, 3> numbers(const Point& x) {
+KOKKOS_INLINE_FUNCTION Vec<T, 3> numbers(const Point& x) {
   return {T(x[0]), T(x[1]), T(x[2])};
 }
 
@@ -53,9 +53,9 @@ template <class T>
 struct BodyFoot<T, 2> {
   KOKKOS_INLINE_FUNCTION BodyFoot(const BodyPlace& at, const PointNumbers<T, 2>& x) {
     // how the point moves past the material of the body: 0, with derivatives
-    const PlaneVector<T> way{x.arm[0] - value(x.arm[0]) + x.turn[0] * value(x.arm[1]),
-                             x.arm[1] - value(x.arm[1]) - x.turn[0] * value(x.arm[0])};
-    const PlaneVector<T> n = constant<T>(at.normal), m{T(-at.normal[1]), T(at.normal[0])};
+    const Vec<T, 2> way{x.arm[0] - value(x.arm[0]) + x.turn[0] * value(x.arm[1]),
+                        x.arm[1] - value(x.arm[1]) - x.turn[0] * value(x.arm[0])};
+    const Vec<T, 2> n = constant<T>(at.normal), m{T(-at.normal[1]), T(at.normal[0])};
     const T along = dot(m, way), turned = at.turning[0][0] * along + x.turn[0];
     gap = at.gap + dot(n, way);
     advance = at.travel * along;
@@ -70,19 +70,19 @@ struct BodyFoot<T, 2> {
   }
   /// The point's way past the body along its surface: 0, with derivatives.
   KOKKOS_INLINE_FUNCTION const T& sliding() const { return advance; }
-  KOKKOS_INLINE_FUNCTION PlaneVector<T> traction(const T& shear) const { return tangent * shear; }
+  KOKKOS_INLINE_FUNCTION Vec<T, 2> traction(const T& shear) const { return tangent * shear; }
   /// A moment as the body's rotation feels it, and one of the start of the step.
   KOKKOS_INLINE_FUNCTION static const T& felt(const T& moment, const BodyPlacement&) { return moment; }
   KOKKOS_INLINE_FUNCTION static T felt_before(const Point& moment, const BodyPlacement&) { return T(moment[2]); }
   KOKKOS_INLINE_FUNCTION static Point plain_shear(const T& shear) { return {value(shear), 0, 0}; }
 
   T gap, advance;  // [m]; of the foot along the contour: 0, with derivatives
-  PlaneVector<T> normal, tangent;
+  Vec<T, 2> normal, tangent;
 };
 
 template <class T>
 struct BodyFoot<T, 3> {
-  using Vector = SpatialVector<T, 3>;
+  using Vector = Vec<T, 3>;
 
   KOKKOS_INLINE_FUNCTION BodyFoot(const BodyPlace& at, const PointNumbers<T, 3>& x)
       : turn{x.turn[0], x.turn[1], x.turn[2]} {
@@ -102,7 +102,7 @@ struct BodyFoot<T, 3> {
                                     ContactMotion<T, 3>& motion) const {
     const Rotation turned = body.now.turn * body.old.turn.inverse();
     const Vector from = turned_on(turned(start.before.normal));
-    const Vector way = foot - turned_on(turned(minus(start.before.foot, body.old.centre)));
+    const Vector way = foot - turned_on(turned(start.before.foot - body.old.centre));
     const Vector sum = from + normal, middle = sum / length(sum);
     motion.travel = transported(way - middle * dot(way, middle), middle);
     motion.shear_old = transported(turned_on(turned(start.shear.shear)), from);

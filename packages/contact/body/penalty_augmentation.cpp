@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "contact/body/penalty_contact.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -47,10 +47,10 @@ Misfit PenaltyContact::misfit(const State& state) const {
       sums.spring = std::max(sums.spring, rows_.pressure(state, row) / stiffness);
       const double normal = rows_.pressure(state, row) - rows_.normal_multiplier(state, row);
       const Point shear =
-          rows_.sticks(state, row) ? minus(rows_.shear(state, row).shear, rows_.shear_multiplier(state, row)) : Point{};
+          rows_.sticks(state, row) ? rows_.shear(state, row).shear - rows_.shear_multiplier(state, row) : Point{};
       for (int a = 0; a < sides[s].count; ++a) {
         const double weight = r.shape(c, a) * here[c];
-        sums.add(sides[s].node[a], weight, stiffness, weight * normal, scaled(weight, shear));
+        sums.add(sides[s].node[a], weight, stiffness, weight * normal, weight * shear);
       }
     }
   }

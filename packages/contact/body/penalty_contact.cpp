@@ -9,7 +9,7 @@
 #include "contact/body/body_search.hpp"
 #include "contact/conjugate_position.hpp"
 #include "contact/convection.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -48,7 +48,7 @@ void PenaltyContact::begin(const StepView& view) {
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet
   const double advance = body_->released() ? body_->speed(*view.committed, view.dt) * view.dt
-                                           : length(minus(to.centre, from.centre)) +
+                                           : length(to.centre - from.centre) +
                                                  body_->reach() * length((to.turn * from.turn.inverse()).vector());
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
   for (std::size_t s = 0; s < candidate_.size(); ++s) candidate_[s] = least_gap(s, view.x_old, to) <= capture_;
@@ -61,8 +61,8 @@ double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& co
   const SideCoordinates x = side_coordinates(at, coordinates_now);
   Bounds box = Bounds::nothing();
   for (int a = 0; a < at.count; ++a) box.enclose(x[a]);
-  const Point across = minus(box.high, box.low);
-  return body_->gap(placement, plus(box.low, 0.5, across)) - 0.5 * length(across);
+  const Point across = box.high - box.low;
+  return body_->gap(placement, box.low + 0.5 * across) - 0.5 * length(across);
 }
 
 ContactPoint PenaltyContact::away(const StepView& view, int row) const {
@@ -89,8 +89,8 @@ ContactStart PenaltyContact::point_start(const StepView& view, std::size_t side,
   start.shift = rows_.normal_multiplier(trial, row) / penalty;
   start.shift_old = rows_.normal_multiplier(committed, row) / penalty;
   if (laws_.friction())
-    start.shear.shear = plus(plus(start.shear.shear, 1, rows_.shear_multiplier(trial, row)), -1,
-                             initial_shear_multiplier(committed, row));
+    start.shear.shear =
+        start.shear.shear + rows_.shear_multiplier(trial, row) - initial_shear_multiplier(committed, row);
   return start;
 }
 
@@ -226,15 +226,15 @@ PointForce PenaltyContact::local_force(const State& state) const {
   PointForce sum;
   for (int row = 0; row < first_row_.back(); ++row) {
     const PointForce total = rows_.total(state, row);
-    sum = {plus(sum.force, 1, total.force), plus(sum.moment, 1, total.moment)};
+    sum = {sum.force + total.force, sum.moment + total.moment};
   }
   return sum;
 }
 
 double PenaltyContact::work(const PointForce& before, const PointForce& now, const BodyPlacement& from,
                             const BodyPlacement& to) {
-  const Point turned = (to.turn * from.turn.inverse()).vector(), moved = minus(to.centre, from.centre);
-  return 0.5 * (dot(plus(before.force, 1, now.force), moved) + dot(plus(before.moment, 1, now.moment), turned));
+  const Point turned = (to.turn * from.turn.inverse()).vector(), moved = to.centre - from.centre;
+  return 0.5 * (dot(before.force + now.force, moved) + dot(before.moment + now.moment, turned));
 }
 
 int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
@@ -367,8 +367,8 @@ PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
     local[Sums::damping + i] = -done(0, 2 + i);
   }
   // the points tell it about the centre of mass
-  const Point arm = minus(body_->placement(state).centre, body_->position(state));
-  const Point moment = plus(force.moment, 1, cross(arm, force.force));
+  const Point arm = body_->placement(state).centre - body_->position(state);
+  const Point moment = force.moment + cross(arm, force.force);
   for (int i = 0; i < 3; ++i) local[Sums::moment + i] = -moment[i];
   local[Sums::work] = done(0, 0);
   local[Sums::damping_heat] = done(0, 1);
@@ -505,7 +505,7 @@ std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView&
     }
     Point centre{};
     const int corners = axes() == 3 ? num_corners(side.shape) : 2;
-    for (int c = 0; c < corners; ++c) centre = plus(centre, 1.0 / corners, at[c]);
+    for (int c = 0; c < corners; ++c) centre += 1.0 / corners * at[c];
     of_sides.places.push_back(centre);
     of_sides.areas.push_back(std::accumulate(area, area + rule(side).points, 0.0));
   }

@@ -148,9 +148,9 @@ void PenaltyContact::check_above(const Section& section) const {
   double lowest = 1e300, everywhere = 0, upwards = 0, faces_up = 0;
   for (const SurfaceSide& side : surface_->sides()) {
     for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, mesh.place(side.node[a])[up]);
-    const Point first = mesh.place(side.node[0]), along = minus(mesh.place(side.node[1]), first);
+    const Point first = mesh.place(side.node[0]), along = mesh.place(side.node[1]) - first;
     // outward: to the right of the way in the plane, corners counter-clockwise from outside in space
-    upwards += up == 1 ? -along[0] : cross(along, minus(mesh.place(side.node[2]), first))[2];
+    upwards += up == 1 ? -along[0] : cross(along, mesh.place(side.node[2]) - first)[2];
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, upwards, Teuchos::outArg(faces_up));

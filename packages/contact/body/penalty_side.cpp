@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "contact/body/body_foot.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -40,7 +40,7 @@ struct SideAreas {
   KOKKOS_INLINE_FUNCTION bool measure(const ContactSides& on, const SideContact& side, bool want_slopes) {
     if (side.film.acts && !contact_areas<D>(on.rule, side.x_old, on.geometry, old)) return false;
     if (!want_slopes) return contact_areas<D>(on.rule, side.x, on.geometry, area);
-    SpatialVector<Dual<places>, D> node[max_side_nodes];
+    Vec<Dual<places>, D> node[max_side_nodes];
     for (int a = 0; a < on.rule.nodes; ++a)
       for (int i = 0; i < D; ++i) node[a][i] = Dual<places>(side.x[a][i], D * a + i);
     Dual<places> numbers[max_contact_points];
@@ -56,9 +56,9 @@ struct SideAreas {
 /// Force on the soil and moment about the body's centre as the body's unknowns feel it, as numbers.
 template <class T, int D>
 struct PointAction {
-  SpatialVector<T, D> force = SpatialVector<T, D>::zero();
+  Vec<T, D> force = Vec<T, D>::zero();
   Tangential<T, D> moment = no_tangential<T, D>();
-  KOKKOS_INLINE_FUNCTION void add(const SpatialVector<T, D>& more, const Tangential<T, D>& turning) {
+  KOKKOS_INLINE_FUNCTION void add(const Vec<T, D>& more, const Tangential<T, D>& turning) {
     force = force + more;
     moment = moment + turning;
   }
@@ -116,7 +116,7 @@ KOKKOS_INLINE_FUNCTION ContactMotion<T, D> motion_of_point(const ContactSides& o
 }
 
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void keep(const SpatialVector<T, D>& force, const Tangential<T, D>& moment, PointForce& to) {
+KOKKOS_INLINE_FUNCTION void keep(const Vec<T, D>& force, const Tangential<T, D>& moment, PointForce& to) {
   for (int i = 0; i < D; ++i) to.force[i] = value(force[i]);
   if constexpr (D == 2)
     to.moment[2] = value(moment);
@@ -130,9 +130,8 @@ KOKKOS_INLINE_FUNCTION void act(const ContactSides& on, const SideContact& side,
                                 const BodyFoot<T, D>& foot, const ContactResponse<T, D>& now, ContactPoint& point,
                                 PointAction<T, D>& end, PointAction<T, D>& more) {
   const PointForce& before = on.starts(side.first + c).force;
-  const SpatialVector<T, D> friction = foot.traction(now.shear * x.area),
-                            force = foot.normal * (now.pressure * x.area) + friction,
-                            damping = foot.normal * now.damping;
+  const Vec<T, D> friction = foot.traction(now.shear * x.area),
+                  force = foot.normal * (now.pressure * x.area) + friction, damping = foot.normal * now.damping;
   const auto in_space = cross(x.arm, force);
   const auto moment = foot.felt(in_space, on.body.now);
   end.add(force, moment);
@@ -248,9 +247,9 @@ KOKKOS_INLINE_FUNCTION void add_film(const ContactSides& on, const SideContact& 
   const T growth = (water * x.area - water_old) * (1 / side.law.dt);  // [m3/s]
   const T open = value(water) > 0 ? water : T(0.0);
   const T conduction = open * open * open * (areas.old[c] / (12 * film.viscosity));  // [m5/(Pa s)]
-  Point slope[max_side_nodes], drive = scaled(-1, film.weight);
+  Point slope[max_side_nodes], drive = -film.weight;
   pressure_slopes<D>(on.rule, side, c, slope);
-  for (int a = 0; a < side.pressure_nodes; ++a) drive = plus(drive, side.pressure[a], slope[a]);
+  for (int a = 0; a < side.pressure_nodes; ++a) drive += side.pressure[a] * slope[a];
   const int first = D * on.rule.nodes;
   for (int a = 0; a < side.pressure_nodes; ++a) {
     const double share = pressure_shape(on, side, c)[a];

@@ -6,6 +6,7 @@
 #include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
 #include "framework/vector_scatter.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -45,10 +46,10 @@ struct BodyInStep {
 
 /// Where a point is beside the body, as the search on the host found it: ContourFoot or SurfaceFoot.
 struct BodyPlace {
-  double gap = 0;             // [m]
-  Point normal{}, foot{};     // [-], [m]
-  double turning[3][3] = {};  // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
-  double travel = 0;          // in the plane: of the foot along the contour, per way of the point
+  double gap = 0;               // [m]
+  Point normal{}, foot{};       // [-], [m]
+  Mat<double, 3> turning = {};  // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
+  double travel = 0;            // in the plane: of the foot along the contour, per way of the point
 };
 
 /// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and

@@ -8,6 +8,7 @@
 #include "contact/laws/impact_share.hpp"
 #include "contact/laws/normal_law.hpp"
 #include "contact/vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -37,13 +38,13 @@ struct ContactPointLaw {
 
 /// What lies along the surface: a number in the plane, in space a vector of the tangent plane.
 template <class T, int D>
-using Tangential = std::conditional_t<D == 2, T, SpatialVector<T, D>>;
+using Tangential = std::conditional_t<D == 2, T, Vec<T, D>>;
 template <class T, int D>
 KOKKOS_INLINE_FUNCTION Tangential<T, D> no_tangential() {
   if constexpr (D == 2)
     return T(0.0);
   else
-    return SpatialVector<T, D>::zero();
+    return Vec<T, D>::zero();
 }
 
 /// The laws asked as they are, on the host. Kernels have their answers beforehand: see KnownAnswers.
@@ -119,7 +120,7 @@ KOKKOS_INLINE_FUNCTION T magnitude(const T& a) {
   return value(a) < 0 ? -1.0 * a : a;
 }
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION T magnitude(const SpatialVector<T, D>& a) {
+KOKKOS_INLINE_FUNCTION T magnitude(const Vec<T, D>& a) {
   const T square = dot(a, a);
   return value(square) > 0 ? square_root(square) : T(0.0);
 }
@@ -129,7 +130,7 @@ KOKKOS_INLINE_FUNCTION T along(const T& a, const T& size) {
   return value(a) > 0 ? size : -1.0 * size;
 }
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION SpatialVector<T, D> along(const SpatialVector<T, D>& a, const T& size) {
+KOKKOS_INLINE_FUNCTION Vec<T, D> along(const Vec<T, D>& a, const T& size) {
   return a * (size / magnitude(a));
 }
 

@@ -7,6 +7,7 @@
 #include "contact/convection.hpp"
 #include "contact/laws/impact_share.hpp"
 #include "core/pi.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -183,7 +184,7 @@ void NodePass::old_force(const State& committed, int row, const SurfacePiece& pi
   force[0] = old(row, column::force_x);
   force[1] = old(row, column::force_y);
   std::fill_n(force + 2, node_dofs - 2, 0.0);
-  spread(piece.count, W, PlaneVector<double>{-force[0], -force[1]}, force + 2);
+  spread(piece.count, W, Vec<double, 2>{-force[0], -force[1]}, force + 2);
 }
 
 int NodePass::residual(const StepView& view, const ResidualView& f) {

@@ -5,6 +5,7 @@
 
 #include "discretisation/tests/mesh_fixture.hpp"
 #include "discretisation/without_gmsh.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -36,7 +37,7 @@ TEST(BoxMesh, SidesPointOutwards) {
   for (const char* cell : {"quad9", "tri6", "quad4", "tri3"}) {
     const auto mesh = make(box(cell, 4, 3, parameter("distortion", "double", "0.3")));
     EXPECT_EQ(mesh->side_set_names(), (std::vector<std::string>{"bottom", "left", "right", "top"}));
-    const std::map<std::string, std::array<double, 3>> expected{
+    const std::map<std::string, Vec<double, 3>> expected{
         {"left", {1, -1, 0}}, {"right", {1, 1, 0}}, {"bottom", {2, 0, -2}}, {"top", {2, 0, 2}}};
     for (const auto& [set, values] : expected) {
       const auto sum = side_integral(*mesh, set);

@@ -11,6 +11,7 @@
 #include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
 #include "physics/solid/point_surroundings.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -21,7 +22,7 @@ namespace {
 template <class C, int S, class T>
 KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, MidpointRule<C::dim>& motion) {
   constexpr int D = C::dim;
-  double half[D][D], back[D][D], H[D][D];  // dx_{n+1/2} / dx_{n+1} = 1 - moved/2
+  Mat<double, D> half, back, H;  // dx_{n+1/2} / dx_{n+1} = 1 - moved/2
   for (int i = 0; i < C::dim; ++i)
     for (int j = 0; j < C::dim; ++j) half[i][j] = (i == j ? 1.0 : 0.0) - 0.5 * at.moved[i][j];
   const double det = determinant(half), hoop = 1 - 0.5 * at.hoop_moved;
@@ -134,7 +135,7 @@ KOKKOS_INLINE_FUNCTION void write_motion(const PointFields<C, S, T>& at, const M
   constexpr int D = C::dim;
   double *deformation = row + Surroundings::deformation, *rotation = row + Surroundings::rotation;
   for (int i = 0; i < 9; ++i) deformation[i] = rotation[i] = i % 4 == 0 ? 1.0 : 0.0;
-  double back[D][D], F[D][D];  // dx_n / dx_{n+1} = 1 - moved
+  Mat<double, D> back, F;  // dx_n / dx_{n+1} = 1 - moved
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) back[i][j] = (i == j ? 1.0 : 0.0) - at.moved[i][j];
   const double det = determinant(back), hoop = 1 - at.hoop_moved;

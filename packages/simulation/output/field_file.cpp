@@ -8,7 +8,6 @@
 #include "core/errors.hpp"
 #include "core/log.hpp"
 #include "core/run_error.hpp"
-#include "core/space_vector.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/field_index.hpp"
 #include "simulation/output/field_layout.hpp"
@@ -16,6 +15,7 @@
 #include "simulation/output/id_order.hpp"
 #include "simulation/output/seal.hpp"
 #include "simulation/output/whole_file.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -48,9 +48,9 @@ std::vector<double> rotation(const BodyPose& pose, int dimension) {
 }
 
 Point moved(const Point& point, const BodyPose& pose) {
-  const Point arm = minus(point, pose.centre), turned = pose.turn(arm);
+  const Point arm = point - pose.centre, turned = pose.turn(arm);
   // a body that does not turn keeps every bit
-  return turned == arm ? plus(point, 1, pose.shift) : plus(plus(pose.centre, 1, pose.shift), 1, turned);
+  return turned == arm ? point + pose.shift : pose.centre + pose.shift + turned;
 }
 
 }  // namespace
