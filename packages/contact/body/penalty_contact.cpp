@@ -36,7 +36,6 @@ void PenaltyContact::sparsity(Assembler& assembler) {
   }
   starts_ = Kokkos::View<ContactStart*>("starts", first_row_.back());
   happens_ = Kokkos::View<ContactPoint*>("points", first_row_.back());
-  answers_ = LawStore(first_row_.back());
   if (leak_) leak_->sparsity(assembler);
 }
 
@@ -150,9 +149,7 @@ std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Posit
   }
   std::vector<ContactSides> result;
   for (const auto& [shape, of_shape] : shapes_)
-    result.push_back(
-        {rules_.at(shape), context_.space.mesh().geometry(), body, of_shape.sides, starts_, happens_, answers_});
-  ask_laws(result, laws_.normal(), laws_.friction());
+    result.push_back({rules_.at(shape), context_.space.mesh().geometry(), body, of_shape.sides, starts_, happens_});
   return result;
 }
 

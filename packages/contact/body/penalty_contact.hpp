@@ -120,7 +120,7 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   void start_active_set(const StepView& view, const BodyPlacement& placement) const;
   std::optional<Augmentation> update_active_set(const State& trial) const;
   Misfit misfit(const State& state) const;
-  /// What kernels need to know of the sides at the linearisation point, the answers of the laws included.
+  /// What is known of the sides at the linearisation point.
   std::vector<ContactSides> look(const StepView& view, const Positions& at) const;
   SideContact side_contact(const StepView& view, const Positions& at, std::size_t side) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
@@ -189,7 +189,6 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   std::map<CellShape, ShapeSides> shapes_;
   Kokkos::View<ContactStart*> starts_;  // by row of points, as the next
   Kokkos::View<ContactPoint*> happens_;
-  LawStore answers_;
 };
 
 /// The same without friction, by its own name.
