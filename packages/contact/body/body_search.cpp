@@ -29,7 +29,8 @@ BodyPlace place_of_foot(const SurfaceFoot& foot) {
 
 BodyInStep body_in_step(const RigidBody& body, const BodyPlacement& old, const BodyPlacement& now) {
   BodyInStep step{body.unknowns(), old, now};
-  for (int k = 0; body.surface() && k < 3; ++k) step.turning[k] = now.turning(k);
+  if (body.surface())
+    for (int k = 0; k < 3; ++k) step.turning[k] = now.turning(k);
   return step;
 }
 

@@ -119,9 +119,11 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
       for (int a = 0; a < sides[s].count; ++a)
         rows_.normal_multiplier(trial, row) += shape[a] * normal[sides[s].node[a]];
       if (!laws_.friction()) continue;
-      Point shear = rows_.sticks(trial, row) ? rows_.shear_multiplier(trial, row) : rows_.shear(trial, row).shear;
-      for (std::size_t i = 0; rows_.sticks(trial, row) && i < tangential.size(); ++i)
-        for (int a = 0; a < sides[s].count; ++a) shear[i] += shape[a] * tangential[i][sides[s].node[a]];
+      const bool sticks = rows_.sticks(trial, row);
+      Point shear = sticks ? rows_.shear_multiplier(trial, row) : rows_.shear(trial, row).shear;
+      if (sticks)
+        for (std::size_t i = 0; i < tangential.size(); ++i)
+          for (int a = 0; a < sides[s].count; ++a) shear[i] += shape[a] * tangential[i][sides[s].node[a]];
       rows_.set_shear_multiplier(trial, row, shear);
     }
   return {true, ""};

@@ -140,7 +140,8 @@ std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Posit
     const SurfaceSide& at = surface_->sides()[s];
     SideContact& contact = shapes_.at(at.shape).sides(at.row);
     contact = side_contact(view, positions, s);
-    for (int row = first_row_[s]; contact.near && row < first_row_[s + 1]; ++row) {
+    if (!contact.near) continue;
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const int c = row - first_row_[s];
       starts_(row) = point_start(view, s, row);
       if (contact.film.acts) deck_.film.start(view, row, rule(at).place(c, contact.x_old), starts_(row));
@@ -238,8 +239,10 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   const PointView& done = view.trial->arrays[work_];
   done(0, 1) = view.committed->arrays[work_](0, 1);
   for (int i = 0; i < axes(); ++i) done(0, 2 + i) = 0;
-  for (std::size_t s = 0; s < surface_->sides().size(); ++s)
-    for (int row = first_row_[s]; !candidate_[s] && row < first_row_[s + 1]; ++row) happens_(row) = away(view, row);
+  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
+    if (candidate_[s]) continue;
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) happens_(row) = away(view, row);
+  }
   int failures = 0;
   const std::vector<ContactSides> sides = look(view, positions(view));
   std::size_t k = 0;
@@ -271,8 +274,9 @@ void PenaltyContact::mark_pressed(const State& state, std::vector<char>& nodes) 
   for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
     bool presses = false;
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) presses = presses || rows_.active(state, row);
+    if (!presses) continue;
     const SurfaceSide& side = surface_->sides()[s];
-    for (int a = 0; presses && a < side.count; ++a) nodes[side.node[a]] = 1;
+    for (int a = 0; a < side.count; ++a) nodes[side.node[a]] = 1;
   }
 }
 
@@ -396,16 +400,15 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   const Sums all = sums(state);
   const double* const sum = all.of;
-  const auto add_vector = [&](const char* what, int first) {
-    for (int i = 0; i < axes(); ++i) values[name() + "/" + what + " " + axis_names[i]] = {"N", sum[first + i]};
+  const auto add_vector = [&](const char* what, int first, const char* unit = "N") {
+    for (int i = 0; i < axes(); ++i) values[name() + "/" + what + " " + axis_names[i]] = {unit, sum[first + i]};
   };
   const std::string up = axis_names[axes() - 1];
   add_vector("reaction", Sums::reaction);
   values[name() + "/tip reaction " + up] = {"N", sum[Sums::tip]};
   values[name() + "/shaft reaction " + up] = {"N", sum[Sums::reaction + axes() - 1] - sum[Sums::tip]};
   const bool half = axes() == 2 && body_->contour().extent() == ContourExtent::half;
-  for (int i = 0; i < 3 && axes() == 3; ++i)
-    values[name() + "/moment " + axis_names[i]] = {"N m", sum[Sums::moment + i]};
+  if (axes() == 3) add_vector("moment", Sums::moment, "N m");
   if (axes() == 2 && !half) values[name() + "/moment"] = {"N m", sum[Sums::moment + 2]};
   values[name() + "/contact area"] = {"m2", sum[Sums::area]};
   values[name() + "/active points"] = {"-", sum[Sums::active]};
@@ -463,8 +466,8 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
   // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid, multipliers and
   // initial gaps are history and are convected along the side, see SideShifts
   std::vector<std::pair<int, int>> convected;  // (array, column)
-  for (int column = 0; laws_.friction() && column <= rows_.slip_column(); ++column)
-    convected.emplace_back(rows_.frictions(), column);
+  if (laws_.friction())
+    for (int column = 0; column <= rows_.slip_column(); ++column) convected.emplace_back(rows_.frictions(), column);
   if (deck_.augmented())
     for (int column = 0; column <= rows_.shears(); ++column) convected.emplace_back(rows_.multipliers(), column);
   if (deck_.has_film()) convected.emplace_back(deck_.film.array(), WaterFilm::vapour_column);

@@ -26,7 +26,8 @@ struct SideForce {
 
   explicit SideForce(int dofs_) : dofs(dofs_) {
     for (int a = 0; a < dofs; ++a) f[a] = correction[a] = 0;
-    for (int i = 0; tangent && i < dofs * dofs; ++i) k[i] = 0;
+    if constexpr (tangent)
+      for (int i = 0; i < dofs * dofs; ++i) k[i] = 0;
   }
 };
 

@@ -207,15 +207,16 @@ int NodePass::residual(const StepView& view, const ResidualView& f) {
     if (force.presses && seen.place < 0) ++failures;
     const double before = force.start_share;
     if (seen.place < 0) force = {};
-    for (int a = 0; a < node_dofs && force.presses; ++a) {
-      const int dof = dofs_(seen.place, a);
-      f.add(dof, -force.f[a]);
-      f.cancelled(dof, acting.penalty * acting.area * std::hypot(now.slave[0], now.slave[1]));
-      if (force.share != 1) correction_.emplace_back(dof, view.end_weight * (force.share - 1) * force.f[a]);
-    }
+    if (force.presses)
+      for (int a = 0; a < node_dofs; ++a) {
+        const int dof = dofs_(seen.place, a);
+        f.add(dof, -force.f[a]);
+        f.cancelled(dof, acting.penalty * acting.area * std::hypot(now.slave[0], now.slave[1]));
+        if (force.share != 1) correction_.emplace_back(dof, view.end_weight * (force.share - 1) * force.f[a]);
+      }
     add_old_share(view, row, before);
-    for (int a = 0; a < node_dofs && force.damped != 0; ++a)
-      correction_.emplace_back(dofs_(seen.place, a), force.damping[a]);
+    if (force.damped != 0)
+      for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(seen.place, a), force.damping[a]);
     damped += force.damped;
     points(row, column::gap) = force.gap;
     points(row, column::pressure) = force.pressure;
