@@ -25,7 +25,6 @@ void PenaltyContact::declare_state(StateStore& store) {
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
   for (int i = 0; i < axes(); ++i) sums.push_back({std::string("damping ") + axis_names[i], 1, "N"});
   work_ = declare_rows(store, name() + "/work", sums, {}, true);
-  if (deck_.active_set.outer()) active_set_.declare_state(store, name() + "/", ids);
 }
 
 void PenaltyContact::sparsity(Assembler& assembler) {
@@ -51,7 +50,6 @@ void PenaltyContact::begin(const StepView& view) {
                                                  body_->reach() * length((to.turn * from.turn.inverse()).vector());
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
   for (std::size_t s = 0; s < candidate_.size(); ++s) candidate_[s] = least_gap(s, view.x_old, to) <= capture_;
-  if (active_set_.used()) start_active_set(view, to);
 }
 
 double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now,
@@ -82,7 +80,6 @@ ContactStart PenaltyContact::point_start(const StepView& view, std::size_t side,
   start.force = rows_.total(committed, row);
   start.normal_force = rows_.pressure(committed, row) * rows_.area(committed, row);
   start.soil = laws_.soil(committed, at, rule(at).xi[row - first_row_[side]].data());
-  start.member = active_set_.used() && active_set_.holds(trial, row);
   if (!deck_.augmented()) return start;
   const double penalty = trial.arrays[penalties_](side, 0);
   start.shift = rows_.normal_multiplier(trial, row) / penalty;
@@ -105,7 +102,6 @@ PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const 
 ContactPointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
   ContactPointLaw result = laws_.in_step(view, deck_.damping);
   result.penalty = view.trial->arrays[penalties_](side, 0);
-  result.fixed = active_set_.used();
   result.first_guess = predicting_;
   result.conserves = conserves(view);
   return result;
@@ -157,8 +153,7 @@ std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Posit
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.kind != StepView::Kind::step) return false;
   if (deck_.impact == PenaltyParameters::Impact::automatic)
-    return !deck_.augmented() && !deck_.has_film() && !active_set_.used() && laws_.normal().linear() &&
-           body_->unknowns().count > 0;
+    return !deck_.augmented() && !deck_.has_film() && laws_.normal().linear() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -518,7 +513,6 @@ std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView&
   for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1,
                     deck_.initial_gap.array()})
     if (array >= 0) add(array, of_points);
-  if (active_set_.used()) add(active_set_.array(), {});
   return result;
 }
 

@@ -101,10 +101,9 @@ ContactMotion<T, D> motion_of_point(const ContactSides& on, const SideContact& s
   motion.gap = foot.gap;
   motion.area = x.area;
   motion.shift = T(start.shift);
-  motion.member = start.member;
   motion.soil = start.soil;
   motion.pore_pressure = x.pore_pressure;
-  if (!looks_back(side, start.shift, start.member, value(foot.gap))) return motion;
+  if (!looks_back(side, start.shift, value(foot.gap))) return motion;
   motion.position = on.rule.place(c, side.x_old);
   motion.gap_old = T(start.before.gap - start.offset);
   motion.force_old = T(start.normal_force);

@@ -54,7 +54,6 @@ struct BodyPlace {
 struct ContactStart {
   double offset = 0;                // [m] by which the gap that counts is smaller than that of the geometry
   double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
-  bool member = false;              // of the active set
   TouchingSoil soil;                // its pore pressure is that beside what the side's nodes have
   ShearState shear;                 // committed
   PointForce force;                 // committed
@@ -97,12 +96,11 @@ struct SideContact {
 };
 
 /// Whether the start of the step counts at a point with this gap.
-inline bool looks_back(const SideContact& side, double shift, bool member, double gap) {
+inline bool looks_back(const SideContact& side, double shift, double gap) {
   if (side.law.conserves || side.law.viscous > 0 || side.film.flows) return true;
   ContactMotion<double> motion;
   motion.gap = gap;
   motion.shift = shift;
-  motion.member = member;
   return side.law.friction && presses(side.law, motion);
 }
 

@@ -24,7 +24,6 @@ struct ContactPointLaw {
   bool effective = true;               // whether it grows with the effective traction
   double penalty = 0;                  // [Pa/m]
   double touch = 0;                    // [m] below this gap a point counts as pressing: stiffness, if no force
-  bool fixed = false;                  // an active set decides which points press, not their gaps
   bool first_guess = false;            // friction is linear: what stuck sticks, what slid slides on
   double time = 0, dt = 1;             // [s] end of the step; its length
   double start_weight = 0;             // [-] of the start of the step in the integrator's force
@@ -51,7 +50,6 @@ template <class T, int D = 2>
 struct ContactMotion {
   T gap{0.0};                                       // [m] at the end of the step; negative: penetration
   T shift{0.0};                                     // [m] gap at which the pressure starts: multiplier over penalty
-  bool member = false;                              // of the active set
   T gap_old{0.0};                                   // [m] at the start of the step, for shares and damping
   T force_old{0.0};                                 // [N] normal force there, for damping
   T area{1.0};                                      // [m2]
@@ -109,8 +107,7 @@ template <class T, int D>
 Tangential<T, D> touching_travel(const ContactMotion<T, D>& point) {
   const T pressed = point.gap - point.shift;
   if (!(value(point.opened) > 0)) return point.travel;
-  if (!(value(pressed) < 0))
-    return no_tangential<T, D>();  // held in tension by a fixed active set: it has not touched yet
+  if (!(value(pressed) < 0)) return no_tangential<T, D>();  // near enough to press, but it has not touched yet
   return point.travel * (pressed / (pressed - point.opened));
 }
 
@@ -124,7 +121,7 @@ TouchingSoil soil_at(const ContactMotion<T, D>& point) {
 template <class T, int D>
 T pressure(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
   const T penetration = point.shift - point.gap;
-  const double depth = law.fixed || value(penetration) > 0 ? value(penetration) : 0.0;
+  const double depth = value(penetration) > 0 ? value(penetration) : 0.0;
   const NormalPressure normal = law.normal_law->at(depth, law.penalty, soil_at(point));
   return chain(penetration, normal.value, normal.slope) + change(point.pore_pressure, normal.pore_slope);
 }
@@ -177,7 +174,7 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, 
 /// Whether a point presses; the response of one that does not is that of damping alone.
 template <class T, int D>
 bool presses(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
-  return law.fixed ? point.member : value(point.gap) - value(point.shift) < law.touch;
+  return value(point.gap) - value(point.shift) < law.touch;
 }
 
 /// The point law of all contacts: gap, travel and old state to pressure and shear stress. It runs on the host, where it

@@ -20,7 +20,7 @@ class NormalLaw {
   virtual NormalPressure at(double penetration, double stiffness, const TouchingSoil& soil) const = 0;
   /// What it reads of the soil; what it does not ask for may be no number.
   virtual SoilQuantities reads() const { return {}; }
-  /// Whether it is stiffness times penetration, on which multipliers, active sets and the shares of impacts stand.
+  /// Whether it is stiffness times penetration, on which multipliers and the shares of impacts stand.
   virtual bool linear() const { return false; }
 };
 
