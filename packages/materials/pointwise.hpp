@@ -1,10 +1,9 @@
 #pragma once
 
-#include <atomic>
-#include <exception>
 #include <memory>
 #include <type_traits>
 
+#include "core/caught_in_kernel.hpp"
 #include "materials/skeleton.hpp"
 
 namespace mudline {
@@ -22,34 +21,6 @@ struct SkeletonPoint {
 struct SkeletonResponse {
   double stress[6];    // [Pa]
   double tangent[36];  // [Pa] row-major, written when want_tangent
-};
-
-/// The first exception thrown in a kernel on host threads: none may leave a parallel region.
-class CaughtInKernel {
- public:
-  /// action(), or false where it throws. On a device, which knows no exceptions, just action().
-  template <class Action>
-  KOKKOS_INLINE_FUNCTION static bool run(CaughtInKernel* caught, const Action& action) {
-#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || defined(__SYCL_DEVICE_ONLY__)
-    (void)caught;
-    return action();
-#else
-    try {
-      return action();
-    } catch (...) {
-      if (!caught->taken_.test_and_set()) caught->thrown_ = std::current_exception();
-      return false;
-    }
-#endif
-  }
-  /// After the kernel: throws what was caught.
-  void rethrow() const {
-    if (thrown_) std::rethrow_exception(thrown_);
-  }
-
- private:
-  std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
-  std::exception_ptr thrown_;
 };
 
 /// Turns a trivially copyable law with

@@ -65,7 +65,7 @@ template <class T, class F, class G>
 bool solve(double guess, F plain, G with_derivatives, T& result) {
   double xi = guess;
   bool converged = false;
-  for (int i = 0; i < 30 && !converged; ++i) {
+  for (int i = 0; i < 30; ++i) {
     double slope = 0;
     const double f = plain(xi, slope);
     if (!(std::abs(slope) > 0)) return false;
@@ -74,6 +74,7 @@ bool solve(double guess, F plain, G with_derivatives, T& result) {
     if (!(std::abs(xi) < 20)) return false;
     converged = std::abs(step) < 1e-14;
     if (i == 29) converged = std::abs(step) < 1e-12;
+    if (converged) break;
   }
   if (!converged) return false;
   double slope = 0;

@@ -71,7 +71,6 @@ ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, c
   ContactMotion<T> motion;
   motion.gap = g.gap;
   motion.shift = T(law.normal / law.penalty);
-  motion.member = law.member;
   motion.soil = law.soil;
   motion.pore_pressure = T(law.soil.pore_pressure);
   motion.gap_old = T(law.gap_old);
