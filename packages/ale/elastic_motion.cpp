@@ -98,7 +98,8 @@ void move_elastically(const InteriorMesh& mesh, const Positions& from, double po
   p = z;
   double rz = dot(mesh.mesh, r, z);
   const double goal = 1e-20 * rz, all = mesh.mesh.sum(static_cast<double>(Dim * mesh.mesh.owned_nodes().size()));
-  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(all)) && rz > goal; ++k) {
+  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(all)); ++k) {
+    if (!(rz > goal)) break;
     std::vector<double> around = p;
     mesh.mesh.fill(around, Dim);
     const std::vector<double> kp = elastic.apply(around);

@@ -269,11 +269,12 @@ class SurfaceMotion::Step {
     const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
     const double rounding = 1e-14 * edge_of(middle, x_);
     Point at = on_surface(middle.node, centre, plane);
-    for (int k = 0; k < 20 && !plane.flat; ++k) {
-      const Point before = at;
-      at = on_surface(middle.node, plus(centre, dot(minus(at, centre), normal), normal), plane);
-      if (length(minus(at, before)) <= rounding) break;
-    }
+    if (!plane.flat)
+      for (int k = 0; k < 20; ++k) {
+        const Point before = at;
+        at = on_surface(middle.node, plus(centre, dot(minus(at, centre), normal), normal), plane);
+        if (length(minus(at, before)) <= rounding) break;
+      }
     return at;
   }
 
@@ -308,7 +309,8 @@ void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positio
   add_tangents(with_tangents);
   x = with_tangents;
   Step step(*this, with_tangents, x);
-  for (double done = 0, part = 1; done < 1 && part >= 1.0 / 64;) {
+  double done = 0, part = 1;
+  while (done < 1 && part >= 1.0 / 64) {
     const double share = done + part;
     const Positions before = x;
     for (const MeshPath& curve : surfaces_.curves)
