@@ -73,10 +73,6 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
-  if (mesh_.dimension() == 3 && !interior_->in_space()) {
-    const Section interior = section.section("interior");
-    interior.fail(interior.text("type") + " is for meshes of the plane", "type");
-  }
   for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);

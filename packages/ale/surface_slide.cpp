@@ -160,8 +160,8 @@ class SurfaceMotion::Step {
   }
   bool folded(const Tetrahedron& tetrahedron, const std::array<Point, 4>& ahead) const {
     const std::array<int, 4>& nodes = tetrahedron.on.nodes;
-    MeanRatio<3> ratio{Measure::mean_ratio_squared};
-    ratio.add(tetrahedron.ideal, 1, 0, [&](int k) { return plus(x_[nodes[k]], 1, ahead[k]); });
+    MeanRatio<3> ratio;
+    ratio.add(tetrahedron.ideal, 0, [&](int k) { return plus(x_[nodes[k]], 1, ahead[k]); });
     return !ratio.valid;
   }
   bool folded_at(int node) const {
@@ -183,12 +183,12 @@ class SurfaceMotion::Step {
           static_cast<int>(std::find(corner.nodes.begin(), corner.nodes.end(), node) - corner.nodes.begin());
       result.add(corner.nodes, corner.w, moving, x_, along);
     }
-    MeanRatio<3> space{Measure::mean_ratio_squared};
+    MeanRatio<3> space;
     for (int t : surface_.tetrahedra_at_[node]) {
       if (!counts_[t]) continue;
       const std::array<int, 4>& nodes = surface_.tetrahedra_[t].on.nodes;
       const int moving = static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
-      space.add(surface_.tetrahedra_[t].ideal, 1, moving, [&](int k) { return plus(x_[nodes[k]], 1, ahead_[t][k]); });
+      space.add(surface_.tetrahedra_[t].ideal, moving, [&](int k) { return plus(x_[nodes[k]], 1, ahead_[t][k]); });
     }
     result.add(space, along);
     return result;

@@ -176,16 +176,13 @@ TEST_P(EveryCellOfSpace, TheInsideFollowsThePushedBoundaryAndNothingFolds) {
   corners.add_tangents(pushed, pushed);
   const double before = lowest_determinant(pushed);
   ASSERT_GT(before, 0);
-  for (int type = 0; type < 3; ++type) {
+  for (int type = 0; type < 2; ++type) {
     std::unique_ptr<InteriorMotion> motion;
     if (type == 0) motion = std::make_unique<OptimisationMotion>();
     if (type == 1) motion = std::make_unique<ElasticMotion>();
-    if (type == 2) motion = std::make_unique<LaplaceMotion>();
     Positions x = pushed;
     motion->move({whole, corners, source, source, movable, colours}, x);
-    if (type < 2) {
-      EXPECT_GT(lowest_determinant(x), 1.2 * before) << type;
-    }
+    EXPECT_GT(lowest_determinant(x), 1.2 * before) << type;
     int moved = 0;
     for (int node = 0; node < whole.num_nodes(); ++node) {
       moved += x[node] != pushed[node];
