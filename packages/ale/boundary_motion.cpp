@@ -214,12 +214,13 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
     if (std::abs(slide) > 1e-12 * std::min(before, after))
       s[i] = old + std::clamp(slide, -largest_slide_ * before, largest_slide_ * after);
   }
-  for (int i = 1; stride == 2 && i < last; i += 2) {
-    s[i] = 0.5 * (s[i - 1] + s[i + 1]);
-    if (s[i - 1] == curve.parameter(i - 1) && s[i + 1] == curve.parameter(i + 1) &&
-        std::abs(s[i] - curve.parameter(i)) < 1e-9 * (s[i + 1] - s[i - 1]))
-      s[i] = curve.parameter(i);
-  }
+  if (stride == 2)
+    for (int i = 1; i < last; i += 2) {
+      s[i] = 0.5 * (s[i - 1] + s[i + 1]);
+      if (s[i - 1] == curve.parameter(i - 1) && s[i + 1] == curve.parameter(i + 1) &&
+          std::abs(s[i] - curve.parameter(i)) < 1e-9 * (s[i + 1] - s[i - 1]))
+        s[i] = curve.parameter(i);
+    }
   for (int i = 1; i < last; ++i)
     if (s[i] != curve.parameter(i)) x[path.nodes[i]] = places.at(s[i], s[i + 1] - s[i - 1]);
 }

@@ -177,7 +177,8 @@ std::vector<double> solve_small(const std::vector<double>& A, const std::vector<
   const std::size_t n = b.size();
   std::vector<double> x(n, 0.0);
   double change = 1, size = 0;
-  for (int sweep = 0; sweep < 200 && change > 1e-16 * size; ++sweep) {
+  for (int sweep = 0; sweep < 200; ++sweep) {
+    if (!(change > 1e-16 * size)) break;
     change = size = 0;
     for (std::size_t i = 0; i < n; ++i) {
       if (!(A[i * n + i] > 0)) continue;
@@ -243,8 +244,9 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
     jumped[i] += by_shares;
   }
   std::vector<double> weights(is.parts.size(), 1.0);
-  for (std::size_t row = 0; t.moved() && row < weights.size(); ++row)
-    weights[row] = std::min(1.0, distance(is.parts[row].place, was.parts[row].place) / was.parts[row].size);
+  if (t.moved())
+    for (std::size_t row = 0; row < weights.size(); ++row)
+      weights[row] = std::min(1.0, distance(is.parts[row].place, was.parts[row].place) / was.parts[row].size);
   add_grains(t, void_ratio, is, weights, lost);
   for (std::size_t i = 0; i < count; ++i) {
     grains[i].missing = lost[i];

@@ -443,7 +443,8 @@ std::vector<double> GhostedMesh::gather(const Space& space, int field, const Con
   std::vector<double> table(static_cast<std::size_t>(components) * num_nodes(), 0.0);
   for (int i = 0; i < mesh_.num_owned_nodes(); ++i) {
     const int dof = space.node_dof(field)(i);
-    for (int c = 0; dof >= 0 && c < components; ++c) table[components * of_mesh_[i] + c] = values(dof + c);
+    if (dof >= 0)
+      for (int c = 0; c < components; ++c) table[components * of_mesh_[i] + c] = values(dof + c);
   }
   fill(table, components);
   return table;
@@ -453,7 +454,8 @@ void GhostedMesh::scatter(const Space& space, int field, const std::vector<doubl
   const int components = space.field(field).components;
   for (int i = 0; i < mesh_.num_nodes(); ++i) {
     const int dof = space.node_dof(field)(i);
-    for (int c = 0; dof >= 0 && c < components; ++c) to(dof + c) = from[components * of_mesh_[i] + c];
+    if (dof >= 0)
+      for (int c = 0; c < components; ++c) to(dof + c) = from[components * of_mesh_[i] + c];
   }
 }
 

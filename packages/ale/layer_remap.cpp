@@ -76,8 +76,8 @@ class PatchMetric {
     }
     const Spread spread(dim, moments);
     for (int k = 0; k < dim; ++k)
-      for (int d = 0; d < dim && spread.along[k] > 0; ++d)
-        axis_[k][d] = spread.direction[k][d] / std::sqrt(spread.along[k]);
+      if (spread.along[k] > 0)
+        for (int d = 0; d < dim; ++d) axis_[k][d] = spread.direction[k][d] / std::sqrt(spread.along[k]);
   }
   /// [-]
   Point operator()(const Point& place) const {
@@ -310,8 +310,9 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
       const Version& version = versions.at(material);
       t.now[first + table.origin] = material;
       result.changed += t.moved() && result.was[row] != material;
-      for (int c = 0; c < t.columns && version.near[row]; ++c)
-        if (c < table.origin || c > table.origin + mesh.dimension()) t.now[first + c] = version.now[first + c];
+      if (version.near[row])
+        for (int c = 0; c < t.columns; ++c)
+          if (c < table.origin || c > table.origin + mesh.dimension()) t.now[first + c] = version.now[first + c];
       if (version.near[row]) continue;
       ++result.started;
       const std::string at = place_text(Recovery::position(mesh.elements()[e], block, q, x), mesh.dimension()),

@@ -101,7 +101,8 @@ class SeenSide {
     const auto centre = cell_centre(shape_);
     for (int start = 0; start <= num_corners(shape_); ++start) {
       Vec<double, 2> xi{centre[0], centre[1]};
-      for (int k = 0; k < 2 && start > 0; ++k) xi[k] = 0.5 * (xi[k] + reference_node(shape_, start - 1)[k]);
+      if (start > 0)
+        for (int k = 0; k < 2; ++k) xi[k] = 0.5 * (xi[k] + reference_node(shape_, start - 1)[k]);
       for (int iteration = 0; iteration < 60; ++iteration) {
         double N[9], dN[18];
         evaluate_shape(shape_, xi.data(), N, dN);
@@ -138,7 +139,8 @@ MeshPlace PointLocator::find(const Point& point, int guess) const {
   std::set<int> seen;
   Found found;
   int here = guess;
-  for (int step = 0; step < 200 && here >= 0; ++step) {
+  for (int step = 0; step < 200; ++step) {
+    if (here < 0) break;
     seen.insert(here);
     double xi[3] = {0, 0, 0};
     if (!invert(here, point, xi)) break;  // far off a curved element

@@ -136,15 +136,16 @@ void optimise(GlobalMesh& made, Geometry geometry) {
     motion.move({whole, corners, next, next, movable, colours}, next);
     x = std::move(next);
   };
-  double done = 0;
-  for (double share = 0, part = 1; done < 1 && part > 1.0 / 64; share = std::min(1.0, done + part)) {
+  double done = 0, share = 0, part = 1;
+  while (done < 1 && part > 1.0 / 64) {
     Positions next = bent(share);
     if (folded(corners, next)) {
       part *= 0.5;
-      continue;
+    } else {
+      move(std::move(next));
+      done = share;
     }
-    move(std::move(next));
-    done = share;
+    share = std::min(1.0, done + part);
   }
   if (done < 1) move(bent(1));  // beside what is folded nothing moves
   for (int node = 0; node < whole.num_nodes(); ++node)

@@ -125,10 +125,11 @@ void SurfaceRenewal::place_middles() {
       middle.place = without_bulge(middle.place, centre, normal, edge);
     }
   for (const RemeshedSurface::Face& face : made_.mesh.faces)  // planes stay planes
-    for (int k = 0; planes_[face.patch].flat && k < 3; ++k) {
-      RenewedSurface::Middle& middle = made_.middles[number.at(ends(face.vertices[k], face.vertices[(k + 1) % 3]))];
-      if (middle.node < 0) middle.place = planes_[face.patch].of_all.kept(middle.place);
-    }
+    if (planes_[face.patch].flat)
+      for (int k = 0; k < 3; ++k) {
+        RenewedSurface::Middle& middle = made_.middles[number.at(ends(face.vertices[k], face.vertices[(k + 1) % 3]))];
+        if (middle.node < 0) middle.place = planes_[face.patch].of_all.kept(middle.place);
+      }
 }
 
 }  // namespace

@@ -62,11 +62,12 @@ void SurfaceMotion::put_on(Middle& middle, const std::vector<int>& faces) const 
 
 void SurfaceMotion::add_curve_middles(const std::vector<std::vector<int>>& touching) {
   for (const MeshPath& curve : surfaces_.curves)
-    for (std::size_t i = 1; curve.stride == 2 && i < curve.nodes.size(); i += 2) {
-      Middle middle{curve.nodes[i], {curve.nodes[i - 1], curve.nodes[i + 1]}, {}};
-      put_on(middle, touching[middle.node]);
-      curve_middles_.push_back(std::move(middle));
-    }
+    if (curve.stride == 2)
+      for (std::size_t i = 1; i < curve.nodes.size(); i += 2) {
+        Middle middle{curve.nodes[i], {curve.nodes[i - 1], curve.nodes[i + 1]}, {}};
+        put_on(middle, touching[middle.node]);
+        curve_middles_.push_back(std::move(middle));
+      }
 }
 
 void SurfaceMotion::add_node(const SurfaceFace& face, int a, Patch& patch) {
@@ -77,7 +78,8 @@ void SurfaceMotion::add_node(const SurfaceFace& face, int a, Patch& patch) {
   }
   Middle middle{face.nodes[a], {}, {}};
   for (int c : corners_around(face.shape, a)) middle.ends.push_back(face.nodes[c]);
-  for (int k = 0; a == 2 * corners && k < corners; ++k) middle.sides.push_back(face.nodes[corners + k]);
+  if (a == 2 * corners)
+    for (int k = 0; k < corners; ++k) middle.sides.push_back(face.nodes[corners + k]);
   patch.middles.push_back(middle);
 }
 
@@ -96,17 +98,18 @@ void SurfaceMotion::add_corners(const SurfaceFace& face, Positions& source) {
   const int corners = num_corners(face.shape);
   const auto corner = [&](int i) { return face.nodes[(i + corners) % corners]; };
   for (int i = 0; i < (corners == 3 ? 1 : 4); ++i) add_corner({corner(i), corner(i + 1), corner(i - 1)}, source);
-  for (int i = 0; order(face.shape) == 2 && i < corners; ++i) {
-    const int a = corner(i), b = corner(i + 1), middle = face.nodes[corners + i];
-    if (surfaces_.patch_of[middle] >= 0) continue;
-    const int end = static_cast<int>(source.size());
-    for (const Tangent& tangent : {Tangent{a, b, middle}, Tangent{b, a, middle}}) {
-      tangents_.push_back(tangent);
-      source.push_back(tangent_end(tangent, source));
+  if (order(face.shape) == 2)
+    for (int i = 0; i < corners; ++i) {
+      const int a = corner(i), b = corner(i + 1), middle = face.nodes[corners + i];
+      if (surfaces_.patch_of[middle] >= 0) continue;
+      const int end = static_cast<int>(source.size());
+      for (const Tangent& tangent : {Tangent{a, b, middle}, Tangent{b, a, middle}}) {
+        tangents_.push_back(tangent);
+        source.push_back(tangent_end(tangent, source));
+      }
+      add_corner({a, end, corner(i - 1)}, source);
+      add_corner({end + 1, b, corner(i + 2)}, source);
     }
-    add_corner({a, end, corner(i - 1)}, source);
-    add_corner({end + 1, b, corner(i + 2)}, source);
-  }
 }
 
 Point SurfaceMotion::tangent_end(const Tangent& tangent, const Positions& x) {

@@ -193,7 +193,8 @@ bool SurfaceRemesher::keeps_edge(int a, int b, const std::vector<int>& around) c
 std::vector<SurfaceRemesher::Ends> SurfaceRemesher::edges() const {
   std::set<Ends> all;
   for (const Face& face : faces_)
-    for (int k = 0; face.patch >= 0 && k < 3; ++k) all.insert(ends(face.corners[k], face.corners[(k + 1) % 3]));
+    if (face.patch >= 0)
+      for (int k = 0; k < 3; ++k) all.insert(ends(face.corners[k], face.corners[(k + 1) % 3]));
   std::vector<std::pair<double, Ends>> sorted;
   for (const Ends& edge : all) sorted.emplace_back(-ratio(edge.first, edge.second), edge);
   std::sort(sorted.begin(), sorted.end());
@@ -412,9 +413,10 @@ int SurfaceRemesher::change_edges() {
 
 void SurfaceRemesher::flip_edges() {
   constexpr int sweeps = 10;
-  for (int sweep = 0, flips = 1; flips > 0 && sweep < sweeps; ++sweep) {
-    flips = 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    int flips = 0;
     for (const auto& [a, b] : edges()) flips += flip(a, b);
+    if (flips == 0) break;
   }
 }
 
@@ -431,12 +433,13 @@ void SurfaceRemesher::smooth() {
 
 RemeshedSurface SurfaceRemesher::remesh() {
   constexpr int rounds = 12;
-  for (int round = 0, changes = 1; changes > 0 && round < rounds; ++round) {
-    changes = change_edges();
+  for (int round = 0; round < rounds; ++round) {
+    const int changes = change_edges();
     wake_poor();
     flip_edges();
     smooth();
     flip_edges();
+    if (changes == 0) break;
   }
   return result();
 }

@@ -160,8 +160,8 @@ class SurfaceMotion::Step {
   }
   bool folded(const Tetrahedron& tetrahedron, const std::array<Point, 4>& ahead) const {
     const std::array<int, 4>& nodes = tetrahedron.on.nodes;
-    MeanRatio<3> ratio{Measure::mean_ratio_squared};
-    ratio.add(tetrahedron.ideal, 1, 0, [&](int k) { return x_[nodes[k]] + ahead[k]; });
+    MeanRatio<3> ratio;
+    ratio.add(tetrahedron.ideal, 0, [&](int k) { return x_[nodes[k]] + ahead[k]; });
     return !ratio.valid;
   }
   bool folded_at(int node) const {
@@ -183,12 +183,12 @@ class SurfaceMotion::Step {
           static_cast<int>(std::find(corner.nodes.begin(), corner.nodes.end(), node) - corner.nodes.begin());
       result.add(corner.nodes, corner.w, moving, x_, along);
     }
-    MeanRatio<3> space{Measure::mean_ratio_squared};
+    MeanRatio<3> space;
     for (int t : surface_.tetrahedra_at_[node]) {
       if (!counts_[t]) continue;
       const std::array<int, 4>& nodes = surface_.tetrahedra_[t].on.nodes;
       const int moving = static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
-      space.add(surface_.tetrahedra_[t].ideal, 1, moving, [&](int k) { return x_[nodes[k]] + ahead_[t][k]; });
+      space.add(surface_.tetrahedra_[t].ideal, moving, [&](int k) { return x_[nodes[k]] + ahead_[t][k]; });
     }
     result.add(space, along);
     return result;
@@ -269,11 +269,12 @@ class SurfaceMotion::Step {
     const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
     const double rounding = 1e-14 * edge_of(middle, x_);
     Point at = on_surface(middle.node, centre, plane);
-    for (int k = 0; k < 20 && !plane.flat; ++k) {
-      const Point before = at;
-      at = on_surface(middle.node, centre + dot(at - centre, normal) * normal, plane);
-      if (length(at - before) <= rounding) break;
-    }
+    if (!plane.flat)
+      for (int k = 0; k < 20; ++k) {
+        const Point before = at;
+        at = on_surface(middle.node, centre + dot(at - centre, normal) * normal, plane);
+        if (length(at - before) <= rounding) break;
+      }
     return at;
   }
 
@@ -308,7 +309,8 @@ void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positio
   add_tangents(with_tangents);
   x = with_tangents;
   Step step(*this, with_tangents, x);
-  for (double done = 0, part = 1; done < 1 && part >= 1.0 / 64;) {
+  double done = 0, part = 1;
+  while (done < 1 && part >= 1.0 / 64) {
     const double share = done + part;
     const Positions before = x;
     for (const MeshPath& curve : surfaces_.curves)

@@ -88,7 +88,8 @@ double WantedSizes::in_block(const Vec<double, 2>& place, std::size_t block, dou
 
 double WantedSizes::operator()(const Vec<double, 2>& place) const {
   double result = 0, least = 1e300;
-  for (std::size_t block = 0; block < nearby_.size() && least > 0; ++block) {
+  for (std::size_t block = 0; block < nearby_.size(); ++block) {
+    if (!(least > 0)) break;
     if (nearby_[block] < 0) continue;
     double outside;
     const double size = in_block(place, block, outside);

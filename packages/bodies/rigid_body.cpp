@@ -140,15 +140,16 @@ void RigidBody::fill_evenly(const Section& section) {
   auto& tensor = properties_.inertia;
   if (inertia_.empty()) {
     const bool elsewhere = length(properties_.middle) > 1e-6 * size;
-    for (int i = 0; i < 3 && closed && !elsewhere; ++i)
-      for (int j = 0; j < 3; ++j) tensor[i][j] = properties_.mass / moments.volume * moments.inertia()[i][j];
+    if (closed && !elsewhere)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) tensor[i][j] = properties_.mass / moments.volume * moments.inertia()[i][j];
     return;
   }
   if (inertia_.size() != 3 && inertia_.size() != 6)
     section.fail("needs three numbers, xx, yy, zz, or six, xx, yy, zz, yz, xz, xy", "inertia tensor");
   for (int i = 0; i < 3; ++i) tensor[i][i] = inertia_[i];
-  for (int i = 0; i < 3 && inertia_.size() == 6; ++i)
-    tensor[(i + 1) % 3][(i + 2) % 3] = tensor[(i + 2) % 3][(i + 1) % 3] = inertia_[3 + i];
+  if (inertia_.size() == 6)
+    for (int i = 0; i < 3; ++i) tensor[(i + 1) % 3][(i + 2) % 3] = tensor[(i + 2) % 3][(i + 1) % 3] = inertia_[3 + i];
   const double minor = tensor[0][0] * tensor[1][1] - tensor[0][1] * tensor[0][1];
   const double whole =
       dot(Point{tensor[0][0], tensor[0][1], tensor[0][2]},
@@ -195,12 +196,12 @@ void RigidBody::declare_state(StateStore& store) {
     info.variables.push_back({std::string("displacement ") + axis_names[i], 1, "m"});
   for (int i = 0; i < dimension(); ++i) info.variables.push_back({std::string("velocity ") + axis_names[i], 1, "m/s"});
   info.variables.push_back({"moving time", 1, "s"});
-  for (int i = 0; i < 3 && dimension() == 3; ++i)
-    info.variables.push_back({std::string("rotation ") + axis_names[i], 1, "rad"});
-  for (int i = 0; i < 3 && dimension() == 3; ++i)
-    info.variables.push_back({std::string("spin ") + axis_names[i], 1, "rad/s"});
-  for (int i = 0; i < 3 && dimension() == 3 && may_be_free_; ++i)  // of the unknowns when the rotation was that
-    info.variables.push_back({std::string("arc ") + axis_names[i], 1, "m"});
+  if (dimension() == 3) {
+    for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("rotation ") + axis_names[i], 1, "rad"});
+    for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("spin ") + axis_names[i], 1, "rad/s"});
+    if (may_be_free_)  // the unknowns when the rotation was that
+      for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("arc ") + axis_names[i], 1, "m"});
+  }
   array_ = store.find(info.name);
   if (array_ < 0) array_ = store.declare(std::move(info), 1);
 }

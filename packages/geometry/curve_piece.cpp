@@ -146,7 +146,7 @@ ParametricCurve::Point NurbsSpan::at(double t) const {
   for (int i = span_ - degree_; i <= span_; ++i)
     control.push_back({weights_[i] * points_[i][0], weights_[i] * points_[i][1], weights_[i]});
   Homogeneous level[3] = {};
-  for (int order = 0; order < 3 && order <= degree_; ++order) {
+  for (int order = 0; order <= std::min(2, degree_); ++order) {
     const int p = degree_ - order;
     if (order > 0) {  // control points of the derivative
       std::vector<Homogeneous> next;

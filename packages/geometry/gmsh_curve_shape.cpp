@@ -125,9 +125,10 @@ void GmshCurveShape::check(const Section& section) {
   for (const CadCurve& curve : chain)
     for (auto& piece : pieces_of(curve)) pieces_.push_back(std::move(piece));
   for (const auto& piece : pieces_)
-    for (int i = 0; i <= 8 && extent_ == ContourExtent::half; ++i)
-      if (piece->point(piece->length() * i / 8)[0] < -tolerance * scale_)
-        section.fail("a half contour has no points left of its axis", entry);
+    if (extent_ == ContourExtent::half)
+      for (int i = 0; i <= 8; ++i)
+        if (piece->point(piece->length() * i / 8)[0] < -tolerance * scale_)
+          section.fail("a half contour has no points left of its axis", entry);
   continue_open_end(pieces_, extent_);
 }
 

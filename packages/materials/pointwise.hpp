@@ -23,16 +23,23 @@ struct SkeletonResponse {
   double tangent[36];  // [Pa] row-major, written when want_tangent
 };
 
-/// Turns a trivially copyable law with
-///     KOKKOS_FUNCTION bool operator()(const SkeletonPoint&, const double* state_old, double* state, SkeletonResponse&)
-///     const; static std::vector<StateVariable> state(); std::string initialise(const InitialPoint&, double* state)
-///     const; ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const; void
-///     parameters(Parameters&); void check(const Section&);              [optional] rules across parameters void
-///     prepare();                          [optional] computes constants from the parameters, once double k0(double
-///     ocr) const;             [optional] double void_ratio(const InitialPoint&) const;   [optional]
-///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;         [optional]
-///     EarthPressures earth_pressures(double vertical, double height) const;                            [optional]
-/// into a Skeleton: the only loop over points. Returning false marks the point as failed; the step is then cut.
+// clang-format off
+/// Turns a trivially copyable law into a Skeleton: the only loop over points. The law has these members:
+///     KOKKOS_FUNCTION bool operator()(const SkeletonPoint&, const double* state_old, double* state,
+///                                     SkeletonResponse&) const;
+///     static std::vector<StateVariable> state();
+///     std::string initialise(const InitialPoint&, double* state) const;
+///     ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const;
+///     void parameters(Parameters&);
+/// It may have these too:
+///     void check(const Section&);                          rules across parameters
+///     void prepare();                                      computes constants from the parameters, once
+///     double k0(double ocr) const;
+///     double void_ratio(const InitialPoint&) const;
+///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
+///     EarthPressures earth_pressures(double vertical, double height) const;
+/// Where the operator returns false, the point has failed; the step is then cut.
+// clang-format on
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
   static_assert(std::is_trivially_copyable_v<Law>, "a law is captured by value in kernels");

@@ -226,11 +226,12 @@ ErrorEstimator::BlockTables ErrorEstimator::tabulate_block(int k, const State& s
         strain_rate(b, e, q, map, state.rate, C::hoop, t.places[row][0], values + tensor);
         if (b.porous()) pressure_at(b, e, q, map, excess, t.pressure[row], t.slope[row]);
       }
-    for (int e = 0; b.porous() && e < b.elements; ++e)
-      for (int c = 0; c < t.corners; ++c) {
-        t.corner_pressure.push_back(excess(b.dofs(e, C::dim * b.u.nodes + c)));
-        t.corner_places.push_back(place_of(state.coordinates, b.nodes(e, c)));
-      }
+    if (b.porous())
+      for (int e = 0; e < b.elements; ++e)
+        for (int c = 0; c < t.corners; ++c) {
+          t.corner_pressure.push_back(excess(b.dofs(e, C::dim * b.u.nodes + c)));
+          t.corner_places.push_back(place_of(state.coordinates, b.nodes(e, c)));
+        }
   });
   return t;
 }

@@ -88,12 +88,13 @@ void BodySetup::follow(const Section& deck) {
                        own.has_section(body.name()) ? own.section(body.name()) : entry.section("motion")});
     if (law->released() && !release) release = law->released();
     const double dt = stage->duration / parts_of_a_stage;
-    for (int i = 0; i < parts_of_a_stage && !release; ++i) {
-      const BodyState next = law->advance(now, time + i * dt, time + (i + 1) * dt);
-      angle += length((next.turn * now.turn.inverse()).vector());
-      now = next;
-      places.push_back({time + (i + 1) * dt, now.displacement, angle});
-    }
+    if (!release)
+      for (int i = 0; i < parts_of_a_stage; ++i) {
+        const BodyState next = law->advance(now, time + i * dt, time + (i + 1) * dt);
+        angle += length((next.turn * now.turn.inverse()).vector());
+        now = next;
+        places.push_back({time + (i + 1) * dt, now.displacement, angle});
+      }
     time += stage->duration;
   }
 }

@@ -38,10 +38,11 @@ void BodyWay::follow(const Model& model) {
     if (motion != before) now.moving_time = 0;
     before = motion;
     const double dt = stage->duration / parts_of_a_stage;
-    for (int i = 0; i < parts_of_a_stage && motion && !release_ && dt > 0; ++i) {
-      now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
-      places_.push_back({time + (i + 1) * dt, in_plane(now.displacement)});
-    }
+    if (motion && !release_ && dt > 0)
+      for (int i = 0; i < parts_of_a_stage; ++i) {
+        now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
+        places_.push_back({time + (i + 1) * dt, in_plane(now.displacement)});
+      }
     time += stage->duration;
   }
 }

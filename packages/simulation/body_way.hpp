@@ -49,7 +49,6 @@ class BodyWay {
   /// best (0: it has none).
   const std::vector<const GhostedMesh::BoundarySide*>& sides_under() const { return under_; }
   double surface_corner() const { return corner_; }
-  double surface_reach() const { return reach_; }
   /// Heights [m]: the top of those surfaces, and the lowest that the body may come to, for a released one the mesh's.
   double surface_top() const { return top_; }
   double lowest() const;

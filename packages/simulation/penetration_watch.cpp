@@ -56,7 +56,7 @@ double PenetrationWatch::way(const Model& model, const ContactPartners& partners
     return partners.body->way(record.placement, partners.body->placement(model.store().committed()));
   const std::vector<Point> now = places(model, partners);
   double farthest = 0;
-  for (std::size_t i = 0; i < now.size() && i < record.places.size(); ++i)
+  for (std::size_t i = 0; i < std::min(now.size(), record.places.size()); ++i)
     farthest = std::max(farthest, length(now[i] - record.places[i]));
   return max_over_ranks(*model.mesh().comm(), farthest);
 }

@@ -103,11 +103,12 @@ Span Setup::given(const Section& section, const std::string& name, double from, 
   const auto value = function(section, name);
   if (!value) return span;
   Bounds box = mesh().bounds();
-  for (int i = 0; i < dimension() && where; ++i)
-    if (where->box[i].known()) {
-      box.low[i] = where->box[i].low;
-      box.high[i] = where->box[i].high;
-    }
+  if (where)
+    for (int i = 0; i < dimension(); ++i)
+      if (where->box[i].known()) {
+        box.low[i] = where->box[i].low;
+        box.high[i] = where->box[i].high;
+      }
   const int corners = value->is_constant() ? 0 : 1 << dimension(), times = value->steady() ? 0 : moments;
   for (int corner = 0; corner <= corners; ++corner) {  // the last: the middle
     Point x{};
@@ -200,10 +201,11 @@ const Setup::SetFigures& Setup::set(const std::string& name) const {
     figures.box[i] = {min_over_ranks(comm, figures.box[i].low), max_over_ranks(comm, figures.box[i].high)};
   figures.order = static_cast<int>(max_over_ranks(comm, order));
   figures.sides = static_cast<int>(sums[0]);
-  for (int i = 0; i < 3 && sums[4] > 0; ++i) {
-    figures.normal[i] = sums[1 + i] / sums[4];
-    figures.side[i] = sums[5 + i] / sums[0];
-  }
+  if (sums[4] > 0)
+    for (int i = 0; i < 3; ++i) {
+      figures.normal[i] = sums[1 + i] / sums[4];
+      figures.side[i] = sums[5 + i] / sums[0];
+    }
   return figures;
 }
 

@@ -34,7 +34,8 @@ class Supports::Gram {
   explicit Gram(int size) : size_(size), entries_(static_cast<std::size_t>(size) * size, 0.0) {}
   void add(const Row& row) {
     for (int i = 0; i < size_; ++i)
-      for (int j = 0; row[i] != 0 && j < size_; ++j) entries_[i * size_ + j] += row[i] * row[j];
+      if (row[i] != 0)
+        for (int j = 0; j < size_; ++j) entries_[i * size_ + j] += row[i] * row[j];
   }
   /// Adds up what the ranks have.
   void sum(const Comm& comm) { entries_ = sum_over_ranks(comm, entries_); }
@@ -192,8 +193,10 @@ void Supports::Collector::add_contact(const ContactPartners& contact, bool press
       const int part = supports_.mesh_parts_.of_node[node];
       const Point p = mesh.place(node);
       const int other = contact.body ? body : supports_.nearest_part(contact.opposite, p);
-      if (!all_directions) resist(part, other, p, normal);
-      for (int i = 0; all_directions && i < supports_.dimension(); ++i) resist(part, other, p, axis(i));
+      if (all_directions)
+        for (int i = 0; i < supports_.dimension(); ++i) resist(part, other, p, axis(i));
+      else
+        resist(part, other, p, normal);
     }
   }
 }

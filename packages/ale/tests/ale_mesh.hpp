@@ -61,13 +61,14 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
   }
   // middle nodes between their ends, centres between all
   const int nodes = num_nodes(shape), corners = num_corners(shape);
-  for (std::size_t e = 0; order(shape) == 2 && e < block.nodes.size(); e += nodes)
-    for (int s = 0; s < corners; ++s)
-      for (int d = 0; d < 2; ++d) {
-        const auto &a = global.coordinates[block.nodes[e + s]],
-                   &b = global.coordinates[block.nodes[e + (s + 1) % corners]];
-        global.coordinates[block.nodes[e + corners + s]][d] = 0.5 * (a[d] + b[d]);
-      }
+  if (order(shape) == 2)
+    for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
+      for (int s = 0; s < corners; ++s)
+        for (int d = 0; d < 2; ++d) {
+          const auto &a = global.coordinates[block.nodes[e + s]],
+                     &b = global.coordinates[block.nodes[e + (s + 1) % corners]];
+          global.coordinates[block.nodes[e + corners + s]][d] = 0.5 * (a[d] + b[d]);
+        }
   if (shape == CellShape::quad9)
     for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
       for (int d = 0; d < 2; ++d) {

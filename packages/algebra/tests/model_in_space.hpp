@@ -253,12 +253,14 @@ inline FieldLayout ProblemInSpace::layout(const char* name, int components, int 
   const int step = components == 1 ? 2 : 1;  // the pressure is at the corners only
   local.assign(static_cast<std::size_t>(id(0, 0, line())), -1);
   const auto add_levels = [&](int from, int to) {
-    for (int k = from; k <= to; ++k)
-      for (int j = 0; k % step == 0 && j < line(); j += step)
+    for (int k = from; k <= to; ++k) {
+      if (k % step != 0) continue;
+      for (int j = 0; j < line(); j += step)
         for (int i = 0; i < line(); i += step) {
           local[id(i, j, k)] = static_cast<int>(field.node_ids.size());
           field.node_ids.push_back(id(i, j, k));
         }
+    }
   };
   add_levels(first_owned, last);
   field.num_owned = static_cast<int>(field.node_ids.size());

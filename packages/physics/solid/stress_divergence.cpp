@@ -31,7 +31,8 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
   for (int i = 0; i < C::dim; ++i)
     for (int j = 0; j < C::dim; ++j) {
       H[i][j] = 0;
-      for (int k = 0; k < D && valid; ++k) H[i][j] += at.moved[i][k] * back[k][j];
+      if (valid)
+        for (int k = 0; k < D; ++k) H[i][j] += at.moved[i][k] * back[k][j];
     }
   motion.evaluate(H, valid ? at.hoop_moved / hoop : 0.0, valid);
   return valid;
@@ -183,7 +184,8 @@ struct Staging {
     if constexpr (Loop::S > 0)
       if (mixture.temperature >= 0)  // what heat alone would do is no strain of the law's
         for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[mixture.temperature];
-    for (int c = 0; c < 6 && !valid; ++c) to.strain(i, c) = 0;
+    if (!valid)
+      for (int c = 0; c < 6; ++c) to.strain(i, c) = 0;
     if (to.surroundings.extent(0) > 0) write_motion(at, motion, valid, &to.surroundings(i, 0));
     motion.rotate(&stress(from, 0), &to.stress_old(i, 0));
     for (std::size_t c = 0; c < to.state_old.extent(1); ++c) to.state_old(i, c) = law(from, c);

@@ -190,14 +190,15 @@ void FieldFile::File::open(const Mesh& mesh, const FieldRestart& restart) {
   const bool by_time = static_cast<long long>(old) < restart.steps;
   std::string error;
   try {
-    for (std::size_t k = 0; rank == 0 && k < old; ++k) {
-      const auto file = h5::open_file(MPI_COMM_SELF, index.step_path(k), false);
-      const double time = h5::number_attribute(file, "time");
-      if (by_time ? time > restart.time : static_cast<long long>(k) >= restart.steps) break;
-      index.append({FieldIndex::step_name(k), time, h5::integer_attribute(file, "step"),
-                    h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell"),
-                    mesh_of(file)});
-    }
+    if (rank == 0)
+      for (std::size_t k = 0; k < old; ++k) {
+        const auto file = h5::open_file(MPI_COMM_SELF, index.step_path(k), false);
+        const double time = h5::number_attribute(file, "time");
+        if (by_time ? time > restart.time : static_cast<long long>(k) >= restart.steps) break;
+        index.append({FieldIndex::step_name(k), time, h5::integer_attribute(file, "step"),
+                      h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell"),
+                      mesh_of(file)});
+      }
   } catch (const std::runtime_error& failure) {
     error = failure.what();
   }

@@ -6,16 +6,12 @@ import h5py
 import numpy as np
 
 from contact_case import PRESSURE
-from mudline_case import program
+from mudline_case import deck_text, program
 from references import contact as reference
 from sliding_blocks import SLIDE, SlidingBlocks
+from swinging_mesh import swinging_mesh
 
-MOTION = """<ParameterList name="motion"><ParameterList name="mesh motion"><ParameterList name="interior">
-  <Parameter name="type" type="string" value="artificial"/>
-  <Parameter name="amplitude" type="double" value="0.1"/>
-  <Parameter name="period" type="double" value="0.7"/>
-</ParameterList></ParameterList></ParameterList>
-"""
+MOTION = deck_text("motion", swinging_mesh(0.1, 0.7))
 
 # a fine part of the outer boundaries that travels along with a body that nothing touches
 FOCUS = """<ParameterList name="focus">
