@@ -36,7 +36,7 @@ void check_probes(const Loaded& loaded) {
   const double slack = 1e-6 * box.extent();
   const Ale* ale = loaded.model->ale();
   for (const ProbeSettings& probe : loaded.output.probes)
-    if (probe.at_node && ale && ale->renewal())
+    if (probe.at_node && ale && ale->remeshing())
       loaded.root->section("output").section("probes").fail(
           "a node is lost where the mesh is made anew ('mesh motion/remeshing'); give the probe 'moves with' a body or "
           "nothing",
@@ -57,7 +57,7 @@ void check_error_estimate(const Loaded& loaded) {
   if (loaded.output.error_estimate && !loaded.model->soil())
     loaded.root->section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
   const Ale* ale = loaded.model->ale();
-  if (ale && ale->renewal() && ale->renewal()->adaptive() && !loaded.output.error_estimate)
+  if (ale && ale->remeshing() && ale->remeshing()->adaptive() && !loaded.output.error_estimate)
     loaded.root->section("mesh motion")
         .section("remeshing")
         .fail(
@@ -122,7 +122,7 @@ int run(const RunCommand& command) {
   const Origin origin{loaded->deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
                       std::string("mudline ") + MUDLINE_VERSION};
-  const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](std::shared_ptr<const RenewedMesh> mesh) {
+  const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](std::shared_ptr<const RemeshedMesh> mesh) {
     return std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{"", std::move(mesh)});
   };
   Run run(std::move(loaded->model), on_mesh, loaded->output, origin, options);

@@ -40,7 +40,7 @@ void AleParameters::parameters(Parameters& p) {
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
   p.section("boundary", boundary, "how boundary nodes slide");
   p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
-  p.section("remeshing", renewal,
+  p.section("remeshing", remeshing,
             "when and how the region, of triangles or tetrahedra, is meshed anew; absent: it is not");
 }
 
@@ -62,7 +62,7 @@ GhostedMesh with_patches(const Mesh& mesh, const Soil& soil) {
 }  // namespace
 
 Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
-         const Section& section, const MeshMotionRegistries& registries, const RenewedMesh* renewed)
+         const Section& section, const MeshMotionRegistries& registries, const RemeshedMesh* remeshed)
     : space_(space),
       soil_(soil),
       mesh_(with_patches(space.mesh(), soil)),
@@ -75,12 +75,12 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
   for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
-  deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);
+  deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), remeshed);
   if (section.has_section("remeshing"))
-    renewal_ = std::make_unique<MeshRenewal>(mesh_, deck_.boundary, deck_.renewal, section.section("remeshing"));
-  if (renewed) {
-    renewals_ = renewed->number;
-    renewed_after_ = renewed->step;
+    remesher_ = std::make_unique<Remesher>(mesh_, deck_.boundary, deck_.remeshing, section.section("remeshing"));
+  if (remeshed) {
+    remeshings_ = remeshed->number;
+    remeshed_after_ = remeshed->step;
   }
   corners_.add_tangents(source_, source_);
   for (int node = 0; node < mesh_.num_nodes(); ++node)
@@ -115,7 +115,7 @@ bool Ale::folded(const Positions& x) const {
                                [&](const Simplex& t) { return !(determinant(t, x) > 0); }));
 }
 
-void Ale::place_middles(Positions& x) const {
+void Ale::place_mid_side_nodes(Positions& x) const {
   int all[27];
   std::iota(all, all + 27, 0);
   std::vector<std::vector<int>> faces;
@@ -124,20 +124,20 @@ void Ale::place_middles(Positions& x) const {
     if (order(element.shape) == 1) continue;
     const CellShape shape = element.shape;
     const auto& n = element.nodes;
-    const int corners = num_corners(shape), middles = corners + num_edges(shape);
+    const int corners = num_corners(shape), mid_side_nodes = corners + num_edges(shape);
     const auto sum = [&](const int* first, const int* last, int d) {
       double all = 0;
       for (; first != last; ++first) all += x[n[*first]][d];
       return all;
     };
-    for (int a = corners; a < middles; ++a) {
+    for (int a = corners; a < mid_side_nodes; ++a) {
       const auto [from, to] = edge_corners(shape, a - corners);
       if (!mesh_.on_boundary(n[a]))
         for (int d = 0; d < place_size; ++d) x[n[a]][d] = 0.5 * (x[n[from]][d] + x[n[to]][d]);
     }
     if (is_simplex(shape)) continue;
     // centres are transfinite: exact for straight edges
-    const auto centre = [&](const int* quadrilateral) {  // its corners, middles and centre
+    const auto centre = [&](const int* quadrilateral) {  // its corners, mid-side nodes and centre
       const int* edges = quadrilateral + 4;
       const int at = n[quadrilateral[8]];
       if (!mesh_.on_boundary(at))
@@ -182,7 +182,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
     if (part < 1.0 / 64) return "the moved boundary folds elements";
   }
   x.resize(mesh_.num_nodes());
-  place_middles(x);
+  place_mid_side_nodes(x);
   if (deck_.conserve) keep_volume(soil_volume(mesh_, soil_, x_old), state, constraints, x);
   double largest = 0;
   for (const Point& place : x_old)
@@ -212,7 +212,7 @@ void Ale::keep_volume(double volume, const State& state, const Constraints& cons
     for (const auto& mover : free.movers)
       for (int d = 0; d < place_size; ++d) x[mover.node][d] += part / free.area * mover.normal[d];
     mesh_.fill(x);
-    place_middles(x);
+    place_mid_side_nodes(x);
     part = missing();
   }
 }
@@ -258,9 +258,9 @@ void Ale::conserve_grains(const PointTransfer& transfer, const SoilTable& table,
   if (std::abs(worst) > std::abs(receipt.restored_solid)) receipt.restored_solid = worst;
 }
 
-void Ale::carry_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
-                      const BlockPoints& after, const StateStore& store, const State& to, const CarryingOver& how,
-                      MeshReceipt& receipt) const {
+void Ale::transfer_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
+                         const BlockPoints& after, const StateStore& store, const State& to, const Transferring& how,
+                         MeshReceipt& receipt) const {
   const SoilBlock &b_old = before.block, &b = after.block;
   // all of the block's point data in one table: points are located and patches fitted once
   const SoilTable columns = table_of(store, b);
@@ -288,8 +288,8 @@ void Ale::carry_block(const BlockPoints& before, const StateStore& old_store, co
     LayerChanges layers = LayerRemap(soil_, how.remap).transfer(transfer, columns);
     receipt.changed += static_cast<int>(mesh_.sum(layers.changed));
     receipt.started += static_cast<int>(mesh_.sum(layers.started));
-    const std::string problem = of_first_rank(*mesh_.mesh().comm(), layers.problem),
-                      where = of_first_rank(*mesh_.mesh().comm(), layers.where);
+    const std::string problem = broadcast(*mesh_.mesh().comm(), layers.problem),
+                      where = broadcast(*mesh_.mesh().comm(), layers.where);
     if (receipt.started_where.empty()) receipt.started_where = where;
     if (receipt.veto.empty()) receipt.veto = problem;
     ratios = std::move(layers.ratios);
@@ -310,12 +310,12 @@ void Ale::carry_block(const BlockPoints& before, const StateStore& old_store, co
       to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
 }
 
-void Ale::carry_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
-                       MeshReceipt& receipt) const {
+void Ale::transfer_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
+                          MeshReceipt& receipt) const {
   MeshReceipt here;  // the shares of the parts of a motion add up
   for (std::size_t k = 0; k < soil_.blocks.size(); ++k)
-    carry_block({mesh_, soil_.blocks[k], x_old}, store, to, {mesh_, soil_.blocks[k], x_new}, store, to,
-                {*remap_, patches_[k]}, here);
+    transfer_block({mesh_, soil_.blocks[k], x_old}, store, to, {mesh_, soil_.blocks[k], x_new}, store, to,
+                   {*remap_, patches_[k]}, here);
   receipt.changed += here.changed;
   receipt.started += here.started;
   if (receipt.started_where.empty()) receipt.started_where = here.started_where;
@@ -330,7 +330,7 @@ void Ale::carry_points(const StateStore& store, const Positions& x_old, const Po
   }
 }
 
-void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
+void Ale::transfer_nodes(const Positions& x_old, const Positions& x_new, State& to) const {
   const NodalRemap nodal(mesh_, deck_.boundary.paths(), x_old, x_new, &deck_.boundary.surfaces());
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
@@ -347,12 +347,12 @@ void Ale::carry_nodes(const Positions& x_old, const Positions& x_new, State& to)
 
 void Ale::keep_compression(double before, const Constraints& constraints, State& to) const {
   if (soil_.pressure < 0) return;
-  const std::vector<double> carried = mesh_.gather(space_, soil_.pressure, to.value);
+  const std::vector<double> transferred = mesh_.gather(space_, soil_.pressure, to.value);
   const std::vector<double> held = prescribed(soil_.pressure, constraints);
   const auto scale = [&](double share) {
-    std::vector<double> scaled = carried;
+    std::vector<double> scaled = transferred;
     for (std::size_t node = 0; node < scaled.size(); ++node)
-      if (held[node] == 0) scaled[node] += share * std::abs(carried[node]);
+      if (held[node] == 0) scaled[node] += share * std::abs(transferred[node]);
     mesh_.scatter(space_, soil_.pressure, scaled, to.value);
   };
   const double now = take_inventory(soil_, to).compression;
@@ -412,9 +412,9 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
     for (std::size_t node = 0; node < to.size(); ++node)
       for (int d = 0; d < place_size; ++d)
         to[node][d] = part == parts ? x_new[node][d] : x_old[node][d] + share * (x_new[node][d] - x_old[node][d]);
-    carry_points(store, from, to, moved, receipt);
+    transfer_points(store, from, to, moved, receipt);
     if (!receipt.veto.empty()) return receipt;
-    carry_nodes(from, to, moved);
+    transfer_nodes(from, to, moved);
     from = to;
   }
   mesh_.scatter(x_new, moved.coordinates);

@@ -9,9 +9,9 @@
 #include "ale/interior_motion.hpp"
 #include "ale/layer_remap.hpp"
 #include "ale/mesh_change.hpp"
-#include "ale/mesh_renewal.hpp"
 #include "ale/nodal_remap.hpp"
 #include "ale/remap.hpp"
+#include "ale/remesher.hpp"
 #include "ale/vertex_colours.hpp"
 #include "physics/inventory.hpp"
 
@@ -30,7 +30,7 @@ struct AleParameters {
   double quality_below = 2, lowest_quality = 0.05, mass_tolerance = 1e-3, largest_motion = 1;
   bool conserve = true;
   BoundaryMotion boundary;
-  RenewalParameters renewal;
+  RemeshingParameters remeshing;
 };
 
 /// What a relocation of the mesh did, or would have done.
@@ -50,8 +50,8 @@ struct MeshReceipt {
 };
 
 /// A mesh made anew, or why there is none.
-struct Renewal {
-  std::shared_ptr<const RenewedMesh> mesh;
+struct Remeshing {
+  std::shared_ptr<const RemeshedMesh> mesh;
   std::string veto;
   std::string lost;  // why nobody knows whether there is one: the run must not go on with another mesh
 };
@@ -61,9 +61,9 @@ struct Renewal {
 /// is kept. A transaction of its own: a vetoed relocation leaves the state untouched.
 class Ale {
  public:
-  /// Reads "mesh motion". `renewed`: the mesh of the space, where it is not the deck's. InputError. Collective.
+  /// Reads "mesh motion". `remeshed`: the mesh of the space, where it is not the deck's. InputError. Collective.
   Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
-      const Section& section, const MeshMotionRegistries& registries, const RenewedMesh* renewed);
+      const Section& section, const MeshMotionRegistries& registries, const RemeshedMesh* remeshed);
   static void document(Parameters& p);
   /// Why point data that a term declared cannot be carried along; "": they can.
   std::string problem(const StateStore& store) const;
@@ -77,12 +77,12 @@ class Ale {
   double quality(const State& state) const;
 
   /// How the region is meshed anew; null: it is not.
-  const MeshRenewal* renewal() const { return renewal_.get(); }
+  const Remesher* remeshing() const { return remesher_.get(); }
   /// Meshes that were made on the way so far.
-  int renewals() const { return renewals_; }
+  int remeshings() const { return remeshings_; }
   /// Whether the region is to be meshed anew after step number `step`, where the last attempt was after `tried`.
   /// Collective.
-  bool renewal_due(int step, int tried, const State& committed) const;
+  bool remeshing_due(int step, int tried, const State& committed) const;
   /// Whether it is time to ask an error estimate whether that is due.
   bool looks_at_error(int step, int tried) const;
   /// The field of the sizes that an error estimate wants, [m] by element of this rank, block of the soil after block.
@@ -92,7 +92,7 @@ class Ale {
   bool too_coarse(const WantedSizes* sizes) const;
   /// A new mesh for the committed state; its elements on rank 0 alone. `sizes`: where they are adaptive, else null.
   /// Collective.
-  Renewal renew(int step, const State& committed, const WantedSizes* sizes) const;
+  Remeshing remesh(int step, const State& committed, const WantedSizes* sizes) const;
   /// Lets the free boundary of a mesh made anew give way until it holds the volume that `from`, an ALE of the mesh
   /// before, has in `before`. `constraints`: those of the present instant, on the new mesh. Collective.
   void take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const;
@@ -118,19 +118,19 @@ class Ale {
   double largest_motion(const Positions& x_old, const Positions& x_new) const;
   bool folded(const Positions& x) const;
   /// Of the sides inside.
-  void place_middles(Positions& x) const;
-  struct CarryingOver {
+  void place_mid_side_nodes(Positions& x) const;
+  struct Transferring {
     const Remap& remap;
     const RecoveryPatches& patches;  // of the mesh before
   };
   /// All point data of one block, from the state of one store to that of another or of the same one. Adds what it did
   /// to the receipt, veto among it.
-  void carry_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
-                   const BlockPoints& after, const StateStore& store, const State& to, const CarryingOver& how,
-                   MeshReceipt& receipt) const;
+  void transfer_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
+                      const BlockPoints& after, const StateStore& store, const State& to, const Transferring& how,
+                      MeshReceipt& receipt) const;
   /// Adds what it did to the receipt.
-  void carry_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
-                    MeshReceipt& receipt) const;
+  void transfer_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
+                       MeshReceipt& receipt) const;
   /// What the columns of all of a block's point data in one table are, in the order of their handles.
   SoilTable table_of(const StateStore& store, const SoilBlock& block) const;
   /// Puts the grains back that a transfer lost.
@@ -138,7 +138,7 @@ class Ale {
                        MeshReceipt& receipt) const;
   /// Scales the pore pressures, where they are free, until the compression of the pore water is what it was.
   void keep_compression(double before, const Constraints& constraints, State& to) const;
-  void carry_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
+  void transfer_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
   /// What the soil holds in a state after a transfer, with what the points of cut elements do not resolve.
   void take_stock(const State& state, MeshReceipt& receipt) const;
   /// Why a receipt's masses are not what they were, "" where they are.
@@ -158,10 +158,10 @@ class Ale {
   CornerSimplices corners_;
   std::unique_ptr<InteriorMotion> interior_;
   std::unique_ptr<Remap> remap_;
-  std::unique_ptr<MeshRenewal> renewal_;
-  int renewals_ = 0, renewed_after_ = 0;   // meshes made on the way, step of the last one
-  std::vector<char> movable_;              // (node)
-  std::vector<std::vector<int>> colours_;  // of this rank's movable vertices
+  std::unique_ptr<Remesher> remesher_;
+  int remeshings_ = 0, remeshed_after_ = 0;  // meshes made on the way, step of the last one
+  std::vector<char> movable_;                // (node)
+  std::vector<std::vector<int>> colours_;    // of this rank's movable vertices
 };
 
 }  // namespace mudline

@@ -45,7 +45,7 @@ SizeField BoundaryMotion::size_field(const Point& focus) const {
 
 void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
                           const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
-                          const RenewedMesh* renewed) {
+                          const RemeshedMesh* remeshed) {
   bodies_ = bodies;
   in_space_ = mesh.dimension() == 3;
   axisymmetric_ = mesh.mesh().geometry() == Geometry::axisymmetric;
@@ -64,17 +64,17 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
     if (!(near_size_ > 0)) section.fail("must be positive where a focus is given", "size near focus");
     focus = bodies.at(focus_)->initial_position();
   }
-  if (renewed) {
-    paths_ = renewed->paths;
+  if (remeshed) {
+    paths_ = remeshed->paths;
     for (MeshPath& path : paths_)
       for (int& node : path.nodes) node = mesh.local_node(node);
-    origins_ = renewed->origins;
-    focus = renewed->focus;
+    origins_ = remeshed->origins;
+    focus = remeshed->focus;
   }
   if (in_space_) {
-    bind_surfaces(mesh, source, renewed);
-    if (!renewed) take_sizes(source, size_field(focus));
-  } else if (!renewed) {
+    bind_surfaces(mesh, source, remeshed);
+    if (!remeshed) take_sizes(source, size_field(focus));
+  } else if (!remeshed) {
     paths_ = find_paths(mesh, source, corners_, corner_angle_ * pi / 180,
                         [&](int node) { return starts_on_body(source[node]); });
   }
@@ -85,23 +85,23 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
     for (int v = 0; v < path.num_vertices(); ++v)
       shares.push_back(measure.at(curve.parameter(v * path.stride)) / measure.total());
     shares_.push_back(shares);
-    if (!renewed) origins_.push_back({shares, measure.total()});
+    if (!remeshed) origins_.push_back({shares, measure.total()});
     slides_.push_back(path.num_vertices() > 2 && !material(path));
   }
 }
 
 /// A mesh made on the way says what its faces and curves belong to, and what sizes they strive for.
-void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RenewedMesh* renewed) {
+void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RemeshedMesh* remeshed) {
   std::set<int> corners;
   for (const std::string& name : corners_)
     for (int node : mesh.node_sets().at(name)) corners.insert(node);
   std::vector<SurfaceFace> faces = boundary_faces(mesh);
   MeshSurfaces surfaces;
-  if (renewed) {
+  if (remeshed) {
     relative_sizes_.assign(source.size(), 0.0);
-    for (const RelativeSize& at : renewed->sizes) relative_sizes_[mesh.local_node(at.node)] = at.size;
+    for (const RelativeSize& at : remeshed->sizes) relative_sizes_[mesh.local_node(at.node)] = at.size;
     std::map<std::array<long long, 3>, int> patches;
-    for (const FaceOfPatch& face : renewed->faces) patches[face.corners] = face.patch;
+    for (const FaceOfPatch& face : remeshed->faces) patches[face.corners] = face.patch;
     for (SurfaceFace& face : faces) {
       std::array<long long, 3> ids{};
       for (int k = 0; k < 3; ++k) ids[k] = mesh.node_id(face.nodes[k]);
@@ -153,16 +153,16 @@ bool BoundaryMotion::starts_on_body(const Point& x) const {
   });
 }
 
-std::optional<NearBody> BoundaryMotion::foot(const State& state, const Point& x) const {
+std::optional<NearBody> BoundaryMotion::projection(const State& state, const Point& x) const {
   std::optional<NearBody> nearest;
   for (const auto& [name, body] : bodies_) {
     const BodyPlacement placement = body->placement(state);
     NearBody here;
     if (body->surface()) {
-      const SurfaceFoot there = body->foot(placement, x);
+      const SurfaceProjection there = body->point(placement, x);
       here = {there.gap, there.normal};
     } else {
-      const ContourFoot there = body->closest(placement, in_plane(x));
+      const ContourProjection there = body->closest(placement, in_plane(x));
       here = {there.gap, on_plane(there.normal)};
     }
     if (!nearest || here.gap < nearest->gap) nearest = here;
@@ -177,14 +177,14 @@ Positions BoundaryMotion::move(const Positions& x, const State& state) const {
     if (slides_[p]) move_path(p, state, size, result);
   if (!surfaces_.surfaces().patches.empty())
     surfaces_.move(
-        x, [&](const Point& at) { return foot(state, at); }, result);
+        x, [&](const Point& at) { return projection(state, at); }, result);
   return result;
 }
 
 std::vector<double> BoundaryMotion::freedom(const Positions& x, const State& state) const {
   std::vector<double> result(x.size(), 0.0);
   const auto free = [&](int node, double sides) {
-    return bodies_.empty() ? 1.0 : std::clamp(foot(state, x[node])->gap / sides - 1, 0.0, 1.0);
+    return bodies_.empty() ? 1.0 : std::clamp(projection(state, x[node])->gap / sides - 1, 0.0, 1.0);
   };
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const MeshPath& path = paths_[p];
@@ -233,9 +233,9 @@ PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, con
     of_all_.shared[0] =
         std::all_of(path.nodes.begin(), path.nodes.end(), [&](int node) { return std::abs(x[node][0]) <= near; });
   for (int node : path.nodes) {
-    const auto foot = boundary.foot(state, x[node]);
-    if (!foot) return;
-    gaps_.push_back(foot->gap);
+    const auto projection = boundary.point(state, x[node]);
+    if (!projection) return;
+    gaps_.push_back(projection->gap);
   }
 }
 
@@ -243,7 +243,7 @@ Point PathPlaces::at(double s, double span) const {
   Point to = curve_.at(s);
   const double gap = gaps_.empty() ? 1e300 : curve_.interpolate(gaps_, s);
   if (gap < 0.25 * span) {
-    const NearBody here = *boundary_.foot(state_, to);
+    const NearBody here = *boundary_.point(state_, to);
     for (int d = 0; d < place_size; ++d) to[d] += (gap - here.gap) * here.normal[d];
   }
   return of_all_.kept(to);

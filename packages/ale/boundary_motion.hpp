@@ -7,7 +7,7 @@
 
 #include "ale/mesh_paths.hpp"
 #include "ale/path_curve.hpp"
-#include "ale/renewed_mesh.hpp"
+#include "ale/remeshed_mesh.hpp"
 #include "ale/surface_motion.hpp"
 #include "bodies/rigid_body.hpp"
 
@@ -45,10 +45,10 @@ class BoundaryMotion {
   void parameters(Parameters& p);
   /// Finds paths and shares, in space surfaces too. InputError for unknown bodies and sets.
   /// Collective only in its errors: the same everywhere.
-  /// `renewed`: the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
+  /// `remeshed`: the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
   void bind(const GhostedMesh& mesh, const Positions& source,
             const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
-            const RenewedMesh* renewed);
+            const RemeshedMesh* remeshed);
 
   /// New positions of the nodes on paths, in space on surfaces, middle nodes among them; the others as in `x`.
   Positions move(const Positions& x, const State& state) const;
@@ -70,14 +70,14 @@ class BoundaryMotion {
   /// Wanted sizes about the focus; only their ratios count.
   SizeField size_field(const Point& focus) const;
   /// The nearest place on a body; nothing without bodies.
-  std::optional<NearBody> foot(const State& state, const Point& x) const;
+  std::optional<NearBody> projection(const State& state, const Point& x) const;
   /// (node) how freely a node of the mesh's outer boundary may give way, 0 to 1: all where it slides and is at least
   /// twice as far from every body as the sides beside it are long, not at all where it is as near as one of them.
   std::vector<double> freedom(const Positions& x, const State& state) const;
 
  private:
   bool starts_on_body(const Point& x) const;
-  void bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RenewedMesh* renewed);
+  void bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RemeshedMesh* remeshed);
   void take_sizes(const Positions& source, const SizeField& size);
   void move_path(std::size_t path, const State& state, const SizeField& size, Positions& x) const;
 

@@ -78,7 +78,7 @@ NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const
   for (int k = 0; k < 30; ++k) {
     const FacePlace step = step_towards(FaceMap(face, place, x), point);
     for (int i = 0; i < 2; ++i) place[i] += step[i];
-    if (!(outside_cell(face.shape, place.data()) < 0.5)) break;  // the foot is on another face
+    if (!(outside_cell(face.shape, place.data()) < 0.5)) break;  // the closest point is on another face
     if (std::abs(step[0]) + std::abs(step[1]) > rounding) continue;
     break;
   }

@@ -117,7 +117,7 @@ class Neighbourhood {
       return;
     }
     if (layers == GhostedMesh::whole) {
-      records.add(of_all_ranks(*mesh_.comm(), Ids(records.numbers())));
+      records.add(all_gather(*mesh_.comm(), Ids(records.numbers())));
       for (const long long* node : nodes()) asked_.insert(*node);
       return;
     }
@@ -133,7 +133,7 @@ class Neighbourhood {
       numbers.insert(numbers.end(), box.low.begin(), box.low.end());
       numbers.insert(numbers.end(), box.high.begin(), box.high.end());
     }
-    numbers = of_all_ranks(comm, numbers);
+    numbers = all_gather(comm, numbers);
     std::vector<Bounds> boxes;
     std::vector<int> rank_of;
     for (const double* n = numbers.data(); n < numbers.data() + numbers.size(); n += 7) {
@@ -305,7 +305,7 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mes
         for (int k : local) boundary.push_back(global_nodes[e][k]);
         boundary.insert(boundary.end(), of.begin(), of.end());
       }
-  boundary = of_all_ranks(*mesh.comm(), boundary);
+  boundary = all_gather(*mesh.comm(), boundary);
   std::map<std::pair<long long, long long>, std::size_t> sides;  // in the order of elements
   constexpr int head = 7;
   for (std::size_t i = 0; i < boundary.size(); i += head + boundary[i + 5] + boundary[i + 6])
@@ -321,7 +321,7 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mes
     Ids& ids = of_sets[name];
     for (int node : nodes)
       if (node < mesh.num_owned_nodes()) ids.push_back(mesh.node_ids()[node]);
-    ids = of_all_ranks(*mesh.comm(), ids);
+    ids = all_gather(*mesh.comm(), ids);
     sort_unique(ids);
     node_ids_.insert(node_ids_.end(), ids.begin(), ids.end());
   }

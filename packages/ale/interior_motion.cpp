@@ -114,7 +114,7 @@ std::vector<BoundarySimplex> CornerSimplices::on_boundary(const GhostedMesh& mes
     }
     if (!inside) mine.insert(mine.end(), record.begin(), record.end());
   }
-  const std::vector<long long> all = of_all_ranks(*mesh.mesh().comm(), mine);
+  const std::vector<long long> all = all_gather(*mesh.mesh().comm(), mine);
   std::set<Record> records;  // ghosts come more than once
   for (std::size_t i = 0; i < all.size(); i += size) {
     Record record;
@@ -126,7 +126,7 @@ std::vector<BoundarySimplex> CornerSimplices::on_boundary(const GhostedMesh& mes
     BoundarySimplex simplex;
     for (int k = 0; k < 4; ++k) {
       simplex.nodes[k] = mesh.local_node(record[k]);
-      simplex.middles[k] = record[4 + k] < 0 ? -1 : mesh.local_node(record[4 + k]);
+      simplex.mid_side_nodes[k] = record[4 + k] < 0 ? -1 : mesh.local_node(record[4 + k]);
     }
     result.push_back(simplex);
   }

@@ -225,7 +225,7 @@ std::vector<StateVariable> LayerRemap::variables_of(int material, const SoilTabl
   return result;
 }
 
-std::vector<char> LayerRemap::carry_origin(const PointTransfer& t, const SoilTable& table) const {
+std::vector<char> LayerRemap::transfer_origin(const PointTransfer& t, const SoilTable& table) const {
   const int dim = t.before.mesh.dimension();
   const std::size_t rows = t.now.size() / t.columns;
   std::vector<double> old;
@@ -295,7 +295,7 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
   for (std::size_t row = 0; row < t.old.size() / t.columns; ++row)
     result.was.push_back(static_cast<char>(t.old[row * t.columns + table.origin]));
   if (!t.moved()) remap_.transfer(t);  // what a law that starts anew starts from
-  result.is = carry_origin(t, table);
+  result.is = transfer_origin(t, table);
   std::map<int, Version> versions;
   for (int material : t.after.block.made_of) versions[material] = version_of(material, t, table, result.was);
   for (std::size_t row = 0; row < result.was.size(); ++row)

@@ -40,7 +40,7 @@ class LayerRemap {
  private:
   std::vector<StateVariable> variables_of(int material, const SoilTable& table) const;
   /// Remaps the places of the start, writes them, and the materials that follow, and returns those.
-  std::vector<char> carry_origin(const PointTransfer& transfer, const SoilTable& table) const;
+  std::vector<char> transfer_origin(const PointTransfer& transfer, const SoilTable& table) const;
   /// What the points would be if all were of one material.
   struct Version {
     std::vector<double> now;         // table on the new mesh

@@ -47,7 +47,7 @@ MeshChange::MeshChange(const Ale& from, const State& before, const Ale& to, cons
       x_from_(from_.gather(before.coordinates)),
       nodal_(bounded(from, from_, x_from_), {to_, to.paths(), to.surfaces().faces, x_to_}) {}
 
-void MeshChange::carry(int field, const ConstNodalView& old, const NodalView& now, bool limited) const {
+void MeshChange::transfer(int field, const ConstNodalView& old, const NodalView& now, bool limited) const {
   const Field& what = space_.field(field);
   to_.scatter(space_, field, nodal_.apply(from_.gather(old_space_, field, old), what.components, what.support, limited),
               now);

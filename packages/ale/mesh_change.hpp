@@ -21,7 +21,7 @@ class MeshChange {
   const Positions& x_from() const { return x_from_; }
   const Positions& x_to() const { return x_to_; }
   /// What the nodes have of a field, by overlap dof, goes over: see NodalRemap. Collective.
-  void carry(int field, const ConstNodalView& old, const NodalView& now, bool limited = false) const;
+  void transfer(int field, const ConstNodalView& old, const NodalView& now, bool limited = false) const;
 
  private:
   const Space &old_space_, &space_;

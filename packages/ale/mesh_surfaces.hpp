@@ -31,7 +31,7 @@ struct SurfacePatch {
 /// it from folding: not folded where (second, third, fourth) are right-handed about the first. See CornerSimplices.
 struct BoundarySimplex {
   std::array<int, 4> nodes;
-  std::array<int, 4> middles;  // of the edge from the first: its tangent counts in place of its end; -1: the end
+  std::array<int, 4> mid_side_nodes;  // of the edge from the first: its tangent counts in place of its end; -1: the end
 };
 
 /// The boundaries of the regions of a mesh in space, split where they have edges. A node is inside one patch, or on

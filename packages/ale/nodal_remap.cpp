@@ -27,7 +27,7 @@ std::pair<double, double> nearest_on_side(const int (&nodes)[3], const Positions
   };
   double xi = 0;
   Point r, t;
-  for (int k = 0; k < 20; ++k) {  // Gauss-Newton: the foot is near the curve
+  for (int k = 0; k < 20; ++k) {  // Gauss-Newton: the closest point is near the curve
     offset(xi, r, t);
     const double step = dot(r, t) / dot(t, t);
     xi = std::clamp(xi + step, -1.0, 1.0);

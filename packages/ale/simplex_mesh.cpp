@@ -38,9 +38,9 @@ long long SimplexMesh::number_of(int vertex, GlobalMesh& mesh) {
   return number->second;
 }
 
-long long SimplexMesh::number_of_middle(int a, int b, GlobalMesh& mesh) {
+long long SimplexMesh::number_of_mid_side_node(int a, int b, GlobalMesh& mesh) {
   const Ends ends = ascending(a, b);
-  const auto [number, added] = middles_.emplace(ends, static_cast<long long>(mesh.coordinates.size()));
+  const auto [number, added] = mid_side_nodes_.emplace(ends, static_cast<long long>(mesh.coordinates.size()));
   if (!added) return number->second;
   mesh.coordinates.push_back(middle_place(a, b));
   return number->second;
@@ -62,7 +62,7 @@ GlobalMesh SimplexMesh::number() {
       for (int c = 0; c < num_corners(block.shape); ++c) block.nodes.push_back(number_of(cell[c], mesh));
       for (int e = 0; e < edges; ++e) {
         const auto [from, to] = edge_corners(block.shape, e);
-        block.nodes.push_back(number_of_middle(cell[from], cell[to], mesh));
+        block.nodes.push_back(number_of_mid_side_node(cell[from], cell[to], mesh));
       }
     }
     mesh.blocks.push_back(std::move(block));

@@ -9,7 +9,7 @@
 
 namespace mudline {
 
-/// Triangles or tetrahedra on the way to a mesh: vertices, cells by block, and the middles of curved edges.
+/// Triangles or tetrahedra on the way to a mesh: vertices, cells by block, and the mid-side nodes of curved edges.
 class SimplexMesh {
  public:
   using Ends = std::pair<int, int>;    // vertices
@@ -29,19 +29,19 @@ class SimplexMesh {
   // After number():
   const std::vector<std::vector<Corners>>& cells() const { return cells_; }
   long long node(int vertex) const { return nodes_.at(vertex); }
-  long long middle(int a, int b) const { return middles_.at(ascending(a, b)); }
+  long long middle(int a, int b) const { return mid_side_nodes_.at(ascending(a, b)); }
 
  private:
   static Ends ascending(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
   void sort();
   long long number_of(int vertex, GlobalMesh& mesh);
-  long long number_of_middle(int a, int b, GlobalMesh& mesh);
+  long long number_of_mid_side_node(int a, int b, GlobalMesh& mesh);
 
   std::vector<GlobalMesh::Block> blocks_;
   std::vector<std::vector<Corners>> cells_;  // (block)
   std::map<Ends, Point> curved_;
   std::map<int, long long> nodes_;
-  std::map<Ends, long long> middles_;
+  std::map<Ends, long long> mid_side_nodes_;
 };
 
 }  // namespace mudline

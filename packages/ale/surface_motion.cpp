@@ -39,19 +39,19 @@ void SurfaceMotion::collect(Positions source) {
   }
   for (Patch& patch : patches_) {
     for (int node : patch.vertices) near_[node] = faces_near(node, touching);
-    // centres of faces after the middles of edges, which they depend on
-    std::stable_sort(patch.middles.begin(), patch.middles.end(),
-                     [](const Middle& a, const Middle& b) { return a.sides.size() < b.sides.size(); });
-    for (Middle& middle : patch.middles) {
+    // centres of faces after the mid-side nodes of edges, which they depend on
+    std::stable_sort(patch.mid_side_nodes.begin(), patch.mid_side_nodes.end(),
+                     [](const MidSideNode& a, const MidSideNode& b) { return a.sides.size() < b.sides.size(); });
+    for (MidSideNode& middle : patch.mid_side_nodes) {
       near_[middle.node] = faces_near(middle.node, touching);
       put_on(middle, touching[middle.node]);
       middle.drift = drift_of(middle, source);
     }
   }
-  add_curve_middles(touching);
+  add_curve_mid_side_nodes(touching);
 }
 
-void SurfaceMotion::put_on(Middle& middle, const std::vector<int>& faces) const {
+void SurfaceMotion::put_on(MidSideNode& middle, const std::vector<int>& faces) const {
   for (int f : faces) {
     const SurfaceFace& face = surfaces_.faces[f];
     const auto here = std::find(face.nodes.begin(), face.nodes.end(), middle.node) - face.nodes.begin();
@@ -60,13 +60,13 @@ void SurfaceMotion::put_on(Middle& middle, const std::vector<int>& faces) const 
   }
 }
 
-void SurfaceMotion::add_curve_middles(const std::vector<std::vector<int>>& touching) {
+void SurfaceMotion::add_curve_mid_side_nodes(const std::vector<std::vector<int>>& touching) {
   for (const MeshPath& curve : surfaces_.curves)
     if (curve.stride == 2)
       for (std::size_t i = 1; i < curve.nodes.size(); i += 2) {
-        Middle middle{curve.nodes[i], {curve.nodes[i - 1], curve.nodes[i + 1]}, {}};
+        MidSideNode middle{curve.nodes[i], {curve.nodes[i - 1], curve.nodes[i + 1]}, {}};
         put_on(middle, touching[middle.node]);
-        curve_middles_.push_back(std::move(middle));
+        curve_mid_side_nodes_.push_back(std::move(middle));
       }
 }
 
@@ -76,11 +76,11 @@ void SurfaceMotion::add_node(const SurfaceFace& face, int a, Patch& patch) {
     patch.vertices.push_back(face.nodes[a]);
     return;
   }
-  Middle middle{face.nodes[a], {}, {}};
+  MidSideNode middle{face.nodes[a], {}, {}};
   for (int c : corners_around(face.shape, a)) middle.ends.push_back(face.nodes[c]);
   if (a == 2 * corners)
     for (int k = 0; k < corners; ++k) middle.sides.push_back(face.nodes[corners + k]);
-  patch.middles.push_back(middle);
+  patch.mid_side_nodes.push_back(middle);
 }
 
 std::vector<int> SurfaceMotion::faces_near(int node, const std::vector<std::vector<int>>& touching) const {
@@ -120,7 +120,7 @@ Point SurfaceMotion::tangent_end(const Tangent& tangent, const Positions& x) {
 std::array<Point, 4> SurfaceMotion::corners_of(const BoundarySimplex& simplex, const Positions& x) {
   std::array<Point, 4> result;
   for (int k = 0; k < 4; ++k) {
-    const int node = simplex.nodes[k], middle = simplex.middles[k];
+    const int node = simplex.nodes[k], middle = simplex.mid_side_nodes[k];
     result[k] = middle < 0 ? x[node] : tangent_end({simplex.nodes[0], node, middle}, x);
   }
   return result;
@@ -154,11 +154,11 @@ void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions&
   corners_.push_back(corner);
 }
 
-double SurfaceMotion::edge_of(const Middle& middle, const Positions& x) {
+double SurfaceMotion::edge_of(const MidSideNode& middle, const Positions& x) {
   return length(x[middle.ends[1]] - x[middle.ends[0]]);
 }
 
-Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
+Point SurfaceMotion::middle_of(const MidSideNode& middle, const Positions& x) {
   Point sum{};
   if (middle.sides.empty()) {
     for (int node : middle.ends) sum += 0.5 * x[node];
@@ -169,13 +169,13 @@ Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
   return sum;
 }
 
-Point SurfaceMotion::normal_at(const Middle& middle, const Positions& x) const {
+Point SurfaceMotion::normal_at(const MidSideNode& middle, const Positions& x) const {
   Point sum{};
   for (const auto& [face, place] : middle.on) sum += unit(face_normal(surfaces_.faces[face], place, x));
   return unit(sum);
 }
 
-double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
+double SurfaceMotion::drift_of(const MidSideNode& middle, const Positions& x) const {
   const Point off = x[middle.node] - middle_of(middle, x), normal = normal_at(middle, x);
   return length(off - dot(off, normal) * normal) / edge_of(middle, x);
 }
@@ -216,7 +216,7 @@ std::vector<std::pair<int, double>> SurfaceMotion::outer_nodes(const Positions& 
   for (std::size_t p = 0; p < patches_.size(); ++p) {
     if (!surfaces_.patches[p].outer) continue;
     for (int node : patches_[p].vertices) result.emplace_back(node, shortest_edge(node, x));
-    for (const Middle& middle : patches_[p].middles) result.emplace_back(middle.node, edge_of(middle, x));
+    for (const MidSideNode& middle : patches_[p].mid_side_nodes) result.emplace_back(middle.node, edge_of(middle, x));
   }
   return result;
 }
@@ -225,7 +225,7 @@ std::vector<int> SurfaceMotion::nodes() const {
   std::vector<int> result;
   for (const Patch& patch : patches_) {
     result.insert(result.end(), patch.vertices.begin(), patch.vertices.end());
-    for (const Middle& middle : patch.middles) result.push_back(middle.node);
+    for (const MidSideNode& middle : patch.mid_side_nodes) result.push_back(middle.node);
   }
   return result;
 }

@@ -16,8 +16,8 @@ namespace mudline {
 /// / (2 |t_1 x t_2|), T = (t_1, t_2) the map from the triangle of the source's mesh (see OptimisationMotion), and puts
 /// it back on the surface. Tetrahedra that have all their corners on surfaces count as well, with the tetrahedra of the
 /// tangents of their curved edges, as for OptimisationMotion: nothing inside could repair them. Sizes are free, and a
-/// surface that was only moved or turned stays to the last bit. Middles of edges go to the middle of their ends, along
-/// the normal to the surface, but bulge by no more than a tenth of the edge.
+/// surface that was only moved or turned stays to the last bit. Mid-side nodes of edges go to the middle of their ends,
+/// along the normal to the surface, but bulge by no more than a tenth of the edge.
 ///
 /// A plane patch stays plane, to the last bit where the plane is normal to an axis. On other patches a node that is
 /// nearer to a body than a quarter of an edge keeps the gap that was at its new place, so that contact pressures are
@@ -61,16 +61,16 @@ class SurfaceMotion {
     IdealSimplex<3> ideal;
   };
   /// A middle of an edge or of a face inside a patch.
-  struct Middle {
+  struct MidSideNode {
     int node;
     std::vector<int> ends;                        // corners
-    std::vector<int> sides;                       // middles of the face's edges; empty for an edge
+    std::vector<int> sides;                       // mid-side nodes of the face's edges; empty for an edge
     double drift = 0;                             // see drift_of(), in the source's mesh
     std::vector<std::pair<int, FacePlace>> on{};  // its places on faces
   };
   struct Patch {
     std::vector<int> vertices, faces;
-    std::vector<Middle> middles;
+    std::vector<MidSideNode> mid_side_nodes;
   };
   class Step;  // one relocation
 
@@ -82,19 +82,19 @@ class SurfaceMotion {
   static Point tangent_end(const Tangent& tangent, const Positions& x);
   void add_tangents(Positions& x) const;
   void add_corner(const std::array<int, 3>& nodes, const Positions& source);
-  void add_curve_middles(const std::vector<std::vector<int>>& touching);
+  void add_curve_mid_side_nodes(const std::vector<std::vector<int>>& touching);
   /// Puts a middle on the faces that touch it.
-  void put_on(Middle& middle, const std::vector<int>& faces) const;
+  void put_on(MidSideNode& middle, const std::vector<int>& faces) const;
   /// Node a of a face is inside the patch.
   void add_node(const SurfaceFace& face, int a, Patch& patch);
   std::vector<int> faces_near(int node, const std::vector<std::vector<int>>& touching) const;
-  static double edge_of(const Middle& middle, const Positions& x);
+  static double edge_of(const MidSideNode& middle, const Positions& x);
   /// Between its ends, along straight edges.
-  static Point middle_of(const Middle& middle, const Positions& x);
+  static Point middle_of(const MidSideNode& middle, const Positions& x);
   /// Mean of its faces, of length 1.
-  Point normal_at(const Middle& middle, const Positions& x) const;
+  Point normal_at(const MidSideNode& middle, const Positions& x) const;
   /// How far it is along the surface from there, as a share of the edge.
-  double drift_of(const Middle& middle, const Positions& x) const;
+  double drift_of(const MidSideNode& middle, const Positions& x) const;
   double shortest_edge(int node, const Positions& x) const;
   Point at(const SurfacePlace& place, const Positions& x) const;
   /// `guess`: face to look at first; -1: none.
@@ -104,7 +104,7 @@ class SurfaceMotion {
   std::vector<char> slides_;  // (patch)
   double largest_slide_ = 0.4;
   std::vector<Patch> patches_;  // those that slide
-  std::vector<Middle> curve_middles_;
+  std::vector<MidSideNode> curve_mid_side_nodes_;
   int nodes_ = 0;
   std::vector<Tangent> tangents_;
   std::vector<Corner> corners_;       // of their faces

@@ -119,9 +119,9 @@ class SurfaceMotion::Step {
     }
   }
 
-  void place_middles() {
+  void place_mid_side_nodes() {
     for (std::size_t p = 0; p < planes_.size(); ++p)
-      for (const Middle& middle : surface_.patches_[p].middles) {
+      for (const MidSideNode& middle : surface_.patches_[p].mid_side_nodes) {
         const auto rests = [&](int node) { return x_[node] == x_old_[node]; };
         const bool stays = std::all_of(middle.ends.begin(), middle.ends.end(), rests) &&
                            std::all_of(middle.sides.begin(), middle.sides.end(), rests) &&
@@ -132,9 +132,9 @@ class SurfaceMotion::Step {
 
   void limit_bulges() {
     for (std::size_t p = 0; p < planes_.size(); ++p)
-      for (const Middle& middle : surface_.patches_[p].middles)
+      for (const MidSideNode& middle : surface_.patches_[p].mid_side_nodes)
         if (!planes_[p].flat && middle.sides.empty()) limit_bulge(middle, surface_.normal_at(middle, x_old_));
-    for (const Middle& middle : surface_.curve_middles_) {
+    for (const MidSideNode& middle : surface_.curve_mid_side_nodes_) {
       Point sum{};
       for (const auto& [f, place] : middle.on) {
         const SurfaceFace& face = surface_.surfaces_.faces[f];
@@ -150,7 +150,7 @@ class SurfaceMotion::Step {
       if (planes_[p].flat) continue;
       const Patch& patch = surface_.patches_[p];
       for (int node : patch.vertices) keep_gap(node, surface_.shortest_edge(node, x_old_), gaps);
-      for (const Middle& middle : patch.middles) keep_gap(middle.node, edge_of(middle, x_old_), gaps);
+      for (const MidSideNode& middle : patch.mid_side_nodes) keep_gap(middle.node, edge_of(middle, x_old_), gaps);
     }
   }
 
@@ -265,7 +265,7 @@ class SurfaceMotion::Step {
 
   /// Where the surface's normal through the middle of the ends meets it. Not the nearest place to that middle: where an
   /// edge bulges by more than a quarter of its length, this is on the left when the node was on the right, and farther.
-  Point over_middle(const Middle& middle, const PatchPlane& plane) {
+  Point over_middle(const MidSideNode& middle, const PatchPlane& plane) {
     const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
     const double rounding = 1e-14 * edge_of(middle, x_);
     Point at = on_surface(middle.node, centre, plane);
@@ -278,7 +278,7 @@ class SurfaceMotion::Step {
     return at;
   }
 
-  void limit_bulge(const Middle& middle, const Point& normal) {
+  void limit_bulge(const MidSideNode& middle, const Point& normal) {
     Point& at = x_[middle.node];
     if (at == x_old_[middle.node]) return;
     const SharedCoordinates plane({at, x_[middle.ends[0]], x_[middle.ends[1]]});  // a curve in one stays there
@@ -325,7 +325,7 @@ void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positio
     step.relax();
     done = share;
   }
-  step.place_middles();
+  step.place_mid_side_nodes();
   step.keep_gaps(body);
   step.limit_bulges();
   x.resize(nodes_);

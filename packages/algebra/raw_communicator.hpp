@@ -17,7 +17,7 @@ inline MPI_Comm raw_communicator(const Teuchos::Comm<int>& comm) {
 /// The numbers of all ranks, one rank's after the other's; `first`: gets the place where this rank's begin. T: double
 /// or long long. Collective.
 template <class T>
-std::vector<T> of_all_ranks(const Teuchos::Comm<int>& comm, const std::vector<T>& mine, std::size_t* first = nullptr) {
+std::vector<T> all_gather(const Teuchos::Comm<int>& comm, const std::vector<T>& mine, std::size_t* first = nullptr) {
   static_assert(std::is_same_v<T, double> || std::is_same_v<T, long long>);
   const MPI_Datatype type = std::is_same_v<T, double> ? MPI_DOUBLE : MPI_LONG_LONG;
   const MPI_Comm mpi = raw_communicator(comm);

@@ -405,17 +405,17 @@ Point RigidBody::in_frame(const BodyPlacement& placement, const Point& x) const 
   return placement.turn.back(x - placement.centre) + centre_;
 }
 
-ContourFoot RigidBody::closest(const BodyPlacement& placement, const PlanePoint& x) const {
+ContourProjection RigidBody::closest(const BodyPlacement& placement, const PlanePoint& x) const {
   const auto turned = [&](const PlanePoint& v) { return in_plane(placement.turn({v[0], v[1], 0})); };
-  ContourFoot foot = contour().closest(in_plane(in_frame(placement, {x[0], x[1], 0})));
-  const PlanePoint arm = turned({foot.foot[0] - centre_[0], foot.foot[1] - centre_[1]});
-  for (int i = 0; i < 2; ++i) foot.foot[i] = placement.centre[i] + arm[i];
-  foot.normal = turned(foot.normal);
-  foot.tangent = turned(foot.tangent);
-  return foot;
+  ContourProjection projection = contour().closest(in_plane(in_frame(placement, {x[0], x[1], 0})));
+  const PlanePoint arm = turned({projection.point[0] - centre_[0], projection.point[1] - centre_[1]});
+  for (int i = 0; i < 2; ++i) projection.point[i] = placement.centre[i] + arm[i];
+  projection.normal = turned(projection.normal);
+  projection.tangent = turned(projection.tangent);
+  return projection;
 }
 
-SurfaceFoot RigidBody::foot(const BodyPlacement& placement, const Point& x) const {
+SurfaceProjection RigidBody::projection(const BodyPlacement& placement, const Point& x) const {
   return PlacedSurface{surface_, placement.centre + arm(placement), placement.turn}.closest(x);
 }
 

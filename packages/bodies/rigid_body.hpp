@@ -133,10 +133,10 @@ class RigidBody {
   Point rotation(const State& state) const { return (state_of(state).turn * start_turn_.inverse()).vector(); }
   Point spin(const State& state) const { return state_of(state).spin; }
   BodyState state_of(const State& state) const;
-  /// Nearest point of the contour; x and the foot in the coordinates of the mesh. In the plane.
-  ContourFoot closest(const BodyPlacement& placement, const PlanePoint& x) const;
+  /// Nearest point of the contour; x and the closest point in the coordinates of the mesh. In the plane.
+  ContourProjection closest(const BodyPlacement& placement, const PlanePoint& x) const;
   /// The same of the surface. In space.
-  SurfaceFoot foot(const BodyPlacement& placement, const Point& x) const;
+  SurfaceProjection projection(const BodyPlacement& placement, const Point& x) const;
   /// Signed distance [m] of a point, negative inside.
   double gap(const BodyPlacement& placement, const Point& x) const;
   /// Height [m] of a point in the body's frame above the reference point.

@@ -30,7 +30,7 @@ struct ContactContext {
   /// surface; absent: none.
   std::function<std::array<double, 6>(const State& state, int block, int element, const Point& at)> stress = {};
   /// The mesh was made on the way: its surface is where the bodies have left it, not where they start.
-  bool renewed = false;
+  bool remeshed = false;
 };
 
 /// An array of a contact whose rows belong to places along its surface: when the mesh is made anew they go over to the
@@ -52,7 +52,7 @@ struct ContactPartners {
 /// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact
 /// type is constructible from a ContactContext, reads its parameters, and binds to sets and bodies in check(); all
 /// collective, every rank throws alike. Its history lives in state arrays named "contact/<name>/...".
-class Contact : public Term, public History, public Unilateral, public Carried, public Reports {
+class Contact : public Term, public History, public Unilateral, public Transferred, public Reports {
  public:
   Role role() const override { return Role::contact; }
   virtual ContactPartners partners() const = 0;

@@ -11,7 +11,7 @@ namespace {
 /// A law whose slopes are wrong makes Newton's method fail far from where the fault is.
 template <class Law>
 void doubt_slopes(const ContactContext& context, const Section& entry, const Law& law) {
-  if (context.renewed) return;  // its model was doubted
+  if (context.remeshed) return;  // its model was doubted
   const std::string problem = slope_problem(law);
   if (!problem.empty())
     log::warn(entry.source("type") + ": " + entry.path() + "/type: the law '" + entry.text("type") +
@@ -112,10 +112,10 @@ TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, 
 
 double ContactLaws::temperature(const State& committed, const SurfaceSide& side, const double* xi) const {
   const bool corners = space_->field(temperature_).support == Support::vertices;
-  const CellShape carrier = corners ? linear_partner(side.shape) : side.shape;
+  const CellShape transfer = corners ? linear_partner(side.shape) : side.shape;
   double shape[max_side_nodes], slope[2 * max_side_nodes], result = 0;
-  evaluate_shape(carrier, xi, shape, slope);
-  for (int a = 0; a < num_nodes(carrier); ++a)
+  evaluate_shape(transfer, xi, shape, slope);
+  for (int a = 0; a < num_nodes(transfer); ++a)
     result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
   return result;
 }

@@ -12,7 +12,7 @@
 namespace mudline {
 
 /// The text of the lowest rank that has one, on every rank; "" where none has. Collective.
-inline std::string of_first_rank(const Teuchos::Comm<int>& comm, std::string text) {
+inline std::string broadcast(const Teuchos::Comm<int>& comm, std::string text) {
   const int mine = text.empty() ? comm.getSize() : comm.getRank();
   int first = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, 1, &mine, &first);

@@ -119,7 +119,7 @@ GlobalMesh BoxMesh::generate() const {
   for (cell[2] = 0; cell[2] < std::max(count_[2], 1); ++cell[2])
     for (cell[1] = 0; cell[1] < count_[1]; ++cell[1])
       for (cell[0] = 0; cell[0] < count_[0]; ++cell[0]) add_cell(cell, block_of_row[cell[vertical]], mesh);
-  place_middles(mesh);
+  place_mid_side_nodes(mesh);
   return mesh;
 }
 
@@ -172,7 +172,7 @@ void BoxMesh::move_vertices(const std::array<std::vector<double>, 3>& x, GlobalM
       }
 }
 
-void BoxMesh::place_middles(GlobalMesh& mesh) const {
+void BoxMesh::place_mid_side_nodes(GlobalMesh& mesh) const {
   if (step_ == 1 || distortion_ == 0) return;
   const int n = num_nodes(cell_);
   for (const auto& block : mesh.blocks)

@@ -21,7 +21,7 @@ class BoxMesh : public MeshSource {
   GlobalMesh generate() const override;
 
  private:
-  using Index = std::array<int, 3>;  // of a cell, or of a node in the grid of corners and middles
+  using Index = std::array<int, 3>;  // of a cell, or of a node in the grid of corners and mid-side nodes
 
   void check_numbers(const Section& section);
   void check_layers(const Section& section) const;
@@ -30,7 +30,7 @@ class BoxMesh : public MeshSource {
   std::vector<double> lines(int direction) const;
   void place_nodes(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
   void move_vertices(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
-  void place_middles(GlobalMesh& mesh) const;
+  void place_mid_side_nodes(GlobalMesh& mesh) const;
   /// The block of each layer of cells from the bottom up; adds the blocks.
   std::vector<int> blocks_of_rows(const std::vector<double>& heights, GlobalMesh& mesh) const;
   /// Adds a cell and its sides on the boundary.
@@ -41,7 +41,7 @@ class BoxMesh : public MeshSource {
   std::vector<std::vector<Index>> tetrahedra(const Index& cell) const;
   void add_sides(const std::vector<Index>& corners, const GlobalMesh::Side& element, GlobalMesh& mesh) const;
 
-  /// Node at a position of the grid of corners (and middles, when quadratic).
+  /// Node at a position of the grid of corners (and mid-side nodes, when quadratic).
   long long node(const Index& at) const {
     return (static_cast<long long>(at[2]) * (step_ * count_[1] + 1) + at[1]) * (step_ * count_[0] + 1) + at[0];
   }

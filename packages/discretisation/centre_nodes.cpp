@@ -55,14 +55,15 @@ Tag CentreNodes::centre_of_face(const std::vector<int>& face, const Tag* cell) {
   return known->second;
 }
 
-/// The serendipity shapes in the middle of a quadrilateral: -1/4 at corners, 1/2 at middles of edges; of a hexahedron:
-/// -1/4 and 1/4.
-Tag CentreNodes::centre(const std::vector<int>& corners, const std::vector<int>& middles, const Tag* cell) {
-  const double of_corner = -0.25, of_middle = (1 - of_corner * static_cast<double>(corners.size())) / middles.size();
+/// The serendipity shapes in the middle of a quadrilateral: -1/4 at corners, 1/2 at mid-side nodes of edges; of a
+/// hexahedron: -1/4 and 1/4.
+Tag CentreNodes::centre(const std::vector<int>& corners, const std::vector<int>& mid_side_nodes, const Tag* cell) {
+  const double of_corner = -0.25,
+               of_middle = (1 - of_corner * static_cast<double>(corners.size())) / mid_side_nodes.size();
   Point place{};
   for (const int a : corners)
     for (int i = 0; i < 3; ++i) place[i] += of_corner * places_.at(cell[a])[i];
-  for (const int a : middles)
+  for (const int a : mid_side_nodes)
     for (int i = 0; i < 3; ++i) place[i] += of_middle * places_.at(cell[a])[i];
   places_.emplace(next_, place);
   return next_--;

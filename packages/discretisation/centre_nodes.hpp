@@ -28,7 +28,7 @@ class CentreNodes {
 
  private:
   Tag centre_of_face(const std::vector<int>& face, const Tag* cell);
-  Tag centre(const std::vector<int>& corners, const std::vector<int>& middles, const Tag* cell);
+  Tag centre(const std::vector<int>& corners, const std::vector<int>& mid_side_nodes, const Tag* cell);
 
   std::unordered_map<Tag, Point>& places_;
   std::map<std::array<Tag, 4>, Tag> faces_;  // by their corners, sorted

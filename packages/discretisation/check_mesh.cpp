@@ -97,8 +97,8 @@ void check_sides(const GlobalMesh& mesh) {
     const GlobalMesh::Block& block = mesh.blocks[place.block];
     const int corners = num_corners(side_shape(block.shape));
     const SideKey way = directed_key(nodes.data(), corners);
-    const bool has_middle = nodes.size() == 9 || (nodes.size() == 3 && corners == 2);
-    const long long middle = has_middle ? nodes.back() : -1;
+    const bool has_mid_side_node = nodes.size() == 9 || (nodes.size() == 3 && corners == 2);
+    const long long middle = has_mid_side_node ? nodes.back() : -1;
     const std::size_t number = table.number(sorted_key(nodes.data(), corners));
     if (number == sides.size()) return sides.push_back({way, middle});
     Seen& seen = sides[number];
@@ -124,7 +124,7 @@ void check_sides(const GlobalMesh& mesh) {
 /// Cells of space share the middle nodes of common edges. (In the plane the edges are the sides.)
 void check_edges(const GlobalMesh& mesh) {
   if (mesh.dimension() == 2) return;
-  std::vector<long long> middles;  // by number
+  std::vector<long long> mid_side_nodes;  // by number
   SideTable table(count_over_elements(mesh, num_edges) / 4 + 1);
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
     if (order(block.shape) == 1) return;
@@ -132,8 +132,8 @@ void check_edges(const GlobalMesh& mesh) {
       const std::array<int, 2> ends = edge_corners(block.shape, edge);
       const long long corners[2] = {nodes[ends[0]], nodes[ends[1]]}, middle = nodes[num_corners(block.shape) + edge];
       const std::size_t number = table.number(sorted_key(corners, 2));
-      if (number == middles.size()) middles.push_back(middle);
-      if (middles[number] == middle) continue;
+      if (number == mid_side_nodes.size()) mid_side_nodes.push_back(middle);
+      if (mid_side_nodes[number] == middle) continue;
       throw InputError("neighbours do not share the middle node of their common edge from " +
                        place_text(mesh.coordinates[corners[0]], 3) + " to " +
                        place_text(mesh.coordinates[corners[1]], 3));

@@ -5,7 +5,7 @@
 namespace mudline {
 
 /// A plane mesh turned about its y axis, which becomes the z axis of space: x is the distance from it. It starts in the
-/// x-z plane and turns from x to y. Middle nodes lie on circles.
+/// x-z plane and turns from x to y. MidSideNode nodes lie on circles.
 class RevolvedMesh : public MeshSource {
  public:
   void parameters(Parameters& p);

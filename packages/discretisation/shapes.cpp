@@ -100,13 +100,13 @@ std::vector<int> side_nodes(CellShape shape, int side) {
 std::vector<int> corners_around(CellShape shape, int node) {
   const Frame& f = frame(shape);
   std::vector<int> around;
-  const int middles = f.corners + f.edges, faces = f.dimension == 3 ? middles + f.sides : middles;
+  const int mid_side_nodes = f.corners + f.edges, faces = f.dimension == 3 ? mid_side_nodes + f.sides : mid_side_nodes;
   if (node < f.corners)
     around = {node};
-  else if (node < middles)
+  else if (node < mid_side_nodes)
     around.assign(f.edge[node - f.corners], f.edge[node - f.corners] + 2);
   else if (node < faces)
-    around.assign(f.side[node - middles], f.side[node - middles] + f.side_corners);
+    around.assign(f.side[node - mid_side_nodes], f.side[node - mid_side_nodes] + f.side_corners);
   else
     for (int c = 0; c < f.corners; ++c) around.push_back(c);
   return around;

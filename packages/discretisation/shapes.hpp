@@ -10,8 +10,8 @@
 
 namespace mudline {
 
-/// Node order: corners, then edge middles, then face centres (hex27), then the cell's centre (quad9, hex27); in two
-/// dimensions corners go round counter-clockwise. The order of VTK and XDMF, in the plane also that of Gmsh.
+/// Node order: corners, then edge mid-side nodes, then face centres (hex27), then the cell's centre (quad9, hex27); in
+/// two dimensions corners go round counter-clockwise. The order of VTK and XDMF, in the plane also that of Gmsh.
 enum class CellShape { line2, line3, tri3, tri6, quad4, quad9, tet4, tet10, hex8, hex27 };
 
 int num_nodes(CellShape shape);
@@ -31,7 +31,7 @@ const char* name(CellShape shape);
 /// Local node numbers of a side, in the order of its own shape. The outward normal is to the right of the direction
 /// corner 0 -> corner 1 in the plane; in space the corners go round counter-clockwise as seen from outside.
 std::vector<int> side_nodes(CellShape shape, int side);
-/// The two corners of an edge; edges in the order of their middles.
+/// The two corners of an edge; edges in the order of their mid-side nodes.
 std::array<int, 2> edge_corners(CellShape shape, int edge);
 int num_edges(CellShape shape);
 /// The corners in whose middle a node is: itself, the ends of an edge, the corners of a face or of the whole cell.

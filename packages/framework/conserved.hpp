@@ -12,8 +12,8 @@ struct Conserved {
   std::string name, unit;  // "heat", "J"
   int field;
   std::function<double(const State&)> content;  // of the whole mesh; collective
-  int carrier = -1;                             // field whose flow carries it; -1: none
-  double carried = 0, reference = 0;            // per outflow of the carrier: carried * (value - reference)
+  int transfer = -1;                            // field whose flow carries it; -1: none
+  double transferred = 0, reference = 0;        // per outflow of the carrier: carried * (value - reference)
 };
 
 }  // namespace mudline

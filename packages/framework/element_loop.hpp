@@ -330,7 +330,7 @@ struct ElementLoop {
   /// What the motion of the configuration does to the integral: dv grows by the trace of the gradient, and the test
   /// functions' gradients turn with it.
   template <class Law, class T>
-  KOKKOS_INLINE_FUNCTION void carry(PointBalance<Coordinates, S, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void transfer(PointBalance<Coordinates, S, T>& out) const {
     if constexpr (Law::motion) {
       const double w = at.geometry_weight;
       for (int j = 0; j < D; ++j)
@@ -387,7 +387,7 @@ struct ElementLoop {
     PointBalance<Coordinates, S, T> out;
     seed<Law>(f, in);
     law(row, in, out);
-    carry<Law>(out);
+    transfer<Law>(out);
     const auto put = [&](int r, const T& from) {
       for (int way = 0; way < ways; ++way) A[r][way] = s.dv * from.d[way];
     };

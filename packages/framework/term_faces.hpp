@@ -57,9 +57,9 @@ class Unilateral {
 };
 
 /// A term with state that must follow when the mesh is moved under the committed state (ALE).
-class Carried {
+class Transferred {
  public:
-  virtual ~Carried() = default;
+  virtual ~Transferred() = default;
   /// Carries the term's own arrays, those that are not point data of the soil, over to their new places.
   virtual void relocate(const ConstCoordinateView& x_old, State& committed) {}
   /// Takes over what an evaluation of the relocated state at rest wrote: stresses back on the yield surface, gaps.

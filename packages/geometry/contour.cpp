@@ -14,9 +14,11 @@ constexpr double same_direction = 1e-10;  // 1 - cos of the angle below which a 
 
 PlanePoint right_of(const PlanePoint& t) { return {t[1], -t[0]}; }
 
-/// The foot lies at a corner or at an open end: the gap is the distance to that point, its sign that of `outward`.
-void point_foot(const PlanePoint& from_foot, const PlanePoint& outward, double tolerance, ContourFoot& result) {
-  const double distance = std::hypot(from_foot[0], from_foot[1]);
+/// The closest point lies at a corner or at an open end: the gap is the distance to that point, its sign that of
+/// `outward`.
+void point_projection(const PlanePoint& from_projection, const PlanePoint& outward, double tolerance,
+                      ContourProjection& result) {
+  const double distance = std::hypot(from_projection[0], from_projection[1]);
   result.curvature = result.travel = 0;
   if (distance <= tolerance) {
     result.gap = 0;
@@ -24,8 +26,8 @@ void point_foot(const PlanePoint& from_foot, const PlanePoint& outward, double t
     result.turning = 0;
     return;
   }
-  result.gap = dot(from_foot, outward) >= 0 ? distance : -distance;
-  result.normal = {from_foot[0] / result.gap, from_foot[1] / result.gap};
+  result.gap = dot(from_projection, outward) >= 0 ? distance : -distance;
+  result.normal = {from_projection[0] / result.gap, from_projection[1] / result.gap};
   result.turning = 1 / result.gap;
 }
 
@@ -66,16 +68,16 @@ bool Contour::neighbour_normal(int piece, int end, PlanePoint& normal) const {
   return true;
 }
 
-ContourFoot Contour::closest(const PlanePoint& x) const {
+ContourProjection Contour::closest(const PlanePoint& x) const {
   if (extent_ == ContourExtent::half && x[0] < 0) {  // rounding may put a node of the axis there
-    ContourFoot image = closest({-x[0], x[1]});
+    ContourProjection image = closest({-x[0], x[1]});
     image.normal[0] = -image.normal[0];
-    image.foot[0] = -image.foot[0];
+    image.point[0] = -image.point[0];
     image.arc_length = -image.arc_length;
     image.tangent = {-image.normal[1], image.normal[0]};
     return image;
   }
-  ContourFoot result{};
+  ContourProjection result{};
   double s = 0, best = 0;
   result.piece = -1;
   for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
@@ -88,9 +90,9 @@ ContourFoot Contour::closest(const PlanePoint& x) const {
     result.piece = i;
   }
   const ContourPiece& piece = *pieces_[result.piece];
-  result.foot = piece.point(s);
+  result.point = piece.point(s);
   result.arc_length = start_[result.piece] + s;
-  const PlanePoint d = x - result.foot, own = right_of(piece.tangent(s));
+  const PlanePoint d = x - result.point, own = right_of(piece.tangent(s));
   PlanePoint other = own;
   const bool at_end = s == 0 || s == piece.length();
   const bool open_end = at_end && !neighbour_normal(result.piece, s == 0 ? 0 : 1, other);
@@ -98,13 +100,13 @@ ContourFoot Contour::closest(const PlanePoint& x) const {
     PlanePoint mean{own[0] + other[0], own[1] + other[1]};
     const double size = std::hypot(mean[0], mean[1]);
     mean = size > 1e-6 ? PlanePoint{mean[0] / size, mean[1] / size} : own;
-    point_foot(d, mean, 1e-14 * size_, result);
+    point_projection(d, mean, 1e-14 * size_, result);
   } else {
     result.gap = dot(d, own);
     result.normal = own;
     result.curvature = piece.curvature(s);
     const double stretch = 1 + result.curvature * result.gap;
-    const bool centre = std::abs(stretch) <= 1e-9;  // of an arc: everything there has the same foot
+    const bool centre = std::abs(stretch) <= 1e-9;  // of an arc: everything there has the same closest point
     result.turning = centre ? 0.0 : result.curvature / stretch;
     result.travel = centre ? 0.0 : 1 / stretch;
   }
@@ -112,7 +114,7 @@ ContourFoot Contour::closest(const PlanePoint& x) const {
   return result;
 }
 
-double Contour::distance(const ContourFoot& from, const ContourFoot& to) const {
+double Contour::distance(const ContourProjection& from, const ContourProjection& to) const {
   const double direct = to.arc_length - from.arc_length;
   return closed_ ? std::remainder(direct, length()) : direct;
 }

@@ -8,16 +8,17 @@
 namespace mudline {
 
 /// What a contour knows of one point of the plane.
-struct ContourFoot {
+struct ContourProjection {
   double gap;          // [m] signed distance; negative inside the body (penetration)
   PlanePoint normal;   // [-] unit, from the body into the soil; the gradient of the gap
   PlanePoint tangent;  // [-] unit, the normal turned counter-clockwise: the direction of travel
-  double curvature;    // kappa [1/m] of the contour at the foot, positive where the body is convex; 0 at a corner
-  double turning;      // [1/m] dn/dx = turning (t (x) t): kappa / (1 + kappa gap), and 1 / gap at a corner
-  PlanePoint foot;     // [m] the nearest point of the contour
-  int piece;           // that the foot lies on
-  double arc_length;   // [m] of the foot from the contour's start
-  double travel;       // d arc_length / dx = travel t: 1 / (1 + kappa gap), and 0 at a corner
+  double
+      curvature;   // kappa [1/m] of the contour at the closest point, positive where the body is convex; 0 at a corner
+  double turning;  // [1/m] dn/dx = turning (t (x) t): kappa / (1 + kappa gap), and 1 / gap at a corner
+  PlanePoint projection;  // [m] the nearest point of the contour
+  int piece;              // that the closest point lies on
+  double arc_length;      // [m] of the closest point from the contour's start
+  double travel;          // d arc_length / dx = travel t: 1 / (1 + kappa gap), and 0 at a corner
 };
 
 /// Part of the plane that a contour describes. half: the body is symmetric about x = 0, the contour starts on that axis
@@ -36,12 +37,13 @@ class Contour {
   /// std::logic_error unless the pieces join.
   Contour(std::vector<std::shared_ptr<const ContourPiece>> pieces, ContourExtent extent);
 
-  ContourFoot closest(const PlanePoint& x) const;
+  ContourProjection closest(const PlanePoint& x) const;
   ContourExtent extent() const { return extent_; }
   const std::vector<std::shared_ptr<const ContourPiece>>& pieces() const { return pieces_; }
   double length() const { return start_.back(); }
-  /// Signed distance along the contour between two feet [m]; the shorter way round where the contour is closed.
-  double distance(const ContourFoot& from, const ContourFoot& to) const;
+  /// Signed distance along the contour between two closest points [m]; the shorter way round where the contour is
+  /// closed.
+  double distance(const ContourProjection& from, const ContourProjection& to) const;
   /// Polyline for output whose chords stay within `chord_error` [m] of the contour.
   std::vector<PlanePoint> sample(double chord_error) const;
   /// A half contour and its mirror image.

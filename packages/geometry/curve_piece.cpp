@@ -89,7 +89,8 @@ double CurvePiece::closest(const PlanePoint& x) const {
     best = dot(d, d);
     nearest = i;
   }
-  // f(t) = (x - x(t)) . x'(t), half the slope of minus the squared distance: positive where the foot lies ahead
+  // f(t) = (x - x(t)) . x'(t), half the slope of minus the squared distance: positive where the closest point lies
+  // ahead
   const auto ahead = [&](double t) {
     const ParametricCurve::Point p = curve_->at(t);
     return dot(x - p.x, p.d);

@@ -12,12 +12,12 @@ namespace mudline {
 namespace {
 
 /// n_r / r, the turning of the normal around the axis [1/m].
-double turning_around(const ContourFoot& foot, double r, double size) {
+double turning_around(const ContourProjection& projection, double r, double size) {
   // near the axis of a smooth surface both turnings are the same, and n_r / r is a quotient of rounding errors
-  if (r <= 1e-7 * size && r * std::abs(foot.turning) < 1e-3 && std::abs(foot.normal[0]) < 1e-3)
-    return foot.turning * foot.tangent[0] * foot.tangent[0];
-  // on the axis with the foot off it: the centre of a circle of nearest points
-  return r <= 1e-9 * foot.foot[0] ? 0.0 : foot.normal[0] / r;
+  if (r <= 1e-7 * size && r * std::abs(projection.turning) < 1e-3 && std::abs(projection.normal[0]) < 1e-3)
+    return projection.turning * projection.tangent[0] * projection.tangent[0];
+  // on the axis with the closest point off it: the centre of a circle of nearest points
+  return r <= 1e-9 * projection.point[0] ? 0.0 : projection.normal[0] / r;
 }
 
 }  // namespace
@@ -47,13 +47,13 @@ bool RevolvedSurface::closed() const {
   return std::abs(last.point(last.length())[0]) <= 1e-9 * contour_.length();
 }
 
-SurfaceFoot RevolvedSurface::closest(const Point& x) const {
+SurfaceProjection RevolvedSurface::closest(const Point& x) const {
   const double r = std::hypot(x[0], x[1]), c = r > 0 ? x[0] / r : 1.0, s = r > 0 ? x[1] / r : 0.0;
-  const ContourFoot plane = contour_.closest({r, x[2]});
-  SurfaceFoot result{};
+  const ContourProjection plane = contour_.closest({r, x[2]});
+  SurfaceProjection result{};
   result.gap = plane.gap;
   result.normal = {plane.normal[0] * c, plane.normal[0] * s, plane.normal[1]};
-  result.foot = {plane.foot[0] * c, plane.foot[0] * s, plane.foot[1]};
+  result.point = {plane.point[0] * c, plane.point[0] * s, plane.point[1]};
   const Point along{plane.tangent[0] * c, plane.tangent[0] * s, plane.tangent[1]}, around{-s, c, 0};
   const double second = turning_around(plane, r, contour_.length());
   for (int i = 0; i < 3; ++i)

@@ -15,7 +15,7 @@ class RevolvedSurface : public Surface {
   explicit RevolvedSurface(Contour contour);
   const Contour& contour() const { return contour_; }
 
-  SurfaceFoot closest(const Point& x) const override;
+  SurfaceProjection closest(const Point& x) const override;
   SurfaceTriangles triangles(double chord_error) const override;
   SolidMoments moments() const override;
 

@@ -16,8 +16,8 @@ RoundedBox::RoundedBox(const Point& lengths, double fillet_radius) : radius_(fil
   }
 }
 
-SurfaceFoot RoundedBox::closest(const Point& x) const {
-  SurfaceFoot result{};
+SurfaceProjection RoundedBox::closest(const Point& x) const {
+  SurfaceProjection result{};
   Point sign{}, beyond{};  // beyond: from the core to the point where that is outside of it
   int nearest = 0;
   double depth = 0;
@@ -48,7 +48,7 @@ SurfaceFoot RoundedBox::closest(const Point& x) const {
       for (int i = 0; i < 3; ++i) result.normal[i] = std::abs(x[i]) == core_[i] ? sign[i] / std::sqrt(sides) : 0.0;
     }
   }
-  result.foot = x - result.gap * result.normal;
+  result.point = x - result.gap * result.normal;
   return result;
 }
 

@@ -15,7 +15,7 @@ class RoundedBox : public Surface {
   /// Lengths and fillet radius [m], which is at most half the shortest length.
   RoundedBox(const Point& lengths, double fillet_radius);
 
-  SurfaceFoot closest(const Point& x) const override;
+  SurfaceProjection closest(const Point& x) const override;
   SurfaceTriangles triangles(double chord_error) const override;
   SolidMoments moments() const override;
 

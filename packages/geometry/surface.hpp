@@ -7,13 +7,13 @@
 namespace mudline {
 
 /// What the surface of a body knows of one point of space.
-struct SurfaceFoot {
+struct SurfaceProjection {
   double gap;    // [m] signed distance; negative inside the body (penetration)
   Point normal;  // [-] unit, from the body into the soil; the gradient of the gap
   double turning[3]
                 [3];  // [1/m] dn/dx, symmetric: the second derivative of the gap; 0 where the centre of a curvature is
-  Point foot;         // [m] the nearest point of the surface
-  int part;           // of a union, the one with the foot; 0 of a surface without parts
+  Point projection;   // [m] the nearest point of the surface
+  int part;           // of a union, the one with the closest point; 0 of a surface without parts
 };
 
 /// The surface of a rigid body in space, in the body's own frame, whose z axis points up and is the axis of what is
@@ -24,7 +24,7 @@ struct SurfaceFoot {
 class Surface {
  public:
   virtual ~Surface() = default;
-  virtual SurfaceFoot closest(const Point& x) const = 0;
+  virtual SurfaceProjection closest(const Point& x) const = 0;
   /// A box that holds the body; infinite where the body goes on for ever.
   const Bounds& bounds() const { return bounds_; }
   /// Triangles for output, within `chord_error` [m] of the surface; of a body that goes on for ever as far as it is

@@ -23,11 +23,11 @@ double distance_to(const Bounds& box, const Point& x) {
 
 }  // namespace
 
-SurfaceFoot PlacedSurface::closest(const Point& x) const {
-  SurfaceFoot own = surface->closest(to_frame(x)), result{};
+SurfaceProjection PlacedSurface::closest(const Point& x) const {
+  SurfaceProjection own = surface->closest(to_frame(x)), result{};
   result.gap = own.gap;
   result.normal = rotation(own.normal);
-  result.foot = from_frame(own.foot);
+  result.point = from_frame(own.point);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
@@ -59,15 +59,15 @@ SurfaceUnion::SurfaceUnion(std::vector<PlacedSurface> parts) : parts_(std::move(
   }
 }
 
-SurfaceFoot SurfaceUnion::closest(const Point& x) const {
-  SurfaceFoot result{};
+SurfaceProjection SurfaceUnion::closest(const Point& x) const {
+  SurfaceProjection result{};
   result.gap = infinity;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const double bound = distance_to(parts_[i].surface->bounds(), parts_[i].to_frame(x));
     if (bound > 0 && bound >= result.gap) continue;
-    const SurfaceFoot foot = parts_[i].closest(x);
-    if (foot.gap >= result.gap) continue;
-    result = foot;
+    const SurfaceProjection projection = parts_[i].closest(x);
+    if (projection.gap >= result.gap) continue;
+    result = projection;
     result.part = static_cast<int>(i);
   }
   return result;
@@ -91,24 +91,24 @@ void SurfaceUnion::add_common(int part, const Block& block, SolidMoments& sum) c
   }
   const double reach = 0.5 * length(lengths);
   // the larger gap is that of what two solids have in common, the smaller one that of both together
-  SurfaceFoot foot = parts_[part].surface->closest(centre);
-  if (foot.gap >= reach) return;
+  SurfaceProjection projection = parts_[part].surface->closest(centre);
+  if (projection.gap >= reach) return;
   const Point outside = parts_[part].from_frame(centre);
-  SurfaceFoot before{};
+  SurfaceProjection before{};
   before.gap = infinity;
   for (int i = 0; i < part; ++i) {
-    const SurfaceFoot other = parts_[i].closest(outside);
+    const SurfaceProjection other = parts_[i].closest(outside);
     if (other.gap < before.gap) before = other;
   }
-  if (before.gap > foot.gap) {
-    foot = before;
-    foot.normal = parts_[part].rotation.back(before.normal);
+  if (before.gap > projection.gap) {
+    projection = before;
+    projection.normal = parts_[part].rotation.back(before.normal);
   }
-  if (foot.gap >= reach) return;
-  if (foot.gap <= -reach || block.cuts == 0) {
+  if (projection.gap >= reach) return;
+  if (projection.gap <= -reach || block.cuts == 0) {
     double across = 0;
-    for (int i = 0; i < 3; ++i) across += std::abs(foot.normal[i]) * lengths[i];
-    sum.add_block(centre, lengths, std::min(1.0, std::max(0.0, 0.5 - foot.gap / across)));
+    for (int i = 0; i < 3; ++i) across += std::abs(projection.normal[i]) * lengths[i];
+    sum.add_block(centre, lengths, std::min(1.0, std::max(0.0, 0.5 - projection.gap / across)));
     return;
   }
   const auto longest = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();

@@ -17,7 +17,7 @@ struct PlacedSurface {
   Point to_frame(const Point& x) const { return rotation.back(x - position); }
   Point from_frame(const Point& x) const { return position + rotation(x); }
   /// Of the surface, in the other frame.
-  SurfaceFoot closest(const Point& x) const;
+  SurfaceProjection closest(const Point& x) const;
   Bounds bounds() const;
 };
 
@@ -25,14 +25,14 @@ struct PlacedSurface {
 ///
 /// Outside this is the distance. The normal jumps where two parts are equally near: along the re-entrant edges at which
 /// they meet, and on surfaces that go out from there. Inside, the part counts in which the point is deepest, which may
-/// have its foot within another part: the gap is then smaller than the distance to the surface of the whole.
+/// have its closest point within another part: the gap is then smaller than the distance to the surface of the whole.
 class SurfaceUnion : public Surface {
  public:
   /// At least one.
   explicit SurfaceUnion(std::vector<PlacedSurface> parts);
   const std::vector<PlacedSurface>& parts() const { return parts_; }
 
-  SurfaceFoot closest(const Point& x) const override;
+  SurfaceProjection closest(const Point& x) const override;
   /// Those of all parts, also where they run inside of each other.
   SurfaceTriangles triangles(double chord_error) const override;
   /// Exact but for what parts have in common, which is summed over up to 2e5 blocks to about 1 in 500.

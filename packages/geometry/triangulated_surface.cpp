@@ -38,17 +38,18 @@ void check_folds(const SurfaceTriangles& surface, const std::vector<Point>& norm
                          ": a facet is at more than 87 degrees to the mean of those around that point");
 }
 
-/// First and second derivatives of the gap where the foot is at a patch's point: normal and turning.
-void differentiate(const PatchPoint& at, SurfaceFoot& foot) {
+/// First and second derivatives of the gap where the closest point is at a patch's point: normal and turning.
+void differentiate(const PatchPoint& at, SurfaceProjection& projection) {
   const Point area = cross(at.da, at.db);
-  foot.normal = 1 / length(area) * area;
+  projection.normal = 1 / length(area) * area;
   const Mat<double, 2> metric = {{{dot(at.da, at.da), dot(at.da, at.db)}, {dot(at.da, at.db), dot(at.db, at.db)}}};
-  const double aa = -dot(at.daa, foot.normal), ab = -dot(at.dab, foot.normal), bb = -dot(at.dbb, foot.normal);
+  const double aa = -dot(at.daa, projection.normal), ab = -dot(at.dab, projection.normal),
+               bb = -dot(at.dbb, projection.normal);
   const Mat<double, 2> bend = {{{aa, ab}, {ab, bb}}};  // dn = bend, lowered: n_a . x_b
   // dn/dx = sum of x_c (metric^-1 bend (metric + gap bend)^-1)_cd x_d
   Mat<double, 2> offset;
   for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) offset[i][j] = metric[i][j] + foot.gap * bend[i][j];
+    for (int j = 0; j < 2; ++j) offset[i][j] = metric[i][j] + projection.gap * bend[i][j];
   const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
   const double offset_det = offset[0][0] * offset[1][1] - offset[0][1] * offset[1][0];
   if (std::abs(offset_det) <= 1e-9 * det) return;  // the centre of a curvature
@@ -64,7 +65,7 @@ void differentiate(const PatchPoint& at, SurfaceFoot& foot) {
         for (int l = 0; l < 2; ++l) factor += inverse[c][k] * bend[k][l] * offset_inverse[l][d];
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          foot.turning[i][j] += factor * 0.5 * (side[c][i] * side[d][j] + side[d][i] * side[c][j]);
+          projection.turning[i][j] += factor * 0.5 * (side[c][i] * side[d][j] + side[d][i] * side[c][j]);
     }
 }
 
@@ -95,7 +96,7 @@ TriangulatedSurface::TriangulatedSurface(const SurfaceTriangles& triangles) {
   tree_ = std::make_unique<const BoxTree>(boxes);
 }
 
-SurfaceFoot TriangulatedSurface::closest(const Point& x) const {
+SurfaceProjection TriangulatedSurface::closest(const Point& x) const {
   // a patch is solved for only where its facet is near enough; that of the nearest facet comes first
   double square = std::numeric_limits<double>::infinity();
   int first = 0;
@@ -119,8 +120,8 @@ SurfaceFoot TriangulatedSurface::closest(const Point& x) const {
     square = square_distance(candidate);
     nearest = candidate;
   });
-  SurfaceFoot result{};
-  result.foot = nearest.x;
+  SurfaceProjection result{};
+  result.point = nearest.x;
   result.gap = std::sqrt(square);
   if (dot(x - nearest.x, cross(nearest.da, nearest.db)) < 0) result.gap = -result.gap;
   differentiate(nearest, result);

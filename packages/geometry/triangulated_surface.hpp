@@ -20,7 +20,7 @@ class TriangulatedSurface : public Surface {
   /// of no thickness.
   explicit TriangulatedSurface(const SurfaceTriangles& triangles);
 
-  SurfaceFoot closest(const Point& x) const override;
+  SurfaceProjection closest(const Point& x) const override;
   /// All facets are cut alike.
   SurfaceTriangles triangles(double chord_error) const override;
   SolidMoments moments() const override;

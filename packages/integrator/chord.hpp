@@ -44,7 +44,7 @@ class ChordControl {
     valid_ = false;
     first_contraction_ = 1;
   }
-  void renewed() { valid_ = true; }
+  void remeshed() { valid_ = true; }
   /// The residual of the next iterate and of the one before it, of the same allowed one.
   void observe(double ratio, double before) {
     if (count_ > 0) contraction_ = ratio / before;
@@ -55,7 +55,7 @@ class ChordControl {
   bool may_keep() const { return serves(expected_contraction(), last_); }
   /// Whether a new Jacobian is likely to be wanted at the iterate that is evaluated next: unless the residual, if it
   /// goes on falling as it did, is then small enough for the end or for the Jacobian at hand, if that is `usable`.
-  bool expects_renewal(bool usable) const {
+  bool expects_remeshing(bool usable) const {
     const double c = expected_contraction();
     if (count_ == 0) return !(usable && serves(c, 1));
     return !(last_ * c <= 1) && !(usable && serves(c, last_ * c));

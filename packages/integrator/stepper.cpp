@@ -135,7 +135,7 @@ void Stepper::activate(const std::vector<Term*>& active) {
   active_ = active;
   unilateral_ = faces<Unilateral>(active_);
   foresees_ = faces<Foresees>(active_);
-  carried_ = faces<Carried>(active_);
+  transferred_ = faces<Transferred>(active_);
   reports_ = faces<Reports>(active_);
   force_.clear();
   for (std::size_t k = 0; k < active_.size(); ++k) force_.emplace_back("term force", total_.extent(0));
@@ -258,9 +258,9 @@ int Stepper::evaluate_terms() {
   return failures;
 }
 
-bool Stepper::residual(const Vector& x, Vector& f) { return evaluate(x, chord_.expects_renewal(solver_.exact()), f); }
+bool Stepper::residual(const Vector& x, Vector& f) { return evaluate(x, chord_.expects_remeshing(solver_.exact()), f); }
 
-bool Stepper::evaluate(const Vector& x, bool renews, Vector& f) {
+bool Stepper::evaluate(const Vector& x, bool remeshes, Vector& f) {
   const Stopwatch watch(times_.residual);
   if (stands_at(x)) {  // the first guess was tried, and Newton's method starts there
     Tpetra::deep_copy(f, balance_);
@@ -268,12 +268,12 @@ bool Stepper::evaluate(const Vector& x, bool renews, Vector& f) {
   }
   stands_ = false;
   levels(x);
-  for (Foresees* term : foresees_) term->foresee_jacobian(renews);
+  for (Foresees* term : foresees_) term->foresee_jacobian(remeshes);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
   for (Foresees* term : foresees_) term->foresee_jacobian(false);
   if (failures > 0) {
     failure_ = std::to_string(failures) + (failures == 1 ? " point" : " points") + " failed in " +
-               of_first_rank(*space_.dofs()->comm(), failure_);
+               broadcast(*space_.dofs()->comm(), failure_);
     return false;
   }
   split_reactions(constraints_, total_, reaction_);
@@ -297,7 +297,7 @@ bool Stepper::add_matrices() {
   }
   assembler_.end();
   ++view_.linearisation;
-  problem = of_first_rank(*space_.dofs()->comm(), problem);
+  problem = broadcast(*space_.dofs()->comm(), problem);
   if (!problem.empty()) failure_ = problem;
   return problem.empty();
 }
@@ -320,7 +320,7 @@ bool Stepper::jacobian(const Vector& x) {
     stands_ = false;
     levels(x);
     if (!add_matrices()) return false;
-    chord_.renewed();
+    chord_.remeshed();
     measure_rounding(x);
   }
   solver_.set_matrix(assembler_.matrix(), [this] { return block_data_(view_); });

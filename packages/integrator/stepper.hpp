@@ -125,7 +125,7 @@ class Stepper : public NonlinearProblem {
   // What the balances read after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
   const std::vector<Term*>& active() const { return active_; }
-  const std::vector<Carried*>& carried() const { return carried_; }
+  const std::vector<Transferred*>& transferred() const { return transferred_; }
   const std::vector<Reports*>& reports() const { return reports_; }
   /// Largest step that the active terms accept from the committed state, at most `dt` [s]. Collective.
   double step_limit(double dt) const;
@@ -190,8 +190,8 @@ class Stepper : public NonlinearProblem {
   void add_rate_matrices();
   /// Prescribes the fields whose rate matrix has a row of zeros: it cannot be solved for. Whether there are any.
   bool hold_fields_without_rates();
-  /// residual(); `renews`: whether a Jacobian at x is likely to be asked for next.
-  bool evaluate(const Vector& x, bool renews, Vector& f);
+  /// residual(); `remeshes`: whether a Jacobian at x is likely to be asked for next.
+  bool evaluate(const Vector& x, bool remeshes, Vector& f);
   int evaluate_terms();
   /// Term::residual into `force`, behind `to`; one that throws, or gives what is not finite, counts as failed.
   int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
@@ -214,7 +214,7 @@ class Stepper : public NonlinearProblem {
   std::vector<History*> history_;        // by slot
   std::vector<Unilateral*> unilateral_;  // of the active terms, as the other faces
   std::vector<Foresees*> foresees_;
-  std::vector<Carried*> carried_;
+  std::vector<Transferred*> transferred_;
   std::vector<Reports*> reports_;
   LinearSolver& solver_;
   std::function<BlockData(const StepView&)> block_data_;

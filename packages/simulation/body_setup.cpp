@@ -46,11 +46,11 @@ SideFigures figures(const Mesh& mesh, const Side& side) {
 std::pair<double, Point> nearest(const RigidBody& body, const Point& x) {
   const BodyPlacement placement = body.initial_placement();
   if (body.dimension() == 3) {
-    const SurfaceFoot foot = body.foot(placement, x);
-    return {foot.gap, foot.normal};
+    const SurfaceProjection projection = body.point(placement, x);
+    return {projection.gap, projection.normal};
   }
-  const ContourFoot foot = body.closest(placement, {x[0], x[1]});
-  return {foot.gap, {foot.normal[0], foot.normal[1], 0}};
+  const ContourProjection projection = body.closest(placement, {x[0], x[1]});
+  return {projection.gap, {projection.normal[0], projection.normal[1], 0}};
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ void BodySetup::find_surfaces() {
     const bool in_hole = side.middle[up] < top - 2 * side.longest && away < 0.75 * shadow.length && facing > 0.5 &&
                          side.middle[up] < box.high[up];
     if (!touches || !in_hole) continue;
-    // of a curved shape the middles of sides are off by the arc's height, but no corner is
+    // of a curved shape the mid-side nodes of sides are off by the arc's height, but no corner is
     double corners = 0;
     for (const Point& x : side.corners) corners = std::max(corners, std::abs(nearest(body, x).first));
     const double misfit = std::min(std::abs(gap), corners);

@@ -88,8 +88,8 @@ void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
     for (const auto& [node, count] : met) {
       double r = positions_[node][0];
       if (count != 1 || r < 1e-9 * reach_ || r > reach_ * (1 - 1e-9)) continue;
-      const ContourFoot foot = foot_at({0, 0}, in_plane(positions_[node]));
-      const bool on_flank = std::abs(foot.gap) < 0.02 * radius_ && std::abs(foot.normal[0]) > 0.3;
+      const ContourProjection projection = projection_at({0, 0}, in_plane(positions_[node]));
+      const bool on_flank = std::abs(projection.gap) < 0.02 * radius_ && std::abs(projection.normal[0]) > 0.3;
       if (on_flank) r = radius_;  // a mould that fits
       if (corner_ == 0 || std::abs(std::log(r / radius_)) < std::abs(std::log(corner_ / radius_))) corner_ = r;
     }
@@ -112,7 +112,7 @@ void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   }
 }
 
-ContourFoot BodyWay::foot_at(const PlanePoint& displacement, const PlanePoint& point) const {
+ContourProjection BodyWay::projection_at(const PlanePoint& displacement, const PlanePoint& point) const {
   BodyPlacement placement = body_.initial_placement();
   for (int i = 0; i < 2; ++i) placement.centre[i] += displacement[i];
   return body_.closest(placement, point);

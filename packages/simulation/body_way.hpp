@@ -63,9 +63,9 @@ class BodyWay {
   void find_corner(const GhostedMesh& mesh, const std::string& surface);
   void find_boundaries(const Model& model, const GhostedMesh& mesh);
   double gap(const Vec<double, 2>& displacement) const;
-  ContourFoot foot_at(const Vec<double, 2>& displacement, const Vec<double, 2>& point) const;
+  ContourProjection projection_at(const Vec<double, 2>& displacement, const Vec<double, 2>& point) const;
   double gap_at(const Vec<double, 2>& displacement, const Vec<double, 2>& point) const {
-    return foot_at(displacement, point).gap;
+    return projection_at(displacement, point).gap;
   }
 
   const RigidBody& body_;

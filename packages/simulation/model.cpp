@@ -14,7 +14,7 @@
 #include "integrator/time_error.hpp"
 #include "physics/soil_points.hpp"
 #include "physics/soil_stress.hpp"
-#include "simulation/model_renewal.hpp"
+#include "simulation/model_remeshing.hpp"
 #include "simulation/output/mesh_parts_file.hpp"
 #include "simulation/supports.hpp"
 
@@ -72,9 +72,9 @@ void Model::read_mesh(RCP<const Comm> comm, const Section& deck, const Registrie
                       const MeshOrigin& origin) {
   std::unique_ptr<MeshRecipe> recipe;
   agree(*comm, [&] { recipe = std::make_unique<MeshRecipe>(mesh_recipe(deck, registries)); });
-  if (origin.renewed) {
-    renewed_ = origin.renewed;
-    GlobalMesh whole = renewed_->mesh;
+  if (origin.remeshed) {
+    remeshed_ = origin.remeshed;
+    GlobalMesh whole = remeshed_->mesh;
     whole.contacts = recipe->contacts();
     mesh_ = std::make_unique<Mesh>(comm, recipe->geometry(), std::move(whole));
   } else {
@@ -109,12 +109,12 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
                                        [this](const StepView& view) { return block_data(view); });
   if (ale_)
     if (const std::string problem = ale_->problem(*store_); !problem.empty()) deck.section("mesh motion").fail(problem);
-  if (!renewed_) check_start(deck);
+  if (!remeshed_) check_start(deck);
 }
 
 void Model::check_start(const Section& deck) {
-  if (ale_ && ale_->renewal())
-    if (const std::string problem = renewal_problem(*this); !problem.empty())
+  if (ale_ && ale_->remeshing())
+    if (const std::string problem = remeshing_problem(*this); !problem.empty())
       deck.section("mesh motion").section("remeshing").fail(problem);
   const Section physics = deck.section("physics");
   for (std::size_t i = 0; i < physics_.size(); ++i)
@@ -238,7 +238,7 @@ void Model::read_contacts(const Section& deck, const Registries& registries) {
                                  [this](const State& state, int block, int element, const Point& at) {
                                    return total_stress(*soil_, state, block, element, at);
                                  },
-                                 renewed_ != nullptr};
+                                 remeshed_ != nullptr};
     contacts_.emplace_back(entry.name(), registries.contacts.create(entry, context));
     if (const auto* seals = face<ClosesSides>(*contacts_.back().second)) sealing_.emplace_back(entry.name(), seals);
   }
@@ -249,7 +249,7 @@ void Model::read_mesh_motion(const Section& deck, const Registries& registries) 
   const Section section = deck.section("mesh motion");
   if (!soil_) section.fail("mesh motion needs a physics with soil");
   ale_ = std::make_unique<Ale>(*space_, *soil_, bodies_, section,
-                               MeshMotionRegistries{registries.interior_motions, registries.remaps}, renewed_.get());
+                               MeshMotionRegistries{registries.interior_motions, registries.remaps}, remeshed_.get());
 }
 
 void Model::read_stages(const Section& deck, const Registries& registries) {

@@ -18,20 +18,20 @@ namespace mudline {
 
 /// Where a model's mesh comes from, where it is not made by its deck.
 struct MeshOrigin {
-  std::string parts_file = {};                           // file of `mudline split`
-  std::shared_ptr<const RenewedMesh> renewed = nullptr;  // made on the way, and the state comes from elsewhere, too
+  std::string parts_file = {};                             // file of `mudline split`
+  std::shared_ptr<const RemeshedMesh> remeshed = nullptr;  // made on the way, and the state comes from elsewhere, too
 };
 
 /// The deck turned into objects: mesh, fields, terms, conditions, bodies, contacts, stages, solver; ready to step.
 class Model {
  public:
-  /// Builds and validates everything; on a renewed mesh what can be validated there, and the initial state is left
+  /// Builds and validates everything; on a remeshed mesh what can be validated there, and the initial state is left
   /// out. InputError on every rank alike. Collective.
   Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin = {});
 
   const Mesh& mesh() const { return *mesh_; }
   /// The mesh as it was made on the way; null: it is the deck's.
-  const RenewedMesh* renewed() const { return renewed_.get(); }
+  const RemeshedMesh* remeshed() const { return remeshed_.get(); }
   const Space& space() const { return *space_; }
   StateStore& store() { return *store_; }
   const StateStore& store() const { return *store_; }
@@ -85,7 +85,7 @@ class Model {
   /// Of the physics, with what contacts press.
   BlockData block_data(const StepView& view) const;
 
-  std::shared_ptr<const RenewedMesh> renewed_;
+  std::shared_ptr<const RemeshedMesh> remeshed_;
   std::unique_ptr<Mesh> mesh_;
   std::unique_ptr<Space> space_;
   Materials materials_;

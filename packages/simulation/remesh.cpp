@@ -2,7 +2,7 @@
 #include "core/log.hpp"
 #include "core/run_error.hpp"
 #include "core/text.hpp"
-#include "simulation/model_renewal.hpp"
+#include "simulation/model_remeshing.hpp"
 #include "simulation/run.hpp"
 
 namespace mudline {
@@ -10,7 +10,7 @@ namespace mudline {
 bool Run::remeshing_due() {
   if (!moves_mesh(stage())) return false;
   const Ale& ale = *model_->ale();
-  if (ale.renewal_due(progress_.step, progress_.remesh_tried, model_->store().committed())) return true;
+  if (ale.remeshing_due(progress_.step, progress_.remesh_tried, model_->store().committed())) return true;
   return ale.looks_at_error(progress_.step, progress_.remesh_tried) && ale.too_coarse(wanted_sizes().get());
 }
 
@@ -24,8 +24,8 @@ void Run::remesh() {
   progress_.remesh_tried = progress_.step;
   const State& state = model_->store().committed();
   std::unique_ptr<const WantedSizes> sizes;
-  if (model_->ale()->renewal()->adaptive()) sizes = wanted_sizes();
-  const Renewal made = model_->ale()->renew(progress_.step, state, sizes.get());
+  if (model_->ale()->remeshing()->adaptive()) sizes = wanted_sizes();
+  const Remeshing made = model_->ale()->remesh(progress_.step, state, sizes.get());
   if (!made.lost.empty()) {
     progress_.remesh_tried = tried_before;  // a restart tries again
     save_checkpoint();
@@ -55,7 +55,7 @@ std::string Run::hand_over(std::unique_ptr<Model> next) {
   balances->add_remap_of_conserved(conserved);
   const int pressure = model_->space().find("pore pressure");
   const NodalView reference("reference pressure", next->store().committed().value.extent(0));
-  if (pressure >= 0) change->carry(pressure, results_->reference_pressure(), reference);
+  if (pressure >= 0) change->transfer(pressure, results_->reference_pressure(), reference);
   const double time = model_->store().committed().time;
   const ResultsRestart files{{results_->history_mark(), time, false},
                              {results_->field_steps(), time, false, results_->field_marks(), true}};

@@ -29,7 +29,7 @@ const char* const walls_at_start = "wall at the start/";
 const char* const field_marks = "field files";
 
 /// The mesh that was made on the way, in the checkpoint: bytes in whole numbers, behind how many they are.
-const char* const renewed_mesh = "renewed mesh";
+const char* const remeshed_mesh = "remeshed mesh";
 
 std::vector<long long> packed(const std::vector<char>& bytes) {
   std::vector<long long> result(1 + (bytes.size() + sizeof(long long) - 1) / sizeof(long long), 0);
@@ -236,10 +236,10 @@ void Run::save_checkpoint() {
   data.texts[field_marks] = text_of(results_->field_marks());
   for (const auto& [contact, wall] : walls_.start())
     data.arrays[walls_at_start + contact] = {wall.pressure, wall.position[0], wall.position[1], wall.position[2]};
-  if (model_->ale() && model_->ale()->renewal()) data.scalars["remesh tried"] = progress_.remesh_tried;
-  if (model_->renewed())
-    data.integers[renewed_mesh] =
-        model_->mesh().comm()->getRank() == 0 ? packed(model_->renewed()->bytes()) : std::vector<long long>();
+  if (model_->ale() && model_->ale()->remeshing()) data.scalars["remesh tried"] = progress_.remesh_tried;
+  if (model_->remeshed())
+    data.integers[remeshed_mesh] =
+        model_->mesh().comm()->getRank() == 0 ? packed(model_->remeshed()->bytes()) : std::vector<long long>();
   CheckpointWriter(model_->mesh().comm(), signature_of(model_->mesh())).write(checkpoint_path(), data);
 }
 
@@ -279,11 +279,11 @@ void Run::load_checkpoint() {
 
 void Run::load_mesh(const CheckpointReader& reader) {
   const Comm& comm = *model_->mesh().comm();
-  const std::vector<long long> written = reader.first_integers(checkpoint_path(), renewed_mesh);
+  const std::vector<long long> written = reader.first_integers(checkpoint_path(), remeshed_mesh);
   if (max_over_ranks(comm, static_cast<double>(written.size())) == 0) return;
-  RenewedMesh mesh;
-  if (!written.empty()) mesh = RenewedMesh::from_bytes(unpacked(written));
-  model_ = make_model_(std::make_shared<const RenewedMesh>(of_first_rank(comm, std::move(mesh))));
+  RemeshedMesh mesh;
+  if (!written.empty()) mesh = RemeshedMesh::from_bytes(unpacked(written));
+  model_ = make_model_(std::make_shared<const RemeshedMesh>(broadcast(comm, std::move(mesh))));
   balances_ = std::make_unique<Balances>(*model_);
   error_estimate_ = make_error_estimate(*model_);
 }

@@ -42,7 +42,7 @@ Results::Results(Model& model, const OutputSettings& settings, const Origin& ori
     : model_(model),
       error_(error),
       fields_(model.mesh(), settings.stem(), restart ? std::optional(restart->fields) : std::nullopt,
-              model.renewed() ? model.renewed()->number : 0),
+              model.remeshed() ? model.remeshed()->number : 0),
       history_(model.mesh().comm(), settings.stem() + ".csv", restart ? std::optional(restart->history) : std::nullopt),
       initial_pressure_("initial pore pressure", model.space().dofs()->num_overlap_dofs()),
       fluid_density_(fluid_density()),

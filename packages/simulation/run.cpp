@@ -329,10 +329,11 @@ std::string Run::relocate_mesh() {
   MeshReceipt receipt = model_->ale()->relocate(store, model_->stepper().constraints());
   if (!receipt.moved) return receipt.veto;
   // the trial state still has the mesh as it was
-  for (Carried* term : model_->stepper().carried()) term->relocate(store.trial().coordinates, store.committed());
+  for (Transferred* term : model_->stepper().transferred())
+    term->relocate(store.trial().coordinates, store.committed());
   if (!model_->stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_->stepper().hints();
   receipt.yield_drift = yield_drift(*model_->soil(), store.committed(), store.trial());
-  for (Carried* term : model_->stepper().carried()) term->adopt(store.trial(), store.committed());
+  for (Transferred* term : model_->stepper().transferred()) term->adopt(store.trial(), store.committed());
   balances_->add_remap(receipt);
   balances_->add_remap_of_conserved(conserved);
   tell_transfer(receipt, "    mesh moved: " + format("Courant %.2f, ", receipt.largest_motion), log::detail);
@@ -381,9 +382,9 @@ void Run::look_at_mesh() {
 
 void Run::report_mesh(Report& report) const {
   report["mesh/quality"] = {"-", quality_.lowest};
-  if (!model_->ale() || !model_->ale()->renewal()) return;
+  if (!model_->ale() || !model_->ale()->remeshing()) return;
   report["mesh/elements"] = {"-", static_cast<double>(model_->mesh().num_global_elements())};
-  report["mesh/remeshings"] = {"-", static_cast<double>(model_->ale()->renewals())};
+  report["mesh/remeshings"] = {"-", static_cast<double>(model_->ale()->remeshings())};
 }
 
 bool Run::ends_folded(const Stage& stage) const {

@@ -29,7 +29,7 @@ struct RunOptions {
 };
 
 /// Makes a model of the run's deck on another mesh. InputError on every rank alike. Collective.
-using ModelMaker = std::function<std::unique_ptr<Model>(std::shared_ptr<const RenewedMesh> mesh)>;
+using ModelMaker = std::function<std::unique_ptr<Model>(std::shared_ptr<const RemeshedMesh> mesh)>;
 
 /// Runs the stages of a model: steps, cuts, outputs, checkpoints, signals.
 class Run {

@@ -43,7 +43,7 @@ struct Stored : PointLaw {
 };
 
 /// What flows, at the level of balances.
-struct Carried : PointLaw {
+struct Transferred : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   Darcy darcy;
@@ -104,7 +104,7 @@ class SoluteBalance : public Term {
       const LoopLevel end = end_level(view, b), balance = loop_level(view, view.balance, b);
       const double theta = view.sensitivity[field_].value;
       f(b, end, Stored{{}, Darcy(*soil_, soil, view, b, end), values_[i]->retardation, view.dt, theta});
-      f(b, balance, Carried{{}, Darcy(*soil_, soil, view, b, balance), values_[i]->diffusivity});
+      f(b, balance, Transferred{{}, Darcy(*soil_, soil, view, b, balance), values_[i]->diffusivity});
     }
   }
 

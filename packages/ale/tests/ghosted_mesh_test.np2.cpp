@@ -151,11 +151,11 @@ TEST(GhostedMesh, PointsAndNodesAreCarriedAsOnOneRank) {
   for (CellShape shape : {CellShape::tri6, CellShape::quad9}) {
     const Both both(shape, 4);
     ASSERT_FALSE(both.part.ghosted.any(both.part.patches.cut()));
-    struct Carried {
+    struct Transferred {
       std::vector<double> points, nodes;
       double lost;
     };
-    const auto carried = [](const Part& part) {
+    const auto transferred = [](const Part& part) {
       const Positions to = part.moved(OptimisationMotion());
       const auto field = [](double x, double y) { return 1 + 0.4 * std::sin(5 * x) * std::cos(4 * y); };
       std::vector<double> old(part.ghosted.block_elements(0).size() * part.block.points), nodal;
@@ -166,7 +166,7 @@ TEST(GhostedMesh, PointsAndNodesAreCarriedAsOnOneRank) {
         }
       for (int node = 0; node < part.ghosted.num_nodes(); ++node)
         nodal.push_back(field(part.start[node][0], part.start[node][1]));
-      Carried result{old, {}, 0};
+      Transferred result{old, {}, 0};
       const std::vector<StateVariable> variables{{"void ratio", 1, "-"}};
       const PointTransfer transfer{{part.ghosted, part.block, part.start},
                                    {part.ghosted, part.block, to},
@@ -184,7 +184,7 @@ TEST(GhostedMesh, PointsAndNodesAreCarriedAsOnOneRank) {
       result.nodes = NodalRemap(part.ghosted, part.paths, part.start, to).apply(nodal, 1, Support::all_nodes);
       return result;
     };
-    const Carried here = carried(both.part), there = carried(both.whole);
+    const Transferred here = transferred(both.part), there = transferred(both.whole);
     EXPECT_GT(std::abs(there.lost), 1e-9);
     EXPECT_NEAR(here.lost / there.lost, 1, 1e-6);
     for (int node = 0; node < both.part.ghosted.num_nodes(); ++node)
@@ -199,8 +199,8 @@ TEST(GhostedMesh, PointsAndNodesAreCarriedAsOnOneRank) {
 }
 
 /// Another mesh of the same box, and what of `part` lies where this rank has elements of it.
-struct Renewed {
-  Renewed(const Part& part, bool alone)
+struct Remeshed {
+  Remeshed(const Part& part, bool alone)
       : mesh(box(CellShape::tri6, 9, 0.2, 1.0, part.mesh->comm())),
         to(*mesh, alone ? GhostedMesh::whole : 2),
         x_to(to.gather(mesh->coordinates())),
@@ -248,7 +248,7 @@ struct Renewed {
 
 TEST(GhostedMesh, GoesOverToAnotherMeshAsOnOneRank) {
   const Both both(CellShape::tri6, 4);
-  const Renewed here(both.part, false), there(both.whole, true);
+  const Remeshed here(both.part, false), there(both.whole, true);
   const int few = static_cast<int>(here.from.elements().size()), all = static_cast<int>(there.from.elements().size());
   EXPECT_LE(few, all);
   EXPECT_GT(few, all / 2);

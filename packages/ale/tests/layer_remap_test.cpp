@@ -176,7 +176,7 @@ TEST(LayerRemap, TheGrainsOfALayerComeBackToTheLastDigitsAndNoneForAPointThatJum
     std::vector<double> now = old;
     const PointTransfer transfer = layers.transfer(to, old, now);
     const LayerChanges changes = LayerRemap(layers.soil, ConvectionRemap()).transfer(transfer, layers.table);
-    const auto before = grains_of(layers, old, layers.start), carried = grains_of(layers, now, to);
+    const auto before = grains_of(layers, old, layers.start), transferred = grains_of(layers, now, to);
     const std::vector<double> unrestored = now;
     const auto restored =
         restore_grains(transfer, layers.soil, layers.table.void_ratio, layers.table.origin, changes.ratios);
@@ -188,7 +188,7 @@ TEST(LayerRemap, TheGrainsOfALayerComeBackToTheLastDigitsAndNoneForAPointThatJum
       // at most what a row of the cut elements' points holds: 0.0625 (1/1.6 - 1/2.4)
       EXPECT_LT(std::abs(restored[k].unresolved), 0.5 * 0.0625 * 0.21);
     }
-    EXPECT_LT(std::abs(before[0] - carried[0]), 0.02 * before[0]);
+    EXPECT_LT(std::abs(before[0] - transferred[0]), 0.02 * before[0]);
     EXPECT_GT(std::abs(restored[0].unresolved), size > 0.02 ? 1e-5 : 0.0);
     EXPECT_LT(std::abs(restored[0].missing), 1e-3 * before[0]);
     EXPECT_GT(changes.changed, size > 0.02 ? 5 : -1);

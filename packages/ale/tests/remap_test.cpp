@@ -40,7 +40,7 @@ struct Points {
       }
     return result;
   }
-  std::vector<double> carried(const std::vector<double>& old, const Positions& from, const Positions& to) const {
+  std::vector<double> transferred(const std::vector<double>& old, const Positions& from, const Positions& to) const {
     std::vector<double> now = old;
     remap.transfer({{whole, block, from}, {whole, block, to}, patches, variables, 1, old, now});
     return now;
@@ -66,7 +66,7 @@ TEST(ConvectionRemap, LinearFieldsSurviveArbitraryMotion) {
     // curved elements too: every node moves by itself
     const Positions from = swirled(points.start, 0.05, 0.3), to = swirled(points.start, 0.07, 2.0);
     EXPECT_GT(worst(points.values(linear, from), points.values(linear, to)), 0.1);
-    EXPECT_LT(worst(points.carried(points.values(linear, from), from, to), points.values(linear, to)), 1e-12);
+    EXPECT_LT(worst(points.transferred(points.values(linear, from), from, to), points.values(linear, to)), 1e-12);
   }
 }
 
@@ -76,7 +76,7 @@ TEST(ConvectionRemap, PointsAtRestKeepTheirValuesToTheLastBit) {
   Positions to = points.start;
   const int moved = points.whole.elements()[30].nodes[0];
   to[moved][0] += 0.02;
-  const auto old = points.values(smooth, points.start), now = points.carried(old, points.start, to);
+  const auto old = points.values(smooth, points.start), now = points.transferred(old, points.start, to);
   int changed = 0;
   for (int e : points.whole.block_elements(0)) {
     const auto& nodes = points.whole.elements()[e].nodes;
@@ -102,7 +102,7 @@ TEST(ConvectionRemap, BoundsHoldAndAStepMakesNoNewExtremum) {
   Positions from = points.start;
   for (int step = 0; step < 20; ++step) {
     const Positions to = swirled(points.start, 0.05, 0.2 * step);
-    field = points.carried(field, from, to);
+    field = points.transferred(field, from, to);
     from = to;
   }
   for (double value : field) {
@@ -121,8 +121,8 @@ std::pair<double, double> left_of_scatter(Field field, double size) {
   Positions from = points.start;
   for (int k = 1; k <= 10; ++k) {
     const Positions to = swirled(points.start, 0.001 * k, 0.5);
-    clean = points.carried(clean, from, to);
-    scattered = points.carried(scattered, from, to);
+    clean = points.transferred(clean, from, to);
+    scattered = points.transferred(scattered, from, to);
     from = to;
   }
   const std::vector<double> exact = points.values(field, from);
@@ -155,7 +155,7 @@ double journey(ConvectionRemap remap, Field field, int n) {
   const int steps = 4 * n;
   for (int k = 1; k <= steps; ++k) {
     const Positions to = swirled(points.start, 0.1 * std::sin(std::acos(-1.0) * k / steps), 0.5);
-    values = points.carried(values, from, k == steps ? points.start : to);
+    values = points.transferred(values, from, k == steps ? points.start : to);
     from = to;
   }
   double sum = 0;
@@ -203,7 +203,7 @@ TEST(ConvectionRemap, WhatIsSteepAtAWallDoesNotGetSteeper) {
   for (int k = 1; k <= 200; ++k) {
     Positions to = points.start;  // along the wall
     for (auto& p : to) p[1] += 0.02 * std::sin(std::acos(-1.0) * p[1]) * std::sin(0.7 * k);
-    values = points.carried(values, from, to);
+    values = points.transferred(values, from, to);
     from = to;
   }
   EXPECT_LT(*std::max_element(values.begin(), values.end()), highest);
@@ -234,18 +234,18 @@ TEST(RecoveryRemap, AFrontOfThreeElementsSurvivesOtherMeshes) {
         recovered.at(locator.find(Recovery::position(t.after.mesh.elements()[e], t.after.block, q, t.after.x), 0),
                      &t.now[t.after.mesh.first_row(e, t.after.block.points) + q]);
   };
-  const auto error = [&](const auto& carry) {
+  const auto error = [&](const auto& transfer) {
     std::vector<double> values = exact;
     for (int k = 0; k < 6; ++k) {
       const Points &from = k % 2 == 0 ? a : b, &to = k % 2 == 0 ? b : a;
       std::vector<double> now(static_cast<std::size_t>(to.block.elements) * to.block.points, 0.0);
-      carry(PointTransfer{{from.whole, from.block, from.start},
-                          {to.whole, to.block, to.start},
-                          from.patches,
-                          from.variables,
-                          1,
-                          values,
-                          now});
+      transfer(PointTransfer{{from.whole, from.block, from.start},
+                             {to.whole, to.block, to.start},
+                             from.patches,
+                             from.variables,
+                             1,
+                             values,
+                             now});
       values = now;
     }
     double sum = 0;
@@ -267,7 +267,7 @@ TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
       if (p[0] < 0.6) p[1] += 0.03 * std::sin(4 * std::acos(-1.0) * p[1]) * std::sin(std::acos(-1.0) * p[0] / 0.6);
     const auto ratio = [](double x, double y) { return 1 + 0.3 * std::sin(2 * x) * std::cos(3 * y); };
     const std::vector<double> old = points.values(ratio, points.start);
-    std::vector<double> now = points.carried(old, points.start, to);
+    std::vector<double> now = points.transferred(old, points.start, to);
     const auto transported = now;
     const auto grains = [&](const std::vector<double>& values, const Positions& x) {
       double sum = 0;  // by the points' own volumes, written out independently

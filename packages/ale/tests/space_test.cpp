@@ -257,15 +257,15 @@ TEST_P(EveryCellOfSpace, TheGrainsComeBackToTheLastDigits) {
   soil.blocks = {block};
   EXPECT_NEAR(soil_volume(whole, soil, start), 1, 1e-13);
   const double mass = grains(whole, block, start, soil.geometry, old),
-               carried = grains(whole, block, to, soil.geometry, now);
+               transferred = grains(whole, block, to, soil.geometry, now);
   const std::vector<Grains> restored = restore_grains(transfer, soil, 0, -1);
-  EXPECT_GT(std::abs(carried / mass - 1), 1e-7);  // the transfer alone does not conserve
-  EXPECT_NEAR(restored[0].lost(), 1 - carried / mass, 1e-13);
+  EXPECT_GT(std::abs(transferred / mass - 1), 1e-7);  // the transfer alone does not conserve
+  EXPECT_NEAR(restored[0].lost(), 1 - transferred / mass, 1e-13);
   EXPECT_NEAR(grains(whole, block, to, soil.geometry, now) / mass, 1, 1e-13);
 }
 
 TEST_P(EveryCellOfSpace, NodalFieldsOfTheElementsOrderSurvive) {
-  Positions to = start;  // vertices and middles inside alike: the old mesh has straight edges
+  Positions to = start;  // vertices and mid-side nodes inside alike: the old mesh has straight edges
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (!whole.on_boundary(node))
       for (int d = 0; d < 3; ++d) to[node][d] += 0.03 * std::sin(1.7 * node + d);
@@ -309,7 +309,7 @@ TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTh
     EXPECT_EQ(surfaces.patch_of[node] >= 0, sides == 1);
   }
   const SurfaceMotion motion(surfaces, start, std::vector<char>(6, 1), 0.4);
-  // vertices inside the faces are off along them; middles, and nodes inside, follow
+  // vertices inside the faces are off along them; mid-side nodes, and nodes inside, follow
   Positions x_old = start;
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (whole.is_vertex(node) && surfaces.patch_of[node] >= 0)

@@ -29,7 +29,7 @@ struct Grid {
   }
   int id(int i, int j) const { return j * columns + i; }
   void add(std::array<int, 9> nodes) { faces.push_back({shape, nodes, {"wall"}}); }
-  /// Nodes at map(u, v), the vertices inside moved by `skew` of a cell, middles between them in u and v.
+  /// Nodes at map(u, v), the vertices inside moved by `skew` of a cell, mid-side nodes between them in u and v.
   Places places(const Map& map, double skew) const {
     std::vector<Vec<double, 2>> uv(columns * rows);
     const double cell[2] = {2.0 / (columns - 1), 2.0 / (rows - 1)};

@@ -107,10 +107,10 @@ TEST(RigidBody, TurnedAtTheStartItIsTheBodyThatIsDrawnTurned) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(a.centre[i], b.centre[i], 1e-14);
   for (const Point& x : {Point{1.7, 2.3, 3.4}, Point{1.1, 1.7, 3.05}, Point{0.3, 2, 2.9}}) {
     EXPECT_NEAR(turned->gap(a, x), drawn->gap(b, x), 1e-12);
-    const SurfaceFoot here = turned->foot(a, x), there = drawn->foot(b, x);
+    const SurfaceProjection here = turned->point(a, x), there = drawn->point(b, x);
     for (int i = 0; i < 3; ++i) {
       EXPECT_NEAR(here.normal[i], there.normal[i], 1e-9);
-      EXPECT_NEAR(here.foot[i], there.foot[i], 1e-9);
+      EXPECT_NEAR(here.point[i], there.point[i], 1e-9);
     }
   }
   EXPECT_NEAR(turned->shadow(a, {0, 0, 1}).width, 0.2, 0.005);

@@ -6,22 +6,22 @@ namespace mudline {
 
 namespace {
 
-BodyPlace place_of_foot(const ContourFoot& foot) {
+BodyPlace place_of_projection(const ContourProjection& projection) {
   BodyPlace place;
-  place.gap = foot.gap;
-  place.normal = {foot.normal[0], foot.normal[1], 0};
-  place.foot = {foot.foot[0], foot.foot[1], 0};
-  place.turning[0][0] = foot.turning;
-  place.travel = foot.travel;
+  place.gap = projection.gap;
+  place.normal = {projection.normal[0], projection.normal[1], 0};
+  place.point = {projection.point[0], projection.point[1], 0};
+  place.turning[0][0] = projection.turning;
+  place.travel = projection.travel;
   return place;
 }
 
-BodyPlace place_of_foot(const SurfaceFoot& foot) {
+BodyPlace place_of_projection(const SurfaceProjection& projection) {
   BodyPlace place;
-  place.gap = foot.gap;
-  place.normal = foot.normal;
-  place.foot = foot.foot;
-  std::copy_n(&foot.turning[0][0], 9, &place.turning[0][0]);
+  place.gap = projection.gap;
+  place.normal = projection.normal;
+  place.point = projection.point;
+  std::copy_n(&projection.turning[0][0], 9, &place.turning[0][0]);
   return place;
 }
 
@@ -39,16 +39,16 @@ void search(const RigidBody& body, const BodyInStep& step, const ContactTables& 
   const Point at = rule.place(point, side.x);
   start.height = body.height(step.now, at);
   if (body.surface()) {
-    start.now = place_of_foot(body.foot(step.now, at));
+    start.now = place_of_projection(body.point(step.now, at));
     if (looks_back(side, start.shift, start.now.gap - start.offset))
-      start.before = place_of_foot(body.foot(step.old, rule.place(point, side.x_old)));
+      start.before = place_of_projection(body.point(step.old, rule.place(point, side.x_old)));
     return;
   }
-  const ContourFoot now = body.closest(step.now, in_plane(at));
-  start.now = place_of_foot(now);
+  const ContourProjection now = body.closest(step.now, in_plane(at));
+  start.now = place_of_projection(now);
   if (!looks_back(side, start.shift, now.gap - start.offset)) return;
-  const ContourFoot before = body.closest(step.old, in_plane(rule.place(point, side.x_old)));
-  start.before = place_of_foot(before);
+  const ContourProjection before = body.closest(step.old, in_plane(rule.place(point, side.x_old)));
+  start.before = place_of_projection(before);
   start.travelled = body.contour().distance(before, now);
 }
 

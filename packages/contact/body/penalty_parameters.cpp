@@ -98,7 +98,7 @@ void PenaltyContact::check(const Section& section) {
   first_row_.assign(1, 0);
   for (const SurfaceSide& side : surface_->sides()) first_row_.push_back(first_row_.back() + rule(side).points);
   candidate_.assign(surface_->sides().size(), 1);
-  if (context_.renewed) return;
+  if (context_.remeshed) return;
   check_overlap(section);
   check_above(section);
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "contact/body/body_foot.hpp"
+#include "contact/body/body_projection.hpp"
 #include "core/caught_in_kernel.hpp"
 #include "tensor/vec.hpp"
 
@@ -85,31 +85,31 @@ double pore_pressure(const ContactSides& on, const SideContact& side, int c) {
   return result;
 }
 
-/// The foot of a point, with the gap that counts.
+/// The closest point of a point, with the gap that counts.
 template <class T, int D>
-BodyFoot<T, D> counted_foot(const ContactStart& start, const PointNumbers<T, D>& x) {
-  BodyFoot<T, D> foot(start.now, x);
-  foot.gap = foot.gap - start.offset;
-  return foot;
+BodyProjection<T, D> counted_projection(const ContactStart& start, const PointNumbers<T, D>& x) {
+  BodyProjection<T, D> projection(start.now, x);
+  projection.gap = projection.gap - start.offset;
+  return projection;
 }
 
 template <class T, int D>
 ContactMotion<T, D> motion_of_point(const ContactSides& on, const SideContact& side, int c, const PointNumbers<T, D>& x,
-                                    const BodyFoot<T, D>& foot) {
+                                    const BodyProjection<T, D>& projection) {
   const ContactStart& start = on.starts(side.first + c);
   ContactMotion<T, D> motion;
-  motion.gap = foot.gap;
+  motion.gap = projection.gap;
   motion.area = x.area;
   motion.shift = T(start.shift);
   motion.soil = start.soil;
   motion.pore_pressure = x.pore_pressure;
-  if (!looks_back(side, start.shift, value(foot.gap))) return motion;
+  if (!looks_back(side, start.shift, value(projection.gap))) return motion;
   motion.position = on.rule.place(c, side.x_old);
   motion.gap_old = T(start.before.gap - start.offset);
   motion.force_old = T(start.normal_force);
   if (!side.law.friction || !presses(side.law, motion)) return motion;
   motion.opened = T(start.before.gap - start.offset - start.shift_old);
-  foot.start(on.body, start, motion);
+  projection.start(on.body, start, motion);
   motion.slip_old = start.shear.slip;
   motion.slid = start.shear.slides;
   return motion;
@@ -127,23 +127,24 @@ void keep(const Vec<T, D>& force, const Tangential<T, D>& moment, PointForce& to
 /// What a point's response means in forces: at the end of the step, and what comes on top in the mean over it.
 template <class T, int D>
 void act(const ContactSides& on, const SideContact& side, int c, const PointNumbers<T, D>& x,
-         const BodyFoot<T, D>& foot, const ContactResponse<T, D>& now, ContactPoint& point, PointAction<T, D>& end,
-         PointAction<T, D>& more) {
+         const BodyProjection<T, D>& projection, const ContactResponse<T, D>& now, ContactPoint& point,
+         PointAction<T, D>& end, PointAction<T, D>& more) {
   const PointForce& before = on.starts(side.first + c).force;
-  const Vec<T, D> friction = foot.traction(now.shear * x.area),
-                  force = foot.normal * (now.pressure * x.area) + friction, damping = foot.normal * now.damping;
+  const Vec<T, D> friction = projection.traction(now.shear * x.area),
+                  force = projection.normal * (now.pressure * x.area) + friction,
+                  damping = projection.normal * now.damping;
   const auto in_space = cross(x.arm, force);
-  const auto moment = foot.felt(in_space, on.body.now);
+  const auto moment = projection.felt(in_space, on.body.now);
   end.add(force, moment);
   if (side.law.conserves) {
     PointAction<T, D> old;
     for (int i = 0; i < D; ++i) old.force[i] = T(before.force[i]);
-    old.moment = BodyFoot<T, D>::felt_before(before.moment, on.body.old);
+    old.moment = BodyProjection<T, D>::felt_before(before.moment, on.body.old);
     const T later = now.end_share - (1 - side.law.start_weight), sooner = now.start_share - side.law.start_weight;
     more.add(force * later, moment * later);
     more.add(old.force * sooner, old.moment * sooner);
   }
-  if (side.law.viscous > 0) more.add(damping, foot.felt(cross(x.arm, damping), on.body.now));
+  if (side.law.viscous > 0) more.add(damping, projection.felt(cross(x.arm, damping), on.body.now));
   keep<T, D>(force, in_space, point.total);
   for (int i = 0; i < D; ++i) {
     point.friction[i] = value(friction[i]);
@@ -231,16 +232,16 @@ T film_thickness(const T& gap, double aperture) {
 /// the rows of the pore pressures; its water, vapour and force into `point`.
 template <class T, int D>
 void add_film(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
-              const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot, double gap_old, ContactPoint& point,
+              const PointNumbers<T, D>& x, const BodyProjection<T, D>& projection, double gap_old, ContactPoint& point,
               SideForce<T, D>& out) {
   const SideFilm& film = side.film;
   const ContactStart& start = on.starts(side.first + c);
-  const T thickness = film_thickness(foot.gap, film.aperture);
+  const T thickness = film_thickness(projection.gap, film.aperture);
   const T lack = start.cavitation - x.pore_pressure;
   const T vapour = value(lack) > 0 ? thickness * lack * (1 / film.softness) : T(0.0), water = thickness - vapour;
   point.water = value(water) * point.area;
   point.vapour = value(vapour);
-  for (int i = 0; i < D; ++i) point.film[i] = value(foot.normal[i]) * value(x.pore_pressure) * point.area;
+  for (int i = 0; i < D; ++i) point.film[i] = value(projection.normal[i]) * value(x.pore_pressure) * point.area;
   if (!film.flows) return;
   const double water_old = (film_thickness(gap_old, film.aperture) - start.vapour) * areas.old[c];
   const T growth = (water * x.area - water_old) * (1 / side.law.dt);  // [m3/s]
@@ -267,10 +268,11 @@ void add_film(const ContactSides& on, const SideContact& side, int c, const Side
 /// is friction: without traction it has no strength, and sides that spread under the body would all slide at the first
 /// guess, then be dragged back beyond where they came from, and slide the other way, to and fro.
 template <class T, int D>
-void add_stiffness_of_touch(const SideContact& side, const BodyFoot<T, D>& foot, ContactResponse<T, D>& now) {
+void add_stiffness_of_touch(const SideContact& side, const BodyProjection<T, D>& projection,
+                            ContactResponse<T, D>& now) {
   const double stiffness = side.reach_share * side.law.penalty;
-  now.pressure = now.pressure + chain(foot.gap, 0.0, -stiffness);
-  if (side.law.friction) now.shear = now.shear - foot.sliding() * (side.law.tangential_factor * stiffness);
+  now.pressure = now.pressure + chain(projection.gap, 0.0, -stiffness);
+  if (side.law.friction) now.shear = now.shear - projection.sliding() * (side.law.tangential_factor * stiffness);
 }
 
 template <class T, int D>
@@ -278,24 +280,25 @@ ContactPoint evaluate_point(const ContactSides& on, const SideContact& side, int
                             SideForce<T, D>& out) {
   const ContactStart& start = on.starts(side.first + c);
   const PointNumbers<T, D> x(on.body, on.rule.place(c, side.x), areas.area[c], pore_pressure(on, side, c));
-  const BodyFoot<T, D> foot = counted_foot(start, x);
-  const ContactMotion<T, D> motion = motion_of_point(on, side, c, x, foot);
+  const BodyProjection<T, D> projection = counted_projection(start, x);
+  const ContactMotion<T, D> motion = motion_of_point(on, side, c, x, projection);
   ContactResponse<T, D> now = respond(side.law, motion);
-  const bool reached = !now.presses && value(foot.gap) < side.reach;
-  if (reached) add_stiffness_of_touch(side, foot, now);
+  const bool reached = !now.presses && value(projection.gap) < side.reach;
+  if (reached) add_stiffness_of_touch(side, projection, now);
   ContactPoint point{};
-  point.gap = value(foot.gap);
+  point.gap = value(projection.gap);
   point.pressure = value(now.pressure);
   point.area = areas.area[c];
   point.active = now.presses;
   point.height = start.height;
   point.damped = now.damping_heat;
   const ShearState& old = start.shear;  // slip and heat stay when the shear stress goes
-  point.shear = {BodyFoot<T, D>::plain_shear(now.shear), old.slip + now.slip, old.dissipated + now.heat, now.slides};
-  if (side.film.acts) add_film<T, D>(on, side, c, areas, x, foot, value(motion.gap_old), point, out);
+  point.shear = {BodyProjection<T, D>::plain_shear(now.shear), old.slip + now.slip, old.dissipated + now.heat,
+                 now.slides};
+  if (side.film.acts) add_film<T, D>(on, side, c, areas, x, projection, value(motion.gap_old), point, out);
   if (!now.presses && !reached && !side.law.conserves && !(side.law.viscous > 0) && !side.film.acts) return point;
   PointAction<T, D> end, more;
-  act(on, side, c, x, foot, now, point, end, more);
+  act(on, side, c, x, projection, now, point, end, more);
   add_to_side(on, side, c, areas, end, more, out);
   return point;
 }

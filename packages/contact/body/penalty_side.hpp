@@ -42,12 +42,12 @@ struct BodyInStep {
   Point turning[3] = {};  // BodyPlacement::turning of `now`
 };
 
-/// Where a point is beside the body, as the search on the host found it: ContourFoot or SurfaceFoot.
+/// Where a point is beside the body, as the search on the host found it: ContourProjection or SurfaceProjection.
 struct BodyPlace {
-  double gap = 0;               // [m]
-  Point normal{}, foot{};       // [-], [m]
-  Mat<double, 3> turning = {};  // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
-  double travel = 0;            // in the plane: of the foot along the contour, per way of the point
+  double gap = 0;                // [m]
+  Point normal{}, projection{};  // [-], [m]
+  Mat<double, 3> turning = {};   // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
+  double travel = 0;             // in the plane: of the closest point along the contour, per way of the point
 };
 
 /// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
@@ -62,7 +62,7 @@ struct ContactStart {
   double cavitation = 0;            // [Pa] of the film
   double vapour = 0;                // [m] of the film's thickness, committed
   BodyPlace now, before;            // at the ends of the step; `before` where it is looked at
-  double travelled = 0;             // [m] in the plane: from foot to foot along the contour
+  double travelled = 0;             // [m] in the plane: from closest point to closest point along the contour
   double height = 0;                // [m] in the body's frame above its reference point
 };
 

@@ -26,11 +26,11 @@ Point outward_normal(const ContactRule& rule, int c, const SideCoordinates& x) {
 /// Gap [m] of a place, and the body's normal there.
 std::pair<double, Point> nearest(const RigidBody& body, const BodyPlacement& placement, const Point& place) {
   if (body.dimension() == 3) {
-    const SurfaceFoot foot = body.foot(placement, place);
-    return {foot.gap, foot.normal};
+    const SurfaceProjection projection = body.point(placement, place);
+    return {projection.gap, projection.normal};
   }
-  const ContourFoot foot = body.closest(placement, in_plane(place));
-  return {foot.gap, {foot.normal[0], foot.normal[1], 0}};
+  const ContourProjection projection = body.closest(placement, in_plane(place));
+  return {projection.gap, {projection.normal[0], projection.normal[1], 0}};
 }
 
 }  // namespace
@@ -75,12 +75,12 @@ void PenaltyContact::touch_first(std::size_t side, const State& committed, const
     if (deck_.initial_gap.presses()) pressure = standing_pressure(side, c, committed, place, outward, normal);
     found.pulled += pressure < 0;
     const double depth = standing_depth(side, c, committed, std::max(0.0, pressure));
-    const bool carried = pressure > 0 && std::isfinite(depth);
-    found.beyond += pressure > 0 && !carried;
-    found.close(gap, carried ? pressure : 0.0);
+    const bool transferred = pressure > 0 && std::isfinite(depth);
+    found.beyond += pressure > 0 && !transferred;
+    found.close(gap, transferred ? pressure : 0.0);
     const int row = first_row_[side] + c;
-    deck_.initial_gap.set_offset(committed, row, gap + (carried ? depth : 0.0));
-    if (!carried) continue;
+    deck_.initial_gap.set_offset(committed, row, gap + (transferred ? depth : 0.0));
+    if (!transferred) continue;
     if (deck_.augmented()) rows_.normal_multiplier(committed, row) = pressure;
     ContactPoint point{};
     point.gap = -depth;

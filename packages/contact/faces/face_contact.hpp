@@ -60,7 +60,7 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   };
   struct Seen {
     int face = -1, place = -1;  // place: in the dof table, -1: none
-    FaceFoot foot;
+    FaceProjection projection;
   };
   /// Where gaps are measured, at both ends of the step.
   struct Positions {
@@ -89,7 +89,7 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   void add_old_share(const StepView& view, int row, double share);
   void add_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen, const FaceForce& force,
                    double weight) const;
-  /// Those of the foot where the point pressed at the start of the step.
+  /// Those of the closest point where the point pressed at the start of the step.
   Weights old_weights(const State& committed, int row) const;
   std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
 

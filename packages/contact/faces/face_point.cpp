@@ -77,24 +77,25 @@ Point plain(const Vector<double>& a) { return {a[0], a[1], a[2]}; }
 
 /// The part of the point's geometry that follows from d.
 template <class T>
-struct FootPlace {
+struct ProjectionPlace {
   T gap, weight[max_side_nodes];
-  Vector<T> normal, foot_old;  // foot_old: where the material at the foot was at the start of the step
+  Vector<T> normal,
+      projection_old;  // projection_old: where the material at the closest point was at the start of the step
 };
 
 template <class T>
-FootPlace<T> place(const FacePoint& point, const FaceMap& map) {
+ProjectionPlace<T> place(const FacePoint& point, const FaceMap& map) {
   Point row[3] = {}, was{}, was_along[2] = {};
   if constexpr (!std::is_same_v<T, double>)
-    inverse(map.column(0, point.foot.gap), map.column(1, point.foot.gap), map.normal, row);
+    inverse(map.column(0, point.point.gap), map.column(1, point.point.gap), map.normal, row);
   for (int a = 0; a < point.face.count; ++a) {
     was += map.N[a] * point.x_old[a];
     for (int k = 0; k < 2; ++k) was_along[k] += map.dN[2 * a + k] * point.x_old[a];
   }
-  FootPlace<T> g;
-  g.gap = number<T>(point.foot.gap, row, 0, 0, 1);
+  ProjectionPlace<T> g;
+  g.gap = number<T>(point.point.gap, row, 0, 0, 1);
   g.normal = vector<T>(map.normal, row, map.turning[0], map.turning[1]);
-  g.foot_old = vector<T>(was, row, was_along[0], was_along[1]);
+  g.projection_old = vector<T>(was, row, was_along[0], was_along[1]);
   for (int a = 0; a < point.face.count; ++a) g.weight[a] = number<T>(map.N[a], row, map.dN[2 * a], map.dN[2 * a + 1]);
   return g;
 }
@@ -110,7 +111,7 @@ Vector<T> transported(const Point& v, const Point& from, const Vector<T>& to) {
 }
 
 template <class T>
-ContactMotion<T, 3> motion_of(const FacePoint& point, const FootPlace<T>& g) {
+ContactMotion<T, 3> motion_of(const FacePoint& point, const ProjectionPlace<T>& g) {
   ContactMotion<T, 3> motion;
   motion.gap = g.gap;
   motion.gap_old = T(point.gap_old);
@@ -120,7 +121,8 @@ ContactMotion<T, 3> motion_of(const FacePoint& point, const FootPlace<T>& g) {
   motion.pore_pressure = T(point.soil.pore_pressure);
   motion.position = point.slave_old;
   if (!point.law.friction) return motion;
-  const Vector<T> apart_old = constant_vector<T>(point.slave_old) - g.foot_old, way = g.normal * g.gap - apart_old;
+  const Vector<T> apart_old = constant_vector<T>(point.slave_old) - g.projection_old,
+                  way = g.normal * g.gap - apart_old;
   motion.travel = way - g.normal * dot(way, g.normal);
   motion.opened = dot(apart_old, g.normal);
   motion.shear_old = transported(point.shear_old, point.normal_old, g.normal);
@@ -131,8 +133,8 @@ ContactMotion<T, 3> motion_of(const FacePoint& point, const FootPlace<T>& g) {
 
 template <class T>
 void evaluate(const FacePoint& point, FaceForce& out) {
-  const FaceMap map(point.face, point.foot.xi);
-  const FootPlace<T> g = place<T>(point, map);
+  const FaceMap map(point.face, point.point.xi);
+  const ProjectionPlace<T> g = place<T>(point, map);
   const ContactResponse<T, 3> now = respond(point.law, motion_of(point, g));
   const double weight = 1 / (1 - point.law.start_weight);
   const T share = now.end_share * weight;
@@ -163,27 +165,29 @@ void evaluate(const FacePoint& point, FaceForce& out) {
 
 }  // namespace
 
-bool find_foot(const MasterFace& face, const Point& at, FaceFoot& foot) {
+bool find_projection(const MasterFace& face, const Point& at, FaceProjection& projection) {
   const double middle = is_simplex(face.shape) ? 1.0 / 3 : 0.0;
-  foot = {{middle, middle}, 0};
+  projection = {{middle, middle}, 0};
   constexpr int most = 30;
   constexpr double far = 4, near = 1e-10;  // in reference coordinates; the next step would be its square
   for (int i = 0; i < most; ++i) {
-    const FaceMap map(face, foot.xi);
-    const Point rest = at - map.x - foot.gap * map.normal;
+    const FaceMap map(face, projection.xi);
+    const Point rest = at - map.x - projection.gap * map.normal;
     Point row[3];
-    if (!inverse(map.column(0, foot.gap), map.column(1, foot.gap), map.normal, row)) return false;
+    if (!inverse(map.column(0, projection.gap), map.column(1, projection.gap), map.normal, row)) return false;
     const double step[2] = {dot(row[0], rest), dot(row[1], rest)};
-    for (int k = 0; k < 2; ++k) foot.xi[k] += step[k];
-    foot.gap += dot(row[2], rest);
+    for (int k = 0; k < 2; ++k) projection.xi[k] += step[k];
+    projection.gap += dot(row[2], rest);
     const double moved = std::max(std::abs(step[0]), std::abs(step[1]));
-    if (!(std::max(std::abs(foot.xi[0]), std::abs(foot.xi[1])) < far)) return false;
-    if (moved < near) return inside(face.shape, foot.xi);
+    if (!(std::max(std::abs(projection.xi[0]), std::abs(projection.xi[1])) < far)) return false;
+    if (moved < near) return inside(face.shape, projection.xi);
   }
   return false;
 }
 
-Point face_normal(const MasterFace& face, const FaceFoot& foot) { return FaceMap(face, foot.xi).normal; }
+Point face_normal(const MasterFace& face, const FaceProjection& projection) {
+  return FaceMap(face, projection.xi).normal;
+}
 
 void face_force(const FacePoint& point, bool want_tangent, FaceForce& out) {
   out = {};

@@ -15,16 +15,16 @@ struct MasterFace {
 };
 
 /// Where a point is above a face: x = y(xi) + gap n(xi).
-struct FaceFoot {
+struct FaceProjection {
   double xi[2] = {};
   double gap = 0;  // [m]
 };
 
-/// The foot of a point; false where the face has none: it is beside the face, or the face is too bent.
-bool find_foot(const MasterFace& face, const Point& at, FaceFoot& foot);
+/// The closest point of a point; false where the face has none: it is beside the face, or the face is too bent.
+bool find_projection(const MasterFace& face, const Point& at, FaceProjection& projection);
 
-/// Unit normal of the face at the foot.
-Point face_normal(const MasterFace& face, const FaceFoot& foot);
+/// Unit normal of the face at the closest point.
+Point face_normal(const MasterFace& face, const FaceProjection& projection);
 
 /// A point of the slave surface before it is evaluated. The area is that of the start of the step [m2]; `x_old` is the
 /// face there [m]; normals are those of the start of the step.
@@ -32,7 +32,7 @@ struct FacePoint {
   const ContactPointLaw& law;
   const MasterFace& face;
   const SideCoordinates& x_old;
-  FaceFoot foot;
+  FaceProjection projection;
   Point slave_old;                    // [m] at the start of the step
   double area;                        // [m2]
   double gap_old = 0, force_old = 0;  // [m], [N] normal: committed
@@ -42,7 +42,7 @@ struct FacePoint {
   TouchingSoil soil{};                // of the slave
 };
 
-/// What acts between the point and the face. Derivatives are by the point's place less its foot's,
+/// What acts between the point and the face. Derivatives are by the point's place less its closest point's,
 /// d = x - sum_a N_a(xi) x_a with xi held: since x = y + g n, all that the step's end changes follows from d.
 struct FaceForce {
   bool presses = false, slides = false;
@@ -58,9 +58,9 @@ struct FaceForce {
   double slip = 0, heat = 0, damped = 0;   // [m], [J], [J] of this step
 };
 
-/// The point law at a point against its foot: pressure along the master's normal, friction from the relative
-/// displacement of the point and of the material at its foot in the step. The tangent is exact but for the normals of
-/// nodes and the area, which are those of the start of the step.
+/// The point law at a point against its closest point: pressure along the master's normal, friction from the relative
+/// displacement of the point and of the material at its closest point in the step. The tangent is exact but for the
+/// normals of nodes and the area, which are those of the start of the step.
 void face_force(const FacePoint& point, bool want_tangent, FaceForce& out);
 
 }  // namespace mudline

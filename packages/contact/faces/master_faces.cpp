@@ -60,7 +60,7 @@ MasterFace MasterFaces::face(int index, const ConstCoordinateView& x) const {
 }
 
 bool MasterFaces::find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
-                       const ConstCoordinateView& x, int& index, FaceFoot& foot) const {
+                       const ConstCoordinateView& x, int& index, FaceProjection& projection) const {
   double nearest = capture;
   bool found = false;
   for (int candidate : candidates) {
@@ -68,13 +68,13 @@ bool MasterFaces::find(const std::vector<int>& candidates, const Point& at, cons
     const BoxSearch::Corners box = side_box(surface_.sides()[candidate].node, there.count, x);
     bool apart = false;
     for (int i = 0; i < 3; ++i) apart = apart || at[i] < box[0][i] - nearest || at[i] > box[1][i] + nearest;
-    FaceFoot here;
-    if (apart || !find_foot(there, at, here) || std::abs(here.gap) > nearest) continue;
+    FaceProjection here;
+    if (apart || !find_projection(there, at, here) || std::abs(here.gap) > nearest) continue;
     if (found && std::abs(here.gap) == nearest) continue;
     if (dot(face_normal(there, here), outward) >= 0) continue;  // back to back
     nearest = std::abs(here.gap);
     index = candidate;
-    foot = here;
+    projection = here;
     found = true;
   }
   return found;

@@ -26,10 +26,10 @@ class MasterFaces {
   /// A face with its nodes at x and the normals of the last update().
   MasterFace face(int index, const ConstCoordinateView& x) const;
 
-  /// The nearest foot of a point on one of `candidates`; false where none of them faces it within `capture` [m].
-  /// `outward`: of the point's own surface.
+  /// The nearest closest point of a point on one of `candidates`; false where none of them faces it within `capture`
+  /// [m]. `outward`: of the point's own surface.
   bool find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
-            const ConstCoordinateView& x, int& index, FaceFoot& foot) const;
+            const ConstCoordinateView& x, int& index, FaceProjection& projection) const;
 
  private:
   struct Corner {

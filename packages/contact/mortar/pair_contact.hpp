@@ -22,10 +22,10 @@ struct PairParameters : TwoSurfaceParameters {
   int quadrature_degree = 5;
 };
 
-/// Contact of two deformable surfaces, segment to segment: the slave's sides are cut where the feet of their points
-/// pass from one side of the master to the next, and on each segment R_u -= int (N_slave - N_master)^T (t n + s m) ds
-/// at n+1, see pair_segment(). Multipliers are linear and continuous along the slave surface (mortar); Uzawa's method
-/// as in PenaltyContact.
+/// Contact of two deformable surfaces, segment to segment: the slave's sides are cut where the closest points of their
+/// points pass from one side of the master to the next, and on each segment R_u -= int (N_slave - N_master)^T (t n + s
+/// m) ds at n+1, see pair_segment(). Multipliers are linear and continuous along the slave surface (mortar); Uzawa's
+/// method as in PenaltyContact.
 ///
 /// Parallel: a rank computes its slave sides against the whole master surface, whose nodes it has as ghosts (SetPairs);
 /// the matrix has entries for all pairs of sides that were within `reach` of each other at the start.

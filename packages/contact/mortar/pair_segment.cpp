@@ -111,15 +111,16 @@ bool segment_end(const Curve<double>& slave, const Curve<double>& master, const 
   return true;
 }
 
-/// One point of the slave side and its foot.
+/// One point of the slave side and its closest point.
 template <class T>
-struct Foot {
+struct Projection {
   T eta, gap;
   Vec<T, 2> normal, along;
 };
 
 template <class T>
-bool find_foot(const Curve<double>& master, const Curve<T>& master_t, const Vec<T, 2>& at, Foot<T>& foot) {
+bool find_projection(const Curve<double>& master, const Curve<T>& master_t, const Vec<T, 2>& at,
+                     Projection<T>& projection) {
   const Vec<double, 2> x{value(at[0]), value(at[1])};
   const Vec<double, 2> chord = master.node[1] - master.node[0];
   const double guess = 2 * dot(x - master.node[0], chord) / dot(chord, chord) - 1;
@@ -130,12 +131,12 @@ bool find_foot(const Curve<double>& master, const Curve<T>& master_t, const Vec<
         slope = dot(way, master.bend()) - dot(along, along);
         return dot(way, along);
       },
-      [&](const T& eta) { return dot(at - master_t.point(eta), master_t.slope(eta)); }, foot.eta);
+      [&](const T& eta) { return dot(at - master_t.point(eta), master_t.slope(eta)); }, projection.eta);
   if (!found) return false;
-  const SideMap<2, T> map = master_t.map(foot.eta);
-  foot.along = vector(map.along[0]) / map.stretch;
-  foot.normal = vector(map.normal) / map.stretch;
-  foot.gap = dot(at - vector(map.x), foot.normal);
+  const SideMap<2, T> map = master_t.map(projection.eta);
+  projection.along = vector(map.along[0]) / map.stretch;
+  projection.normal = vector(map.normal) / map.stretch;
+  projection.gap = dot(at - vector(map.x), projection.normal);
   return true;
 }
 
@@ -164,7 +165,7 @@ template <class T>
 struct SegmentPoint {
   T xi, length, area, shape[side_multipliers];  // length: without the circumference [m]
   Vec<T, 2> at;
-  Foot<T> foot;
+  Projection<T> projection;
   T field(const double (&corners)[side_multipliers]) const { return shape[0] * corners[0] + shape[1] * corners[1]; }
 };
 
@@ -179,7 +180,7 @@ TouchingSoil soil_between(const TouchingSoil (&corner)[side_multipliers], double
 template <class T>
 ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, const SegmentPoint<T>& point) {
   ContactMotion<T> motion;
-  motion.gap = point.foot.gap;
+  motion.gap = point.point.gap;
   const T multiplier = point.field(law.normal), before = point.field(law.pressure_old);
   motion.shift = multiplier / law.penalty;
   motion.soil = soil_between(law.soil, value(point.xi));
@@ -187,11 +188,11 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   motion.slip_old = TouchingSoil::unknown;  // its points come and go
   motion.area = point.area;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
-  const Vec<T, 2> was = sides.slave_old.point(point.xi), foot_was = sides.master_old.point(point.foot.eta);
-  motion.gap_old = dot(was - foot_was, point.foot.normal);
+  const Vec<T, 2> was = sides.slave_old.point(point.xi), projection_was = sides.master_old.point(point.point.eta);
+  motion.gap_old = dot(was - projection_was, point.point.normal);
   if (value(before) > 0) motion.force_old = before * motion.area;
   if (value(multiplier) == 0) motion.opened = motion.gap_old;
-  motion.travel = dot((point.at - was) - (sides.master.point(point.foot.eta) - foot_was), point.foot.along);
+  motion.travel = dot((point.at - was) - (sides.master.point(point.point.eta) - projection_was), point.point.along);
   motion.shear_old = point.field(law.shear);
   motion.position = plain(was);
   return motion;
@@ -202,7 +203,7 @@ template <class T>
 void act(const Sides<T>& sides, const SegmentPoint<T>& point, const Vec<T, 2>& force, T (&to)[pair_dofs]) {
   T N[max_line_nodes], M[max_line_nodes];
   sides.slave.shapes(point.xi, N);
-  sides.master.shapes(point.foot.eta, M);
+  sides.master.shapes(point.point.eta, M);
   spread(sides.slave.nodes, N, force, to);
   spread(sides.slave.nodes, M, force * -1.0, to + 2 * sides.slave.nodes);
 }
@@ -222,7 +223,7 @@ void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const ContactMotio
   }
   sums.area += value(motion.area);
   sums.heat += now.heat;
-  sums.deepest = std::min(sums.deepest, value(point.foot.gap));
+  sums.deepest = std::min(sums.deepest, value(point.point.gap));
   if (now.slides) sums.sliding += weight;
 }
 
@@ -241,8 +242,8 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     point.xi = from + half * (1.0 + law.rule.points[q][0]);
     const SideMap<2, T> map = sides.slave.map(point.xi);
     point.at = vector(map.x);
-    if (!find_foot(sides.master_at, sides.master, point.at, point.foot)) return false;
-    const double gap = value(point.foot.gap);
+    if (!find_projection(sides.master_at, sides.master, point.at, point.point)) return false;
+    const double gap = value(point.point.gap);
     if (std::abs(gap) > law.capture) continue;
     seen = true;
     sums.closest = std::min(sums.closest, gap);
@@ -257,9 +258,10 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     const ContactMotion<T> motion = motion_of_point(law, sides, point);
     if (!presses(law, motion) && !(law.viscous > 0)) continue;
     const ContactResponse<T> now = respond(law, motion);
-    const Foot<T>& foot = point.foot;
-    if (now.presses) act(sides, point, (foot.normal * now.pressure + foot.along * now.shear) * motion.area, forces.end);
-    if (law.viscous > 0) act(sides, point, foot.normal * now.damping, forces.more);
+    const Projection<T>& projection = point.point;
+    if (now.presses)
+      act(sides, point, (projection.normal * now.pressure + projection.along * now.shear) * motion.area, forces.end);
+    if (law.viscous > 0) act(sides, point, projection.normal * now.damping, forces.more);
     sum_up(law, point, motion, now, sums);
   }
   forces.write(T(1.0), 1 / (1 - law.start_weight), out.f, out.damping, out.k);

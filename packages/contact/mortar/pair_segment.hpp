@@ -51,11 +51,12 @@ struct PairForce {
 };
 
 /// One side of the slave surface against one of the master surface, both straight or parabolic, by surface quadrature
-/// over the segment of the slave side whose points have their foot on the master side, by the point law: pressure t =
-/// <multiplier - penalty gap>, gap along the master's outward normal at the foot (nearest point); stick spring from the
-/// multiplier of shear. Positive shear acts on the slave along the master's direction (outward normal on its right).
-/// Slave gets t n + s m, master the opposite at the foot, so momentum is kept to rounding. The tangent is exact: ends
-/// of the segment, foot, normal, lengths. Returns false where the sides do not see each other.
+/// over the segment of the slave side whose points have their closest point on the master side, by the point law:
+/// pressure t = <multiplier - penalty gap>, gap along the master's outward normal at the closest point (nearest point);
+/// stick spring from the multiplier of shear. Positive shear acts on the slave along the master's direction (outward
+/// normal on its right). Slave gets t n + s m, master the opposite at the closest point, so momentum is kept to
+/// rounding. The tangent is exact: ends of the segment, closest point, normal, lengths. Returns false where the sides
+/// do not see each other.
 bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent,
                   PairForce& out);
 

@@ -52,7 +52,7 @@ class NodeContact : public TwoSurfaceContact<NodeParameters> {
   };
   struct Seen {
     int piece = -1, place = -1;  // place: in the dof table, -1: none
-    NodeFoot foot;
+    NodeProjection projection;
   };
   void measure(const ConstCoordinateView& x);
   bool look(int row, const ConstCoordinateView& x, Seen& seen) const;

@@ -19,18 +19,19 @@ struct Positions {
   Vec<T, 2> slave, master[max_piece_nodes];
 };
 
-/// The foot with its derivatives.
+/// The closest point with its derivatives.
 template <class T>
-struct FootPlace {
+struct ProjectionPlace {
   T W[max_piece_nodes];
   T gap;
-  Vec<T, 2> normal, along, foot;
+  Vec<T, 2> normal, along, projection;
 };
 
 /// At a corner: along the way from it, or from the mean normal on the corner itself.
 template <class T>
-void look_from_corner(const SurfacePiece& piece, const NodeFoot& at, const Positions<T>& x, FootPlace<T>& g) {
-  const Vec<T, 2> way = x.slave - g.foot, chord = x.master[piece.count - 1] - x.master[0];
+void look_from_corner(const SurfacePiece& piece, const NodeProjection& at, const Positions<T>& x,
+                      ProjectionPlace<T>& g) {
+  const Vec<T, 2> way = x.slave - g.point, chord = x.master[piece.count - 1] - x.master[0];
   g.normal = constant<T>(at.outward);
   g.gap = dot(way, g.normal);
   if (std::sqrt(value(dot(way, way))) > 1e-12 * std::sqrt(value(dot(chord, chord)))) {
@@ -41,32 +42,32 @@ void look_from_corner(const SurfacePiece& piece, const NodeFoot& at, const Posit
 }
 
 template <class T>
-FootPlace<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Positions<T>& x) {
-  FootPlace<T> g;
+ProjectionPlace<T> geometry(const SurfacePiece& piece, const NodeProjection& at, const Positions<T>& x) {
+  ProjectionPlace<T> g;
   T dW[max_piece_nodes], ddW[max_piece_nodes];
   piece.weights(T(at.eta), g.W, dW, ddW);
-  g.foot = combine(piece.count, g.W, x.master);
+  g.point = combine(piece.count, g.W, x.master);
   if (at.corner) {
     look_from_corner(piece, at, x, g);
     return g;
   }
   // eta follows from way . y' = 0 by one step of Newton's method, which leaves its value
-  const Vec<T, 2> way = x.slave - g.foot, tangent = combine(piece.count, dW, x.master),
+  const Vec<T, 2> way = x.slave - g.point, tangent = combine(piece.count, dW, x.master),
                   bend = combine(piece.count, ddW, x.master);
   const T ahead = dot(way, tangent);
   const double slope = value(dot(way, bend) - dot(tangent, tangent));
   const T eta = at.eta - (ahead - value(ahead)) / slope;
   piece.weights(eta, g.W, dW, ddW);
-  g.foot = combine(piece.count, g.W, x.master);
+  g.point = combine(piece.count, g.W, x.master);
   const Vec<T, 2> direction = combine(piece.count, dW, x.master);
   g.along = direction / length(direction);
   g.normal = {g.along[1], -1.0 * g.along[0]};
-  g.gap = dot(x.slave - g.foot, g.normal);
+  g.gap = dot(x.slave - g.point, g.normal);
   return g;
 }
 
 template <class T>
-ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, const FootPlace<T>& g,
+ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, const ProjectionPlace<T>& g,
                                 const Positions<T>& x, const NodeCoordinates& old) {
   ContactMotion<T> motion;
   motion.gap = g.gap;
@@ -79,28 +80,28 @@ ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, c
   if (!law.friction || !presses(law, motion)) return motion;
   Vec<T, 2> was_master[max_piece_nodes];
   for (int j = 0; j < max_piece_nodes; ++j) was_master[j] = constant<T>(old.master[j]);
-  const Vec<T, 2> was = constant<T>(old.slave), foot_was = combine(piece.count, g.W, was_master);
-  motion.travel = dot((x.slave - was) - (g.foot - foot_was), g.along);
-  if (law.normal == 0) motion.opened = dot(was - foot_was, g.normal);
+  const Vec<T, 2> was = constant<T>(old.slave), projection_was = combine(piece.count, g.W, was_master);
+  motion.travel = dot((x.slave - was) - (g.point - projection_was), g.along);
+  if (law.normal == 0) motion.opened = dot(was - projection_was, g.normal);
   motion.shear_old = T(law.shear);
   motion.slip_old = law.slip;
   motion.position = {old.slave[0], old.slave[1], 0};
   return motion;
 }
 
-/// A force on the slave node, the opposite at its foot.
+/// A force on the slave node, the opposite at its closest point.
 template <class T>
-void act(const SurfacePiece& piece, const FootPlace<T>& g, const Vec<T, 2>& force, T (&to)[node_dofs]) {
+void act(const SurfacePiece& piece, const ProjectionPlace<T>& g, const Vec<T, 2>& force, T (&to)[node_dofs]) {
   to[0] = force[0];
   to[1] = force[1];
   spread(piece.count, g.W, force * -1.0, to + 2);
 }
 
 template <class T>
-void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
-              const NodeCoordinates& at, NodeForce& out) {
+void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeProjection& projection,
+              const NodeCoordinates& old, const NodeCoordinates& at, NodeForce& out) {
   const Positions<T> x(at);
-  const FootPlace<T> g = geometry(piece, foot, x);
+  const ProjectionPlace<T> g = geometry(piece, projection, x);
   const ContactResponse<T> now = respond(law, motion_of_node(law, piece, g, x, old));
   StepForces<T, node_dofs> forces;
   if (law.viscous > 0) act(piece, g, g.normal * now.damping, forces.more);
@@ -122,15 +123,15 @@ void evaluate(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foo
 
 }  // namespace
 
-void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
-                const NodeCoordinates& now, bool want_tangent, NodeForce& out) {
+void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeProjection& projection,
+                const NodeCoordinates& old, const NodeCoordinates& now, bool want_tangent, NodeForce& out) {
   out = {};
-  want_tangent ? evaluate<Dual<node_dofs>>(law, piece, foot, old, now, out)
-               : evaluate<double>(law, piece, foot, old, now, out);
+  want_tangent ? evaluate<Dual<node_dofs>>(law, piece, projection, old, now, out)
+               : evaluate<double>(law, piece, projection, old, now, out);
 }
 
-double node_gap(const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& now) {
-  return geometry(piece, foot, Positions<double>(now)).gap;
+double node_gap(const SurfacePiece& piece, const NodeProjection& projection, const NodeCoordinates& now) {
+  return geometry(piece, projection, Positions<double>(now)).gap;
 }
 
 }  // namespace mudline

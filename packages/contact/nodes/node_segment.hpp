@@ -15,7 +15,7 @@ struct NodeCoordinates {
 };
 
 /// What a node sees of the master surface.
-struct NodeFoot {
+struct NodeProjection {
   double eta = 0;
   bool corner = false;   // the nearest point is a corner, at an end of the piece
   PlanePoint outward{};  // at a corner: mean of the unit normals on both sides
@@ -46,15 +46,15 @@ struct NodeForce {
   double damped = 0;  // [J] of damping in this step
 };
 
-/// The point law at one slave node against its foot on a piece of the master: pressure t = <multiplier - penalty gap>,
-/// stick spring from the multiplier of shear, stretched by the step's relative displacement of the node and of the
-/// material point at its foot along the surface. The slave gets (t n + s m) area, the master the opposite at the foot,
-/// with its weights: forces cancel to rounding. The tangent is exact; area and weights' coefficients are those of the
-/// start of the step.
-void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& old,
-                const NodeCoordinates& now, bool want_tangent, NodeForce& out);
+/// The point law at one slave node against its closest point on a piece of the master: pressure t = <multiplier -
+/// penalty gap>, stick spring from the multiplier of shear, stretched by the step's relative displacement of the node
+/// and of the material point at its closest point along the surface. The slave gets (t n + s m) area, the master the
+/// opposite at the closest point, with its weights: forces cancel to rounding. The tangent is exact; area and weights'
+/// coefficients are those of the start of the step.
+void node_force(const NodeLaw& law, const SurfacePiece& piece, const NodeProjection& projection,
+                const NodeCoordinates& old, const NodeCoordinates& now, bool want_tangent, NodeForce& out);
 
 /// The gap alone [m].
-double node_gap(const SurfacePiece& piece, const NodeFoot& foot, const NodeCoordinates& now);
+double node_gap(const SurfacePiece& piece, const NodeProjection& projection, const NodeCoordinates& now);
 
 }  // namespace mudline

@@ -156,17 +156,17 @@ void SmoothSurface::update(const ConstCoordinateView& x) {
   boxes_.sort(boxes);
 }
 
-bool SmoothSurface::foot_on(int index, const PlanePoint& at, const ConstCoordinateView& x, NodeFoot& foot,
-                            double& distance, PlanePoint& normal) const {
+bool SmoothSurface::projection_on(int index, const PlanePoint& at, const ConstCoordinateView& x,
+                                  NodeProjection& projection, double& distance, PlanePoint& normal) const {
   const SurfacePiece& piece = pieces_[index];
   const PieceCoordinates nodes = coordinates(index, x);
   const double low = piece.start == PieceEnd::open ? -overhang_ : 0.0,
                high = piece.end == PieceEnd::open ? 1 + overhang_ : 1.0;
-  const PieceFoot found = closest_on_piece(piece, nodes, at, low, high);
+  const PieceProjection found = closest_on_piece(piece, nodes, at, low, high);
   if ((found.at_low && piece.start == PieceEnd::open) || (found.at_high && piece.end == PieceEnd::open)) return false;
   distance = found.distance;
   normal = right_of(piece_direction(piece, nodes, found.eta));
-  foot = {found.eta, false, {}};
+  projection = {found.eta, false, {}};
   const int other = found.at_low && piece.start == PieceEnd::corner  ? piece.before
                     : found.at_high && piece.end == PieceEnd::corner ? piece.after
                                                                      : -1;
@@ -174,26 +174,28 @@ bool SmoothSurface::foot_on(int index, const PlanePoint& at, const ConstCoordina
   const PlanePoint beyond = right_of(piece_direction(pieces_[other], coordinates(other, x), found.at_low ? 1.0 : 0.0));
   const double mean[2] = {normal[0] + beyond[0], normal[1] + beyond[1]}, size = std::hypot(mean[0], mean[1]);
   if (size > 1e-6) normal = {mean[0] / size, mean[1] / size};
-  foot.corner = true;
-  foot.outward = normal;
+  projection.corner = true;
+  projection.outward = normal;
   return true;
 }
 
-bool SmoothSurface::find_foot(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing,
-                              double capture, const ConstCoordinateView& x, int& piece, NodeFoot& foot) const {
+bool SmoothSurface::find_projection(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing,
+                                    double capture, const ConstCoordinateView& x, int& piece,
+                                    NodeProjection& projection) const {
   const PlanePoint outward = right_of(facing);
   double nearest = capture;
   bool found = false;
   for (int candidate : candidates) {
-    NodeFoot here;
+    NodeProjection here;
     double distance = 0;
     PlanePoint normal{};
-    if (!foot_on(candidate, at, x, here, distance, normal) || distance > nearest || (found && distance == nearest))
+    if (!projection_on(candidate, at, x, here, distance, normal) || distance > nearest ||
+        (found && distance == nearest))
       continue;
     if (normal[0] * outward[0] + normal[1] * outward[1] >= 0) continue;  // back to back
     nearest = distance;
     piece = candidate;
-    foot = here;
+    projection = here;
     found = true;
   }
   return found;

@@ -34,10 +34,10 @@ class SmoothSurface {
     return boxes_.near({x, x}, distance);
   }
 
-  /// The foot of a node on one of `candidates`; false where none of them faces it within `capture` [m]. `facing`: a
-  /// direction along the slave surface, its body on the left.
-  bool find_foot(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing, double capture,
-                 const ConstCoordinateView& x, int& piece, NodeFoot& foot) const;
+  /// The closest point of a node on one of `candidates`; false where none of them faces it within `capture` [m].
+  /// `facing`: a direction along the slave surface, its body on the left.
+  bool find_projection(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing,
+                       double capture, const ConstCoordinateView& x, int& piece, NodeProjection& projection) const;
 
  private:
   /// What a piece is drawn from; its nodes: those that it runs between (and a parabola through), or the one that it
@@ -53,8 +53,8 @@ class SmoothSurface {
   void join(int before, int after, PieceEnd how);
   void join_corners();
   void set_coefficients(int piece, const ConstCoordinateView& x);
-  bool foot_on(int piece, const PlanePoint& at, const ConstCoordinateView& x, NodeFoot& foot, double& distance,
-               PlanePoint& normal) const;
+  bool projection_on(int piece, const PlanePoint& at, const ConstCoordinateView& x, NodeProjection& projection,
+                     double& distance, PlanePoint& normal) const;
 
   Drawing drawing_;
   double overhang_;

@@ -32,10 +32,10 @@ PlanePoint piece_direction(const SurfacePiece& piece, const PieceCoordinates& no
   return in_plane(along * (1 / length(along)));
 }
 
-PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x, double low,
-                           double high) {
+PieceProjection closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x,
+                                 double low, double high) {
   constexpr int samples = 8;
-  const auto at = [&](double eta, double& ahead, double& slope) {  // ahead > 0: the foot has a larger eta
+  const auto at = [&](double eta, double& ahead, double& slope) {  // ahead > 0: the closest point has a larger eta
     const CurveValue c = curve_at(piece, nodes, eta);
     const Vec<double, 2> way = constant<double>(x) - c.x;
     ahead = dot(way, c.d);
@@ -51,7 +51,7 @@ PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& no
     nearest = i;
   }
   const auto sample = [&](int i) { return i <= 0 ? low : i >= samples ? high : low + (high - low) * i / samples; };
-  PieceFoot result;
+  PieceProjection result;
   if (nearest == 0) {
     result.distance = at(low, ahead, slope);
     result.eta = low;

@@ -42,15 +42,15 @@ struct SurfacePiece {
 using PieceCoordinates = std::array<PlanePoint, max_piece_nodes>;
 
 /// Nearest point of a piece.
-struct PieceFoot {
+struct PieceProjection {
   double eta = 0;                        // within [low, high]
   double distance = 0;                   // [m] >= 0
   bool at_low = false, at_high = false;  // the nearest point of the curve beyond lies outside
 };
 
 /// The nearest point with eta within [low, high]; at an end exactly that number.
-PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x, double low,
-                           double high);
+PieceProjection closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& nodes, const PlanePoint& x,
+                                 double low, double high);
 
 /// Unit tangent in the direction of travel, at eta.
 PlanePoint piece_direction(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta);

@@ -23,10 +23,10 @@ MasterFace bowl(CellShape shape, double bend) {
   return face;
 }
 
-TEST(FacePoint, FootLiesBelowThePointAlongTheNormal) {
+TEST(FacePoint, ClosestPointLiesBelowThePointAlongTheNormal) {
   for (CellShape shape : {CellShape::tri3, CellShape::tri6, CellShape::quad4, CellShape::quad9}) {
     const MasterFace face = bowl(shape, 0.2);
-    FaceFoot foot;
+    FaceProjection projection;
     const double xi[2] = {0.21, 0.17};
     double N[max_side_nodes], dN[2 * max_side_nodes];
     evaluate_shape(shape, xi, N, dN);
@@ -35,10 +35,10 @@ TEST(FacePoint, FootLiesBelowThePointAlongTheNormal) {
       y += N[a] * face.x[a];
       n += N[a] * face.normal[a];
     }
-    ASSERT_TRUE(find_foot(face, y - 0.07 / length(n) * n, foot));
-    EXPECT_NEAR(foot.gap, -0.07, 1e-12);
-    for (int k = 0; k < 2; ++k) EXPECT_NEAR(foot.xi[k], xi[k], 1e-12);
-    EXPECT_FALSE(find_foot(face, {1.9, 1.9, 0.3}, foot));
+    ASSERT_TRUE(find_projection(face, y - 0.07 / length(n) * n, projection));
+    EXPECT_NEAR(projection.gap, -0.07, 1e-12);
+    for (int k = 0; k < 2; ++k) EXPECT_NEAR(projection.xi[k], xi[k], 1e-12);
+    EXPECT_FALSE(find_projection(face, {1.9, 1.9, 0.3}, projection));
   }
 }
 
@@ -52,7 +52,7 @@ struct Case {
   }
   FaceForce force(bool tangent) const {
     FacePoint point{law, face, x_old, {}, {0.2, 0.16, -0.01}, 0.3};
-    EXPECT_TRUE(find_foot(face, slave, point.foot));
+    EXPECT_TRUE(find_projection(face, slave, point.point));
     point.gap_old = -0.01;
     point.force_old = 30;
     point.shear_old = {40, -20, 0};
@@ -133,7 +133,7 @@ TEST(FacePoint, SlidingShearIsTheStrengthAlongTheWay) {
   law.friction = &friction;
   const SideCoordinates was = face.x;
   FacePoint point{law, face, was, {}, {0.1, 0.1, -0.01}, 0.5};
-  ASSERT_TRUE(find_foot(face, {0.4, 0.5, -0.01}, point.foot));
+  ASSERT_TRUE(find_projection(face, {0.4, 0.5, -0.01}, point.point));
   point.normal_old = {0, 0, 1};
   point.gap_old = -0.01;
   FaceForce out;

@@ -32,9 +32,10 @@ TEST(NodeParameters, TheOverhangOfAnOpenEnd) {
     deck.parameters(p);
     const SmoothSurface surface({{2, {0, 1, -1}}, {2, {1, 2, -1}}}, Drawing::linear, 1.5, deck.overhang, x);
     for (const double beyond : {-0.1, 0.2, 0.4}) {
-      NodeFoot foot;
+      NodeProjection projection;
       int piece = -1;
-      EXPECT_EQ(surface.find_foot({0, 1}, {2 + beyond, 0.05}, {1, 0}, 1, x, piece, foot), beyond < overhang) << beyond;
+      EXPECT_EQ(surface.find_projection({0, 1}, {2 + beyond, 0.05}, {1, 0}, 1, x, piece, projection), beyond < overhang)
+          << beyond;
     }
   }
 }
@@ -70,18 +71,18 @@ class EveryState : public testing::TestWithParam<Case> {
   }
   /// Force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by them.
   NodeForce evaluate(double (&f)[14], double (&k)[14][14]) {
-    NodeFoot foot;
+    NodeProjection projection;
     std::vector<int> all(surface_->pieces().size());
     std::iota(all.begin(), all.end(), 0);
-    EXPECT_TRUE(surface_->find_foot(all, {x_(6, 0), x_(6, 1)}, {1, 0}, 1, x_, piece_, foot));
-    corner_ = foot.corner;
+    EXPECT_TRUE(surface_->find_projection(all, {x_(6, 0), x_(6, 1)}, {1, 0}, 1, x_, piece_, projection));
+    corner_ = projection.corner;
     const SurfacePiece& piece = surface_->pieces()[piece_];
     NodeForce out, plain;
     const auto at = [&](const Coordinates& x) {
       return NodeCoordinates{{x(6, 0), x(6, 1)}, surface_->coordinates(piece_, x)};
     };
-    node_force(law_, piece, foot, at(old_), at(x_), true, out);
-    node_force(law_, piece, foot, at(old_), at(x_), false, plain);
+    node_force(law_, piece, projection, at(old_), at(x_), true, out);
+    node_force(law_, piece, projection, at(old_), at(x_), false, plain);
     for (double& v : f) v = 0;
     for (auto& row : k)
       for (double& v : row) v = 0;
@@ -189,11 +190,11 @@ TEST(NodeSegment, OpenNodeHasNeitherForceNorStiffness) {
   law.penalty = 1e6;
   law.area = 1;
   int piece = -1;
-  NodeFoot foot;
-  ASSERT_TRUE(surface.find_foot({0}, {0.4, 0.01}, {1, 0}, 0.1, x, piece, foot));
+  NodeProjection projection;
+  ASSERT_TRUE(surface.find_projection({0}, {0.4, 0.01}, {1, 0}, 0.1, x, piece, projection));
   const NodeCoordinates at{{0.4, 0.01}, surface.coordinates(0, x)};
   NodeForce force;
-  node_force(law, surface.pieces()[0], foot, at, at, true, force);
+  node_force(law, surface.pieces()[0], projection, at, at, true, force);
   EXPECT_FALSE(force.presses);
   EXPECT_NEAR(force.gap, 0.01, 1e-15);
   for (int a = 0; a < node_dofs; ++a) {

@@ -111,7 +111,7 @@ TEST_P(EverySegment, WhatTheSlaveGetsTheMasterGives) {
   }
   EXPECT_NEAR(sum[0], 0, 1e-14 * size);
   EXPECT_NEAR(sum[1], 0, 1e-14 * size);
-  // normal forces act along the way from foot to point; shear stresses are off by the gap
+  // normal forces act along the way from closest point to point; shear stresses are off by the gap
   if (!law_.friction) {
     EXPECT_NEAR(moment, 0, 1e-13 * size);
   }

@@ -1,4 +1,4 @@
-// A surface drawn over its nodes: pieces, corners, feet.
+// A surface drawn over its nodes: pieces, corners, closest points.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ TEST(SmoothSurface, SmoothDrawingsHaveNoKinks) {
     const double round = 1 - std::cos(h / 2) * (1 + 0.5 * s2);
     EXPECT_NEAR(hermite.first, round, closed ? 1e-12 : 3e-4) << "at open ends the tangent is the parabola's";
     EXPECT_LT(hermite.second, 1e-13);
-    EXPECT_NEAR(bezier.first, 1 - std::cos(h / 2), 1e-12) << "the middles between nodes";
+    EXPECT_NEAR(bezier.first, 1 - std::cos(h / 2), 1e-12) << "the mid-side nodes between nodes";
     EXPECT_LT(bezier.second, 1e-13);
   }
   EXPECT_LT(errors(Arc(24, 0, h, true, true), Drawing::hermite).second, 1e-13) << "uneven spacing";
@@ -79,11 +79,12 @@ TEST(SmoothSurface, CornersStay) {
     const SmoothSurface surface(square.sides, drawing, pi / 4, 0.1, square.x);
     const auto gap = [&](double x, double y, const PlanePoint& facing) {
       int piece = -1;
-      NodeFoot foot;
-      const bool seen = surface.find_foot(surface.near({x, y}, 1), {x, y}, facing, 0.5, square.x, piece, foot);
+      NodeProjection projection;
+      const bool seen =
+          surface.find_projection(surface.near({x, y}, 1), {x, y}, facing, 0.5, square.x, piece, projection);
       if (!seen) return std::pair{1e300, false};
-      const double size = node_gap(surface.pieces()[piece], foot, {{x, y}, surface.coordinates(piece, square.x)});
-      return std::pair{size, foot.corner};
+      const double size = node_gap(surface.pieces()[piece], projection, {{x, y}, surface.coordinates(piece, square.x)});
+      return std::pair{size, projection.corner};
     };
     EXPECT_NEAR(gap(0.3, 1.1, {1, 0}).first, 0.1, 1e-13);
     EXPECT_NEAR(gap(0.97, 0.9, {0, -1}).first, -0.03, 1e-13);
@@ -102,10 +103,11 @@ TEST(SmoothSurface, OpenEndsOverhangAndThenEnd) {
   }
   const SmoothSurface surface(line.sides, Drawing::hermite, 1, 0.1, line.x);
   int piece = -1;
-  NodeFoot foot;
-  EXPECT_TRUE(surface.find_foot({0, 1}, {0.05, 0.1}, {1, 0}, 0.5, line.x, piece, foot));
-  EXPECT_FALSE(surface.find_foot({0, 1}, {0.15, 0.1}, {1, 0}, 0.5, line.x, piece, foot));
-  EXPECT_FALSE(surface.find_foot({0, 1}, {-1, 0.6}, {1, 0}, 0.5, line.x, piece, foot)) << "farther than it looks";
+  NodeProjection projection;
+  EXPECT_TRUE(surface.find_projection({0, 1}, {0.05, 0.1}, {1, 0}, 0.5, line.x, piece, projection));
+  EXPECT_FALSE(surface.find_projection({0, 1}, {0.15, 0.1}, {1, 0}, 0.5, line.x, piece, projection));
+  EXPECT_FALSE(surface.find_projection({0, 1}, {-1, 0.6}, {1, 0}, 0.5, line.x, piece, projection))
+      << "farther than it looks";
 }
 
 TEST(SmoothSurface, SidesAreTheElementsParabolas) {

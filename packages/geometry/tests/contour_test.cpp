@@ -59,31 +59,32 @@ void compare_with_brute_force(const Contour& c, double size) {
   int compared = 0;
   for (int i = 0; i < 400; ++i) {
     const PlanePoint x{1.5 * size * unit(random), 3 * size * (unit(random) - 0.3)};
-    const ContourFoot foot = c.closest(x);
+    const ContourProjection projection = c.closest(x);
     const double distance = brute_force(line, x);
-    ASSERT_NEAR(std::abs(foot.gap), distance, 1e-7 * size) << x[0] << " " << x[1];
+    ASSERT_NEAR(std::abs(projection.gap), distance, 1e-7 * size) << x[0] << " " << x[1];
     if (distance > 1e-6 * size) {
-      ASSERT_EQ(foot.gap < 0, inside(line, x)) << x[0] << " " << x[1];
+      ASSERT_EQ(projection.gap < 0, inside(line, x)) << x[0] << " " << x[1];
     }
-    EXPECT_NEAR(std::hypot(foot.normal[0], foot.normal[1]), 1, 1e-12);
-    for (int k = 0; k < 2; ++k) EXPECT_NEAR(foot.foot[k] + foot.gap * foot.normal[k], x[k], 1e-9 * size);
+    EXPECT_NEAR(std::hypot(projection.normal[0], projection.normal[1]), 1, 1e-12);
+    for (int k = 0; k < 2; ++k)
+      EXPECT_NEAR(projection.point[k] + projection.gap * projection.normal[k], x[k], 1e-9 * size);
     const double h = 1e-6 * size;
-    ContourFoot side[2][2];
+    ContourProjection side[2][2];
     bool one_piece = true;
     for (int j = 0; j < 2; ++j)
       for (int s = 0; s < 2; ++s) {
         PlanePoint y = x;
         y[j] += s == 0 ? -h : h;
         side[j][s] = c.closest(y);
-        one_piece = one_piece && side[j][s].piece == foot.piece && (side[j][s].curvature == foot.curvature);
+        one_piece = one_piece && side[j][s].piece == projection.piece && (side[j][s].curvature == projection.curvature);
       }
-    if (!one_piece || std::abs(foot.turning) * size > 1e2) continue;
+    if (!one_piece || std::abs(projection.turning) * size > 1e2) continue;
     ++compared;
     for (int j = 0; j < 2; ++j) {
-      EXPECT_NEAR((side[j][1].gap - side[j][0].gap) / (2 * h), foot.normal[j], 1e-6);
+      EXPECT_NEAR((side[j][1].gap - side[j][0].gap) / (2 * h), projection.normal[j], 1e-6);
       for (int k = 0; k < 2; ++k)
         EXPECT_NEAR((side[j][1].normal[k] - side[j][0].normal[k]) / (2 * h),
-                    foot.turning * foot.tangent[k] * foot.tangent[j], 1e-4 / size);
+                    projection.turning * projection.tangent[k] * projection.tangent[j], 1e-4 / size);
     }
   }
   EXPECT_GT(compared, 300);
@@ -148,12 +149,12 @@ TEST(Contour, ArcLengthGrowsAlongThePath) {
 
 TEST(Contour, CornersOutsideInsideAndAtThePoint) {
   const Contour c = contour(text_parameter("type", "flat pile") + number_parameter("diameter", 2.0));
-  const ContourFoot fan = c.closest({1.3, -0.4});
+  const ContourProjection fan = c.closest({1.3, -0.4});
   EXPECT_NEAR(fan.gap, 0.5, 1e-14);
   EXPECT_NEAR(fan.normal[0], 0.6, 1e-14);
   EXPECT_NEAR(fan.normal[1], -0.8, 1e-14);
   EXPECT_NEAR(fan.turning, 2, 1e-13);
-  const ContourFoot at = c.closest({1, 0});
+  const ContourProjection at = c.closest({1, 0});
   EXPECT_EQ(at.gap, 0);
   EXPECT_NEAR(at.normal[0], std::sqrt(0.5), 1e-14);
   EXPECT_NEAR(at.normal[1], -std::sqrt(0.5), 1e-14);
@@ -162,10 +163,10 @@ TEST(Contour, CornersOutsideInsideAndAtThePoint) {
   // a re-entrant corner: inside the body the fan belongs to it
   const Contour hollow =
       contour(text_parameter("type", "polyline") + array_parameter("x", "0, 1, 2") + array_parameter("y", "0, 1, 1"));
-  const ContourFoot foot = hollow.closest({0.95, 1.2});
-  EXPECT_LT(foot.gap, 0);
-  EXPECT_NEAR(foot.gap, -std::hypot(0.05, 0.2), 1e-12);
-  EXPECT_NEAR(foot.normal[1], (1.2 - 1) / foot.gap, 1e-12);
+  const ContourProjection projection = hollow.closest({0.95, 1.2});
+  EXPECT_LT(projection.gap, 0);
+  EXPECT_NEAR(projection.gap, -std::hypot(0.05, 0.2), 1e-12);
+  EXPECT_NEAR(projection.normal[1], (1.2 - 1) / projection.gap, 1e-12);
 }
 
 TEST(Contour, ArcLengthTravelsWithThePointAndRoundTheSeam) {
@@ -181,7 +182,7 @@ TEST(Contour, ArcLengthTravelsWithThePointAndRoundTheSeam) {
 
 TEST(Contour, NodesJustLeftOfTheAxisMirror) {
   const Contour c = contour(cone(1.0, 60, 0.0, 0.0));
-  const ContourFoot right = c.closest({1e-3, 0.1}), left = c.closest({-1e-3, 0.1});
+  const ContourProjection right = c.closest({1e-3, 0.1}), left = c.closest({-1e-3, 0.1});
   EXPECT_EQ(left.gap, right.gap);
   EXPECT_EQ(left.normal[0], -right.normal[0]);
   EXPECT_NEAR(c.closest({-1e-18, -0.1}).normal[1], -1, 1e-14);
@@ -204,7 +205,8 @@ TEST(Contour, SampleKeepsTheChordError) {
   const Contour c = contour(text_parameter("type", "sphere") + number_parameter("diameter", 2.0));
   const auto line = c.sample(1e-3);
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const ContourFoot middle = c.closest({0.5 * (line[i][0] + line[i - 1][0]), 0.5 * (line[i][1] + line[i - 1][1])});
+    const ContourProjection middle =
+        c.closest({0.5 * (line[i][0] + line[i - 1][0]), 0.5 * (line[i][1] + line[i - 1][1])});
     EXPECT_LE(std::abs(middle.gap), 1e-3);
   }
   EXPECT_LT(line.size(), 50u);

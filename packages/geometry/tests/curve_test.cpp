@@ -70,12 +70,12 @@ TEST(Curve, NurbsCircleIsACircle) {
   for (int i = 0; i < 200; ++i) {
     const double angle = 2 * pi * unit(random), distance = 0.3 + 2 * unit(random);
     const PlanePoint x{distance * std::cos(angle), 1 + distance * std::sin(angle)};
-    const ContourFoot foot = c.closest(x);
-    EXPECT_NEAR(foot.gap, distance - 1, 1e-12);
-    EXPECT_NEAR(foot.normal[0], std::cos(angle), 1e-10);
-    EXPECT_NEAR(foot.normal[1], std::sin(angle), 1e-10);
-    EXPECT_NEAR(foot.curvature, 1, 1e-9);
-    EXPECT_NEAR(std::remainder(foot.arc_length - (angle + pi / 2), 2 * pi), 0, 1e-9);
+    const ContourProjection projection = c.closest(x);
+    EXPECT_NEAR(projection.gap, distance - 1, 1e-12);
+    EXPECT_NEAR(projection.normal[0], std::cos(angle), 1e-10);
+    EXPECT_NEAR(projection.normal[1], std::sin(angle), 1e-10);
+    EXPECT_NEAR(projection.curvature, 1, 1e-9);
+    EXPECT_NEAR(std::remainder(projection.arc_length - (angle + pi / 2), 2 * pi), 0, 1e-9);
   }
 }
 
@@ -101,7 +101,7 @@ TEST(Curve, HermiteThroughACircleIsAsGoodAsItShouldBe) {
   }
 }
 
-TEST(Curve, FootIsTheNearestPointAndGeometryIsDifferentiated) {
+TEST(Curve, ClosestPointIsTheNearestPointAndGeometryIsDifferentiated) {
   const CurvePiece piece(std::make_shared<CubicBezier>(PlanePoint{0, 0}, PlanePoint{1.5, -0.2}, PlanePoint{-0.4, 1.1},
                                                        PlanePoint{1, 1.3}));
   const double length = piece.length();
@@ -184,10 +184,10 @@ TEST(Curve, ApproximationsGoThroughTheSamePoints) {
     for (int i = 0; i <= 400; ++i) {
       const double angle = -pi / 2 + pi * i / 400 * 0.999;
       const PlanePoint x{1.2 * std::cos(angle), 1 + 1.2 * std::sin(angle)};
-      const ContourFoot foot = smooth.closest(x);
+      const ContourProjection projection = smooth.closest(x);
       coarse = std::max(coarse, std::abs(facets.closest(x).gap - 0.2));
-      fine = std::max(fine, std::abs(foot.gap - 0.2));
-      turn = std::max(turn, std::hypot(foot.normal[0] - std::cos(angle), foot.normal[1] - std::sin(angle)));
+      fine = std::max(fine, std::abs(projection.gap - 0.2));
+      turn = std::max(turn, std::hypot(projection.normal[0] - std::cos(angle), projection.normal[1] - std::sin(angle)));
     }
     EXPECT_NEAR(coarse, 1 - std::cos(pi / 16), 1e-3);
     EXPECT_LT(fine, 2.5e-4);

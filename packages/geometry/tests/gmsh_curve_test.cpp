@@ -25,20 +25,21 @@ std::string curve(const std::string& file, const std::string& more) {
 
 std::string physical(const std::string& name) { return text_parameter("physical curve", name); }
 
-/// Largest differences over random points of [0, width] x [low, high]: gap and foot [m], normal [-], curvature [1/m].
+/// Largest differences over random points of [0, width] x [low, high]: gap and closest point [m], normal [-], curvature
+/// [1/m].
 struct Difference {
-  double gap = 0, foot = 0, normal = 0, curvature = 0;
+  double gap = 0, projection = 0, normal = 0, curvature = 0;
   Difference(const Contour& a, const Contour& b, double width, double low, double high) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0, 1);
     int compared = 0;
     for (int i = 0; i < 500; ++i) {
       const PlanePoint x{width * unit(random), low + (high - low) * unit(random)};
-      const ContourFoot p = a.closest(x), q = b.closest(x);
+      const ContourProjection p = a.closest(x), q = b.closest(x);
       gap = std::max(gap, std::abs(p.gap - q.gap));
-      if (p.gap < 0) continue;  // deep inside two feet may be equally near
+      if (p.gap < 0) continue;  // deep inside two closest points may be equally near
       ++compared;
-      foot = std::max(foot, std::hypot(p.foot[0] - q.foot[0], p.foot[1] - q.foot[1]));
+      projection = std::max(projection, std::hypot(p.point[0] - q.point[0], p.point[1] - q.point[1]));
       normal = std::max(normal, std::hypot(p.normal[0] - q.normal[0], p.normal[1] - q.normal[1]));
       curvature = std::max(curvature, std::abs(p.curvature - q.curvature));
     }
@@ -55,7 +56,7 @@ TEST(GmshCurve, ConeIsTheLibrarysCone) {
   EXPECT_EQ(drawn.pieces().size(), 4u);
   const Difference one(drawn, library(1), 2, -1, 4);
   EXPECT_LT(one.gap, 1e-12);
-  EXPECT_LT(one.foot, 1e-11);
+  EXPECT_LT(one.point, 1e-11);
   EXPECT_LT(one.normal, 1e-11);
   EXPECT_LT(one.curvature, 1e-10);
   EXPECT_NEAR(drawn.closest({0.7, 50}).gap, 0.2, 1e-12) << "the shaft goes on";
@@ -95,12 +96,12 @@ TEST(GmshCurve, EllipseIsFollowedWithItsCurvature) {
   const Contour drawn = contour(curve("curves.geo", physical("ellipse") + array_parameter("origin", "0, -1")));
   for (int i = 0; i <= 100; ++i) {
     const double angle = -1.5 + 3.0 * i / 100, c = std::cos(angle), s = std::sin(angle);
-    const ContourFoot foot = drawn.closest({2 * c, 1 + s});
+    const ContourProjection projection = drawn.closest({2 * c, 1 + s});
     const double size = std::hypot(c, 2 * s);
-    EXPECT_NEAR(foot.gap, 0, 1e-10);
-    EXPECT_NEAR(foot.normal[0], c / size, 1e-8);
-    EXPECT_NEAR(foot.normal[1], 2 * s / size, 1e-8);
-    EXPECT_NEAR(foot.curvature, 2 / (size * size * size), 1e-6);
+    EXPECT_NEAR(projection.gap, 0, 1e-10);
+    EXPECT_NEAR(projection.normal[0], c / size, 1e-8);
+    EXPECT_NEAR(projection.normal[1], 2 * s / size, 1e-8);
+    EXPECT_NEAR(projection.curvature, 2 / (size * size * size), 1e-6);
   }
 }
 

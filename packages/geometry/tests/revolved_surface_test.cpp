@@ -24,14 +24,16 @@ std::string torpedo() {
          number_parameter("tail diameter", 0.6) + number_parameter("top radius", 0.1);
 }
 
-void expect_turning(const SurfaceFoot& foot, const Point& normal, double along, double around, double tolerance) {
+void expect_turning(const SurfaceProjection& projection, const Point& normal, double along, double around,
+                    double tolerance) {
   // along: the turning in the plane of the axis and the normal; around: at right angles to both
   const double r = std::hypot(normal[0], normal[1]);
   const Point e = r > 0 ? Point{-normal[1] / r, normal[0] / r, 0} : Point{0, 1, 0}, t = cross(e, normal);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(foot.normal[i], normal[i], tolerance);
+    EXPECT_NEAR(projection.normal[i], normal[i], tolerance);
     for (int j = 0; j < 3; ++j)
-      EXPECT_NEAR(foot.turning[i][j], along * t[i] * t[j] + around * e[i] * e[j], tolerance * (1 + std::abs(along)));
+      EXPECT_NEAR(projection.turning[i][j], along * t[i] * t[j] + around * e[i] * e[j],
+                  tolerance * (1 + std::abs(along)));
   }
 }
 
@@ -41,9 +43,9 @@ TEST(RevolvedSurface, SphereIsExact) {
   for (int i = 0; i < 500; ++i) {
     const Point x = random.next(), d = x - Point{0, 0, 0.7};
     const double r = length(d);
-    const SurfaceFoot foot = ball->closest(x);
-    ASSERT_NEAR(foot.gap, r - 0.7, 1e-13);
-    expect_turning(foot, 1 / r * d, 1 / r, 1 / r, 1e-11);
+    const SurfaceProjection projection = ball->closest(x);
+    ASSERT_NEAR(projection.gap, r - 0.7, 1e-13);
+    expect_turning(projection, 1 / r * d, 1 / r, 1 / r, 1e-11);
   }
 }
 
@@ -51,12 +53,12 @@ TEST(RevolvedSurface, PointsOnAndNearTheAxisOfASphere) {
   const auto ball = surface(revolved(sphere(1.4)));
   for (const double off : {0.0, 1e-300, 1e-15, 1e-9, 1e-8, 1e-6})
     for (const double z : {-0.3, 0.0, 0.2, 1.1, 1.4, 1.9}) {
-      const SurfaceFoot foot = ball->closest({0, off, z});
+      const SurfaceProjection projection = ball->closest({0, off, z});
       const double r = std::hypot(off, z - 0.7);
-      EXPECT_NEAR(foot.gap, r - 0.7, 1e-13);
-      expect_turning(foot, {0, off / r, (z - 0.7) / r}, 1 / r, 1 / r, 1e-8);
+      EXPECT_NEAR(projection.gap, r - 0.7, 1e-13);
+      expect_turning(projection, {0, off / r, (z - 0.7) / r}, 1 / r, 1 / r, 1e-8);
     }
-  const SurfaceFoot centre = ball->closest({0, 0, 0.7});  // all feet are equally near
+  const SurfaceProjection centre = ball->closest({0, 0, 0.7});  // all closest points are equally near
   EXPECT_NEAR(centre.gap, -0.7, 1e-13);
   for (const auto& row : centre.turning)
     for (const double value : row) EXPECT_TRUE(std::isfinite(value) && std::abs(value) < 10);
@@ -72,25 +74,26 @@ TEST(RevolvedSurface, ConeWithRoundedTipIsExact) {
     const double r = std::hypot(x[0], x[1]), z = x[2] - tip;  // from the centre of the tip
     const double along = r * std::sin(half) + z * std::cos(half), across = r * std::cos(half) - z * std::sin(half);
     if (across < 0.01) continue;  // near the axis inside or beyond the mirror line
-    const SurfaceFoot foot = cone->closest(x);
+    const SurfaceProjection projection = cone->closest(x);
     const double c = x[0] / r, s = x[1] / r;
     if (along < 0 && z < 0) {
       ++at_tip;
       const double rho = std::hypot(r, z);
-      ASSERT_NEAR(foot.gap, rho - tip, 1e-12);
-      expect_turning(foot, {x[0] / rho, x[1] / rho, z / rho}, 1 / rho, 1 / rho, 1e-9);
+      ASSERT_NEAR(projection.gap, rho - tip, 1e-12);
+      expect_turning(projection, {x[0] / rho, x[1] / rho, z / rho}, 1 / rho, 1 / rho, 1e-9);
     } else if (along > 0 && along < 0.4 && r < 0.45) {
       ++at_flank;
-      ASSERT_NEAR(foot.gap, across - tip, 1e-12);
-      expect_turning(foot, {std::cos(half) * c, std::cos(half) * s, -std::sin(half)}, 0, std::cos(half) / r, 1e-9);
+      ASSERT_NEAR(projection.gap, across - tip, 1e-12);
+      expect_turning(projection, {std::cos(half) * c, std::cos(half) * s, -std::sin(half)}, 0, std::cos(half) / r,
+                     1e-9);
     }
   }
   EXPECT_GT(at_tip, 100);
   EXPECT_GT(at_flank, 100);
   for (const double z : {-0.3, -1e-3, 0.0, 0.02}) {  // below and within the tip, on the axis
-    const SurfaceFoot foot = cone->closest({0, 0, z});
-    EXPECT_NEAR(foot.gap, -z, 1e-13);
-    expect_turning(foot, {0, 0, -1}, 1 / (tip - z), 1 / (tip - z), 1e-9);
+    const SurfaceProjection projection = cone->closest({0, 0, z});
+    EXPECT_NEAR(projection.gap, -z, 1e-13);
+    expect_turning(projection, {0, 0, -1}, 1 / (tip - z), 1 / (tip - z), 1e-9);
   }
 }
 
@@ -104,20 +107,20 @@ TEST(RevolvedSurface, CurvedTipNearTheAxis) {
   const double curvature = 20.0 / 9;
   for (const double off : {0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6})
     for (const double z : {-0.2, 0.0, 0.15}) {
-      const SurfaceFoot foot = body->closest({-off, 0, z});
+      const SurfaceProjection projection = body->closest({-off, 0, z});
       const double turning = curvature / (1 - curvature * z);
-      EXPECT_NEAR(foot.gap, -z, 1e-11);
-      expect_turning(foot, {-turning * off, 0, -1}, turning, turning, 2e-5);
+      EXPECT_NEAR(projection.gap, -z, 1e-11);
+      expect_turning(projection, {-turning * off, 0, -1}, turning, turning, 2e-5);
     }
 }
 
 TEST(RevolvedSurface, SharpTipFansOut) {
   const auto cone = surface(revolved(rounded_cone(0)));
   for (const double off : {0.0, 1e-12, 1e-7, 0.02}) {
-    const SurfaceFoot foot = cone->closest({off, 0, -0.2});
+    const SurfaceProjection projection = cone->closest({off, 0, -0.2});
     const double rho = std::hypot(off, 0.2);
-    EXPECT_NEAR(foot.gap, rho, 1e-13);
-    expect_turning(foot, {off / rho, 0, -0.2 / rho}, 1 / rho, 1 / rho, 1e-8);
+    EXPECT_NEAR(projection.gap, rho, 1e-13);
+    expect_turning(projection, {off / rho, 0, -0.2 / rho}, 1 / rho, 1 / rho, 1e-8);
   }
 }
 
@@ -126,16 +129,16 @@ TEST(RevolvedSurface, CylinderIsExactAndGoesOn) {
                                      number_parameter("corner radius", 0.1)));
   for (const double r : {0.35, 0.5, 0.8})
     for (const double z : {1.0, 5.0, 70.0}) {
-      const SurfaceFoot foot = pile->closest({0.6 * r, -0.8 * r, z});
-      EXPECT_NEAR(foot.gap, r - 0.5, 1e-13);
-      expect_turning(foot, {0.6, -0.8, 0}, 0, 1 / r, 1e-12);
-      EXPECT_NEAR(foot.foot[1], -0.4, 1e-13);
+      const SurfaceProjection projection = pile->closest({0.6 * r, -0.8 * r, z});
+      EXPECT_NEAR(projection.gap, r - 0.5, 1e-13);
+      expect_turning(projection, {0.6, -0.8, 0}, 0, 1 / r, 1e-12);
+      EXPECT_NEAR(projection.point[1], -0.4, 1e-13);
     }
-  const SurfaceFoot base = pile->closest({0, 0, -0.3});
+  const SurfaceProjection base = pile->closest({0, 0, -0.3});
   EXPECT_NEAR(base.gap, 0.3, 1e-15);
   expect_turning(base, {0, 0, -1}, 0, 0, 1e-14);
   // on the axis inside the shaft all round is equally near
-  const SurfaceFoot axis = pile->closest({0, 0, 5});
+  const SurfaceProjection axis = pile->closest({0, 0, 5});
   EXPECT_NEAR(axis.gap, -0.5, 1e-13);
   EXPECT_NEAR(axis.normal[0], 1, 1e-13);
   for (const auto& row : axis.turning)
@@ -157,7 +160,7 @@ TEST(RevolvedSurface, DerivativesOfTheTorpedo) {
   EXPECT_LT(errors.turning, 1e-4);  // inside near the axis the normals turn fast
   EXPECT_LT(errors.symmetry, 1e-12);
   EXPECT_LT(errors.along, 1e-12);
-  EXPECT_LT(errors.foot, 1e-12);
+  EXPECT_LT(errors.point, 1e-12);
   EXPECT_LT(errors.length, 1e-14);
 }
 
@@ -167,11 +170,11 @@ TEST(RevolvedSurface, TheSameAllRound) {
   RandomPoints random({{-1, -1, -1}, {1, 1, 13}});
   for (int i = 0; i < 300; ++i) {
     const Point x = random.next();
-    const ContourFoot plane = contour.contour().closest({std::hypot(x[0], x[1]), x[2]});
-    const SurfaceFoot foot = body->closest(x);
-    EXPECT_EQ(foot.gap, plane.gap);
-    EXPECT_EQ(foot.normal[2], plane.normal[1]);
-    EXPECT_EQ(foot.foot[2], plane.foot[1]);
+    const ContourProjection plane = contour.contour().closest({std::hypot(x[0], x[1]), x[2]});
+    const SurfaceProjection projection = body->closest(x);
+    EXPECT_EQ(projection.gap, plane.gap);
+    EXPECT_EQ(projection.normal[2], plane.normal[1]);
+    EXPECT_EQ(projection.point[2], plane.point[1]);
   }
 }
 
@@ -184,7 +187,8 @@ TEST(RevolvedSurface, MomentsOfTheSphereAndTheTorpedo) {
   const SolidMoments exact = body->moments();
   const SurfaceTriangles drawn = body->triangles(1e-4);
   SolidMoments facets;
-  for (std::size_t f = 0; f < drawn.facets.size(); ++f) {  // a flat facet's moments need the middles of its edges
+  for (std::size_t f = 0; f < drawn.facets.size();
+       ++f) {  // a flat facet's moments need the mid-side nodes of its edges
     for (int k = 0; k < 3; ++k)
       facets.add_side(0.5 * (drawn.points[drawn.facets[f][k]] + drawn.points[drawn.facets[f][(k + 1) % 3]]),
                       1.0 / 6 * drawn.area_vector(f));

@@ -11,13 +11,13 @@ namespace {
 TEST(RoundedBox, SidesEdgesAndCorners) {
   const double r = 0.1;
   const RoundedBox box({2, 1, 0.4}, r);
-  const SurfaceFoot side = box.closest({0.3, 0.2, 0.5});
+  const SurfaceProjection side = box.closest({0.3, 0.2, 0.5});
   EXPECT_NEAR(side.gap, 0.3, 1e-15);
   EXPECT_EQ(side.normal, (Point{0, 0, 1}));
   EXPECT_EQ(side.turning[0][0], 0);
   EXPECT_EQ(side.turning[1][1], 0);
   // 0.3 and 0.4 m beyond the core of 1.8 m and 0.8 m
-  const SurfaceFoot edge = box.closest({-1.2, 0.8, 0.05});
+  const SurfaceProjection edge = box.closest({-1.2, 0.8, 0.05});
   EXPECT_NEAR(edge.gap, 0.4, 1e-15);
   EXPECT_NEAR(edge.normal[0], -0.6, 1e-15);
   EXPECT_NEAR(edge.normal[1], 0.8, 1e-15);
@@ -26,10 +26,10 @@ TEST(RoundedBox, SidesEdgesAndCorners) {
   EXPECT_NEAR(edge.turning[2][2], 0, 1e-15);
   // on the surface of a corner: both principal curvatures are those of the fillet
   const double d = r / std::sqrt(3.0);
-  const SurfaceFoot corner = box.closest({0.9 + d, 0.4 + d, -0.1 - d});
+  const SurfaceProjection corner = box.closest({0.9 + d, 0.4 + d, -0.1 - d});
   EXPECT_NEAR(corner.gap, 0, 1e-15);
   EXPECT_NEAR(corner.turning[0][0] + corner.turning[1][1] + corner.turning[2][2], 2 / r, 1e-11);
-  const SurfaceFoot inside = box.closest({0.5, 0.1, -0.05});
+  const SurfaceProjection inside = box.closest({0.5, 0.1, -0.05});
   EXPECT_NEAR(inside.gap, -0.15, 1e-15);
   EXPECT_EQ(inside.normal[2], -1);
   EXPECT_EQ(box.closest({0, 0, 0}).gap, -0.2);
@@ -43,17 +43,17 @@ TEST(RoundedBox, Derivatives) {
     EXPECT_LT(errors.turning, 1e-4) << r;
     EXPECT_EQ(errors.symmetry, 0) << r;
     EXPECT_LT(errors.along, 1e-11) << r;
-    EXPECT_LT(errors.foot, 1e-15) << r;
+    EXPECT_LT(errors.point, 1e-15) << r;
   }
 }
 
 TEST(RoundedBox, SharpEdges) {
   const RoundedBox box({2, 1, 0.5}, 0);
-  const SurfaceFoot fan = box.closest({1.3, 0.9, 0});
+  const SurfaceProjection fan = box.closest({1.3, 0.9, 0});
   EXPECT_NEAR(fan.gap, 0.5, 1e-15);
   EXPECT_NEAR(fan.normal[0], 0.6, 1e-15);
   EXPECT_NEAR(fan.turning[1][1], 0.36 / 0.5, 1e-14);
-  const SurfaceFoot edge = box.closest({1, -0.5, 0.1});
+  const SurfaceProjection edge = box.closest({1, -0.5, 0.1});
   EXPECT_EQ(edge.gap, 0);
   EXPECT_NEAR(edge.normal[0], std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(edge.normal[1], -std::sqrt(0.5), 1e-15);
@@ -64,9 +64,9 @@ TEST(RoundedBox, SharpEdges) {
 
 TEST(RoundedBox, ASphereIsABoxOfFilletsOnly) {
   const RoundedBox ball({1, 1, 1}, 0.5);
-  const SurfaceFoot foot = ball.closest({0.3, -0.4, 1.2});
-  EXPECT_NEAR(foot.gap, 0.8, 1e-15);
-  EXPECT_NEAR(foot.turning[0][0], (1 - 0.09 / 1.69) / 1.3, 1e-14);
+  const SurfaceProjection projection = ball.closest({0.3, -0.4, 1.2});
+  EXPECT_NEAR(projection.gap, 0.8, 1e-15);
+  EXPECT_NEAR(projection.turning[0][0], (1 - 0.09 / 1.69) / 1.3, 1e-14);
   EXPECT_NEAR(ball.moments().volume, pi / 6, 1e-14);
   EXPECT_NEAR(ball.moments().inertia()[1][1], pi / 6 * 0.1, 1e-14);
 }

@@ -53,9 +53,9 @@ struct RandomPoints {
 
 /// What a gap and its derivatives miss: the largest differences at random points.
 struct DerivativeErrors {
-  double normal = 0, turning = 0;  // against differences of the gap [-] and of the normal [1/m]
-  double symmetry = 0, along = 0;  // of the turning [1/m]; along: turning . normal
-  double foot = 0, length = 0;     // foot + gap normal - x [m]; |normal| - 1
+  double normal = 0, turning = 0;     // against differences of the gap [-] and of the normal [1/m]
+  double symmetry = 0, along = 0;     // of the turning [1/m]; along: turning . normal
+  double projection = 0, length = 0;  // closest point + gap normal - x [m]; |normal| - 1
   int compared = 0;
 
   /// `jump`: a change of the turning [1/m] over a step h above which the point is left out, for the second derivatives
@@ -64,10 +64,10 @@ struct DerivativeErrors {
     RandomPoints random(box);
     for (int n = 0; n < points; ++n) {
       const Point x = random.next();
-      const SurfaceFoot at = surface.closest(x);
+      const SurfaceProjection at = surface.closest(x);
       length = std::max(length, std::abs(mudline::length(at.normal) - 1));
-      foot = std::max(foot, mudline::length(at.foot + at.gap * at.normal - x));
-      SurfaceFoot side[3][2];
+      projection = std::max(projection, mudline::length(at.point + at.gap * at.normal - x));
+      SurfaceProjection side[3][2];
       bool smooth = true;
       for (int j = 0; j < 3; ++j)
         for (int s = 0; s < 2; ++s) {
@@ -114,9 +114,9 @@ inline SurfaceTriangles icosphere(int cuts) {
                            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (Point& x : result.points) x = 1 / length(x) * x;
   for (int cut = 0; cut < cuts; ++cut) {
-    std::map<std::pair<int, int>, int> middles;
+    std::map<std::pair<int, int>, int> mid_side_nodes;
     const auto middle = [&](int a, int b) {
-      const auto [found, added] = middles.try_emplace(std::minmax(a, b), static_cast<int>(result.points.size()));
+      const auto [found, added] = mid_side_nodes.try_emplace(std::minmax(a, b), static_cast<int>(result.points.size()));
       if (added) {
         const Point x = result.points[a] + result.points[b];
         result.points.push_back(1 / length(x) * x);

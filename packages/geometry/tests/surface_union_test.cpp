@@ -18,10 +18,10 @@ std::shared_ptr<const Surface> ball(double radius) { return box(2 * radius, 2 * 
 TEST(PlacedSurface, TurnsAboutItsOrigin) {
   PlacedSurface plate{box(2, 1, 0.2, 0.05), {3, 0, 1}};
   plate.rotation = Rotation::by({0, 0, pi / 2});
-  const SurfaceFoot foot = plate.closest({3, 1.5, 1});  // beyond its end in x, which is now in y
-  EXPECT_NEAR(foot.gap, 0.5, 1e-14);
-  EXPECT_NEAR(foot.normal[1], 1, 1e-14);
-  EXPECT_NEAR(foot.foot[1], 1, 1e-14);
+  const SurfaceProjection projection = plate.closest({3, 1.5, 1});  // beyond its end in x, which is now in y
+  EXPECT_NEAR(projection.gap, 0.5, 1e-14);
+  EXPECT_NEAR(projection.normal[1], 1, 1e-14);
+  EXPECT_NEAR(projection.point[1], 1, 1e-14);
   EXPECT_NEAR(plate.bounds().high[1], 1, 1e-12);
   EXPECT_NEAR(plate.bounds().low[0], 2.5, 1e-12);
   plate.rotation = Rotation::by({pi / 6, 0, 0});
@@ -38,7 +38,7 @@ TEST(SurfaceUnion, DerivativesOfATurnedPart) {
   EXPECT_LT(errors.turning, 1e-4);
   EXPECT_LT(errors.symmetry, 1e-13);
   EXPECT_LT(errors.along, 1e-12);
-  EXPECT_LT(errors.foot, 1e-14);
+  EXPECT_LT(errors.point, 1e-14);
 }
 
 TEST(SurfaceUnion, TheSmallestGapCounts) {
@@ -47,9 +47,9 @@ TEST(SurfaceUnion, TheSmallestGapCounts) {
   for (int i = 0; i < 500; ++i) {
     const Point x = random.next();
     const double a = std::hypot(x[0] + 0.8, x[1], x[2]) - 1, b = std::hypot(x[0] - 0.8, x[1], x[2]) - 0.7;
-    const SurfaceFoot foot = two.closest(x);
-    EXPECT_NEAR(foot.gap, std::min(a, b), 1e-13);
-    EXPECT_EQ(foot.part, a <= b ? 0 : 1);
+    const SurfaceProjection projection = two.closest(x);
+    EXPECT_NEAR(projection.gap, std::min(a, b), 1e-13);
+    EXPECT_EQ(projection.part, a <= b ? 0 : 1);
   }
   EXPECT_NEAR(two.bounds().low[0], -1.8, 1e-12);
   EXPECT_NEAR(two.bounds().high[0], 1.5, 1e-12);

@@ -16,12 +16,12 @@ struct SphereErrors {
       const Point x = random.next();
       const double r = length(x);
       if (r < 0.7 || r > 1.4) continue;
-      const SurfaceFoot foot = surface.closest(x);
-      gap = std::max(gap, std::abs(foot.gap - (r - 1)));
-      normal = std::max(normal, length(foot.normal - 1 / r * x));
+      const SurfaceProjection projection = surface.closest(x);
+      gap = std::max(gap, std::abs(projection.gap - (r - 1)));
+      normal = std::max(normal, length(projection.normal - 1 / r * x));
       for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l)
-          turning = std::max(turning, std::abs(foot.turning[k][l] - ((k == l) - x[k] * x[l] / r / r) / r));
+          turning = std::max(turning, std::abs(projection.turning[k][l] - ((k == l) - x[k] * x[l] / r / r) / r));
     }
   }
 };
@@ -49,16 +49,16 @@ TEST(TriangulatedSurface, ConvergesToTheEllipsoid) {
     const TriangulatedSurface surface(triangles);
     RandomPoints random({{-1.2, -0.9, -0.7}, {1.2, 0.9, 0.7}});
     for (int i = 0; i < 3000; ++i) {
-      const SurfaceFoot foot = surface.closest(random.next());
-      if (foot.gap < -0.1 || foot.gap > 0.3) continue;
+      const SurfaceProjection projection = surface.closest(random.next());
+      if (projection.gap < -0.1 || projection.gap > 0.3) continue;
       double value = -1;
       Point slope{};
       for (int k = 0; k < 3; ++k) {
-        value += foot.foot[k] * foot.foot[k] / axis[k] / axis[k];
-        slope[k] = 2 * foot.foot[k] / axis[k] / axis[k];
+        value += projection.point[k] * projection.point[k] / axis[k] / axis[k];
+        slope[k] = 2 * projection.point[k] / axis[k] / axis[k];
       }
       gap[level] = std::max(gap[level], std::abs(value) / length(slope));
-      normal[level] = std::max(normal[level], length(foot.normal - 1 / length(slope) * slope));
+      normal[level] = std::max(normal[level], length(projection.normal - 1 / length(slope) * slope));
     }
   }
   EXPECT_GT(std::log2(gap[0] / gap[1]), 3) << gap[0] << " " << gap[1];
@@ -77,7 +77,7 @@ TEST(TriangulatedSurface, DerivativesAreThoseOfTheGap) {
   EXPECT_LT(errors.turning, 1e-4);
   EXPECT_LT(errors.symmetry, 1e-12);
   EXPECT_LT(errors.along, 1e-12);
-  EXPECT_LT(errors.foot, 1e-12);
+  EXPECT_LT(errors.point, 1e-12);
   EXPECT_LT(errors.length, 1e-14);
 }
 
@@ -88,27 +88,27 @@ TEST(TriangulatedSurface, GapAndNormalAreContinuousAcrossEdges) {
   double gap = 0, normal = 0;
   int jumps = 0;
   Point last{};
-  SurfaceFoot before{};
+  SurfaceProjection before{};
   for (int i = 0; i <= 20000; ++i) {
     const double a = i * 3e-4;
     const Point x{1.1 * std::cos(a) * std::cos(0.3 * a), 1.1 * std::sin(a) * std::cos(0.3 * a),
                   0.8 * std::sin(0.3 * a)};
-    const SurfaceFoot foot = surface.closest(x);
+    const SurfaceProjection projection = surface.closest(x);
     if (i > 0) {
       const double step = length(x - last);
-      gap = std::max(gap, std::abs(foot.gap - before.gap) / step);
-      normal = std::max(normal, length(foot.normal - before.normal) / step);
-      jumps += std::abs(foot.turning[0][0] - before.turning[0][0]) > 1e-2;
+      gap = std::max(gap, std::abs(projection.gap - before.gap) / step);
+      normal = std::max(normal, length(projection.normal - before.normal) / step);
+      jumps += std::abs(projection.turning[0][0] - before.turning[0][0]) > 1e-2;
     }
     last = x;
-    before = foot;
+    before = projection;
   }
   EXPECT_GT(jumps, 5);     // edges were crossed
   EXPECT_LT(gap, 0.3);     // the path does not follow the surface
   EXPECT_LT(normal, 2.5);  // [1/m]; of the ellipsoid up to 2
 }
 
-TEST(TriangulatedSurface, NoPointOfItIsNearerThanTheFoot) {
+TEST(TriangulatedSurface, NoPointOfItIsNearerThanTheClosestPoint) {
   SurfaceTriangles waisted = icosphere(2);
   for (Point& x : waisted.points) {
     const double width = 0.35 + 0.65 * x[2] * x[2];
@@ -140,9 +140,9 @@ TEST(TriangulatedSurface, LongFacetsStayNearTheBody) {
     RandomPoints random({{-1, -1, -1}, {1, 1, 13}});
     for (int i = 0; i < 2000; ++i) {
       const Point x = random.next();
-      const SurfaceFoot foot = body->closest(x);
-      if (foot.gap < -0.1 || foot.gap > 0.5) continue;
-      ASSERT_NEAR(smoothed.closest(x).gap, foot.gap, 0.5 * chord_error);
+      const SurfaceProjection projection = body->closest(x);
+      if (projection.gap < -0.1 || projection.gap > 0.5) continue;
+      ASSERT_NEAR(smoothed.closest(x).gap, projection.gap, 0.5 * chord_error);
     }
   }
 }

@@ -9,7 +9,7 @@ namespace {
 TEST(Chord, MemoryComesBackFromTheEndOfWhatFollowsIt) {
   ChordControl chord;
   chord.start_step({0.5, 1, 0});
-  chord.renewed();
+  chord.remeshed();
   std::vector<double> memory{7, 8};  // the linear solver's
   chord.save(memory);
   ChordControl again;
@@ -39,7 +39,7 @@ ChordControl after_step(double contraction) {
   ChordControl chord;
   chord.enabled = true;
   chord.start_step({1});
-  chord.renewed();
+  chord.remeshed();
   chord.observe(1e6, 0);
   chord.observe(1e6 * contraction, 1e6);
   chord.start_step({1});
@@ -47,29 +47,29 @@ ChordControl after_step(double contraction) {
 }
 
 TEST(Chord, ExpectsANewJacobianAtTheFirstGuessUnlessTheOldOneServedWell) {
-  EXPECT_TRUE(ChordControl().expects_renewal(true)) << "there is none yet";
-  EXPECT_TRUE(after_step(0.5).expects_renewal(true));
-  EXPECT_FALSE(after_step(0.01).expects_renewal(true));
-  EXPECT_TRUE(after_step(0.01).expects_renewal(false)) << "its factors are not at hand";
+  EXPECT_TRUE(ChordControl().expects_remeshing(true)) << "there is none yet";
+  EXPECT_TRUE(after_step(0.5).expects_remeshing(true));
+  EXPECT_FALSE(after_step(0.01).expects_remeshing(true));
+  EXPECT_TRUE(after_step(0.01).expects_remeshing(false)) << "its factors are not at hand";
   ChordControl forgotten = after_step(0.01);
   forgotten.forget();
-  EXPECT_TRUE(forgotten.expects_renewal(true));
+  EXPECT_TRUE(forgotten.expects_remeshing(true));
 }
 
 TEST(Chord, ExpectsNoNewJacobianNearTheEnd) {
   for (const double contraction : {0.5, 0.2}) {  // too slow for another iteration with the same matrix
     ChordControl chord = after_step(contraction);
     chord.observe(1e4, 0);
-    EXPECT_TRUE(chord.expects_renewal(true)) << contraction;
+    EXPECT_TRUE(chord.expects_remeshing(true)) << contraction;
     chord.observe(1e4 * contraction, 1e4);
-    EXPECT_TRUE(chord.expects_renewal(true)) << contraction;
+    EXPECT_TRUE(chord.expects_remeshing(true)) << contraction;
     chord.observe(1, 1 / contraction);
-    for (const bool usable : {false, true}) EXPECT_FALSE(chord.expects_renewal(usable)) << contraction;
+    for (const bool usable : {false, true}) EXPECT_FALSE(chord.expects_remeshing(usable)) << contraction;
   }
   ChordControl chord = after_step(0.5);
   chord.observe(1e8, 0);
   chord.observe(1e6, 1e8);
-  EXPECT_FALSE(chord.expects_renewal(true)) << "1e4 is left, for which the matrix serves";
+  EXPECT_FALSE(chord.expects_remeshing(true)) << "1e4 is left, for which the matrix serves";
   EXPECT_FALSE(chord.may_keep()) << "but not for 1e6";
 }
 

@@ -403,9 +403,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
   if (!broken.empty()) throw std::runtime_error(broken);  // all element matrices are there: the ranks stay together
 }
 
-std::string StressDivergence::hint(const StepView&) const {
-  return of_first_rank(*soil_->space->dofs()->comm(), failure_);
-}
+std::string StressDivergence::hint(const StepView&) const { return broadcast(*soil_->space->dofs()->comm(), failure_); }
 
 void StressDivergence::adopt(const State& evaluated, State& committed) {
   for (const SoilBlock& b : soil_->blocks)

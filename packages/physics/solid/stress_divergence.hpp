@@ -13,7 +13,7 @@ namespace mudline {
 /// update (Hughes-Winget rotation around the skeleton law) and writes effective stress, law state and void ratio of the
 /// trial state. Consistent tangent incl. geometric stiffness and the variation of the rotation (exact for isotropic
 /// laws).
-class StressDivergence : public Term, public History, public Foresees, public Carried, public Reports {
+class StressDivergence : public Term, public History, public Foresees, public Transferred, public Reports {
  public:
   explicit StressDivergence(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
   std::string name() const override { return "stress divergence"; }

@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "simulation/benchmarks/saturated_box.hpp"
-#include "simulation/model_renewal.hpp"
+#include "simulation/model_remeshing.hpp"
 
 namespace {
 
@@ -43,12 +43,12 @@ double largest(const Teuchos::Comm<int>& comm, double mine) {
 
 /// The region meshed anew, by rank 0, and the state carried over: how long the latter takes and what it needs at most
 /// on top of the two models, on any rank but the first.
-void renew(ModelFixture& fixture) {
+void remesh(ModelFixture& fixture) {
   Model& model = *fixture.model;
   const Teuchos::Comm<int>& comm = *model.mesh().comm();
   const Stage& stage = *model.stages().front();
   model.activate(stage, true);
-  const Renewal made = model.ale()->renew(1, model.store().committed(), nullptr);
+  const Remeshing made = model.ale()->remesh(1, model.store().committed(), nullptr);
   if (!made.veto.empty()) {
     std::printf("refused: %s\n", made.veto.c_str());
     return;
@@ -100,7 +100,7 @@ void run(int cells, bool space, bool anew, int rounds) {
   if (comm.getRank() == 0)
     std::printf("| %lld | %d | %.3f | %.0f | %.12f |\n", mesh.num_global_elements(), comm.getSize(), wall / rounds,
                 most, lowest);
-  if (anew) renew(fixture);
+  if (anew) remesh(fixture);
 }
 
 }  // namespace

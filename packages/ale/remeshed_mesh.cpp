@@ -1,4 +1,4 @@
-#include "ale/renewed_mesh.hpp"
+#include "ale/remeshed_mesh.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -8,7 +8,7 @@ namespace mudline {
 
 namespace {
 
-void transfer(ByteStream& s, RenewedMesh& made) {
+void transfer(ByteStream& s, RemeshedMesh& made) {
   s(made.number)(made.step)(made.focus)(made.faces)(made.sizes);
   transfer_mesh(s, made.mesh);
   std::size_t paths = made.paths.size();
@@ -26,21 +26,21 @@ void transfer(ByteStream& s, RenewedMesh& made) {
 
 }  // namespace
 
-std::vector<char> RenewedMesh::bytes() const {
-  RenewedMesh copy = *this;
+std::vector<char> RemeshedMesh::bytes() const {
+  RemeshedMesh copy = *this;
   ByteStream written;
   transfer(written, copy);
   return written.bytes();
 }
 
-RenewedMesh RenewedMesh::from_bytes(std::vector<char> bytes) {
-  RenewedMesh result;
+RemeshedMesh RemeshedMesh::from_bytes(std::vector<char> bytes) {
+  RemeshedMesh result;
   ByteStream stream(std::move(bytes));
   transfer(stream, result);
   return result;
 }
 
-RenewedMesh of_first_rank(const Teuchos::Comm<int>& comm, RenewedMesh made) {
+RemeshedMesh broadcast(const Teuchos::Comm<int>& comm, RemeshedMesh made) {
   GlobalMesh mesh = std::move(made.mesh);
   made.mesh = {};
   std::vector<char> bytes = made.bytes();
@@ -48,7 +48,7 @@ RenewedMesh of_first_rank(const Teuchos::Comm<int>& comm, RenewedMesh made) {
   Teuchos::broadcast(comm, 0, 1, &length);
   bytes.resize(length);
   Teuchos::broadcast(comm, 0, length, bytes.data());
-  made = RenewedMesh::from_bytes(std::move(bytes));
+  made = RemeshedMesh::from_bytes(std::move(bytes));
   if (comm.getRank() == 0) made.mesh = std::move(mesh);
   return made;
 }

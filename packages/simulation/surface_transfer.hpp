@@ -17,15 +17,15 @@ namespace mudline {
 /// last ones. In space rows on an old face are fitted by a linear function of its reference coordinates, within the
 /// range of its rows; of sums the fit is that of the density, and all rows of the surface are then scaled to the old
 /// total. A row at the place of an old one takes that one's numbers.
-class SurfaceCarrier {
+class SurfaceTransfer {
  public:
   /// The mesh before, its nodes at x.
-  SurfaceCarrier(const Ale& before, const Positions& x, const std::string& surface);
-  SurfaceCarrier(const SurfaceCarrier&) = delete;
-  SurfaceCarrier& operator=(const SurfaceCarrier&) = delete;
+  SurfaceTransfer(const Ale& before, const Positions& x, const std::string& surface);
+  SurfaceTransfer(const SurfaceTransfer&) = delete;
+  SurfaceTransfer& operator=(const SurfaceTransfer&) = delete;
   /// Rows of this rank in and out. Collective.
-  void carry(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows, const PointView& now,
-             const SurfaceRows& new_rows) const;
+  void transfer(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows, const PointView& now,
+                const SurfaceRows& new_rows) const;
 
  private:
   struct Row {
@@ -43,8 +43,8 @@ class SurfaceCarrier {
     std::vector<std::pair<int, double>> weights;
   };
   std::vector<Origin> origins(const std::vector<double>& from, const SurfaceRows& new_rows) const;
-  void carry_in_space(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows, const PointView& now,
-                      const SurfaceRows& new_rows) const;
+  void transfer_in_space(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows, const PointView& now,
+                         const SurfaceRows& new_rows) const;
 
   struct PathSide {
     int path, nodes[3];

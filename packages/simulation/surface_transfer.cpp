@@ -1,4 +1,4 @@
-#include "simulation/surface_carrier.hpp"
+#include "simulation/surface_transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ Kind kind_of(const std::string& unit) {
 }
 
 /// Values given at ascending places s, taken to other ascending places of a path of some length.
-std::vector<double> carried(Kind kind, const std::vector<double>& s, const std::vector<double>& values,
-                            const std::vector<double>& to, double length) {
+std::vector<double> transferred(Kind kind, const std::vector<double>& s, const std::vector<double>& values,
+                                const std::vector<double>& to, double length) {
   const auto between = [](const std::vector<double>& at, const std::vector<double>& of, double place) {
     const auto after = std::upper_bound(at.begin(), at.end(), place) - at.begin();
     if (after == 0) return of.front();
@@ -65,7 +65,7 @@ std::vector<double> carried(Kind kind, const std::vector<double>& s, const std::
 
 }  // namespace
 
-SurfaceCarrier::SurfaceCarrier(const Ale& before, const Positions& x, const std::string& surface)
+SurfaceTransfer::SurfaceTransfer(const Ale& before, const Positions& x, const std::string& surface)
     : comm_(*before.mesh().mesh().comm()), dimension_(before.mesh().dimension()), x_(x) {
   for (const MeshPath& path : before.paths()) {
     if (!path.sets.count(surface)) continue;
@@ -85,7 +85,7 @@ SurfaceCarrier::SurfaceCarrier(const Ale& before, const Positions& x, const std:
   locator_.emplace(faces_, x_);
 }
 
-SurfaceCarrier::Row SurfaceCarrier::locate(double x, double y, int number) const {
+SurfaceTransfer::Row SurfaceTransfer::locate(double x, double y, int number) const {
   Row row{0, 0, number};
   double least = 1e300;
   for (const PathSide& side : sides_) {
@@ -98,7 +98,7 @@ SurfaceCarrier::Row SurfaceCarrier::locate(double x, double y, int number) const
   return row;
 }
 
-std::vector<std::vector<SurfaceCarrier::Row>> SurfaceCarrier::along(const std::vector<double>& places) const {
+std::vector<std::vector<SurfaceTransfer::Row>> SurfaceTransfer::along(const std::vector<double>& places) const {
   std::vector<std::vector<Row>> result(lengths_.size());
   for (std::size_t i = 0; i + 2 <= places.size(); i += 2) {
     const Row row = locate(places[i], places[i + 1], static_cast<int>(i / 2));
@@ -108,23 +108,23 @@ std::vector<std::vector<SurfaceCarrier::Row>> SurfaceCarrier::along(const std::v
   return result;
 }
 
-void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
-                           const PointView& now, const SurfaceRows& new_rows) const {
+void SurfaceTransfer::transfer(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
+                               const PointView& now, const SurfaceRows& new_rows) const {
   if (dimension_ == 3) {
-    carry_in_space(info, old, old_rows, now, new_rows);
+    transfer_in_space(info, old, old_rows, now, new_rows);
     return;
   }
   const std::vector<Point>&old_places = old_rows.places, &new_places = new_rows.places;
   std::size_t first = 0;
-  const auto from = along(of_all_ranks(comm_, flat(old_places, 2))),
-             to = along(of_all_ranks(comm_, flat(new_places, 2), &first));
+  const auto from = along(all_gather(comm_, flat(old_places, 2))),
+             to = along(all_gather(comm_, flat(new_places, 2), &first));
   const int mine = static_cast<int>(first / 2), end = mine + static_cast<int>(new_places.size());
   int column = 0;
   for (const StateVariable& variable : info.variables)
     for (int c = 0; c < variable.components; ++c, ++column) {
       std::vector<double> values;
       for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
-      values = of_all_ranks(comm_, values);
+      values = all_gather(comm_, values);
       for (std::size_t p = 0; p < from.size(); ++p) {
         if (from[p].empty()) continue;
         std::vector<double> s, of, places;
@@ -133,7 +133,7 @@ void SurfaceCarrier::carry(const ArrayInfo& info, const PointView& old, const Su
           of.push_back(values[row.number]);
         }
         for (const Row& row : to[p]) places.push_back(row.s);
-        const std::vector<double> made = carried(kind_of(variable.unit), s, of, places, lengths_[p]);
+        const std::vector<double> made = transferred(kind_of(variable.unit), s, of, places, lengths_[p]);
         for (std::size_t i = 0; i < to[p].size(); ++i)
           if (to[p][i].number >= mine && to[p][i].number < end) now(to[p][i].number - mine, column) = made[i];
       }
@@ -168,8 +168,8 @@ std::vector<double> fit_weights(const std::vector<FacePlace>& places, const Face
 
 }  // namespace
 
-std::vector<SurfaceCarrier::Origin> SurfaceCarrier::origins(const std::vector<double>& from,
-                                                            const SurfaceRows& new_rows) const {
+std::vector<SurfaceTransfer::Origin> SurfaceTransfer::origins(const std::vector<double>& from,
+                                                              const SurfaceRows& new_rows) const {
   const int count = static_cast<int>(from.size() / 3);
   const auto old_place = [&](int row) { return Point{from[3 * row], from[3 * row + 1], from[3 * row + 2]}; };
   std::vector<std::vector<int>> rows(faces_.size());
@@ -204,17 +204,17 @@ std::vector<SurfaceCarrier::Origin> SurfaceCarrier::origins(const std::vector<do
   return result;
 }
 
-void SurfaceCarrier::carry_in_space(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
-                                    const PointView& now, const SurfaceRows& new_rows) const {
-  const std::vector<double> areas = of_all_ranks(comm_, old_rows.areas);
-  const std::vector<Origin> made_of = origins(of_all_ranks(comm_, flat(old_rows.places, 3)), new_rows);
+void SurfaceTransfer::transfer_in_space(const ArrayInfo& info, const PointView& old, const SurfaceRows& old_rows,
+                                        const PointView& now, const SurfaceRows& new_rows) const {
+  const std::vector<double> areas = all_gather(comm_, old_rows.areas);
+  const std::vector<Origin> made_of = origins(all_gather(comm_, flat(old_rows.places, 3)), new_rows);
   int column = 0;
   for (const StateVariable& variable : info.variables)
     for (int c = 0; c < variable.components; ++c, ++column) {
       const Kind kind = kind_of(variable.unit);
       std::vector<double> values;
       for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
-      values = of_all_ranks(comm_, values);
+      values = all_gather(comm_, values);
       double total = 0;
       if (kind == Kind::total)
         for (std::size_t row = 0; row < values.size(); ++row) {

@@ -31,7 +31,7 @@ struct RelativeSize {
 
 /// A mesh that was made on the way, with all that a model on it must know, so that a run goes on from it as from a
 /// deck's mesh.
-struct RenewedMesh {
+struct RemeshedMesh {
   int number = 0;                   // how many such meshes there have been, itself among them
   int step = 0;                     // after which it was made
   GlobalMesh mesh;                  // on rank 0, and empty elsewhere
@@ -43,10 +43,10 @@ struct RenewedMesh {
   std::vector<RelativeSize> sizes;
 
   std::vector<char> bytes() const;
-  static RenewedMesh from_bytes(std::vector<char> bytes);
+  static RemeshedMesh from_bytes(std::vector<char> bytes);
 };
 
 /// What rank 0 has, on every rank, the mesh itself on rank 0 alone. Collective.
-RenewedMesh of_first_rank(const Teuchos::Comm<int>& comm, RenewedMesh made);
+RemeshedMesh broadcast(const Teuchos::Comm<int>& comm, RemeshedMesh made);
 
 }  // namespace mudline

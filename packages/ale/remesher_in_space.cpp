@@ -8,7 +8,7 @@
 #include <set>
 
 #include "ale/interior_motion.hpp"
-#include "ale/renewal_builder.hpp"
+#include "ale/remesher_builder.hpp"
 #include "ale/simplex_mesh.hpp"
 #include "ale/size_around.hpp"
 #include "ale/vertex_colours.hpp"
@@ -89,7 +89,7 @@ std::vector<EnclosedRegion> parts(const Faces& faces, const Positions& x) {
   return result;
 }
 
-/// Middle nodes between their ends, where `free`(node).
+/// MidSideNode nodes between their ends, where `free`(node).
 template <class Free>
 void straighten(GlobalMesh& mesh, Free&& free) {
   for (const GlobalMesh::Block& block : mesh.blocks) {
@@ -155,7 +155,7 @@ void optimise(GlobalMesh& made, Geometry geometry) {
 
 class SpaceBuilder {
  public:
-  SpaceBuilder(const MeshRenewal& plan, const RenewedSurface& surface, double factor)
+  SpaceBuilder(const Remesher& plan, const RemeshedBoundary& surface, double factor)
       : plan_(plan),
         mesh_(plan.mesh()),
         surface_(surface),
@@ -165,9 +165,9 @@ class SpaceBuilder {
     take_faces();
   }
 
-  RenewedMesh build() {
+  RemeshedMesh build() {
     fill();
-    RenewedMesh result;
+    RemeshedMesh result;
     made_ = simplices_.number();
     optimise(made_, mesh_.mesh().geometry());
     name_sets();
@@ -193,11 +193,11 @@ class SpaceBuilder {
   double quality(const std::array<int, 4>& corners) const;
   bool may_change(int patch) const;
   void name_sets();
-  void keep_surfaces(RenewedMesh& result) const;
+  void keep_surfaces(RemeshedMesh& result) const;
 
-  const MeshRenewal& plan_;
+  const Remesher& plan_;
   const GhostedMesh& mesh_;
-  RenewedSurface surface_;
+  RemeshedBoundary surface_;
   double factor_;
   SizeAround size_;
   SimplexMesh simplices_;
@@ -219,7 +219,7 @@ std::vector<SpaceBuilder::Side> SpaceBuilder::sides() const {
 
 void SpaceBuilder::take_faces() {
   simplices_.places = surface_.places;
-  for (const RenewedSurface::Middle& middle : surface_.middles)
+  for (const RemeshedBoundary::MidSideNode& middle : surface_.mid_side_nodes)
     simplices_.bend(middle.ends[0], middle.ends[1], middle.place);
   faces_.resize(mesh_.mesh().blocks().size());
   for (const Side& side : sides()) faces_[side.block].push_back(side.corners);
@@ -311,11 +311,11 @@ void SpaceBuilder::peel(std::vector<std::array<int, 4>>& tetrahedra) {
     tetrahedra.erase(std::remove_if(tetrahedra.begin(), tetrahedra.end(), poor_on_surface), tetrahedra.end());
     if (tetrahedra.size() == before) break;
   }
-  std::vector<RenewedSurface::Middle>& middles = surface_.middles;
-  middles.erase(
-      std::remove_if(middles.begin(), middles.end(),
+  std::vector<RemeshedBoundary::MidSideNode>& mid_side_nodes = surface_.mid_side_nodes;
+  mid_side_nodes.erase(
+      std::remove_if(mid_side_nodes.begin(), mid_side_nodes.end(),
                      [&](const auto& middle) { return gone.count(std::minmax(middle.ends[0], middle.ends[1])) > 0; }),
-      middles.end());
+      mid_side_nodes.end());
 }
 
 void SpaceBuilder::name_sets() {
@@ -339,7 +339,7 @@ void SpaceBuilder::name_sets() {
   std::map<int, long long> new_node;  // of old ones that stay
   for (std::size_t v = 0; v < surface_.mesh.vertices.size(); ++v)
     new_node[surface_.mesh.vertices[v].node] = simplices_.node(static_cast<int>(v));
-  for (const RenewedSurface::Middle& middle : surface_.middles)
+  for (const RemeshedBoundary::MidSideNode& middle : surface_.mid_side_nodes)
     new_node[middle.node] = simplices_.middle(middle.ends[0], middle.ends[1]);
   for (const auto& [name, nodes] : mesh_.node_sets()) {
     std::vector<long long>& to = made_.node_sets[name];
@@ -348,7 +348,7 @@ void SpaceBuilder::name_sets() {
   }
 }
 
-void SpaceBuilder::keep_surfaces(RenewedMesh& result) const {
+void SpaceBuilder::keep_surfaces(RemeshedMesh& result) const {
   for (const RemeshedSurface::Face& face : surface_.mesh.faces) {
     FaceOfPatch kept{{}, face.patch};
     for (int k = 0; k < 3; ++k) kept.corners[k] = simplices_.node(face.vertices[k]);
@@ -372,9 +372,9 @@ void SpaceBuilder::keep_surfaces(RenewedMesh& result) const {
 
 }  // namespace
 
-RenewedMesh renewed_in_space(const MeshRenewal& plan, const RenewedSurface& surface, const State& state,
-                             double factor) {
-  RenewedMesh made = SpaceBuilder(plan, surface, factor).build();
+RemeshedMesh remeshed_in_space(const Remesher& plan, const RemeshedBoundary& surface, const State& state,
+                               double factor) {
+  RemeshedMesh made = SpaceBuilder(plan, surface, factor).build();
   made.focus = plan.boundary().focus(state);
   return made;
 }

@@ -1,11 +1,11 @@
-#include "simulation/model_renewal.hpp"
+#include "simulation/model_remeshing.hpp"
 
 #include <unordered_map>
 
 #include "ale/yield_drift.hpp"
 #include "framework/dof_ids.hpp"
 #include "integrator/overlap.hpp"
-#include "simulation/surface_carrier.hpp"
+#include "simulation/surface_transfer.hpp"
 
 namespace mudline {
 
@@ -56,7 +56,7 @@ std::string moving_forces(const Model& model, const ArrayInfo& info) {
   const std::vector<double> nodes = ale.mesh().gather(model.space(), u, held);
   bool moving = false;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    moving = moving || (nodes[i] != 0 && !ale.renewal()->keeps(static_cast<int>(i) / ale.mesh().dimension()));
+    moving = moving || (nodes[i] != 0 && !ale.remeshing()->keeps(static_cast<int>(i) / ale.mesh().dimension()));
   if (ale.mesh().any(moving))
     return "the boundary condition '" + info.name.substr(std::string(held_forces).size()) +
            "' holds forces at nodes that would move; name its set in boundary/material sides";
@@ -99,22 +99,22 @@ std::string copy_common(Model& from, Model& to) {
   return "";
 }
 
-void carry_contacts(Model& from, Model& to) {
+void transfer_contacts(Model& from, Model& to) {
   const Positions x = from.ale()->mesh().gather(from.store().committed().coordinates);
   for (std::size_t k = 0; k < to.contacts().size(); ++k) {
     const Contact &old = *from.contacts()[k].second, &now = *to.contacts()[k].second;
-    const SurfaceCarrier carrier(*from.ale(), x, now.partners().surface);
+    const SurfaceTransfer transfer(*from.ale(), x, now.partners().surface);
     const auto before = old.surface_rows(from.store().committed().coordinates),
                after = now.surface_rows(to.store().committed().coordinates);
     for (std::size_t i = 0; i < after.size(); ++i) {
       const ArrayInfo& info = to.store().info(after[i].array);
       const PointView& rows = to.store().committed().arrays[after[i].array];
-      carrier.carry(info, from.store().committed().arrays[before[i].array], before[i], rows, after[i]);
+      transfer.transfer(info, from.store().committed().arrays[before[i].array], before[i], rows, after[i]);
     }
   }
 }
 
-void carry_held_forces(Model& from, const MeshChange& change, Model& to) {
+void transfer_held_forces(Model& from, const MeshChange& change, Model& to) {
   for (int handle = 0; handle < to.store().num_arrays(); ++handle) {
     const ArrayInfo& info = to.store().info(handle);
     if (!begins_with(info.name, held_forces)) continue;
@@ -124,7 +124,7 @@ void carry_held_forces(Model& from, const MeshChange& change, Model& to) {
     const std::vector<int> dofs = dofs_of(from, from.store().info(from.store().find(info.name)));
     for (std::size_t row = 0; row < dofs.size(); ++row) forces(dofs[row]) = old(row, 0);
     const NodalView made("held forces", to.space().dofs()->num_overlap_dofs());
-    change.carry(to.soil()->displacement, forces, made);
+    change.transfer(to.soil()->displacement, forces, made);
     const std::vector<int> new_dofs = dofs_of(to, info);
     for (std::size_t row = 0; row < new_dofs.size(); ++row) now(row, 0) = made(new_dofs[row]);
   }
@@ -132,7 +132,7 @@ void carry_held_forces(Model& from, const MeshChange& change, Model& to) {
 
 }  // namespace
 
-std::string renewal_problem(const Model& model) {
+std::string remeshing_problem(const Model& model) {
   const std::set<int> of_contacts = arrays_of_contacts(model);
   for (const auto& [name, contact] : model.contacts())
     if (!contact->partners().opposite.empty())
@@ -167,8 +167,8 @@ TakeOver take_over(Model& from, const Stage& stage, Model& to) {
   result.change = std::make_unique<const MeshChange>(*from.ale(), before, *to.ale(), state);
   receipt = to.ale()->take_over(*from.ale(), from.store(), *result.change, constraints, to.store());
   if (!receipt.moved) return result;
-  carry_contacts(from, to);
-  carry_held_forces(from, *result.change, to);
+  transfer_contacts(from, to);
+  transfer_held_forces(from, *result.change, to);
   to.stepper().measures() = from.stepper().measures();
   if (!to.stepper().refresh_history()) {
     receipt.veto = "the state on the new mesh cannot be evaluated" + to.stepper().hints();
@@ -176,7 +176,7 @@ TakeOver take_over(Model& from, const Stage& stage, Model& to) {
     return result;
   }
   receipt.yield_drift = yield_drift(*to.soil(), state, to.store().trial());
-  for (Carried* term : to.stepper().carried()) term->adopt(to.store().trial(), state);
+  for (Transferred* term : to.stepper().transferred()) term->adopt(to.store().trial(), state);
   return result;
 }
 

@@ -7,7 +7,7 @@
 namespace mudline {
 
 /// Why the state of this model could not go over to another mesh of the same regions; "" where it can. Collective.
-std::string renewal_problem(const Model& model);
+std::string remeshing_problem(const Model& model);
 
 /// The state of a model on another mesh, which takes it over from the one before.
 struct TakeOver {

@@ -47,11 +47,11 @@ Vec<T, 3> numbers(const Point& x) {
 
 /// Where a point is beside the body, and what the motion over a step means along its surface.
 template <class T, int D>
-struct BodyFoot;
+struct BodyProjection;
 
 template <class T>
-struct BodyFoot<T, 2> {
-  BodyFoot(const BodyPlace& at, const PointNumbers<T, 2>& x) {
+struct BodyProjection<T, 2> {
+  BodyProjection(const BodyPlace& at, const PointNumbers<T, 2>& x) {
     // how the point moves past the material of the body: 0, with derivatives
     const Vec<T, 2> way{x.arm[0] - value(x.arm[0]) + x.turn[0] * value(x.arm[1]),
                         x.arm[1] - value(x.arm[1]) - x.turn[0] * value(x.arm[0])};
@@ -63,7 +63,7 @@ struct BodyFoot<T, 2> {
     tangent = m - n * turned;
   }
 
-  /// Travel and old shear stress along the surface, from the foot at the start of the step.
+  /// Travel and old shear stress along the surface, from the closest point at the start of the step.
   void start(const BodyInStep&, const ContactStart& start, ContactMotion<T, 2>& motion) const {
     motion.travel = advance + start.travelled;
     motion.shear_old = T(start.shear.shear[0]);
@@ -76,15 +76,15 @@ struct BodyFoot<T, 2> {
   static T felt_before(const Point& moment, const BodyPlacement&) { return T(moment[2]); }
   static Point plain_shear(const T& shear) { return {value(shear), 0, 0}; }
 
-  T gap, advance;  // [m]; of the foot along the contour: 0, with derivatives
+  T gap, advance;  // [m]; of the closest point along the contour: 0, with derivatives
   Vec<T, 2> normal, tangent;
 };
 
 template <class T>
-struct BodyFoot<T, 3> {
+struct BodyProjection<T, 3> {
   using Vector = Vec<T, 3>;
 
-  BodyFoot(const BodyPlace& at, const PointNumbers<T, 3>& x) : turn{x.turn[0], x.turn[1], x.turn[2]} {
+  BodyProjection(const BodyPlace& at, const PointNumbers<T, 3>& x) : turn{x.turn[0], x.turn[1], x.turn[2]} {
     const Point plain{value(x.arm[0]), value(x.arm[1]), value(x.arm[2])};
     const Vector n = numbers<T>(at.normal);
     way = x.arm - turned_on(plain);
@@ -92,15 +92,15 @@ struct BodyFoot<T, 3> {
     normal = turned_on(at.normal);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) normal[i] += at.turning[i][j] * way[j];
-    foot = x.arm - normal * gap;
+    projection = x.arm - normal * gap;
   }
 
-  /// The travel is the way of the foot over the body, as a vector of the tangent plane at its end; the old shear stress
-  /// turns with the body and then with the normal.
+  /// The travel is the way of the closest point over the body, as a vector of the tangent plane at its end; the old
+  /// shear stress turns with the body and then with the normal.
   void start(const BodyInStep& body, const ContactStart& start, ContactMotion<T, 3>& motion) const {
     const Rotation turned = body.now.turn * body.old.turn.inverse();
     const Vector from = turned_on(turned(start.before.normal));
-    const Vector way = foot - turned_on(turned(start.before.foot - body.old.centre));
+    const Vector way = projection - turned_on(turned(start.before.point - body.old.centre));
     const Vector sum = from + normal, middle = sum / length(sum);
     motion.travel = transported(way - middle * dot(way, middle), middle);
     motion.shear_old = transported(turned_on(turned(start.shear.shear)), from);
@@ -122,8 +122,8 @@ struct BodyFoot<T, 3> {
   }
   static Point plain_shear(const Vector& shear) { return {value(shear[0]), value(shear[1]), value(shear[2])}; }
 
-  T gap;                // [m]
-  Vector normal, foot;  // [-]; [m] from the body's centre
+  T gap;                      // [m]
+  Vector normal, projection;  // [-]; [m] from the body's centre
 
  private:
   /// A vector fixed to the body, with the derivatives of its turning.

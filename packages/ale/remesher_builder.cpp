@@ -1,5 +1,5 @@
 // The new mesh itself in the plane: vertices along the paths, regions between them, triangles in these, and names.
-#include "ale/renewal_builder.hpp"
+#include "ale/remesher_builder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ bool inside(const Place& point, const std::vector<int>& loop, const std::vector<
 
 class PlaneBuilder {
  public:
-  PlaneBuilder(const MeshRenewal& plan, const Positions& x, const State& state, const WantedSizes* sizes)
+  PlaneBuilder(const Remesher& plan, const Positions& x, const State& state, const WantedSizes* sizes)
       : plan_(plan),
         paths_(plan.boundary().paths()),
         size_(plan.deck().growth),
@@ -47,7 +47,7 @@ class PlaneBuilder {
     for (std::size_t p = 0; p < paths_.size(); ++p) add_path(p, plan.divided(p, x, state, sizes));
   }
 
-  RenewedMesh build() {
+  RemeshedMesh build() {
     find_regions();
     const Triangulation made = triangulate(vertices_, regions_, size_inside(), plan_.deck().time_limit);
     for (const Place& place : made.points) simplices_.places.push_back(on_plane(place));
@@ -55,7 +55,7 @@ class PlaneBuilder {
       for (const auto& t : made.triangles[r]) simplices_.add(block_of_[r], {t[0], t[1], t[2], -1});
     mesh_ = simplices_.number();
     name_sets();
-    RenewedMesh result;
+    RemeshedMesh result;
     result.mesh = std::move(mesh_);
     result.paths = new_paths();
     result.origins = plan_.boundary().origins();
@@ -78,7 +78,7 @@ class PlaneBuilder {
   void name_sets();
   std::vector<MeshPath> new_paths() const;
 
-  const MeshRenewal& plan_;
+  const Remesher& plan_;
   const std::vector<MeshPath>& paths_;
   SizeAround size_;
   const WantedSizes* sizes_;
@@ -110,7 +110,7 @@ void PlaneBuilder::add_path(std::size_t p, const DividedPath& divided) {
   for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
     const Point a = on_plane(divided.vertices[k]), b = on_plane(divided.vertices[k + 1]);
     size_.add(0.5 * (a + b), distance(a, b));
-    if (!divided.middles.empty()) simplices_.bend(chain[k], chain[k + 1], on_plane(divided.middles[k]));
+    if (!divided.mid_side_nodes.empty()) simplices_.bend(chain[k], chain[k + 1], on_plane(divided.mid_side_nodes[k]));
   }
   chains_.push_back(std::move(chain));
 }
@@ -208,9 +208,8 @@ std::vector<MeshPath> PlaneBuilder::new_paths() const {
 
 }  // namespace
 
-RenewedMesh renewed_in_plane(const MeshRenewal& plan, const Positions& x, const State& state,
-                             const WantedSizes* sizes) {
-  RenewedMesh made = PlaneBuilder(plan, x, state, sizes).build();
+RemeshedMesh remeshed_in_plane(const Remesher& plan, const Positions& x, const State& state, const WantedSizes* sizes) {
+  RemeshedMesh made = PlaneBuilder(plan, x, state, sizes).build();
   made.focus = plan.boundary().focus(state);
   return made;
 }

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "ale/conservation.hpp"
-#include "ale/mesh_renewal.hpp"
 #include "ale/nodal_remap.hpp"
 #include "ale/quality.hpp"
 #include "ale/recovery.hpp"
+#include "ale/remesher.hpp"
 #include "ale_mesh.hpp"
 #include "core/deck.hpp"
 #include "discretisation/triangulation.hpp"
@@ -18,22 +18,22 @@ using testing::grains;
 using testing::points_of;
 
 /// A mesh of triangles with all that makes it anew.
-struct Renewed {
-  explicit Renewed(CellShape shape, const std::string& entries = "", int n = 6) : mesh(box(shape, n)), whole(*mesh) {
+struct Remeshed {
+  explicit Remeshed(CellShape shape, const std::string& entries = "", int n = 6) : mesh(box(shape, n)), whole(*mesh) {
     deck.overlay("<ParameterList name=\"deck\">" + entries + "</ParameterList>", "deck.xml");
     x = whole.gather(mesh->coordinates());
     boundary.bind(whole, x, {}, deck.root(), nullptr);
-    plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
+    plan = std::make_unique<Remesher>(whole, boundary, RemeshingParameters(), deck.root());
   }
   std::unique_ptr<Mesh> mesh;
   GhostedMesh whole;
   Deck deck;
   Positions x;
   BoundaryMotion boundary;
-  std::unique_ptr<MeshRenewal> plan;
+  std::unique_ptr<Remesher> plan;
 };
 
-std::unique_ptr<Mesh> mesh_of(const RenewedMesh& made) {
+std::unique_ptr<Mesh> mesh_of(const RemeshedMesh& made) {
   return std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::plane_strain, made.mesh);
 }
 
@@ -50,13 +50,13 @@ Positions drawn_out(Positions x) {
   return x;
 }
 
-TEST(MeshRenewal, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
+TEST(Remesher, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
   for (CellShape shape : {CellShape::tri3, CellShape::tri6}) {
-    Renewed was(shape);
+    Remeshed was(shape);
     EXPECT_NEAR(was.plan->largest_side(was.x, State()), 1, 1e-9);
     const Positions x = drawn_out(was.x);
     EXPECT_NEAR(was.plan->largest_side(x, State()), 3.3, 0.3);
-    const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
+    const RemeshedMesh made = was.plan->make(x, State(), 0.2, nullptr);
     const auto mesh = mesh_of(made);
     const GhostedMesh whole(*mesh);
     const Positions now = whole.gather(mesh->coordinates());
@@ -78,13 +78,13 @@ TEST(MeshRenewal, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
     // the same region, within what its curved top is approximated by
     EXPECT_NEAR(area(whole, now, points_of(*mesh)), area(was.whole, x, points_of(*was.mesh)),
                 shape == CellShape::tri6 ? 1e-3 : 1e-2);
-    EXPECT_EQ(RenewedMesh::from_bytes(made.bytes()).bytes(), made.bytes());
+    EXPECT_EQ(RemeshedMesh::from_bytes(made.bytes()).bytes(), made.bytes());
   }
 }
 
-TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
+TEST(Remesher, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
   Deck deck;
-  Renewed was(CellShape::tri6);
+  Remeshed was(CellShape::tri6);
   BoundaryMotion boundary;
   deck.overlay(
       "<ParameterList name=\"deck\"><Parameter name=\"material sides\" type=\"Array(string)\" "
@@ -93,9 +93,9 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
   Parameters p(deck.root());
   boundary.parameters(p);
   boundary.bind(was.whole, was.x, {}, deck.root(), nullptr);
-  const MeshRenewal plan(was.whole, boundary, RenewalParameters(), was.deck.root());
+  const Remesher plan(was.whole, boundary, RemeshingParameters(), was.deck.root());
   const Positions x = drawn_out(was.x);
-  const RenewedMesh made = plan.make(x, State(), 0.2, nullptr);
+  const RemeshedMesh made = plan.make(x, State(), 0.2, nullptr);
   for (std::size_t k = 0; k < made.paths.size(); ++k) {
     if (!made.paths[k].sets.count("top")) continue;
     ASSERT_EQ(made.paths[k].nodes.size(), boundary.paths()[k].nodes.size());
@@ -105,16 +105,16 @@ TEST(MeshRenewal, MaterialSidesKeepTheirNodesAndTheRestIsAsWanted) {
   }
 }
 
-TEST(MeshRenewal, RefusesAMeshThatIsTooPoor) {
-  Renewed was(CellShape::tri6);
+TEST(Remesher, RefusesAMeshThatIsTooPoor) {
+  Remeshed was(CellShape::tri6);
   EXPECT_THROW(was.plan->make(was.x, State(), 0.99, nullptr), NoTriangulation);
 }
 
-TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
-  Renewed was(CellShape::tri6);
+TEST(Remesher, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
+  Remeshed was(CellShape::tri6);
   Positions x = was.x;
   for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 2.5 * p[1]};
-  const RenewedMesh made = was.plan->make(x, State(), 0.2, nullptr);
+  const RemeshedMesh made = was.plan->make(x, State(), 0.2, nullptr);
   const auto mesh = mesh_of(made);
   const GhostedMesh whole(*mesh);
   const Positions now = whole.gather(mesh->coordinates());
@@ -166,8 +166,8 @@ TEST(MeshRenewal, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
 }
 
 /// A cube of tetrahedra whose top is curved, with all that makes it anew.
-struct RenewedCube {
-  explicit RenewedCube(CellShape shape, double height = 0.8, const std::string& entries = "", double roof = 0)
+struct RemeshedCube {
+  explicit RemeshedCube(CellShape shape, double height = 0.8, const std::string& entries = "", double roof = 0)
       : mesh(testing::cube(shape, 3)), whole(*mesh) {
     deck.overlay(
         "<ParameterList name=\"deck\"><ParameterList name=\"boundary\">" + entries + "</ParameterList></ParameterList>",
@@ -178,7 +178,7 @@ struct RenewedCube {
     }
     const Positions source = whole.gather(mesh->coordinates());
     boundary.bind(whole, source, {}, deck.root(), nullptr);
-    plan = std::make_unique<MeshRenewal>(whole, boundary, RenewalParameters(), deck.root());
+    plan = std::make_unique<Remesher>(whole, boundary, RemeshingParameters(), deck.root());
     x = source;
     for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 1.1 * p[1], height * p[2] + 0.1 * p[2] * std::sin(3 * p[0]) * p[1]};
     for (std::size_t node = 0; node < x.size(); ++node)
@@ -202,8 +202,8 @@ struct RenewedCube {
   Deck deck;
   Positions x, now;
   BoundaryMotion boundary, after;
-  std::unique_ptr<MeshRenewal> plan;
-  RenewedMesh made;
+  std::unique_ptr<Remesher> plan;
+  RemeshedMesh made;
 };
 
 double volume(const GhostedMesh& mesh, const Positions& x, const SoilBlock& block) {
@@ -213,9 +213,9 @@ double volume(const GhostedMesh& mesh, const Positions& x, const SoilBlock& bloc
   return soil_volume(mesh, soil, x);
 }
 
-TEST(MeshRenewalInSpace, TheBoundaryIsMeshedAnewAndEverythingKeepsItsName) {
+TEST(RemesherInSpace, TheBoundaryIsMeshedAnewAndEverythingKeepsItsName) {
   for (CellShape shape : {CellShape::tet4, CellShape::tet10}) {
-    RenewedCube cube(shape);
+    RemeshedCube cube(shape);
     EXPECT_NE(cube.whole.elements().size(), cube.anew->elements().size());
     EXPECT_GT(lowest_quality(*cube.anew, cube.now), 0.05);
     const double was = volume(cube.whole, cube.x, points_of(*cube.mesh, 5));
@@ -234,7 +234,7 @@ TEST(MeshRenewalInSpace, TheBoundaryIsMeshedAnewAndEverythingKeepsItsName) {
         }
       }
     EXPECT_NEAR(area["bottom"], 1.3 * 1.1, 1e-12);
-    EXPECT_EQ(RenewedMesh::from_bytes(cube.made.bytes()).bytes(), cube.made.bytes());
+    EXPECT_EQ(RemeshedMesh::from_bytes(cube.made.bytes()).bytes(), cube.made.bytes());
     // surfaces and curves are those of the first mesh
     const MeshSurfaces &old = cube.boundary.surfaces().surfaces(), &now = cube.after.surfaces().surfaces();
     ASSERT_EQ(now.patches.size(), old.patches.size());
@@ -248,14 +248,14 @@ TEST(MeshRenewalInSpace, TheBoundaryIsMeshedAnewAndEverythingKeepsItsName) {
   }
 }
 
-TEST(MeshRenewalInSpace, DrawnOutFacesAreDividedAndMaterialSidesStay) {
-  RenewedCube cube(CellShape::tet10, 2.5);
+TEST(RemesherInSpace, DrawnOutFacesAreDividedAndMaterialSidesStay) {
+  RemeshedCube cube(CellShape::tet10, 2.5);
   EXPECT_GT(cube.plan->largest_side(cube.x, State()), 2.0);
-  const MeshRenewal again(*cube.anew, cube.after, RenewalParameters(), cube.deck.root());
+  const Remesher again(*cube.anew, cube.after, RemeshingParameters(), cube.deck.root());
   EXPECT_LT(again.largest_side(cube.now, State()), 1.6);
   EXPECT_GT(cube.after.surfaces().surfaces().faces.size(), 1.5 * cube.boundary.surfaces().surfaces().faces.size());
-  RenewedCube held(CellShape::tet10, 2.5,
-                   "<Parameter name=\"material sides\" type=\"Array(string)\" value=\"{left, right}\"/>");
+  RemeshedCube held(CellShape::tet10, 2.5,
+                    "<Parameter name=\"material sides\" type=\"Array(string)\" value=\"{left, right}\"/>");
   std::multiset<std::multiset<Point>> before, after;  // faces by their nodes' places
   const auto faces_of = [](const GhostedMesh& mesh, const Positions& x, auto& to) {
     for (const auto& side : mesh.boundary()) {
@@ -272,8 +272,8 @@ TEST(MeshRenewalInSpace, DrawnOutFacesAreDividedAndMaterialSidesStay) {
 }
 
 /// A roof on the cube, whose ridge is in the middle of edges: elements on it would be folded.
-TEST(MeshRenewalInSpace, ElementsOnARidgeAreSound) {
-  RenewedCube cube(CellShape::tet10, 0.8, "", 2.0);
+TEST(RemesherInSpace, ElementsOnARidgeAreSound) {
+  RemeshedCube cube(CellShape::tet10, 0.8, "", 2.0);
   EXPECT_GT(lowest_quality(*cube.anew, cube.now), 0.15);
   const double was = volume(cube.whole, cube.x, points_of(*cube.mesh, 5));
   EXPECT_NEAR(volume(*cube.anew, cube.now, points_of(*cube.next, 5)), was, 0.05 * was);
@@ -296,13 +296,13 @@ TEST(MeshRenewalInSpace, ElementsOnARidgeAreSound) {
 }
 
 /// Elements that have two faces on the roof, where all those are taken off that are not nearly perfect.
-TEST(MeshRenewalInSpace, FlatElementsAreTakenOffTheOutside) {
-  RenewedCube cube(CellShape::tet10, 0.8, "", 2.0);
+TEST(RemesherInSpace, FlatElementsAreTakenOffTheOutside) {
+  RemeshedCube cube(CellShape::tet10, 0.8, "", 2.0);
   std::map<double, int> flat;
   for (const double below : {0.0, 0.95}) {
-    RenewalParameters deck;
+    RemeshingParameters deck;
     deck.quality_below = below;
-    const MeshRenewal plan(cube.whole, cube.boundary, deck, cube.deck.root());
+    const Remesher plan(cube.whole, cube.boundary, deck, cube.deck.root());
     const Mesh next(Tpetra::getDefaultComm(), Geometry::space, plan.make(cube.x, State(), 0.05, nullptr).mesh);
     const GhostedMesh anew(next);
     std::map<int, int> faces;  // by element
@@ -314,8 +314,8 @@ TEST(MeshRenewalInSpace, FlatElementsAreTakenOffTheOutside) {
   EXPECT_GT(flat[0.0], flat[0.95]);
 }
 
-TEST(MeshRenewalInSpace, LinearFieldsSurviveAtNodesAndPoints) {
-  RenewedCube cube(CellShape::tet10);
+TEST(RemesherInSpace, LinearFieldsSurviveAtNodesAndPoints) {
+  RemeshedCube cube(CellShape::tet10);
   const auto linear = [](const Point& p) { return 3 - 2 * p[0] + 5 * p[1] + p[2]; };
   std::vector<double> at_nodes;  // and what is prescribed on the boundary
   for (int node = 0; node < cube.whole.num_nodes(); ++node) {
@@ -344,15 +344,15 @@ TEST(MeshRenewalInSpace, LinearFieldsSurviveAtNodesAndPoints) {
       table.push_back(linear(Recovery::position(cube.whole.elements()[e], old_block, q, cube.x)));
       table.push_back(7.25);
     }
-  std::vector<double> carried(2 * cube.anew->block_elements(0).size() * block.points);
+  std::vector<double> transferred(2 * cube.anew->block_elements(0).size() * block.points);
   const std::vector<StateVariable> variables{{"f", 1, "-"}, {"g", 1, "-"}};
   RecoveryRemap().transfer(
-      {{cube.whole, old_block, cube.x}, {*cube.anew, block, cube.now}, patches, variables, 2, table, carried});
+      {{cube.whole, old_block, cube.x}, {*cube.anew, block, cube.now}, patches, variables, 2, table, transferred});
   for (int e : cube.anew->block_elements(0))
     for (int q = 0; q < block.points; ++q) {
       const std::size_t row = 2 * static_cast<std::size_t>(cube.anew->first_row(e, block.points) + q);
-      EXPECT_NEAR(carried[row], linear(Recovery::position(cube.anew->elements()[e], block, q, cube.now)), 1e-11);
-      EXPECT_NEAR(carried[row + 1], 7.25, 1e-12);
+      EXPECT_NEAR(transferred[row], linear(Recovery::position(cube.anew->elements()[e], block, q, cube.now)), 1e-11);
+      EXPECT_NEAR(transferred[row + 1], 7.25, 1e-12);
     }
 }
 
@@ -378,17 +378,17 @@ TEST(WantedSizes, AreWithinBoundsAndGrowNoFasterThanAllowed) {
   EXPECT_NEAR(sizes.largest_ratio(), std::sqrt(2 / std::sqrt(3.0)) / n / smallest, 1e-12);
 }
 
-TEST(MeshRenewal, AdaptiveSizesAreThoseOfTheErrorOnTheBoundaryAndInside) {
-  Renewed was(CellShape::tri6, "");
-  RenewalParameters deck;
-  deck.size = RenewalParameters::Size::adaptive;
+TEST(Remesher, AdaptiveSizesAreThoseOfTheErrorOnTheBoundaryAndInside) {
+  Remeshed was(CellShape::tri6, "");
+  RemeshingParameters deck;
+  deck.size = RemeshingParameters::Size::adaptive;
   deck.smallest_size = 0.01;
   deck.largest_size = 1;
-  const MeshRenewal plan(was.whole, was.boundary, deck, was.deck.root());
+  const Remesher plan(was.whole, was.boundary, deck, was.deck.root());
   for (double size : {0.05, 0.25}) {
     const WantedSizes sizes(std::make_shared<const GhostedMesh>(*was.mesh), was.x,
                             std::vector<double>(was.whole.elements().size(), size), {0.01, 1, 0.3});
-    const RenewedMesh made = plan.make(was.x, State(), 0.2, &sizes);
+    const RemeshedMesh made = plan.make(was.x, State(), 0.2, &sizes);
     for (const MeshPath& path : made.paths) EXPECT_EQ(path.num_vertices() - 1, std::lround(1 / size));
     const double elements = static_cast<double>(made.mesh.blocks[0].nodes.size()) / 6;
     EXPECT_NEAR(elements, 4 / std::sqrt(3.0) / (size * size), 0.2 * elements);

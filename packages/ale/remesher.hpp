@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "ale/boundary_motion.hpp"
-#include "ale/renewed_mesh.hpp"
+#include "ale/remeshed_mesh.hpp"
 #include "ale/wanted_sizes.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
 
 /// What the deck says of "remeshing".
-struct RenewalParameters {
+struct RemeshingParameters {
   /// What the wanted sizes come from: the deck's mesh and the distance from its boundary, or an error estimate.
   enum class Size { source, adaptive };
   void parameters(Parameters& p);
@@ -26,8 +26,8 @@ struct RenewalParameters {
 
 /// A path divided into new sides.
 struct DividedPath {
-  std::vector<Vec<double, 2>> vertices;  // the ends among them
-  std::vector<Vec<double, 2>> middles;   // (side) of quadratic elements
+  std::vector<Vec<double, 2>> vertices;        // the ends among them
+  std::vector<Vec<double, 2>> mid_side_nodes;  // (side) of quadratic elements
 };
 
 /// What lies on either side of a path.
@@ -44,26 +44,26 @@ struct PathNeighbours {
 /// of the size of those that were there in the deck's mesh, with the same focus and wall size, see SurfaceRemesher, and
 /// the inside is filled with tetrahedra that are as large as the faces beside them and grow away from them; the better
 /// one of two meshes is taken. Everything has its name again.
-class MeshRenewal {
+class Remesher {
  public:
   /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
-  MeshRenewal(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
-              const Section& section);
+  Remesher(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RemeshingParameters& deck,
+           const Section& section);
 
-  const RenewalParameters& deck() const { return deck_; }
+  const RemeshingParameters& deck() const { return deck_; }
   const GhostedMesh& mesh() const { return mesh_; }
   const BoundaryMotion& boundary() const { return boundary_; }
   const PathNeighbours& beside(std::size_t path) const { return beside_[path]; }
   /// Whether the path keeps its nodes.
   bool kept(std::size_t path) const { return boundary_.material(boundary_.paths()[path]); }
   /// Whether a node stays where it is.
-  bool keeps(int node) const { return kept_node_[node] != 0; }
+  bool keeps(int node) const { return fixed_node_[node] != 0; }
 
   /// In space: the side sets of a block's sides on a patch.
   const std::set<std::string>& names(int patch, int block) const { return names_.at({patch, block}); }
 
   bool in_space() const { return mesh_.dimension() == 3; }
-  bool adaptive() const { return deck_.size == RenewalParameters::Size::adaptive; }
+  bool adaptive() const { return deck_.size == RemeshingParameters::Size::adaptive; }
   /// The largest ratio of a side of the boundary, in space of an edge, to its wanted length; what an error asks for is
   /// left out.
   double largest_side(const Positions& x, const State& state) const;
@@ -74,7 +74,7 @@ class MeshRenewal {
   std::function<double(double relative, const Point& at)> wanted_on_surface(const State& state) const;
   /// A mesh in the boundary at x, none of whose elements has a smaller scaled Jacobian than `least_quality`; without
   /// its numbers of meshes and steps. Throws NoTriangulation, and ChildLost where Gmsh is lost. Serial, pure.
-  RenewedMesh make(const Positions& x, const State& state, double least_quality, const WantedSizes* sizes) const;
+  RemeshedMesh make(const Positions& x, const State& state, double least_quality, const WantedSizes* sizes) const;
 
  private:
   void find_neighbours();
@@ -94,10 +94,10 @@ class MeshRenewal {
 
   const GhostedMesh& mesh_;
   const BoundaryMotion& boundary_;
-  RenewalParameters deck_;
+  RemeshingParameters deck_;
   std::vector<PathNeighbours> beside_;                          // (path)
   std::map<std::pair<int, int>, std::set<std::string>> names_;  // in space: by patch and block
-  std::vector<char> kept_node_;
+  std::vector<char> fixed_node_;
 };
 
 }  // namespace mudline

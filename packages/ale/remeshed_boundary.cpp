@@ -1,4 +1,4 @@
-#include "ale/renewed_surface.hpp"
+#include "ale/remeshed_boundary.hpp"
 
 #include <algorithm>
 #include <map>
@@ -15,13 +15,13 @@ using Ends = std::pair<int, int>;  // ascending
 
 Ends ends(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-class SurfaceRenewal {
+class SurfaceRemeshing {
  public:
-  SurfaceRenewal(const MeshRenewal& plan, const Positions& x, const State& state)
+  SurfaceRemeshing(const Remesher& plan, const Positions& x, const State& state)
       : boundary_(plan.boundary()),
         surfaces_(boundary_.surfaces().surfaces()),
         x_(x),
-        body_([this, &state](const Point& at) { return boundary_.foot(state, at); }),
+        body_([this, &state](const Point& at) { return boundary_.point(state, at); }),
         gaps_(body_, x),
         locator_(surfaces_.faces, x) {
     for (const MeshPath& path : surfaces_.curves)
@@ -34,15 +34,15 @@ class SurfaceRenewal {
     made_.mesh = SurfaceRemesher(surfaces_, x, sizes, keeps_patch, keeps_curve).remesh();
   }
 
-  RenewedSurface make() {
+  RemeshedBoundary make() {
     place_vertices();
-    if (!surfaces_.faces.empty() && order(surfaces_.faces.front().shape) == 2) place_middles();
+    if (!surfaces_.faces.empty() && order(surfaces_.faces.front().shape) == 2) place_mid_side_nodes();
     return std::move(made_);
   }
 
  private:
   void place_vertices();
-  void place_middles();
+  void place_mid_side_nodes();
   /// On the surface of a patch; `span`: of the edges there [m].
   Point on_patch(int patch, const SurfacePlace& place, double span);
   /// Place of a curve at a parameter of the rounded one.
@@ -56,20 +56,20 @@ class SurfaceRenewal {
   FaceLocator locator_;
   std::vector<std::unique_ptr<PathPlaces>> curves_;
   std::vector<PatchPlane> planes_;
-  RenewedSurface made_;
+  RemeshedBoundary made_;
 };
 
-Point SurfaceRenewal::on_patch(int patch, const SurfacePlace& place, double span) {
+Point SurfaceRemeshing::on_patch(int patch, const SurfacePlace& place, double span) {
   const Point at = planes_[patch].of_all.kept(locator_.at(place));
   return planes_[patch].flat ? at : gaps_.kept(surfaces_.faces[place.face], place.xi, at, span);
 }
 
-Point SurfaceRenewal::on_curve(std::size_t curve, double s, double span) const {
+Point SurfaceRemeshing::on_curve(std::size_t curve, double s, double span) const {
   const double length = curves_[curve]->curve().length();
   return curves_[curve]->at(s * length / made_.mesh.curves[curve].back().s, span);
 }
 
-void SurfaceRenewal::place_vertices() {
+void SurfaceRemeshing::place_vertices() {
   std::vector<double> shortest(made_.mesh.vertices.size(), 1e300);  // edge at a vertex
   for (const RemeshedSurface::Face& face : made_.mesh.faces)
     for (int k = 0; k < 3; ++k) {
@@ -87,12 +87,12 @@ void SurfaceRenewal::place_vertices() {
   }
 }
 
-void SurfaceRenewal::place_middles() {
-  std::map<Ends, int> old;  // middles by old vertices
+void SurfaceRemeshing::place_mid_side_nodes() {
+  std::map<Ends, int> old;  // mid-side nodes by old vertices
   for (const SurfaceFace& face : surfaces_.faces)
     for (int k = 0; k < 3; ++k) old[ends(face.nodes[k], face.nodes[(k + 1) % 3])] = face.nodes[3 + k];
   std::map<Ends, Point> on_curves;
-  const auto old_middle = [&](int a, int b) {
+  const auto old_mid_side_node = [&](int a, int b) {
     const int from = made_.mesh.vertices[a].node, to = made_.mesh.vertices[b].node;
     const auto found = from >= 0 && to >= 0 ? old.find(ends(from, to)) : old.end();
     return found != old.end() ? found->second : -1;
@@ -100,26 +100,26 @@ void SurfaceRenewal::place_middles() {
   for (std::size_t c = 0; c < made_.mesh.curves.size(); ++c)
     for (std::size_t i = 0; i + 1 < made_.mesh.curves[c].size(); ++i) {
       const auto &from = made_.mesh.curves[c][i], &to = made_.mesh.curves[c][i + 1];
-      if (old_middle(from.vertex, to.vertex) < 0)
+      if (old_mid_side_node(from.vertex, to.vertex) < 0)
         on_curves[ends(from.vertex, to.vertex)] = on_curve(c, 0.5 * (from.s + to.s), to.s - from.s);
     }
   std::map<Ends, std::size_t> number;
   for (const RemeshedSurface::Face& face : made_.mesh.faces)
     for (int k = 0; k < 3; ++k) {
       const int a = face.vertices[k], b = face.vertices[(k + 1) % 3];
-      const auto [found, added] = number.emplace(ends(a, b), made_.middles.size());
+      const auto [found, added] = number.emplace(ends(a, b), made_.mid_side_nodes.size());
       const auto on_curve = on_curves.find(ends(a, b));
       const double edge = distance(made_.places[a], made_.places[b]);
       const Point centre = 0.5 * (made_.places[a] + made_.places[b]);
       if (added) {
-        const int node = old_middle(a, b);
-        made_.middles.push_back({{a, b}, {}, node});
-        made_.middles.back().place = node >= 0 ? x_[node]
-                                     : on_curve != on_curves.end()
-                                         ? on_curve->second
-                                         : on_patch(face.patch, locator_.over(face.patch, centre), edge);
+        const int node = old_mid_side_node(a, b);
+        made_.mid_side_nodes.push_back({{a, b}, {}, node});
+        made_.mid_side_nodes.back().place = node >= 0 ? x_[node]
+                                            : on_curve != on_curves.end()
+                                                ? on_curve->second
+                                                : on_patch(face.patch, locator_.over(face.patch, centre), edge);
       }
-      RenewedSurface::Middle& middle = made_.middles[found->second];
+      RemeshedBoundary::MidSideNode& middle = made_.mid_side_nodes[found->second];
       if (middle.node >= 0 || planes_[face.patch].flat) continue;
       const Point normal = locator_.normal(locator_.nearest(face.patch, middle.place));
       middle.place = without_bulge(middle.place, centre, normal, edge);
@@ -127,15 +127,16 @@ void SurfaceRenewal::place_middles() {
   for (const RemeshedSurface::Face& face : made_.mesh.faces)  // planes stay planes
     if (planes_[face.patch].flat)
       for (int k = 0; k < 3; ++k) {
-        RenewedSurface::Middle& middle = made_.middles[number.at(ends(face.vertices[k], face.vertices[(k + 1) % 3]))];
+        RemeshedBoundary::MidSideNode& middle =
+            made_.mid_side_nodes[number.at(ends(face.vertices[k], face.vertices[(k + 1) % 3]))];
         if (middle.node < 0) middle.place = planes_[face.patch].of_all.kept(middle.place);
       }
 }
 
 }  // namespace
 
-RenewedSurface renewed_surface(const MeshRenewal& plan, const Positions& x, const State& state) {
-  return SurfaceRenewal(plan, x, state).make();
+RemeshedBoundary remeshed_boundary(const Remesher& plan, const Positions& x, const State& state) {
+  return SurfaceRemeshing(plan, x, state).make();
 }
 
 }  // namespace mudline

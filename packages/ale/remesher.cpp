@@ -1,12 +1,12 @@
-#include "ale/mesh_renewal.hpp"
+#include "ale/remesher.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
 
-#include "ale/renewal_builder.hpp"
-#include "ale/renewed_surface.hpp"
+#include "ale/remeshed_boundary.hpp"
+#include "ale/remesher_builder.hpp"
 #include "core/text.hpp"
 #include "discretisation/element_map.hpp"
 #include "discretisation/triangulation.hpp"
@@ -15,7 +15,7 @@ namespace mudline {
 
 namespace {
 
-/// The source's lengths of sides in units of the measure's total, between the middles of sides linear.
+/// The source's lengths of sides in units of the measure's total, between the mid-side nodes of sides linear.
 double side_at(const std::vector<double>& shares, double share) {
   const int sides = static_cast<int>(shares.size()) - 1;
   const auto middle = [&](int v) { return 0.5 * (shares[v] + shares[v + 1]); };
@@ -42,7 +42,7 @@ double lowest_quality(const GlobalMesh& mesh) {
 
 }  // namespace
 
-void RenewalParameters::parameters(Parameters& p) {
+void RemeshingParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", half_open(0, 1),
         "the region is meshed anew when the smallest scaled Jacobian is below this");
   p.add("when side above", side_above, "-", positive(),
@@ -65,8 +65,8 @@ void RenewalParameters::parameters(Parameters& p) {
   p.add("time limit", time_limit, "s", positive(), "Gmsh is given up when it has not finished after this time");
 }
 
-MeshRenewal::MeshRenewal(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RenewalParameters& deck,
-                         const Section& section)
+Remesher::Remesher(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RemeshingParameters& deck,
+                   const Section& section)
     : mesh_(mesh), boundary_(boundary), deck_(deck) {
   if (!in_space()) find_neighbours();
   find_kept();
@@ -75,7 +75,7 @@ MeshRenewal::MeshRenewal(const GhostedMesh& mesh, const BoundaryMotion& boundary
   check_sets(section);
 }
 
-void MeshRenewal::find_neighbours() {
+void Remesher::find_neighbours() {
   std::map<std::pair<int, int>, const GhostedMesh::BoundarySide*> sides;  // directed, by nodes
   for (const auto& side : mesh_.boundary()) sides[{side.nodes[0], side.nodes[1]}] = &side;
   for (const MeshPath& path : boundary_.paths()) {
@@ -92,28 +92,28 @@ void MeshRenewal::find_neighbours() {
   }
 }
 
-void MeshRenewal::find_kept() {
-  kept_node_.assign(mesh_.num_nodes(), 0);
+void Remesher::find_kept() {
+  fixed_node_.assign(mesh_.num_nodes(), 0);
   if (in_space()) {
     const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
     for (const SurfaceFace& face : surfaces.faces)
       for (int a = 0; a < num_nodes(face.shape); ++a) {
         const int node = face.nodes[a];
         const bool corner = surfaces.patch_of[node] < 0;  // or on a curve, see below
-        kept_node_[node] = corner || boundary_.material(surfaces.patches[face.patch].sets);
+        fixed_node_[node] = corner || boundary_.material(surfaces.patches[face.patch].sets);
       }
     for (const MeshPath& path : boundary_.paths())
-      for (int node : path.nodes) kept_node_[node] = 0;
+      for (int node : path.nodes) fixed_node_[node] = 0;
   }
   for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
     const std::vector<int>& nodes = boundary_.paths()[p].nodes;
-    kept_node_[nodes.front()] = kept_node_[nodes.back()] = 1;
+    fixed_node_[nodes.front()] = fixed_node_[nodes.back()] = 1;
     for (int node : nodes)
-      if (kept(p)) kept_node_[node] = 1;
+      if (kept(p)) fixed_node_[node] = 1;
   }
 }
 
-void MeshRenewal::check(const Section& section) const {
+void Remesher::check(const Section& section) const {
   if (!has_triangulation()) section.fail("remeshing needs Gmsh, and this program was built without it");
   if (adaptive() && deck_.smallest_size > deck_.largest_size)
     section.fail("must not be smaller than the smallest size, " + number_text(deck_.smallest_size) + " m",
@@ -125,12 +125,12 @@ void MeshRenewal::check(const Section& section) const {
   if (in_space()) check_space(section);
 }
 
-void MeshRenewal::check_space(const Section& section) const {
+void Remesher::check_space(const Section& section) const {
   if (section.has_parameter("size"))
     section.fail("is for meshes of the plane; sizes in space are those of the source", "size");
 }
 
-void MeshRenewal::find_names(const Section& section) {
+void Remesher::find_names(const Section& section) {
   const auto corners = [](const auto& nodes) { return std::set<int>{nodes[0], nodes[1], nodes[2]}; };
   std::map<std::set<int>, int> patches;  // by corners
   for (const SurfaceFace& face : boundary_.surfaces().surfaces().faces) patches[corners(face.nodes)] = face.patch;
@@ -146,7 +146,7 @@ void MeshRenewal::find_names(const Section& section) {
   }
 }
 
-std::map<std::string, double> MeshRenewal::named_sides() const {
+std::map<std::string, double> Remesher::named_sides() const {
   std::map<std::string, double> on_paths;
   if (in_space())
     for (const auto& side : mesh_.boundary())
@@ -159,7 +159,7 @@ std::map<std::string, double> MeshRenewal::named_sides() const {
   return on_paths;
 }
 
-void MeshRenewal::check_sets(const Section& section) const {
+void Remesher::check_sets(const Section& section) const {
   std::map<std::string, double> named = named_sides();
   for (const auto& [name, sides] : mesh_.mesh().side_sets())
     if (named[name] != mesh_.sum(static_cast<double>(sides.size())))
@@ -172,8 +172,8 @@ void MeshRenewal::check_sets(const Section& section) const {
                      "; name it in boundary/corners, or a side set that it lies on in boundary/material sides");
 }
 
-std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const PathCurve& curve, const State& state,
-                                                    const WantedSizes* sizes) const {
+std::function<double(double s)> Remesher::wanted(std::size_t path, const PathCurve& curve, const State& state,
+                                                 const WantedSizes* sizes) const {
   const SizeField field = boundary_.size_field(boundary_.focus(state));
   const CurveMeasure measure(curve, field);
   const PathOrigin& origin = boundary_.origins()[path];
@@ -186,18 +186,18 @@ std::function<double(double s)> MeshRenewal::wanted(std::size_t path, const Path
   };
 }
 
-double MeshRenewal::at_wall(double size, const Point& at, const State& state) const {
-  const auto foot = deck_.wall_size > 0 ? boundary_.foot(state, at) : std::nullopt;
-  return foot ? std::min(size, deck_.wall_size + deck_.growth * std::max(0.0, foot->gap)) : size;
+double Remesher::at_wall(double size, const Point& at, const State& state) const {
+  const auto projection = deck_.wall_size > 0 ? boundary_.point(state, at) : std::nullopt;
+  return projection ? std::min(size, deck_.wall_size + deck_.growth * std::max(0.0, projection->gap)) : size;
 }
 
-std::function<double(double relative, const Point& at)> MeshRenewal::wanted_on_surface(const State& state) const {
+std::function<double(double relative, const Point& at)> Remesher::wanted_on_surface(const State& state) const {
   return [this, &state, field = boundary_.size_field(boundary_.focus(state))](double relative, const Point& at) {
     return at_wall(relative * field(at), at, state);
   };
 }
 
-double MeshRenewal::largest_edge(const Positions& x, const State& state) const {
+double Remesher::largest_edge(const Positions& x, const State& state) const {
   const auto wanted = wanted_on_surface(state);
   const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
   std::set<std::pair<int, int>> kept_edges;  // on curves
@@ -222,7 +222,7 @@ double MeshRenewal::largest_edge(const Positions& x, const State& state) const {
   return largest;
 }
 
-double MeshRenewal::largest_side(const Positions& x, const State& state) const {
+double Remesher::largest_side(const Positions& x, const State& state) const {
   double largest = 0;
   if (in_space()) return largest_edge(x, state);
   for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
@@ -239,8 +239,7 @@ double MeshRenewal::largest_side(const Positions& x, const State& state) const {
   return largest;
 }
 
-DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State& state,
-                                 const WantedSizes* sizes) const {
+DividedPath Remesher::divided(std::size_t p, const Positions& x, const State& state, const WantedSizes* sizes) const {
   const MeshPath& path = boundary_.paths()[p];
   const PathPlaces places(boundary_, path, x, state);
   const PathCurve& curve = places.curve();
@@ -270,19 +269,19 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
   }
   if (path.stride == 2)
     for (int k = 0; k < sides; ++k)
-      result.middles.push_back(
+      result.mid_side_nodes.push_back(
           in_plane(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k])));
   return result;
 }
 
-RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double least_quality,
-                              const WantedSizes* sizes) const {
-  RenewedMesh made;
+RemeshedMesh Remesher::make(const Positions& x, const State& state, double least_quality,
+                            const WantedSizes* sizes) const {
+  RemeshedMesh made;
   double quality = -1e300;
   std::string problem = "its elements are flat";
   const auto take = [&](auto&& attempt) {
     try {
-      RenewedMesh here = attempt();
+      RemeshedMesh here = attempt();
       const double quality_here = lowest_quality(here.mesh);
       if (!(quality_here > quality)) return;
       made = std::move(here);
@@ -292,10 +291,10 @@ RenewedMesh MeshRenewal::make(const Positions& x, const State& state, double lea
     }
   };
   if (in_space()) {
-    const RenewedSurface surface = renewed_surface(*this, x, state);
-    for (double factor : {1.0, 1.2}) take([&] { return renewed_in_space(*this, surface, state, factor); });
+    const RemeshedBoundary surface = remeshed_boundary(*this, x, state);
+    for (double factor : {1.0, 1.2}) take([&] { return remeshed_in_space(*this, surface, state, factor); });
   } else {
-    take([&] { return renewed_in_plane(*this, x, state, sizes); });
+    take([&] { return remeshed_in_plane(*this, x, state, sizes); });
   }
   if (made.mesh.blocks.empty()) throw NoTriangulation(problem);
   if (!(quality >= least_quality))

@@ -12,20 +12,20 @@
 
 namespace mudline {
 
-bool Ale::renewal_due(int step, int tried, const State& committed) const {
-  if (!renewal_ || step - std::max(renewed_after_, tried) < renewal_->deck().least_steps) return false;
-  if (quality(committed) < renewal_->deck().quality_below) return true;
-  return renewal_->largest_side(mesh_.gather(committed.coordinates), committed) > renewal_->deck().side_above;
+bool Ale::remeshing_due(int step, int tried, const State& committed) const {
+  if (!remesher_ || step - std::max(remeshed_after_, tried) < remesher_->deck().least_steps) return false;
+  if (quality(committed) < remesher_->deck().quality_below) return true;
+  return remesher_->largest_side(mesh_.gather(committed.coordinates), committed) > remesher_->deck().side_above;
 }
 
 bool Ale::looks_at_error(int step, int tried) const {
-  const int since = step - std::max(renewed_after_, tried);
-  return renewal_ && renewal_->adaptive() && since > 0 && since % renewal_->deck().least_steps == 0;
+  const int since = step - std::max(remeshed_after_, tried);
+  return remesher_ && remesher_->adaptive() && since > 0 && since % remesher_->deck().least_steps == 0;
 }
 
 std::unique_ptr<const WantedSizes> Ale::wanted_sizes(const std::vector<double>& by_element,
                                                      const State& committed) const {
-  const RenewalParameters& deck = renewal_->deck();
+  const RemeshingParameters& deck = remesher_->deck();
   const bool first = mesh_.mesh().comm()->getRank() == 0;
   GhostedMesh::Wanted near{committed.coordinates, {}};
   if (first) near.boxes.push_back({{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}});
@@ -46,21 +46,21 @@ std::unique_ptr<const WantedSizes> Ale::wanted_sizes(const std::vector<double>& 
 }
 
 bool Ale::too_coarse(const WantedSizes* sizes) const {
-  return mesh_.any(sizes != nullptr && sizes->largest_ratio() > renewal_->deck().side_above);
+  return mesh_.any(sizes != nullptr && sizes->largest_ratio() > remesher_->deck().side_above);
 }
 
-Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) const {
+Remeshing Ale::remesh(int step, const State& committed, const WantedSizes* sizes) const {
   const Teuchos::Comm<int>& comm = *mesh_.mesh().comm();
   const Positions x = mesh_.gather(committed.coordinates);
   // where the mesh is poor, one that is no better helps nobody
   const double quality = lowest_quality(mesh_, x);
-  RenewedMesh made;
-  Renewal result;
+  RemeshedMesh made;
+  Remeshing result;
   if (comm.getRank() == 0) {
     try {
-      const double least = quality < renewal_->deck().quality_below ? quality : 0.0;
-      made = renewal_->make(x, committed, std::max(least, deck_.lowest_quality), sizes);
-      made.number = renewals_ + 1;
+      const double least = quality < remesher_->deck().quality_below ? quality : 0.0;
+      made = remesher_->make(x, committed, std::max(least, deck_.lowest_quality), sizes);
+      made.number = remeshings_ + 1;
       made.step = step;
     } catch (const ChildLost& child) {
       result.lost = std::string("Gmsh ") + child.what() +
@@ -71,10 +71,10 @@ Renewal Ale::renew(int step, const State& committed, const WantedSizes* sizes) c
       result.veto = std::string("the region cannot be meshed: ") + failure.what();
     }
   }
-  result.veto = of_first_rank(comm, result.veto);
-  result.lost = of_first_rank(comm, result.lost);
+  result.veto = broadcast(comm, result.veto);
+  result.lost = broadcast(comm, result.lost);
   if (result.veto.empty() && result.lost.empty())
-    result.mesh = std::make_shared<const RenewedMesh>(of_first_rank(comm, std::move(made)));
+    result.mesh = std::make_shared<const RemeshedMesh>(broadcast(comm, std::move(made)));
   return result;
 }
 
@@ -84,7 +84,7 @@ void Ale::take_nodes(const State& old_state, const MeshChange& change, State& to
     const std::pair<NodalView, NodalView> pairs[] = {
         {old_state.value, to.value}, {old_state.rate, to.rate}, {old_state.acceleration, to.acceleration}};
     for (const auto& [old, now] : pairs)
-      change.carry(f, old, now, f == soil_.displacement && now.data() == to.value.data());
+      change.transfer(f, old, now, f == soil_.displacement && now.data() == to.value.data());
   }
 }
 
@@ -93,9 +93,9 @@ void Ale::take_points(const Ale& from, const StateStore& old_store, const MeshCh
   for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
     const SoilBlock& b_old = from.soil_.blocks[k];
     const RecoveryPatches patches(change.from(), b_old);
-    carry_block({change.from(), b_old, change.x_from()}, old_store, old_store.committed(),
-                {change.to(), soil_.blocks[k], change.x_to()}, store, store.committed(), {RecoveryRemap(), patches},
-                receipt);
+    transfer_block({change.from(), b_old, change.x_from()}, old_store, old_store.committed(),
+                   {change.to(), soil_.blocks[k], change.x_to()}, store, store.committed(), {RecoveryRemap(), patches},
+                   receipt);
   }
 }
 
@@ -106,9 +106,9 @@ namespace {
 void shift_pressures(const Soil& soil, const GhostedMesh& mesh, const std::vector<double>& held, double before,
                      State& to) {
   if (soil.pressure < 0) return;
-  const std::vector<double> carried = mesh.gather(*soil.space, soil.pressure, to.value);
+  const std::vector<double> transferred = mesh.gather(*soil.space, soil.pressure, to.value);
   const auto compression = [&](double shift) {
-    std::vector<double> shifted = carried;
+    std::vector<double> shifted = transferred;
     for (std::size_t node = 0; node < shifted.size(); ++node)
       if (held[node] == 0) shifted[node] += shift;
     mesh.scatter(*soil.space, soil.pressure, shifted, to.value);
