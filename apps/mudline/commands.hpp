@@ -31,7 +31,7 @@ struct CheckCommand {
 struct SplitCommand {
   DeckOptions deck;
   int ranks = 0;
-  std::string output;  // "": after the deck
+  std::string output;  // "": named after the deck
 };
 
 struct PointCommand {
@@ -40,18 +40,18 @@ struct PointCommand {
   std::string png;           // picture of all tests; "" for none
 };
 
-/// In MPI_COMM_WORLD; 0 where the command does without MPI.
+/// Rank in MPI_COMM_WORLD; 0 where the command runs without MPI.
 int rank();
-/// Rank 0 reads the files, every rank gets the text and the settings.
+/// Reads the files on rank 0; every rank gets the text and the settings.
 Deck read_deck(const DeckOptions& options);
-/// What results are called by default: after the first deck's file.
+/// Default name of the results, taken from the first deck's file.
 std::string result_name(const DeckOptions& options);
-/// InputError for a function that no entry of the deck names; not where overlays or settings may have replaced the
-/// entry.
+/// Throws InputError for a function that no entry of the deck names; not where overlays or settings may have replaced
+/// the entry.
 void refuse_unused_functions(const Section& root);
-/// A deck for `mudline point` alone: tests, but nothing to mesh.
+/// Whether a deck is for `mudline point` alone: it has tests but nothing to mesh.
 bool is_point_deck(const Deck& deck);
-/// The command line of a Python script of ours, "report" or "sweep".
+/// The command line of a Python script of mudline, "report" or "sweep".
 std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments);
 /// The words as exec takes them, with a null at the end; they point into `command`.
 std::vector<char*> argv_of(std::vector<std::string>& command);
@@ -65,7 +65,7 @@ int check_point(const Deck& deck, const std::string& name);
 int list(const std::string& kind, bool markdown, bool xsd, const std::string& plugin);
 int explain(const std::string& name, const std::string& plugin);
 int print_template(const std::string& name);
-/// Goes on as the script, which has its own options; does not return.
+/// Replaces the process by the script, which has its own options; does not return.
 int become_script(const std::string& name, const std::vector<std::string>& arguments);
 int version();
 

@@ -18,7 +18,7 @@ namespace mudline::cli {
 
 namespace {
 
-/// All documentation, with a plugin's if one is named.
+/// The documentation of all types, with those of the plugin if one is named.
 std::vector<EntryDoc> documentation(const std::string& plugin) {
   Registries registries;
   register_all(registries);
@@ -84,7 +84,7 @@ int explain(const std::string& name, const std::string& plugin) {
 }
 
 std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments) {
-  // Beside the program: in the source tree, or in share/ of an installation.
+  // The script lies beside the program in the source tree, or in share/ of an installation.
   const std::string file = name + "/mudline_" + name + ".py";
   std::vector<std::string> places;
   if (const char* given = std::getenv("MUDLINE_SCRIPTS")) places.push_back(given);

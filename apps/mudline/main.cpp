@@ -28,16 +28,17 @@ namespace {
 
 using namespace mudline;
 
-/// Parallelism is by ranks. A threaded OpenBLAS would take all cores for the small dense blocks of a sparse
-/// factorisation and spin on them: slower alone, and much slower beside anything else. Whoever wants its threads says
-/// so in the environment.
+/// Keeps OpenBLAS to one thread, because ranks do the work in parallel. A threaded OpenBLAS would take all cores for
+/// the small dense blocks of a sparse factorisation and spin on them: slower alone, and much slower beside anything
+/// else. Whoever wants its threads says so in the environment.
 void keep_blas_serial() {
   if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr || std::getenv("OMP_NUM_THREADS") != nullptr) return;
   if (void* set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<void (*)(int)>(set)(1);
 }
 
-/// A factorisation takes large blocks of memory and gives them back, many times a second. Kept in the process they need
-/// not be cleared by the system each time, which cost 6 % of a run. Whoever tunes malloc does so in the environment.
+/// A factorisation takes large blocks of memory and gives them back, many times a second. Blocks that stay in the
+/// process need not be cleared by the system each time, which took 6 % of a run. Whoever tunes malloc does so in the
+/// environment.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   if (std::getenv("MALLOC_TRIM_THRESHOLD_") != nullptr || std::getenv("MALLOC_MMAP_THRESHOLD_") != nullptr) return;
@@ -62,8 +63,8 @@ void add_mesh_parts_option(CLI::App& command, std::string& file) {
   command.add_option("--mesh-parts", file, "take the mesh from this file of `mudline split`, each rank its own part");
 }
 
-/// Commands that read no deck do without MPI, whose start takes most of a second, unless a launcher started several of
-/// them.
+/// Whether a command needs MPI, whose start takes most of a second: those that read no deck do without it, unless a
+/// launcher started several processes.
 bool needs_mpi(const std::vector<std::string>& words) {
   for (const char* launched : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
     if (std::getenv(launched) != nullptr) return true;
@@ -72,8 +73,8 @@ bool needs_mpi(const std::vector<std::string>& words) {
   return given("run") || given("check") || given("point") || given("split");
 }
 
-/// Input errors are those of all ranks alike. Foreign code may throw one where the others do not: then they do not come
-/// here within the time, and wait for this rank somewhere else.
+/// Whether all ranks come here within some time. Input errors occur on all ranks alike, but foreign code may throw one
+/// on a single rank, for which the others then wait elsewhere.
 bool all_ranks_come() {
   MPI_Request barrier;
   MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
@@ -228,7 +229,7 @@ std::vector<Command> all_commands(CLI::App& app, const std::vector<std::string>&
           {app.add_subcommand("version", "version, compiler and libraries"), [] { return cli::version(); }}};
 }
 
-/// Names of files, values and names of the deck come in here; results and reports are in UTF-8.
+/// Refuses arguments that are not UTF-8, because results and reports, which contain them, are.
 void require_text(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     if (const std::string bad = unfit(argv[i], true); !bad.empty())
@@ -252,7 +253,7 @@ int dispatch(int argc, char** argv, bool root) {
   const std::vector<Command> commands =
       all_commands(app, std::vector<std::string>(argv + std::min(argc, 2), argv + argc));
 
-  for (const Command& command : commands)  // a script reads its words itself, its --help too
+  for (const Command& command : commands)  // a script reads its own arguments, its --help too
     if (argc > 1 && command.options->get_allow_extras() && command.options->get_name() == argv[1]) return command.act();
   try {
     require_command(app, argc, argv);
@@ -269,8 +270,8 @@ int dispatch(int argc, char** argv, bool root) {
   return 1;
 }
 
-/// The program's exit code, once its text has reached where it should: a full disk, or a terminal that is gone, may
-/// have refused it.
+/// The program's exit code after its output was flushed; a failure where a full disk or a closed terminal refused the
+/// output.
 int after_output(int code) {
   if (std::cout.flush() && std::fflush(stdout) == 0) return code;
   std::cerr << "error: the text for the standard output could not be written; is the disk full?" << std::endl;
@@ -279,8 +280,8 @@ int after_output(int code) {
 
 }  // namespace
 
-/// What a library calls by this name comes here, by the right of MPI's profiling interface: an abort with the code 0
-/// would look like the end of a run.
+/// Replaces MPI_Abort for all libraries, as MPI's profiling interface allows: an abort with the code 0 would look like
+/// a complete run.
 extern "C" int MPI_Abort(MPI_Comm comm, int code) {
   if (const char* library = mudline::foreign_caller())
     mudline::end_with_error(
@@ -319,7 +320,7 @@ int main(int argc, char** argv) {
     return 1;
   } catch (...) {
     const std::string what = mudline::what_was_thrown();
-    if (ranks > 1) mudline::end_with_error(printable(what), 1);  // not foreseen, and maybe on this rank only
+    if (ranks > 1) mudline::end_with_error(printable(what), 1);  // this error may be on this rank only
     std::cerr << "error: " << printable(what) << std::endl;
     return 1;
   }

@@ -46,7 +46,7 @@ struct PointDeck {
   }
 };
 
-/// What a full run would read of its materials is read here too, so that the section serves both.
+/// Reads the materials as a full run would, so that the section serves both.
 void read_soils(PointDeck& d) {
   const Section materials = d.root->section("materials");
   materials.allow_parameters({});
@@ -98,7 +98,7 @@ std::unique_ptr<PointDeck> load_point(const Deck& deck, const std::string& name,
   register_all(d->registries);
   d->root = std::make_unique<Section>(d->deck.root());
   d->root->allow_parameters({});
-  std::vector<std::string> known = deck_sections();  // those of a full run may stand beside the tests
+  std::vector<std::string> known = deck_sections();  // sections of a full run may stand beside the tests
   known.push_back("tests");
   d->root->allow_sections(known);
   load_plugins(d->root->section("plugins"), d->registries);
@@ -145,7 +145,7 @@ std::string summary(const std::string& name, const PointOutcome& o, const std::s
   return text + ", " + path + ")";
 }
 
-/// One line per check; true when all pass.
+/// Prints one line per check; true when all pass.
 bool conforms(const PointDeck& d, const PointSoil& soil) {
   const std::string type = d.root->section("materials").section(soil.name).section("skeleton").text("type");
   ConformanceLimits limits;
@@ -164,7 +164,7 @@ bool conforms(const PointDeck& d, const PointSoil& soil) {
   return good;
 }
 
-/// The same of the laws of the deck's contacts.
+/// Checks the laws of the deck's contacts in the same way; true when all pass.
 bool contacts_conform(const PointDeck& d) {
   bool good = true;
   const auto tell = [&](const std::string& contact, const char* law, const std::string& problem) {
@@ -182,7 +182,7 @@ bool contacts_conform(const PointDeck& d) {
   return good;
 }
 
-/// By the report's script, which is waited for: what it prints comes before the prompt.
+/// Draws a picture with the report's script and waits for it, so that its output comes before the prompt.
 void draw(const std::string& png, const std::vector<std::string>& files) {
   std::vector<std::string> arguments{"--point", png};
   arguments.insert(arguments.end(), files.begin(), files.end());

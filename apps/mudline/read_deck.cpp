@@ -16,7 +16,7 @@ namespace {
 
 using Comm = Teuchos::Comm<int>;
 
-/// Rank 0 reads, everybody gets the text; a missing file is an error on every rank alike.
+/// Text of a file that rank 0 reads, on every rank; a missing file is an error on every rank alike.
 std::string read_everywhere(const Comm& comm, const std::string& path) {
   std::string text;
   int length = -1;

@@ -29,8 +29,8 @@ struct Loaded {
   std::unique_ptr<Plausibility> plausibility;
 };
 
-/// The nearest node of a probe far away would tell nothing of where the author looks. A point of a body may come into
-/// the soil later.
+/// Refuses probes at nodes that remeshing would lose, and probes at rest outside the mesh, whose nearest node is not
+/// what the author means. A point of a body may enter the soil later.
 void check_probes(const Loaded& loaded) {
   const Bounds& box = loaded.model->mesh().bounds();
   const double slack = 1e-6 * box.extent();
@@ -52,7 +52,8 @@ void check_probes(const Loaded& loaded) {
   }
 }
 
-/// What the estimate looks at are the stresses of soil.
+/// Refuses an error estimate without soil, from whose stresses it is computed, and adaptive remeshing without an
+/// estimate.
 void check_error_estimate(const Loaded& loaded) {
   if (loaded.output.error_estimate && !loaded.model->soil())
     loaded.root->section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
@@ -79,7 +80,7 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   known.push_back("tests");
   loaded->root->allow_sections(known);
   load_plugins(loaded->root->section("plugins"), loaded->registries);
-  // whether places have two numbers or three is the mesh's to say: what is wrong with its section comes first
+  // the mesh decides whether places have two or three numbers, so errors of its section come first
   agree(*comm, [&] { mesh_recipe(*loaded->root, loaded->registries); });
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
@@ -110,7 +111,7 @@ int run(const RunCommand& command) {
   const auto loaded = load(read_deck(command.deck), result_name(command.deck), command.mesh_parts);
   describe(*loaded->model);
   loaded->plausibility->print();
-  // before the run, so that a wrong place is an error of the deck
+  // the folder is made before the run, so that a wrong one is an error of the deck
   agree(*loaded->model->mesh().comm(), [&] { loaded->output.make_folder(loaded->root->section("output")); });
   catch_signals();
   RunOptions options;
@@ -131,7 +132,7 @@ int run(const RunCommand& command) {
 
 namespace {
 
-/// What a deck makes; null for one with material points, which are checked. InputError.
+/// Reads and checks a deck. Null for one with tests at material points, which are checked. InputError.
 std::unique_ptr<Loaded> checked(const DeckOptions& options, const std::string& mesh_parts) {
   const Deck deck = read_deck(options);
   if (!is_point_deck(deck)) return load(deck, result_name(options), mesh_parts);
@@ -151,7 +152,8 @@ int check_one(const DeckOptions& options, const std::string& mesh_parts) {
   return 0;
 }
 
-/// One line per deck, whatever is wrong with it; 2 when something is. Doubts are warnings that begin with the deck.
+/// Prints one line per deck, with its error if it has one. Returns 2 when any has. Doubts are warnings that begin with
+/// the deck's name.
 int check_each(const DeckOptions& options) {
   int code = 0;
   log::configure(rank(), log::Level::quiet);

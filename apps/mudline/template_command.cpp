@@ -8,8 +8,7 @@ namespace mudline::cli {
 
 namespace {
 
-// A whole deck that runs: a column under load. %S% lines are for saturated soil only, %D% ones for a single-phase
-// solid.
+// A complete deck: a column under load. %S% lines are for saturated soil only, %D% ones for a single-phase solid.
 constexpr const char* column_deck =
     R"deck(<!-- A column under load, to be turned into your own model. Units are SI. `mudline list` names what a "type"
      may be, `mudline explain TYPE` its parameters, `mudline template TYPE` a section to copy from. -->

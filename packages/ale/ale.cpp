@@ -48,8 +48,8 @@ void Ale::document(Parameters& p) { AleParameters().parameters(p); }
 
 namespace {
 
-/// With as many layers of other ranks' elements as the recovery around this rank's own ones needs: two, and more where
-/// corners of the mesh have few elements. In the plane layers are cheap, and more of them let ranks meet less often.
+/// The mesh with as many layers of ghosts as the recovery around this rank's own elements needs: two, and more where
+/// corners of the mesh have few elements. In the plane layers are cheap, and more of them make communication rarer.
 GhostedMesh with_patches(const Mesh& mesh, const Soil& soil) {
   for (int layers = mesh.dimension() == 2 ? 4 : 2;; ++layers) {
     GhostedMesh result(mesh, layers);
@@ -158,7 +158,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
   Positions before = x_old;
   corners_.add_tangents(x_old, before);
   x = before;
-  // The boundary moves in as few parts as it can without running over the vertices inside, which follow each part.
+  // The boundary moves in as few parts as it can without folding elements; the inner vertices follow each part.
   for (double done = 0, part = 1; done < 1;) {
     Positions next = x, curve = boundary;
     const double share = done + part;
@@ -188,7 +188,7 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
   for (const Point& place : x_old)
     largest = std::max({largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
   largest = mesh_.largest(largest);
-  for (int node = 0; node < mesh_.num_nodes(); ++node)  // what only rounding moved stays
+  for (int node = 0; node < mesh_.num_nodes(); ++node)  // undoes motions by rounding
     if (distance(x[node], x_old[node]) < 1e-14 * largest) x[node] = x_old[node];
   return "";
 }
@@ -306,7 +306,7 @@ void Ale::transfer_block(const BlockPoints& before, const StateStore& old_store,
             now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns.columns + column];
   });
   if (b.origin >= 0)
-    for (int row = 0; row < b.elements * b.points; ++row)  // a number, without rounding
+    for (int row = 0; row < b.elements * b.points; ++row)  // the material's number, whose remap left rounding errors
       to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
 }
 
@@ -335,7 +335,7 @@ void Ale::transfer_nodes(const Positions& x_old, const Positions& x_new, State& 
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     for (const NodalView& values : {to.value, to.rate, to.acceleration}) {
-      // Beside a body the displacement jumps: the soil on its wall came from the surface.
+      // Beside a body the displacement jumps: the soil on its wall came from the ground surface.
       const bool jumps = f == soil_.displacement && values.data() == to.value.data();
       mesh_.scatter(
           space_, f,
@@ -394,7 +394,7 @@ MeshReceipt Ale::relocate(StateStore& store, const Constraints& constraints) con
   if (!receipt.veto.empty()) return receipt;
   Point at{};
   receipt.quality = lowest_quality(mesh_, x_new, &at);
-  // a mesh that was no better is not made worse by moving it
+  // A mesh that was already below the limit is accepted unless moving it makes it worse.
   if (receipt.quality < std::min(deck_.lowest_quality, 0.9 * receipt.quality_before)) {
     receipt.veto = "the moved mesh has a scaled Jacobian of " + number(receipt.quality) + " at " +
                    place_text(at, mesh_.dimension());

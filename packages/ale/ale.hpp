@@ -23,7 +23,7 @@ struct MeshMotionRegistries {
   const Registry<Remap>& remaps;
 };
 
-/// What the deck says of mesh motion, besides its parts.
+/// Parameters of the deck's "mesh motion", without those of its interior motion and remap.
 struct AleParameters {
   void parameters(Parameters& p);
   int every = 1;
@@ -33,7 +33,7 @@ struct AleParameters {
   RemeshingParameters remeshing;
 };
 
-/// What a relocation of the mesh did, or would have done.
+/// Result of a relocation of the mesh, also of one that was vetoed.
 struct MeshReceipt {
   bool moved = false;
   std::string veto;                        // why it was not made; empty: it was
@@ -43,68 +43,68 @@ struct MeshReceipt {
   std::vector<double> restored_grains;     // [kg] of each material, by Soil::materials
   std::vector<double> unresolved_grains;   // [kg] of each material that points of cut elements seem to have lost
   int changed = 0, started = 0;            // points with another material than before, and those whose law started anew
-  std::string started_where;               // one of the latter, and its material
-  double yield_drift = 0;        // [-] share of the stress that the laws took back to their yield surfaces afterwards
+  std::string started_where;               // one of the points whose law started anew, and its material
+  double yield_drift = 0;        // [-] share of the stress that the laws corrected afterwards, see yield_drift()
   Inventory before, after;       // after: with the unresolved grains
   double unresolved_volume = 0;  // [m3] of the unresolved grains of all materials
 };
 
-/// A mesh made anew, or why there is none.
+/// A new mesh, or why there is none.
 struct Remeshing {
   std::shared_ptr<const RemeshedMesh> mesh;
   std::string veto;
-  std::string lost;  // why nobody knows whether there is one: the run must not go on with another mesh
+  std::string lost;  // why the mesher failed without an answer: the run must not go on with the old mesh
 };
 
 /// Relocation of the mesh under a committed state (arbitrary Lagrangian-Eulerian, operator split): boundary nodes slide
-/// along the deformed boundary, the interior follows, state variables and nodal fields are carried over; the topology
-/// is kept. A transaction of its own: a vetoed relocation leaves the state untouched.
+/// along the deformed boundary, the interior follows, state variables and nodal fields are transferred; the topology
+/// does not change. A relocation is a transaction: a vetoed one leaves the state untouched.
 class Ale {
  public:
-  /// Reads "mesh motion". `remeshed`: the mesh of the space, where it is not the deck's. InputError. Collective.
+  /// Reads "mesh motion". `remeshed`: the mesh of the space where a remeshing made it; null: it is the deck's.
+  /// InputError. Collective.
   Ale(const Space& space, const Soil& soil, const std::map<std::string, std::shared_ptr<RigidBody>>& bodies,
       const Section& section, const MeshMotionRegistries& registries, const RemeshedMesh* remeshed);
   static void document(Parameters& p);
-  /// Why point data that a term declared cannot be carried along; "": they can.
+  /// Why point data that a term declared cannot be transferred; "": they can.
   std::string problem(const StateStore& store) const;
 
   /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
   bool due(int step, const State& committed) const;
-  /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and lets it
-  /// be taken over (Term::adopt). `constraints`: those of the step that ended. Collective.
+  /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and then
+  /// calls Term::adopt. `constraints`: those of the step that ended. Collective.
   MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;
 
-  /// How the region is meshed anew; null: it is not.
+  /// The remesher of the region; null: the deck has no remeshing.
   const Remesher* remeshing() const { return remesher_.get(); }
-  /// Meshes that were made on the way so far.
+  /// Number of remeshings so far.
   int remeshings() const { return remeshings_; }
-  /// Whether the region is to be meshed anew after step number `step`, where the last attempt was after `tried`.
-  /// Collective.
+  /// Whether the region is to be remeshed after step number `step`. `tried`: step of the last attempt. Collective.
   bool remeshing_due(int step, int tried, const State& committed) const;
-  /// Whether it is time to ask an error estimate whether that is due.
+  /// Whether the error estimate is to be evaluated after step number `step`, to decide on remeshing.
   bool looks_at_error(int step, int tried) const;
-  /// The field of the sizes that an error estimate wants, [m] by element of this rank, block of the soil after block.
-  /// On rank 0, where meshes are made; null elsewhere. Collective.
+  /// Field of the element sizes that an error estimate asks for. `by_element`: [m] for this rank's elements, block of
+  /// the soil after block. The result is on rank 0, where meshes are made; null elsewhere. Collective.
   std::unique_ptr<const WantedSizes> wanted_sizes(const std::vector<double>& by_element, const State& committed) const;
-  /// Whether elements are so much larger than wanted that the region is to be meshed anew. Collective.
+  /// Whether elements are so much larger than wanted that the region is to be remeshed. Collective.
   bool too_coarse(const WantedSizes* sizes) const;
-  /// A new mesh for the committed state; its elements on rank 0 alone. `sizes`: where they are adaptive, else null.
-  /// Collective.
+  /// A new mesh for the committed state; its elements are on rank 0 alone. `sizes`: from wanted_sizes() where sizes are
+  /// adaptive, else null. Collective.
   Remeshing remesh(int step, const State& committed, const WantedSizes* sizes) const;
-  /// Lets the free boundary of a mesh made anew give way until it holds the volume that `from`, an ALE of the mesh
-  /// before, has in `before`. `constraints`: those of the present instant, on the new mesh. Collective.
+  /// Moves the free boundary of a new mesh until the soil has the volume that it has in state `before` on the old mesh,
+  /// that of `from`. `constraints`: those of the present instant, on the new mesh. Collective.
   void take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const;
-  /// Then the soil's state of `from` goes over to this one's `store`, whose bodies have theirs already; the terms then
-  /// follow as after relocate(). Collective.
+  /// Transfers the soil's state from `from` to `store`, after take_volume(); `store` must hold the bodies' state
+  /// already. The terms then follow as after relocate(). Collective.
   MeshReceipt take_over(const Ale& from, const StateStore& old_store, const MeshChange& change,
                         const Constraints& constraints, StateStore& store) const;
   const Space& space() const { return space_; }
-  /// The mesh about this rank, and the paths of the whole one.
+  /// This rank's part of the mesh, with ghosts. The paths are those of the whole mesh.
   const GhostedMesh& mesh() const { return mesh_; }
   const std::vector<MeshPath>& paths() const { return deck_.boundary.paths(); }
-  /// In space, likewise.
+  /// Boundary surfaces of the whole mesh; empty in the plane.
   const MeshSurfaces& surfaces() const { return deck_.boundary.surfaces().surfaces(); }
 
  private:
@@ -113,37 +113,37 @@ class Ale {
                             Positions& x) const;
   /// (node, component) 1 where a field's value is prescribed.
   std::vector<double> prescribed(int field, const Constraints& constraints) const;
-  /// Lets the free boundary give way until the soil has this volume [m3].
+  /// Moves the free boundary until the soil has this volume [m3].
   void keep_volume(double volume, const State& state, const Constraints& constraints, Positions& x) const;
   double largest_motion(const Positions& x_old, const Positions& x_new) const;
   bool folded(const Positions& x) const;
-  /// Of the sides inside.
+  /// Puts mid-side nodes and centres that are not on a boundary in the middle of the nodes around them.
   void place_mid_side_nodes(Positions& x) const;
   struct Transferring {
     const Remap& remap;
-    const RecoveryPatches& patches;  // of the mesh before
+    const RecoveryPatches& patches;  // of the old mesh
   };
-  /// All point data of one block, from the state of one store to that of another or of the same one. Adds what it did
-  /// to the receipt, veto among it.
+  /// All point data of one block, from the state of one store to that of another or of the same one. Adds its result to
+  /// the receipt, also a veto.
   void transfer_block(const BlockPoints& before, const StateStore& old_store, const State& old_state,
                       const BlockPoints& after, const StateStore& store, const State& to, const Transferring& how,
                       MeshReceipt& receipt) const;
-  /// Adds what it did to the receipt.
+  /// Transfers the point data of all blocks to the moved mesh; adds the result to the receipt.
   void transfer_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,
                        MeshReceipt& receipt) const;
-  /// What the columns of all of a block's point data in one table are, in the order of their handles.
+  /// Column layout of the table of all point data of a block, in the order of their handles.
   SoilTable table_of(const StateStore& store, const SoilBlock& block) const;
   /// Puts the grains back that a transfer lost.
   void conserve_grains(const PointTransfer& transfer, const SoilTable& table, const LayerRatios& ratios,
                        MeshReceipt& receipt) const;
-  /// Scales the pore pressures, where they are free, until the compression of the pore water is what it was.
+  /// Scales the free pore pressures until the compression of the pore water [m3] is `before`.
   void keep_compression(double before, const Constraints& constraints, State& to) const;
   void transfer_nodes(const Positions& x_old, const Positions& x_new, State& to) const;
-  /// What the soil holds in a state after a transfer, with what the points of cut elements do not resolve.
+  /// Sets the receipt's inventory after a transfer, with the grains that the points of cut elements do not resolve.
   void take_stock(const State& state, MeshReceipt& receipt) const;
-  /// Why a receipt's masses are not what they were, "" where they are.
+  /// Why a transfer must be vetoed for the mass that it changed; "": it is conserved within the tolerance.
   std::string lost_mass(const MeshReceipt& receipt) const;
-  // To another mesh: see take_over().
+  // Transfers to another mesh, see take_over().
   void take_nodes(const State& old_state, const MeshChange& change, State& to) const;
   void take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
                    MeshReceipt& receipt) const;
@@ -154,12 +154,12 @@ class Ale {
   const Soil& soil_;
   GhostedMesh mesh_;
   std::vector<RecoveryPatches> patches_;  // (block)
-  Positions source_;                      // and the ends of its tangents
+  Positions source_;                      // nodes of the source's mesh, then the ends of their tangents
   CornerSimplices corners_;
   std::unique_ptr<InteriorMotion> interior_;
   std::unique_ptr<Remap> remap_;
   std::unique_ptr<Remesher> remesher_;
-  int remeshings_ = 0, remeshed_after_ = 0;  // meshes made on the way, step of the last one
+  int remeshings_ = 0, remeshed_after_ = 0;  // number of remeshings, step of the last one
   std::vector<char> movable_;                // (node)
   std::vector<std::vector<int>> colours_;    // of this rank's movable vertices
 };

@@ -90,7 +90,7 @@ void BoundaryMotion::bind(const GhostedMesh& mesh, const Positions& source,
   }
 }
 
-/// A mesh made on the way says what its faces and curves belong to, and what sizes they strive for.
+/// A mesh from remeshing stores the patches and curves of its faces and their wanted sizes.
 void BoundaryMotion::bind_surfaces(const GhostedMesh& mesh, const Positions& source, const RemeshedMesh* remeshed) {
   std::set<int> corners;
   for (const std::string& name : corners_)
@@ -146,7 +146,7 @@ Point BoundaryMotion::focus(const State& state) const {
 }
 
 bool BoundaryMotion::starts_on_body(const Point& x) const {
-  constexpr double near = 2e-3;  // [-] of what a body reaches
+  constexpr double near = 2e-3;  // [-] share of a body's reach
   return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& entry) {
     const RigidBody& body = *entry.second;
     return std::abs(body.gap(body.initial_placement(), x)) < near * body.reach();
@@ -159,7 +159,7 @@ std::optional<NearBody> BoundaryMotion::projection(const State& state, const Poi
     const BodyPlacement placement = body->placement(state);
     NearBody here;
     if (body->surface()) {
-      const SurfaceProjection there = body->point(placement, x);
+      const SurfaceProjection there = body->projection(placement, x);
       here = {there.gap, there.normal};
     } else {
       const ContourProjection there = body->closest(placement, in_plane(x));
@@ -210,7 +210,8 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
     if (v == 0 || v == vertices - 1) continue;
     const double before = old - curve.parameter(i - stride), after = curve.parameter(i + stride) - old;
     const double slide = measure.place(shares_[p][v] * measure.total()) - old;
-    // what rounding alone moves stays where it is; a squeezed side may be left at once, whatever its own length
+    // Slides by rounding alone are not made. The limit on a slide is the length of the side ahead, so that a squeezed
+    // side can recover at once.
     if (std::abs(slide) > 1e-12 * std::min(before, after))
       s[i] = old + std::clamp(slide, -largest_slide_ * before, largest_slide_ * after);
   }
@@ -233,7 +234,7 @@ PathPlaces::PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, con
     of_all_.shared[0] =
         std::all_of(path.nodes.begin(), path.nodes.end(), [&](int node) { return std::abs(x[node][0]) <= near; });
   for (int node : path.nodes) {
-    const auto projection = boundary.point(state, x[node]);
+    const auto projection = boundary.projection(state, x[node]);
     if (!projection) return;
     gaps_.push_back(projection->gap);
   }
@@ -243,7 +244,7 @@ Point PathPlaces::at(double s, double span) const {
   Point to = curve_.at(s);
   const double gap = gaps_.empty() ? 1e300 : curve_.interpolate(gaps_, s);
   if (gap < 0.25 * span) {
-    const NearBody here = *boundary_.point(state_, to);
+    const NearBody here = *boundary_.projection(state_, to);
     for (int d = 0; d < place_size; ++d) to[d] += (gap - here.gap) * here.normal[d];
   }
   return of_all_.kept(to);

@@ -15,10 +15,9 @@ namespace mudline {
 
 class BoundaryMotion;
 
-/// The places of a path's nodes: on a smooth curve through those of now, and at the gap to the nearest body that is
-/// there now. What lies on the axis of symmetry stays there exactly: a body's normal at its tip is not parallel to the
-/// axis to the last digit, and a mesh whose nodes are beyond the axis is none. In space so does what lies in a plane
-/// normal to one of its axes.
+/// Places for a path's nodes: on a smooth curve through their present places, with the gap that the curve has there to
+/// the nearest body. A path on the axis of symmetry stays on it exactly: rounding of a body's normal at its tip would
+/// move nodes beyond the axis. In space a path in a plane normal to a coordinate axis stays in that plane exactly.
 class PathPlaces {
  public:
   PathPlaces(const BoundaryMotion& boundary, const MeshPath& path, const Positions& x, const State& state);
@@ -30,12 +29,12 @@ class PathPlaces {
   const BoundaryMotion& boundary_;
   const State& state_;
   PathCurve curve_;
-  std::vector<double> gaps_;    // (point) to the nearest body; empty: there is none
-  SharedCoordinates of_all_{};  // what no node of the path leaves: in space, and on the axis of symmetry
+  std::vector<double> gaps_;    // (point) [m] to the nearest body; empty: there is none
+  SharedCoordinates of_all_{};  // coordinates that all nodes of the path share: in space, and on the axis of symmetry
 };
 
 /// Slides the nodes of every path along the deformed boundary, which is a smooth curve through them. Each side keeps
-/// its share of the path, measured in sides of a wanted size that is uniform, or finer near a point that travels with a
+/// its share of the path, measured in sides of a wanted size that is uniform, or finer near a focus that moves with a
 /// body: size = near + growth (distance - near distance). The shares are those of the source's mesh, so that a boundary
 /// at rest stays as it is. Where the boundary touches a body, nodes keep the gap that was at their new place, so that
 /// contact pressures are not disturbed. In space the paths are the edges of the boundary's surfaces, on which the other
@@ -43,36 +42,36 @@ class PathPlaces {
 class BoundaryMotion {
  public:
   void parameters(Parameters& p);
-  /// Finds paths and shares, in space surfaces too. InputError for unknown bodies and sets.
-  /// Collective only in its errors: the same everywhere.
-  /// `remeshed`: the source is a mesh that was made on the way, whose paths are known; null: it is the deck's.
+  /// Finds paths and shares, in space surfaces too. InputError for unknown bodies and sets. Errors are thrown on all
+  /// ranks. `remeshed`: the source mesh is the result of a remeshing, whose paths are known; null: it is the deck's.
   void bind(const GhostedMesh& mesh, const Positions& source,
             const std::map<std::string, std::shared_ptr<RigidBody>>& bodies, const Section& section,
             const RemeshedMesh* remeshed);
 
-  /// New positions of the nodes on paths, in space on surfaces, middle nodes among them; the others as in `x`.
+  /// New positions of the nodes on paths, in space also on surfaces, mid-side nodes included; the others as in `x`.
   Positions move(const Positions& x, const State& state) const;
   const std::vector<MeshPath>& paths() const { return paths_; }
   const SurfaceMotion& surfaces() const { return surfaces_; }
-  /// (path) what its sides were in the deck's mesh.
+  /// (path) the sides that it had in the deck's mesh.
   const std::vector<PathOrigin>& origins() const { return origins_; }
-  /// In space, (node) read at vertices of the boundary: wanted length of the edges there by the deck's mesh, in the
-  /// mean of the faces around that of a regular triangle of their area, over the size by the focus.
+  /// (node) in space, set at vertices of the boundary: edge length in the deck's mesh over the size field there [-].
+  /// The edge length is that of a regular triangle with the area of a face, in the mean of the faces around.
   const std::vector<double>& relative_sizes() const { return relative_sizes_; }
   /// Whether a path's nodes stay material points.
   bool material(const MeshPath& path) const { return material(path.sets); }
-  /// Whether sides that belong to these sets have such nodes.
+  /// Whether the nodes of sides that belong to these sets stay material points.
   bool material(const std::set<std::string>& sets) const;
   bool axisymmetric() const { return axisymmetric_; }
   bool in_space() const { return in_space_; }
-  /// Where the focus is; the origin without one.
+  /// Position of the focus [m]; the origin where there is none.
   Point focus(const State& state) const;
-  /// Wanted sizes about the focus; only their ratios count.
+  /// Wanted sizes around the focus; only their ratios count.
   SizeField size_field(const Point& focus) const;
-  /// The nearest place on a body; nothing without bodies.
+  /// Gap and normal of the nearest body; nothing where there are no bodies.
   std::optional<NearBody> projection(const State& state, const Point& x) const;
-  /// (node) how freely a node of the mesh's outer boundary may give way, 0 to 1: all where it slides and is at least
-  /// twice as far from every body as the sides beside it are long, not at all where it is as near as one of them.
+  /// (node) how freely a node of the mesh's outer boundary may move to conserve volume, 0 to 1: 1 where it slides and
+  /// is farther from every body than twice the length of the two sides beside it, 0 where it is nearer than that
+  /// length.
   std::vector<double> freedom(const Positions& x, const State& state) const;
 
  private:

@@ -12,10 +12,10 @@ namespace mudline {
 
 namespace {
 
-/// Map of one element at one quadrature point; factor det: volume.
+/// Map of one element at one quadrature point, whose volume is factor times det.
 template <int dim>
 struct PointMap : CellMap<dim> {
-  Dual<dim> around, place[dim];  // measure at the point, the point [m], with derivatives by the point
+  Dual<dim> around, place[dim];  // measure at the point, and its place [m], with derivatives by the place
   double factor = 0;
 
   PointMap(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x, Geometry geometry) {
@@ -42,7 +42,7 @@ struct PointMap : CellMap<dim> {
   }
 };
 
-/// What a quadrature point stands for.
+/// The part of the soil that a quadrature point represents.
 struct PointPart {
   double volume;  // [m3; plane strain: per metre]
   double size;    // root of the map's determinant [m]
@@ -106,15 +106,15 @@ void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::ve
     if (!(freedom[node] > 0)) continue;
     const auto& g = gradient[node];
     const double size = length(g);
-    if (!(size > 1e-6 * largest)) continue;  // rounding would choose its direction
+    if (!(size > 1e-6 * largest)) continue;  // rounding would determine its direction
     Mover mover{node, {}};
-    double share = 0;  // of the normal that is left
+    double share = 0;  // square of the normal's part along free components
     for (int i = 0; i < dim; ++i) {
       if (held[dim * node + i] != 0) continue;
       mover.normal[i] = g[i] / size;
       share += mover.normal[i] * mover.normal[i];
     }
-    if (share < 0.1) continue;  // a roller: what is left is rounding
+    if (share < 0.1) continue;  // a roller: only rounding is left of the normal
     for (double& component : mover.normal) component *= freedom[node];
     all += share * freedom[node] * size;
     movers.push_back(mover);
@@ -124,7 +124,7 @@ void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::ve
 
 namespace {
 
-/// (row, material of the block) what each material has of each point.
+/// Shares of the materials in each point: (row, material of the block).
 std::vector<double> shares_of(const BlockPoints& at, const Soil& soil, int origin, const std::vector<double>& table,
                               int columns) {
   const auto& [mesh, block, x] = at;
@@ -142,7 +142,7 @@ std::vector<double> shares_of(const BlockPoints& at, const Soil& soil, int origi
   return result;
 }
 
-/// What the points of this rank hold: (row, material of the block), (row).
+/// Contents of this rank's points: by (row, material of the block).
 struct Held {
   std::vector<double> shares;    // [-]
   std::vector<double> soil;      // [m3]
@@ -172,7 +172,7 @@ struct Held {
   }
 };
 
-/// Solves A x = b for a small matrix that is symmetric and nearly diagonal (Gauss and Seidel).
+/// Solves A x = b for a small symmetric, nearly diagonal matrix by Gauss-Seidel iteration.
 std::vector<double> solve_small(const std::vector<double>& A, const std::vector<double>& b) {
   const std::size_t n = b.size();
   std::vector<double> x(n, 0.0);
@@ -193,7 +193,7 @@ std::vector<double> solve_small(const std::vector<double>& A, const std::vector<
 }
 
 /// Adds `missing` grains to the materials of a block: the dry density of a point changes by its weight times one factor
-/// for each material. What finds no weight is set to 0.
+/// for each material. Entries of `missing` for which no point has weight are set to 0.
 void add_grains(const PointTransfer& t, int void_ratio, const Held& held, const std::vector<double>& weights,
                 std::vector<double>& missing) {
   const std::size_t count = missing.size();
@@ -224,7 +224,7 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
   const std::size_t count = t.after.block.made_of.size();
   const Held was(t.before, soil, void_ratio, origin, t.old, t.columns, ratios.before),
       is(t.after, soil, void_ratio, origin, t.now, t.columns, ratios.after);
-  // row by row where the rows are the same: a difference of sums would lose digits
+  // Differences are taken row by row where the rows are the same: a difference of sums would lose digits.
   const auto lost_of = [&](const std::vector<double>& had, const std::vector<double>& has, std::size_t material) {
     long double sum = 0;
     for (std::size_t k = material; k < std::max(had.size(), has.size()); k += count)

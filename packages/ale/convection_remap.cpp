@@ -8,7 +8,7 @@ namespace mudline {
 
 namespace {
 
-/// Side [m] of the square or cube of which the element is, or is half or a sixth.
+/// Side [m] of the square or cube that the element fills: a triangle half, a tetrahedron a sixth of it.
 double size_of(const GhostedMesh::Element& element, const Positions& x) {
   const int corners = num_corners(element.shape);
   if (dimension(element.shape) == 3) {
@@ -24,25 +24,23 @@ double size_of(const GhostedMesh::Element& element, const Positions& x) {
   return std::sqrt(std::abs(corners == 3 ? area2 : 0.5 * area2));
 }
 
-/// Strains of a simplex are no more than linear in it, and the quadratic polynomials of the recovery have room for what
-/// its points say. A field that it resolves departs from what is recovered of it by less than this share of what that
-/// changes over the element. What is beyond is scatter from point to point, as the volumetric strains of undrained soil
-/// leave it, which cancel in the mean alone. (Quadrilaterals and bricks have terms of strain that the polynomials
-/// lack.)
+/// Largest departure of a resolved field from the recovered one, as a share of the recovered field's range over the
+/// element. Strains in a simplex are at most linear, so that the quadratic polynomials of the recovery can represent
+/// them. A larger departure is scatter from point to point, as from the volumetric strains of undrained soil, which
+/// vanish only in the mean. (Quadrilaterals and bricks have strain terms that the polynomials lack.)
 constexpr double resolved = 0.5;
-/// Scatter is gone when a point has moved by this share of half an element: it would add up from step to step where
-/// points hardly move. The departure of a field goes with the whole half.
+/// Motion after which scatter is removed, as a share of half an element: it would accumulate where points hardly move.
+/// The departure of a resolved field is removed over the whole half.
 constexpr double gone = 0.01;
 
-/// What a point of a simplex keeps of its departure from the recovered field, of which `rest` would be left by the
-/// distance moved alone. `courant`: its motion in half elements; `change`: that of the recovered field over the
-/// element.
+/// The departure from the recovered field that a point of a simplex keeps. `rest`: the part that upwinding alone would
+/// keep; `courant`: the point's motion in half elements; `change`: range of the recovered field over the element.
 double without_scatter(double rest, double courant, double change) {
   const double within = std::clamp(rest, -resolved * change, resolved * change);
   return rest + std::min(1.0, courant / gone) * (within - rest);
 }
 
-/// What is recovered of a table, and, recovered likewise, what that left out at the points (Tukey's twicing): a field
+/// The field recovered from a table plus the field recovered from the residual at the points (Tukey's twicing): a field
 /// that elements hardly resolve, as a front few of them thick, is smoothed much less, and scatter from point to point
 /// as before.
 class TwiceRecovered {
@@ -69,7 +67,7 @@ class TwiceRecovered {
         const std::size_t row = static_cast<std::size_t>(mesh.first_row(e, block.points) + q) * t.columns;
         for (int c = 0; c < t.columns; ++c) rest[row + c] -= here[c];
       }
-    // what is recovered in ghosts at the edge of what this rank has is incomplete: their own ranks know
+    // Recovery is incomplete in the outermost ghosts: their owners' values are taken.
     mesh.fill_points(block.block, block.points, t.columns, rest);
     return rest;
   }
@@ -95,7 +93,7 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
   const Recovery recovered(mesh, block, t.patches, x_old, t.old, t.columns);
   const PointLocator locator(mesh, x_old);
   const ColumnBounds bounds(t.variables);
-  std::vector<double> there(t.columns), here(t.columns), changes(t.columns);  // recovered
+  std::vector<double> there(t.columns), here(t.columns), changes(t.columns);  // recovered values
   const bool scatters = scheme_ == Scheme::upwind && is_simplex(block.shape);
   for (int e : mesh.own_elements(block.block)) {
     const auto& element = mesh.elements()[e];

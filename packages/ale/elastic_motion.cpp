@@ -9,13 +9,13 @@ namespace mudline {
 
 namespace {
 
-/// Linear elastic simplices, matrix-free: y = K u for this rank's free nodes, u given everywhere.
+/// Linear elastic simplices, matrix-free: y = K u at this rank's free nodes; u is given at all nodes.
 template <int Dim>
 class ElasticMesh {
  public:
   ElasticMesh(const InteriorMesh& mesh, const Positions& from, double poisson)
       : mesh_(mesh), lambda_(poisson / ((1 + poisson) * (1 - 2 * poisson))), shear_(0.5 / (1 + poisson)) {
-    // E = 1 / size cancels the size of the integral
+    // With Young's modulus E = 1 / size the size cancels in the element integrals.
     diagonal_.assign(Dim * mesh.movable.size(), 0.0);
     for (int i = 0; i < mesh.corners.of_elements; ++i) {
       const Simplex& t = mesh.corners.simplices[i];
@@ -46,7 +46,7 @@ class ElasticMesh {
       const Simplex& t = mesh_.corners.simplices[e];
       const Gradients& g = gradients_[e];
       Mat<double, Dim> slope = {};
-      double spread = 0;  // du_i / dx_j
+      double spread = 0;  // divergence of u; slope holds du_i / dx_j
       for (int a = 0; a <= Dim; ++a)
         for (int i = 0; i < Dim; ++i)
           for (int j = 0; j < Dim; ++j) slope[i][j] += u[Dim * t[a] + i] * g[a][j];
@@ -70,14 +70,14 @@ class ElasticMesh {
   double diagonal(std::size_t i) const { return diagonal_[i]; }
 
  private:
-  using Gradients = std::array<Vec<double, Dim>, Dim + 1>;  // of the corners' shapes [1/m]
+  using Gradients = std::array<Vec<double, Dim>, Dim + 1>;  // of the corners' shape functions [1/m]
   const InteriorMesh& mesh_;
   double lambda_, shear_;
   std::vector<Gradients> gradients_;
   std::vector<double> diagonal_;
 };
 
-/// Dot product over this rank's free nodes, where alone the vectors are not zero.
+/// Dot product over this rank's free nodes: the vectors are zero elsewhere.
 double dot(const GhostedMesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];

@@ -7,7 +7,7 @@ FaceLocator::FaceLocator(const std::vector<SurfaceFace>& faces, const Positions&
     Bounds box = Bounds::nothing();
     for (int a = 0; a < num_nodes(faces[f].shape); ++a) box.enclose(x[faces[f].nodes[a]]);
     const Point half = 0.5 * (box.high - box.low);
-    // a curved face does not bulge far out of the box of its nodes
+    // A curved face does not bulge far out of the box of its nodes.
     balls_[faces[f].patch].push_back({static_cast<int>(f), box.low + half, 1.5 * length(half)});
   }
 }

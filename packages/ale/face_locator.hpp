@@ -8,23 +8,24 @@
 
 namespace mudline {
 
-/// Finds the places on a surface that are nearest to points; the surface is that of its faces, curved as they are.
+/// Finds closest points on a surface, which consists of its faces with their curvature.
 class FaceLocator {
  public:
-  /// Both outlive it.
+  /// Both arguments must outlive it.
   FaceLocator(const std::vector<SurfaceFace>& faces, const Positions& x);
-  /// On the faces of a patch. `guess`: face to look at first; -1: none.
+  /// The closest point on the faces of a patch. `guess`: face to look at first; -1: none.
   SurfacePlace nearest(int patch, const Point& point, int guess = -1) const;
-  /// Where the normal of the patch's surface through a point near it meets it: the point is the middle of an edge, say.
+  /// Where the patch is met by the line through a point along the patch's normal. The point is near the patch: the
+  /// middle of an edge, say.
   SurfacePlace over(int patch, const Point& point) const;
-  /// On any face.
+  /// The closest point on any face.
   SurfacePlace nearest(const Point& point) const;
   Point at(const SurfacePlace& place) const { return face_point(faces_[place.face], place.xi, x_); }
-  /// Outwards, of length 1.
+  /// Outward unit normal.
   Point normal(const SurfacePlace& place) const { return unit(face_normal(faces_[place.face], place.xi, x_)); }
 
  private:
-  /// No part of the face is outside.
+  /// A ball that contains the whole face.
   struct Ball {
     int face;
     Point centre;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rounding = 1e-14;
 
-/// A face at one place.
+/// Position and tangents of a face at one place.
 struct FaceMap {
   Point at{}, along[2] = {};
   FaceMap(const SurfaceFace& face, const FacePlace& place, const Positions& x) {
@@ -26,7 +26,7 @@ struct FaceMap {
   }
 };
 
-/// The step in reference coordinates towards a point, by the method of Gauss and Newton: faces are nearly flat.
+/// The step in reference coordinates towards a point, by the Gauss-Newton method: faces are nearly flat.
 FacePlace step_towards(const FaceMap& map, const Point& point) {
   const Point off = point - map.at;
   const double a = dot(map.along[0], map.along[0]), b = dot(map.along[0], map.along[1]),
@@ -36,7 +36,7 @@ FacePlace step_towards(const FaceMap& map, const Point& point) {
   return {(c * p - b * q) / det, (a * q - b * p) / det};
 }
 
-/// On the edge between two corners, by the share [0, 1] of its way.
+/// Place on an edge, at the share [0, 1] of its length from the first corner.
 FacePlace on_edge(const SurfaceFace& face, int edge, double share) {
   const auto ends = edge_corners(face.shape, edge);
   const auto a = reference_node(face.shape, ends[0]), b = reference_node(face.shape, ends[1]);

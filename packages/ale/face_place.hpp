@@ -9,7 +9,7 @@ namespace mudline {
 
 struct SurfaceFace;
 
-/// Where a point of a face is: reference coordinates of the face's shape.
+/// Reference coordinates of a point of a face.
 using FacePlace = Vec<double, 2>;
 
 /// A place on a face of a mesh's surfaces.
@@ -20,20 +20,21 @@ struct SurfacePlace {
 
 /// [m]
 Point face_point(const SurfaceFace& face, const FacePlace& place, const Positions& x);
-/// Outwards, as long as the area per reference area [m2].
+/// Outward normal, whose length is the area per reference area [m2].
 Point face_normal(const SurfaceFace& face, const FacePlace& place, const Positions& x);
 
-/// Of length 1; what has no length stays.
+/// Unit vector along a; the zero vector stays zero.
 inline Point unit(const Point& a) { return 1 / std::max(length(a), 1e-300) * a; }
 
-/// A middle of an edge no farther off the centre of its ends, outwards, than a tenth of the edge [m]: what straddles a
-/// sharp ridge of the surface, as the lip beside a body, would fold the element behind it.
+/// Place of a mid-side node, moved back along the normal until it bulges by no more than a tenth of the edge [m] from
+/// the centre of its ends: an edge across a sharp ridge of the surface, as the lip beside a body, would fold the
+/// element behind it.
 inline Point without_bulge(const Point& at, const Point& centre, const Point& normal, double edge) {
   const double excess = dot(at - centre, normal) - 0.1 * edge;
   return excess > 0 ? at - excess * normal : at;
 }
 
-/// The point of a face, curved as it is, that is nearest to another.
+/// The closest point of a curved face.
 struct NearestOnFace {
   FacePlace place;
   double distance;  // [m]

@@ -29,7 +29,7 @@ Ids flattened(const std::vector<Ids>& lists, std::vector<int>& counts, std::vect
   return flat;
 }
 
-/// (rank) what each rank has for this one, of what every rank has for each.
+/// All-to-all exchange: from (rank) the lists for each rank, returns (rank) the lists from each rank.
 std::vector<Ids> exchanged(const Comm& comm, const std::vector<Ids>& to) {
   const MPI_Comm mpi = raw_communicator(comm);
   const std::size_t ranks = to.size();
@@ -67,7 +67,7 @@ class Records {
     numbers_.insert(numbers_.end(), {id, block, static_cast<long long>(shape)});
     numbers_.insert(numbers_.end(), nodes, nodes + mudline::num_nodes(shape));
   }
-  /// Those of another table.
+  /// Adds the records of another table.
   void add(const Ids& numbers) {
     for (std::size_t i = 0; i < numbers.size();) {
       const auto shape = static_cast<CellShape>(numbers[i + 2]);
@@ -152,7 +152,7 @@ class Neighbourhood {
           box.enclose(place);
         }
         const Point across = box.high - box.low;
-        const double reach = dot(across, across);  // twice as far as its nodes, for what bulges
+        const double reach = dot(across, across);  // squared radius: twice the radius of the box, as elements may bulge
         std::fill(asks.begin(), asks.end(), 0);
         tree.search(box.low + 0.5 * across, reach, [&](int i) { asks[rank_of[i]] = 1; });
         const long long* record = records.at(block.global_ids[e]);
@@ -162,7 +162,7 @@ class Neighbourhood {
     for (const Ids& from : exchanged(comm, to)) records.add(from);
   }
   bool is_complete(long long node) const { return asked_.count(node) > 0; }
-  /// Of all elements.
+  /// The nodes of all elements, with repetitions.
   std::vector<const long long*> nodes() const {
     std::vector<const long long*> result;
     const Ids& all = records.numbers();
@@ -172,7 +172,7 @@ class Neighbourhood {
   }
 
  private:
-  /// Tells the owners of nodes what is around these.
+  /// Tells the owners of nodes which elements are around these.
   void find_owners() {
     const Ids& all = records.numbers();
     owned_ = make_map({mesh_.node_ids().begin(), mesh_.node_ids().begin() + mesh_.num_owned_nodes()}, mesh_.comm());
@@ -223,7 +223,7 @@ class Neighbourhood {
   const Mesh& mesh_;
   RCP<const Map> owned_;
   Records visitors_;                           // elements around the nodes that this rank owns
-  std::unordered_map<long long, Ids> around_;  // those of each node
+  std::unordered_map<long long, Ids> around_;  // elements around each node
   std::unordered_map<long long, int> owner_;   // rank
   std::unordered_set<long long> asked_;
 };
@@ -263,7 +263,7 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mes
       const auto found = open.find(key);
       if (found == open.end()) {
         open[key] = {e, s};
-        // where all elements around a corner are here, none is across unless it is found
+        // A side that has a complete corner is on the boundary unless a neighbour is found later.
         for (int k = 0; k < count; ++k)
           if (around.is_complete(corners[k])) elements_[e].neighbours[s] = outside;
         continue;
@@ -358,7 +358,7 @@ GhostedMesh::GhostedMesh(const Mesh& mesh, int layers, const Wanted* near) : mes
     boundary_.push_back(std::move(side));
   }
 
-  // what owners tell the others
+  // maps from owned to all nodes and elements
   nodes_ = exchange(own_nodes, node_ids_);
   for (std::size_t b = 0; b < block_elements_.size(); ++b) {
     Ids own, all;

@@ -18,7 +18,7 @@ namespace mudline {
 constexpr int place_size = 3;          // coordinates of a node; in the plane the third is 0
 using Positions = std::vector<Point>;  // [m] by node of a GhostedMesh
 
-/// A place of a mesh in the plane.
+/// A point in the plane as a position.
 inline Point on_plane(const Vec<double, 2>& place) { return {place[0], place[1], 0}; }
 /// [m]
 inline double distance(const Point& a, const Point& b) {
@@ -26,9 +26,8 @@ inline double distance(const Point& a, const Point& b) {
 }
 
 /// This rank's elements, some layers of those of other ranks around them (ghosts), and on every rank the nodes of the
-/// boundaries of all regions. Numbers ascend with the global ones: whatever loops over them comes by the elements
-/// around a node in the same order on any number of ranks, and so to the same last digit. On one rank they are the
-/// global numbers.
+/// boundaries of all regions. Local numbers ascend with the global ones: loops meet the elements around a node in the
+/// same order on any number of ranks, so that sums agree to the last digit. On one rank they are the global numbers.
 class GhostedMesh {
  public:
   static constexpr int whole = std::numeric_limits<int>::max();  // layers: all of the mesh
@@ -44,20 +43,19 @@ class GhostedMesh {
   };
   /// A side on the boundary of a region.
   struct BoundarySide {
-    int block, other;            // of its element, of the one across; other -1: on the boundary of the mesh
+    int block, other;            // block of its element, and of the one across; -1: on the boundary of the mesh
     std::vector<int> nodes;      // in the order of the side's shape
     std::set<std::string> sets;  // side sets that it belongs to
-    bool first = true;           // of the two sides between regions
+    bool first = true;           // it is the first of the two coincident sides between regions
   };
 
-  /// Boxes for which a rank wants the elements that come near them, wherever they belong; x: positions of the mesh's
-  /// nodes.
+  /// Boxes near which a rank needs all elements, whichever rank owns them; x: positions of the mesh's nodes.
   struct Wanted {
     ConstCoordinateView x;
     std::vector<Bounds> boxes;
   };
 
-  /// Collective. Of the elements that come `near` boxes nothing is said of those beyond them.
+  /// Collective. `near`: boxes whose elements come as well; the neighbours beyond these are unknown.
   explicit GhostedMesh(const Mesh& mesh, int layers = whole, const Wanted* near = nullptr);
 
   const Mesh& mesh() const { return mesh_; }
@@ -76,12 +74,12 @@ class GhostedMesh {
   bool is_vertex(int node) const { return vertex_[node] != 0; }
   /// Whether a node is on the boundary of a region: on that of the mesh, or between two regions.
   bool on_boundary(int node) const { return on_boundary_[node] != 0; }
-  /// Whether a side of an element is, as far as this rank can tell.
+  /// Whether a side of an element is on the boundary of a region, as far as this rank knows.
   bool on_boundary(const Element& element, int side) const {
     const int other = element.neighbours[side];
     return other == outside || (other >= 0 && elements_[other].block != element.block);
   }
-  /// One element of a node that has any here: of a complete one the first of the whole mesh.
+  /// One element that has the node; where the node is complete, the first of the whole mesh.
   int element_of(int node) const { return element_of_[node]; }
 
   const std::vector<Element>& elements() const { return elements_; }
@@ -90,14 +88,14 @@ class GhostedMesh {
   /// A block's elements that are this rank's own, in the mesh's order.
   const std::vector<int>& own_elements(int block) const { return own_elements_[block]; }
   const std::map<std::string, std::vector<ElementSide>>& side_sets() const { return side_sets_; }
-  /// Of the whole mesh: their nodes are on every rank.
+  /// Node sets of the whole mesh: their nodes are on every rank.
   const std::map<std::string, std::vector<int>>& node_sets() const { return node_sets_; }
-  /// Of the whole mesh, in the order of elements.
+  /// Boundary sides of the whole mesh, in the order of elements.
   const std::vector<BoundarySide>& boundary() const { return boundary_; }
 
   /// Positions from the mesh's nodes. Collective.
   Positions gather(const ConstCoordinateView& x) const;
-  /// To the nodes that the mesh has on this rank.
+  /// Sets the coordinates of the nodes that the mesh has on this rank.
   void scatter(const Positions& from, const CoordinateView& to) const;
   /// A field by (node, component); nodes without the field hold 0. Collective.
   std::vector<double> gather(const Space& space, int field, const ConstNodalView& values) const;
@@ -107,13 +105,14 @@ class GhostedMesh {
   /// Row of an element's first point in what gather_points returns.
   int first_row(int element, int points) const { return place_in_block_[element] * points; }
 
-  /// Everyone takes what the owners have: values by (node, component), beyond the nodes nothing changes. Collective.
+  /// Sets all nodes to the values of their owners: values by (node, component); entries beyond the nodes do not change.
+  /// Collective.
   void fill(std::vector<double>& values, int components) const;
   void fill(Positions& x) const;
-  /// The same of (row, column) of a block's points. Collective.
+  /// Sets all points of a block to the values of their owners: table by (row, column). Collective.
   void fill_points(int block, int points, int columns, std::vector<double>& table) const;
 
-  /// Of what every rank has, in more digits than a double's, so that it hardly ever depends on the ranks.
+  /// Sum over all ranks, in extended precision, so that it hardly ever depends on the number of ranks.
   double sum(long double mine) const;
   double largest(double mine) const;
   double smallest(double mine) const { return -largest(-mine); }
@@ -130,7 +129,7 @@ class GhostedMesh {
   const Mesh& mesh_;
   int layers_;
   std::vector<long long> node_ids_;
-  std::vector<int> of_mesh_, owned_nodes_;  // (the mesh's node), ascending
+  std::vector<int> of_mesh_, owned_nodes_;  // (the mesh's node) node here; ascending
   std::vector<char> owned_, complete_, vertex_, on_boundary_;
   std::vector<Element> elements_;
   std::vector<std::vector<int>> block_elements_, own_elements_;
@@ -140,7 +139,7 @@ class GhostedMesh {
   std::vector<BoundarySide> boundary_;
   Exchange nodes_;
   std::vector<Exchange> points_;              // (block) by element
-  std::vector<std::vector<int>> own_places_;  // (block) of its own elements in the block
+  std::vector<std::vector<int>> own_places_;  // (block) place in the block of each own element
 };
 
 /// Widens a box by an element's nodes.

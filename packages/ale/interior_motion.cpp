@@ -12,9 +12,9 @@ namespace mudline {
 
 namespace {
 
-using Corners = std::vector<std::array<int, 4>>;  // local ones; in the plane three
+using Corners = std::vector<std::array<int, 4>>;  // local numbers; in the plane three
 
-/// (corner) it, and those at the other ends of its edges, positive where the cell is.
+/// (corner) the corner and the other ends of its edges, ordered such that the determinant is positive in a sound cell.
 Corners find_corners(CellShape shape) {
   const int dim = dimension(shape);
   Corners result;
@@ -67,7 +67,7 @@ int CornerSimplices::tangent(int at, int other, int middle) {
   return nodes_ + static_cast<int>(tangents_.size()) - 1;
 }
 
-/// In the plane: two triangles for each curved side, with the element's straight sides beside it.
+/// Adds, in the plane, two triangles for each curved side, with the element's straight sides beside it.
 void CornerSimplices::add_curved_sides(const GhostedMesh& mesh, const GhostedMesh::Element& element) {
   const int corners = num_corners(element.shape);
   for (int s = 0; s < corners; ++s) {
@@ -79,7 +79,7 @@ void CornerSimplices::add_curved_sides(const GhostedMesh& mesh, const GhostedMes
   }
 }
 
-/// In space: a tetrahedron for each corner where edges are curved, with the tangents of all of these.
+/// Adds, in space, a tetrahedron for each corner where edges are curved, with the tangents of all of these.
 void CornerSimplices::add_curved_corners(const GhostedMesh& mesh, const GhostedMesh::Element& element) {
   const int corners = num_corners(element.shape);
   for (const auto& local : corners_of(element.shape)) {
@@ -115,7 +115,7 @@ std::vector<BoundarySimplex> CornerSimplices::on_boundary(const GhostedMesh& mes
     if (!inside) mine.insert(mine.end(), record.begin(), record.end());
   }
   const std::vector<long long> all = all_gather(*mesh.mesh().comm(), mine);
-  std::set<Record> records;  // ghosts come more than once
+  std::set<Record> records;  // a set, because ghosts come more than once
   for (std::size_t i = 0; i < all.size(); i += size) {
     Record record;
     std::copy_n(&all[i], size, record.begin());

@@ -20,24 +20,24 @@ struct Simplex {
 };
 
 /// The simplices that the corners of the elements span with the edges there: a triangle or tetrahedron itself, or the
-/// four corners of a quadrilateral, the eight of a hexahedron. The mesh motion works on these; middle nodes follow. A
-/// curved edge on the boundary of a region spans more, with its tangents at its ends instead of its ends: their sizes
+/// four corners of a quadrilateral, the eight of a hexahedron. The mesh motion works on these; mid-side nodes follow. A
+/// curved edge on the boundary of a region adds simplices that are spanned by the edge's tangent at an end: their sizes
 /// are the Jacobians there, so that an edge that bulges into a flat element counts as bad before the element folds. The
 /// ends of these tangents are further positions behind those of the nodes.
 class CornerSimplices {
  public:
   explicit CornerSimplices(const GhostedMesh& mesh);
-  /// Sets the tangents' ends behind the nodes' positions; `curve` holds the nodes of the boundary, middle ones among
-  /// them.
+  /// Sets the tangents' ends behind the nodes' positions; `curve` holds the nodes of the boundary, mid-side nodes
+  /// included.
   void add_tangents(const Positions& curve, Positions& x) const;
   /// 2 or 3.
   int dimension() const { return simplices.front().corners - 1; }
-  /// In space: of the whole mesh, on every rank in the same order, those whose nodes are all on boundaries of regions.
-  /// Collective.
+  /// In space, the simplices of the whole mesh whose nodes are all on boundaries of regions, on every rank in the same
+  /// order. Collective.
   std::vector<BoundarySimplex> on_boundary(const GhostedMesh& mesh) const;
 
   std::vector<Simplex> simplices;         // not folded where their determinants are positive; the elements' first
-  int of_elements = 0;                    // how many
+  int of_elements = 0;                    // number of the elements' simplices
   std::vector<std::vector<int>> at_node;  // (node) simplices that touch it
 
  private:
@@ -46,7 +46,7 @@ class CornerSimplices {
   };
   void add_curved_sides(const GhostedMesh& mesh, const GhostedMesh::Element& element);
   void add_curved_corners(const GhostedMesh& mesh, const GhostedMesh::Element& element);
-  /// Adds the tangent at a node of the edge to another; the position of its end.
+  /// Adds the tangent at node `at` of the edge to node `other`; returns the index of its end's position.
   int tangent(int at, int other, int middle);
 
   int nodes_;
@@ -56,21 +56,21 @@ class CornerSimplices {
 /// Determinant of the edges from the first corner: twice the signed area of a triangle [m2], six times the signed
 /// volume of a tetrahedron [m3].
 double determinant(const Simplex& simplex, const Positions& x);
-/// Its root of the dimension, without the sign: a length [m].
+/// Square or cube root of the determinant's magnitude [m].
 double size(const Simplex& simplex, const Positions& x);
 
-/// What an interior motion may look at. Positions are those of nodes, then of tangents' ends.
+/// Input of an interior motion. Positions are those of nodes, then of tangents' ends.
 struct InteriorMesh {
   const GhostedMesh& mesh;
   const CornerSimplices& corners;
   const Positions& source;                       // of the source's mesh
-  const Positions& before;                       // before any node of this relocation moved
+  const Positions& before;                       // before this relocation
   const std::vector<char>& movable;              // (node) vertices that are free to move
   const std::vector<std::vector<int>>& colours;  // see vertex_colours()
   double time = 0;                               // [s] of the state that the mesh carries
 };
 
-/// Places the vertices inside when those on paths have moved: type of the deck's "mesh motion".
+/// Moves the inner vertices after those on paths: type of "interior" in the deck's "mesh motion".
 class InteriorMotion {
  public:
   virtual ~InteriorMotion() = default;
@@ -79,10 +79,10 @@ class InteriorMotion {
   virtual void move(const InteriorMesh& mesh, Positions& x) const = 0;
 };
 
-/// Vertex by vertex, lowers the sum of squared inverse mean ratios of the simplices around it (Knupp 2001; Freitag &
-/// Knupp 2002), mu = |T|^2 / (d det T^(2/d)) in d dimensions, T the map from the ideal simplex: 1 at best, infinite for
-/// a flat simplex, so that no element ever folds. The ideal is the regular simplex or that of the source's mesh; size
-/// is free.
+/// Minimises, vertex by vertex, the sum of squared inverse mean ratios of the simplices around it (Knupp 2001; Freitag
+/// & Knupp 2002), mu = |T|^2 / (d det T^(2/d)) in d dimensions, T the map from the ideal simplex: 1 at best, infinite
+/// for a flat simplex, so that no element ever folds. The ideal is the regular simplex or that of the source's mesh;
+/// its size does not count.
 class OptimisationMotion : public InteriorMotion {
  public:
   enum class Ideal { equilateral, source };

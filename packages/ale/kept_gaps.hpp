@@ -9,27 +9,27 @@
 
 namespace mudline {
 
-/// Of the body that is nearest to a point.
+/// Gap and normal of the body that is nearest to a point.
 struct NearBody {
   double gap;    // [m]
   Point normal;  // from the body into the soil
 };
 using BodySearch = std::function<std::optional<NearBody>(const Point&)>;
 
-/// Keeps the gaps between a surface and bodies where the surface gets other nodes, so that contact pressures are not
+/// Keeps the gaps between a surface and bodies where nodes of the surface move, so that contact pressures are not
 /// disturbed.
 class KeptGaps {
  public:
-  /// `x`: of the surface's nodes. All outlive it.
+  /// `x`: positions of the surface's nodes. All arguments must outlive it.
   KeptGaps(const BodySearch& body, const Positions& x) : body_(body), x_(x) {}
-  /// A node that comes to `at`, a place on a face: as far from the body as the nodes of the face say for there, within
-  /// what they have. As it is where it is farther from the body than a quarter of `span`, the edge beside it [m].
+  /// Place for a node that moves to `at`, a point of a face: its gap to the body is interpolated from the nodes of the
+  /// face, within their range. The result is `at` where that gap exceeds a quarter of `span`, the edge beside it [m].
   Point kept(const SurfaceFace& face, const FacePlace& place, const Point& at, double span);
 
  private:
   const BodySearch& body_;
   const Positions& x_;
-  std::map<int, double> gaps_;  // of nodes [m]
+  std::map<int, double> gaps_;  // (node) [m]
 };
 
 }  // namespace mudline

@@ -12,8 +12,8 @@ namespace mudline {
 
 namespace {
 
-constexpr int rings = 3;         // of elements around those of a material, onto which its fields are continued
-constexpr double narrow = 0.04;  // a direction in which points spread by less than the root of this has no slope
+constexpr int rings = 3;         // number of rings of elements around a material onto which its fields are continued
+constexpr double narrow = 0.04;  // least variance for which a slope is fitted, as a share of the largest
 
 /// Second moments of places about their centre: their principal directions and the spread along each, the largest
 /// first.
@@ -32,7 +32,7 @@ struct Spread {
     direction[0] = {std::cos(angle), std::sin(angle), 0};
     direction[1] = {-std::sin(angle), std::cos(angle), 0};
   }
-  /// Jacobi's rotations.
+  /// Eigenvectors by Jacobi's rotations.
   void in_space(const Mat<double, 3>& m) {
     Mat<double, 3> a, v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // v: the directions as columns
     std::copy(&m[0][0], &m[0][0] + 9, &a[0][0]);
@@ -60,8 +60,8 @@ struct Spread {
   }
 };
 
-/// The metric of a patch of elements: places in it are told in units of the patch's own extent in each direction, so
-/// that a patch of flat elements is as round as any other.
+/// Coordinates in a patch of elements, in units of the patch's own extent in each principal direction, so that patches
+/// of flat elements become isotropic.
 class PatchMetric {
  public:
   PatchMetric(int dim, const std::vector<Point>& places) : dim_(dim) {
@@ -79,7 +79,7 @@ class PatchMetric {
       if (spread.along[k] > 0)
         for (int d = 0; d < dim; ++d) axis_[k][d] = spread.direction[k][d] / std::sqrt(spread.along[k]);
   }
-  /// [-]
+  /// Scaled coordinates of a place [-].
   Point operator()(const Point& place) const {
     const Point x = place - centre_;
     Point result{};
@@ -113,7 +113,7 @@ class Planes {
       for (int c = 0; c < columns; ++c)
         for (int d = 0; d < dim; ++d) by[dim * c + d] += x[d] * (rows[i][c] - mean_[c]);
     }
-    // along the principal directions of the places, as far as these spread
+    // slopes along the principal directions in which the places spread enough
     const Spread spread(dim, moments);
     for (int k = 0; k < dim; ++k) {
       if (!(spread.along[k] > narrow * spread.along[0]) || !(spread.along[k] > 0)) continue;
@@ -148,9 +148,9 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
   const auto& [mesh, block, x] = t.before;
   const int points = block.points;
   for (int ring = 2; ring < 2 + rings; ++ring) {
-    std::vector<int> pending(known.size(), -1);  // place among those that get a value
+    std::vector<int> pending(known.size(), -1);  // index in found; -1: the row gets no value in this ring
     std::vector<std::size_t> found;
-    std::vector<double> sums, qualities;  // of the best planes, the mean of which is taken
+    std::vector<double> sums, qualities;  // of the best planes of a row, whose mean is taken
     std::vector<int> planes_used;
     for (const auto& patch : t.patches.patches()) {
       std::vector<std::size_t> to;
@@ -165,7 +165,7 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
           all.push_back(place);
           if (known[row] != 0) rows.push_back(&table[row * t.columns]);
           if (known[row] != 0) places.push_back(place);
-          if (known[row] == 0 && touches) to.push_back(row);  // its own rank has the patches of all its corners
+          if (known[row] == 0 && touches) to.push_back(row);  // a row's owner has the patches of all its corners
           if (known[row] == 0 && touches) there.push_back(place);
         }
       }
@@ -174,7 +174,7 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
       for (std::vector<Point>* some : {&places, &there})
         for (Point& place : *some) place = metric(place);
       const Planes planes(mesh.dimension(), places, rows, t.columns);
-      if (!planes.resolved() && ring < 1 + rings) continue;  // better ones come with the next ring
+      if (!planes.resolved() && ring < 1 + rings) continue;  // the next ring gives better ones
       const double quality = (planes.resolved() ? 1.0 : 1e-3) * static_cast<double>(rows.size());
       for (std::size_t i = 0; i < to.size(); ++i) {
         if (pending[to[i]] < 0) {
@@ -200,7 +200,7 @@ void continue_rows(const PointTransfer& t, std::vector<double>& table, std::vect
       for (int c = 0; c < t.columns; ++c) table[found[k] * t.columns + c] = sums[k * t.columns + c] / planes_used[k];
       known[found[k]] = static_cast<char>(ring);
     }
-    // ghosts are at the edge of what is known here: their own ranks know better
+    // Ghosts lack patches here: their owners' values are taken.
     mesh.fill_points(block.block, points, t.columns, table);
     std::vector<double> rings_of(known.begin(), known.end());
     mesh.fill_points(block.block, points, 1, rings_of);
@@ -294,7 +294,7 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
   LayerChanges result;
   for (std::size_t row = 0; row < t.old.size() / t.columns; ++row)
     result.was.push_back(static_cast<char>(t.old[row * t.columns + table.origin]));
-  if (!t.moved()) remap_.transfer(t);  // what a law that starts anew starts from
+  if (!t.moved()) remap_.transfer(t);  // stress and void ratio from which a law may start anew
   result.is = transfer_origin(t, table);
   std::map<int, Version> versions;
   for (int material : t.after.block.made_of) versions[material] = version_of(material, t, table, result.was);

@@ -8,14 +8,14 @@
 
 namespace mudline {
 
-/// The table of a block's point data on the way to the other mesh, with the columns that say what they are.
+/// Column layout of a block's point data during a transfer.
 struct SoilTable {
   int columns;
   int stress, void_ratio, law, origin;   // first columns; origin: number of the material, then the place at the start
-  std::vector<StateVariable> variables;  // split of the columns for the widest law
+  std::vector<StateVariable> variables;  // variables that the columns hold, for the widest law
 };
 
-/// What became of the points' materials.
+/// Changes of the points' materials by a transfer.
 struct LayerChanges {
   int changed = 0;      // points of this rank that have another material than before, where the mesh moved
   int started = 0;      // points whose law starts anew, because no soil of their material was near
@@ -25,23 +25,23 @@ struct LayerChanges {
   std::vector<char> was, is;  // (row of gather_points) number of the material before and after
 };
 
-/// Carries the point data of layered soil over, by a remap that serves any field. The place where the soil was at the
-/// start is remapped as any field; it is smooth, and which material stands where follows from it, so that layers stay
-/// sharp. All else jumps at interfaces: for each material the fields of its own points are continued beyond them, and
-/// its points take what is remapped from those alone. A point that changes its material so takes over stress, void
-/// ratio and law from the soil around it that has come to it; where there is none, the law starts from the stress and
-/// void ratio that the point has.
+/// Transfers the point data of layered soil with any remap. The place where the soil was at the start is a smooth field
+/// and is remapped like any other; it determines the material of a point, so that layers stay sharp. All other fields
+/// jump at interfaces: for each material the fields of its own points are continued beyond the interfaces, and its new
+/// points get values from these alone. A point that changes its material thus gets stress, void ratio and law from soil
+/// of that material nearby; where there is none, the law starts from the stress and void ratio that the point has.
 class LayerRemap {
  public:
   LayerRemap(const Soil& soil, const Remap& remap) : soil_(soil), remap_(remap) {}
-  /// `transfer`: of all columns, its variables those of the widest law. Of this rank's own elements. Collective.
+  /// Transfers the points of this rank's own elements. `transfer`: all columns, its variables those of the widest law.
+  /// Collective.
   LayerChanges transfer(const PointTransfer& transfer, const SoilTable& table) const;
 
  private:
   std::vector<StateVariable> variables_of(int material, const SoilTable& table) const;
-  /// Remaps the places of the start, writes them, and the materials that follow, and returns those.
+  /// Remaps the places at the start; writes them and the materials that follow from them; returns the materials (row).
   std::vector<char> transfer_origin(const PointTransfer& transfer, const SoilTable& table) const;
-  /// What the points would be if all were of one material.
+  /// The block's point data if all points were of one material.
   struct Version {
     std::vector<double> now;         // table on the new mesh
     std::vector<double> void_ratio;  // (row) on the old one
@@ -49,18 +49,18 @@ class LayerRemap {
   };
   Version version_of(int material, const PointTransfer& transfer, const SoilTable& table,
                      const std::vector<char>& was) const;
-  /// "" or why the law of a material cannot start at a row.
+  /// Starts the law of a material at a row; returns why it cannot, "" where it can.
   std::string start(const PointTransfer& transfer, const SoilTable& table, int material, int row) const;
 
   const Soil& soil_;
   const Remap& remap_;
 };
 
-/// Continues the values of some rows of a block's table to the rows around them, by planes fitted to the rows at a
-/// vertex: linear fields exactly. Distances are measured by the extent of the elements around the vertex, so that flat
-/// elements are continued along their short side as round ones are. `known`: (row) 1 for those that have values; rows
-/// that get one are given the number of the ring of elements around that they are in, from 2 on; 0 stays where there is
-/// none. Collective.
+/// Continues the values of some rows of a block's table to the rows around them, by linear functions fitted to the rows
+/// at a vertex: exact for linear fields. Distances are scaled by the extent of the elements around the vertex in each
+/// direction, so that flat elements are continued like equilateral ones. `known`: (row) 1 for rows that have values;
+/// rows that get values are set to the number of their ring of elements, from 2 on; 0 stays where a row gets none.
+/// Collective.
 void continue_rows(const PointTransfer& transfer, std::vector<double>& table, std::vector<char>& known);
 
 }  // namespace mudline

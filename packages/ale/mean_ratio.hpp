@@ -8,7 +8,7 @@
 
 namespace mudline {
 
-/// Matrix of the cofactors of a; its determinant.
+/// Sets c to the cofactors of a; returns the determinant of a.
 template <int Dim>
 double cofactors(const Mat<double, Dim>& a, Mat<double, Dim>& c) {
   if constexpr (Dim == 2) {
@@ -28,13 +28,13 @@ double cofactors(const Mat<double, Dim>& a, Mat<double, Dim>& c) {
   return det;
 }
 
-/// Edge of a square or cube of that content.
+/// Edge of the square or cube of this area or volume.
 template <int Dim>
 double edge_of_content(double content) {
   return Dim == 2 ? std::sqrt(content) : std::cbrt(content);
 }
 
-/// T = sum over the corners v of x_v w_v^T for the ideal simplex: its corners are `ideal`.
+/// Weights w of the map from the ideal simplex, whose corners are `ideal`: T = sum over the corners v of x_v w_v^T.
 template <int Dim>
 struct IdealSimplex {
   double w[Dim + 1][Dim];
@@ -54,13 +54,13 @@ struct IdealSimplex {
 };
 
 /// Sum of the squared inverse mean ratios mu = |T|^2 / (d det T^(2/d)) of the simplices around one vertex, a convex
-/// function of its position, and its derivatives. The Hessian's upper half.
+/// function of its position, and its derivatives; of the Hessian the upper half is set.
 template <int Dim>
 struct MeanRatio {
   double value = 0, gradient[Dim] = {}, hessian[Dim][Dim] = {};
   bool valid = true;  // no simplex is flat or folded
 
-  /// `corner(v)`: position of corner v; `moving` is the corner of the vertex.
+  /// `corner(v)`: position of corner v; `moving`: the corner that is the vertex.
   template <class Corner>
   void add(const IdealSimplex<Dim>& ideal, int moving, const Corner& corner) {
     constexpr double power = 2.0 / Dim;
@@ -102,7 +102,7 @@ struct MeanRatio {
     }
   }
 
-  /// Newton's step; false where there is none.
+  /// Newton step; returns false where a simplex is folded or the Hessian's determinant is not positive.
   bool step(double (&to)[Dim]) {
     Mat<double, Dim> c;
     for (int i = 1; i < Dim; ++i)

@@ -6,7 +6,7 @@ namespace mudline {
 
 namespace {
 
-/// Of the elements that this rank has of its own, a few neighbours in each.
+/// Boxes around this rank's own elements, a few neighbours in each.
 std::vector<Bounds> boxes(const GhostedMesh& mesh, const Positions& x) {
   constexpr std::size_t together = 16;
   std::vector<Bounds> result;
@@ -20,7 +20,7 @@ std::vector<Bounds> boxes(const GhostedMesh& mesh, const Positions& x) {
   return result;
 }
 
-/// In the numbers of `mesh`, another view of the mesh of `ale`.
+/// Paths and faces of `ale` in the node numbers of `mesh`, another view of its mesh.
 NodalRemap::Bounded bounded(const Ale& ale, const GhostedMesh& mesh, const Positions& x) {
   NodalRemap::Bounded result{mesh, ale.paths(), ale.surfaces().faces, x};
   const auto number = [&](int& node) { node = mesh.local_node(ale.mesh().node_id(node)); };

@@ -7,8 +7,8 @@ namespace mudline {
 
 class Ale;
 
-/// A mesh and another one of the same regions, with the same paths in the same order. Of the one before, a rank has
-/// besides its own elements those that lie where it has elements of the other one.
+/// An old and a new mesh of the same regions, with the same paths in the same order. Besides its own elements of the
+/// old mesh a rank has those that lie where it has elements of the new one.
 class MeshChange {
  public:
   /// Collective.
@@ -20,7 +20,7 @@ class MeshChange {
   const GhostedMesh& to() const { return to_; }
   const Positions& x_from() const { return x_from_; }
   const Positions& x_to() const { return x_to_; }
-  /// What the nodes have of a field, by overlap dof, goes over: see NodalRemap. Collective.
+  /// Transfers the nodal values of a field, by overlap dof, see NodalRemap. Collective.
   void transfer(int field, const ConstNodalView& old, const NodalView& now, bool limited = false) const;
 
  private:

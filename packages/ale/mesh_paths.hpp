@@ -11,8 +11,8 @@ namespace mudline {
 
 /// A chain of element sides along the boundary of a region from one corner to the next; its nodes may slide along it.
 struct MeshPath {
-  std::vector<int> nodes;      // in order; with quadratic elements every second one is the middle of a side
-  int stride;                  // 2 with middle nodes, 1 without
+  std::vector<int> nodes;      // in order; with quadratic elements every second one is a mid-side node
+  int stride;                  // 2 with mid-side nodes, 1 without
   std::set<std::string> sets;  // side sets that all its sides belong to
   bool outer = true;           // on the boundary of the mesh, not between two regions
 
@@ -21,8 +21,8 @@ struct MeshPath {
 
 /// All boundaries of the mesh's regions, split into paths. A path ends where regions meet, where the side sets change,
 /// at the nodes of the sets named as corners, and where the boundary of the source's mesh turns by more than
-/// `corner_angle` [rad] and does not lie on a body there (`on_body` of a node; asked only where it turns): that turns
-/// as the body does, and the soil slides past it. The ends of paths are material points.
+/// `corner_angle` [rad] and does not lie on a body there (`on_body` of a node; asked only where it turns): such a bend
+/// belongs to the body, and the soil slides past it. The ends of paths are material points.
 std::vector<MeshPath> find_paths(
     const GhostedMesh& mesh, const Positions& source, const std::vector<std::string>& corners, double corner_angle,
     const std::function<bool(int node)>& on_body = [](int) { return false; });

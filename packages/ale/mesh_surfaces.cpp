@@ -96,7 +96,7 @@ class SurfaceSplitter {
 
   int other_end(int edge, int node) const { return edges_[edge].a == node ? edges_[edge].b : edges_[edge].a; }
 
-  /// Of the edge at one of its ends, away from it.
+  /// Tangent of the edge at one of its ends, away from that end.
   Point direction(int edge, int node) const {
     const Point chord = x_[other_end(edge, node)] - x_[node];
     if (edges_[edge].middle < 0) return chord;
@@ -157,7 +157,7 @@ class SurfaceSplitter {
 
 std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh) {
   std::vector<SurfaceFace> faces;
-  std::map<std::set<int>, std::set<std::string>> other_sets;  // by nodes: those of the side across
+  std::map<std::set<int>, std::set<std::string>> other_sets;  // (nodes) side sets of the side across
   for (const auto& side : mesh.boundary())
     if (side.other >= 0 && side.other < side.block) other_sets[{side.nodes.begin(), side.nodes.end()}] = side.sets;
   for (const auto& side : mesh.boundary()) {

@@ -20,18 +20,20 @@ struct SurfaceFace {
   int patch = -1;              // number of the patch that it belongs to; -1: not known yet
 };
 
-/// Faces that are smoothly joined: the nodes inside may slide on them.
+/// Faces that are smoothly joined: nodes inside the patch may slide on them.
 struct SurfacePatch {
   std::vector<int> faces;
   std::set<std::string> sets;  // side sets that all its faces belong to
   bool outer = true;
 };
 
-/// What a corner of an element spans whose vertices are all on the boundaries of regions, so that none inside can keep
-/// it from folding: not folded where (second, third, fourth) are right-handed about the first. See CornerSimplices.
+/// The simplex at a corner of an element whose vertices are all on boundaries of regions, so that no inner vertex can
+/// keep it from folding. It is not folded where its edges from the first node to the second, third and fourth are
+/// right-handed. See CornerSimplices.
 struct BoundarySimplex {
   std::array<int, 4> nodes;
-  std::array<int, 4> mid_side_nodes;  // of the edge from the first: its tangent counts in place of its end; -1: the end
+  /// Mid-side nodes of the edges from the first node, whose tangents count in place of their ends; -1: the end counts.
+  std::array<int, 4> mid_side_nodes;
 };
 
 /// The boundaries of the regions of a mesh in space, split where they have edges. A node is inside one patch, or on
@@ -46,16 +48,16 @@ struct MeshSurfaces {
 /// The faces of the boundaries of all regions.
 std::vector<SurfaceFace> boundary_faces(const GhostedMesh& mesh);
 
-/// Surfaces of faces whose patches are known, of a mesh of so many nodes; `corners`: see split_surfaces().
+/// Surfaces of faces whose patches are known. `nodes`: number of nodes of the mesh; `corners`: see split_surfaces().
 MeshSurfaces joined_surfaces(std::vector<SurfaceFace> faces, std::vector<MeshPath> curves, std::size_t nodes,
                              const std::set<int>& corners);
 
 /// Splits faces into patches. Two neighbours belong to different patches where more than two faces meet, where the side
 /// sets or the regions beside them change, and where their normals in the source's mesh differ by more than
-/// `corner_angle` [rad] at the middle of the edge and that does not lie on a body there (`on_body` of a node): the soil
-/// slides past an edge of the body. The edges between patches form curves, which end where more or fewer than two meet,
-/// at the nodes `corners` and where they turn by more than the angle off a body. A curve has the side sets of all faces
-/// beside it. `corners` inside patches are material points as well.
+/// `corner_angle` [rad] at the middle of the edge, unless that lies on a body (`on_body` of a node): the soil slides
+/// past an edge of the body. The edges between patches form curves, which end where more or fewer than two meet, at the
+/// nodes `corners` and where they turn by more than the angle off a body. A curve has the side sets of all faces beside
+/// it. `corners` inside patches are material points as well.
 MeshSurfaces split_surfaces(std::vector<SurfaceFace> faces, const Positions& source, const std::set<int>& corners,
                             double corner_angle, const std::function<bool(int node)>& on_body);
 

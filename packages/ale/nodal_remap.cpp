@@ -87,7 +87,7 @@ NodalRemap::NodalRemap(const GhostedMesh& mesh, const std::vector<MeshPath>& pat
 
 NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh), to_(to.mesh), places_(to.x.size()) {
   const PointLocator locator(mesh_, from.x);
-  std::map<int, int> guess;  // by block: where the last node was found
+  std::map<int, int> guess;  // (block) element of the last node found
   for (const auto& element : to_.elements())
     for (int a = 0; a < num_nodes(element.shape); ++a) {
       Place& place = places_[element.nodes[a]];
@@ -102,7 +102,7 @@ NodalRemap::NodalRemap(const Bounded& from, const Bounded& to) : mesh_(from.mesh
 }
 
 void NodalRemap::put_on_new_faces(const Bounded& from, const Bounded& to) {
-  std::map<Point, int> at;  // old nodes
+  std::map<Point, int> at;  // old nodes by their place
   for (const SurfaceFace& face : from.faces)
     for (int a = 0; a < num_nodes(face.shape); ++a) at[from.x[face.nodes[a]]] = face.nodes[a];
   const FaceLocator locator(from.faces, from.x);

@@ -30,7 +30,7 @@ std::array<Point, Dim + 1> regular() {
     return {Point{0, 0, 0}, {1, 0, 0}, c, top};
 }
 
-/// Newton's method for the place of one vertex, with what every simplex strives for.
+/// Newton's method for the place of one vertex; holds the ideal of every simplex.
 template <int Dim>
 class VertexOptimiser {
  public:
@@ -48,13 +48,13 @@ class VertexOptimiser {
     double size = 0;
     for (int t : mesh_.at_node[node]) size = std::max(size, std::abs(determinant(mesh_.simplices[t], x_)));
     size = edge_of_content<Dim>(size);
-    // rounding decides below this: leave the vertex where it is, so that a mesh at its optimum does not creep
+    // Steps this small are rounding: the vertex stays, so that a mesh at its optimum does not creep.
     if (length(step) < 1e-12 * size) return 0.0;
     double factor = 1;
     for (int cut = 0; cut < 12; ++cut, factor *= 0.5) {
       for (int i = 0; i < Dim; ++i) x_[node][i] = from[i] + factor * step[i];
       const MeanRatio<Dim> then = objective(node);
-      // near the optimum the objective is level to its last digits, which must not decide on the step
+      // Near the optimum the objective is constant up to rounding, which must not reject the step.
       if (then.valid && then.value <= now.value * (1 + 1e-13)) return factor * length(step) / size;
     }
     x_[node] = from;
@@ -89,8 +89,8 @@ void OptimisationMotion::parameters(Parameters& p) {
         "passes end when no vertex moves by more than this share of its elements' size");
 }
 
-/// Passes over the vertices that may move, colour after colour, to and fro. Ranks place ghosts too, so that they must
-/// meet only every few colours.
+/// Passes over the movable vertices, colour after colour, forwards and backwards in turn. Ranks move ghosts too, so
+/// that they need to communicate only every few colours.
 template <int Dim>
 void OptimisationMotion::sweep(const InteriorMesh& mesh, Positions& x) const {
   VertexOptimiser<Dim> optimiser(mesh, ideal_ == Ideal::source, x);
@@ -102,7 +102,7 @@ void OptimisationMotion::sweep(const InteriorMesh& mesh, Positions& x) const {
         const double moved = optimiser.improve(node);
         if (mesh.mesh.owns(node)) largest = std::max(largest, moved);
       }
-      // with every colour the outermost ghosts that are still right are one layer further in
+      // With every colour one more layer of ghosts becomes invalid, from the outside in.
       if ((k + 1) % mesh.mesh.layers() == 0 || k + 1 == colours) mesh.mesh.fill(x);
     }
     if (mesh.mesh.largest(largest) < tolerance_) break;

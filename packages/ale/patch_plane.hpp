@@ -6,10 +6,10 @@
 
 namespace mudline {
 
-/// Coordinates that all of some places share. What comes among them has these to the last bit.
+/// Coordinates that all of some places share, so that new places among them get the same to the last bit.
 struct SharedCoordinates {
   SharedCoordinates() = default;
-  /// Within a share of 1e-9 of what the places reach.
+  /// Coordinates are shared where they differ by less than 1e-9 of the extent of the places.
   explicit SharedCoordinates(const Positions& places);
   Point kept(Point at) const;
 
@@ -23,7 +23,7 @@ struct PatchPlane {
   PatchPlane(const MeshSurfaces& surfaces, int patch, const Positions& x);
 
   bool flat = false;
-  Point normal{};  // outwards, in the mean
+  Point normal{};  // mean outward unit normal
   SharedCoordinates of_all;
 };
 

@@ -8,8 +8,8 @@
 namespace mudline {
 
 /// A smooth curve (C1, piecewise cubic) through given points, parametrised by the length s [m] of the chords between
-/// them. The slope at a point is that of the parabola through it and its two neighbours, so the curve is local: a kink
-/// disturbs the segments beside it only.
+/// them. The slope at a point is that of the parabola through it and its two neighbours, so that a kink disturbs only
+/// the segments beside it.
 class PathCurve {
  public:
   explicit PathCurve(Positions points);
@@ -34,11 +34,11 @@ using SizeField = std::function<double(const Point&)>;
 class CurveMeasure {
  public:
   CurveMeasure(const PathCurve& curve, const SizeField& size);
-  /// The same of a size that depends on the place along the curve, sampled in so many intervals.
+  /// `size`: by the place s along the curve; `samples`: number of intervals of the quadrature.
   CurveMeasure(const PathCurve& curve, const std::function<double(double s)>& size, int samples);
   double total() const { return sum_.back(); }
   double at(double s) const;
-  /// The place at which the measure is reached.
+  /// The place s [m] at which this measure is reached.
   double place(double measure) const;
 
  private:

@@ -18,7 +18,8 @@ constexpr double edge_tolerance = 1e-10;
 class SeenLine {
  public:
   SeenLine(int count, const Point* off) : count_(count) { std::copy(off, off + count, off_); }
-  /// The place in [-1, 1] that is nearest, and its distance [m]. Given up where that is `least` or more.
+  /// The closest point's coordinate in [-1, 1], and its distance [m]; only approximate where that is larger than
+  /// `least`.
   std::pair<double, double> nearest(double least) const {
     constexpr int samples = 8;  // a parabola has no more than three places where its distance is stationary
     double place = -1, near = 1e300;
@@ -28,8 +29,7 @@ class SeenLine {
       near = here;
       place = t;
     }
-    // distances change by no more than the way along the line, which even a strongly curved one has less than twice as
-    // long as its chord
+    // Distances change by at most the arc length, which even on a strongly curved line is less than twice the chord.
     if (near - 2 * mudline::distance(off_[1], off_[0]) / samples > least) return {place, near};
     place = stationary(std::max(place - 2.0 / samples, -1.0), std::min(place + 2.0 / samples, 1.0));
     return {place, distance(place)};
@@ -37,7 +37,7 @@ class SeenLine {
 
  private:
   double distance(double t) const { return mudline::distance(at(t, false), Point{}); }
-  /// Where the distance is least, if it falls and then rises between the two.
+  /// The coordinate of least distance, if the distance falls and then rises between the two.
   double stationary(double low, double high) const {
     const auto rises = [&](double t) { return dot(at(t, false), at(t, true)) >= 0; };
     if (rises(low)) return low;
@@ -66,7 +66,8 @@ class SeenSide {
       : shape_(side_shape(element.shape)) {
     for (int a : side_nodes(element.shape, side)) off_.push_back(x[element.nodes[a]] - point);
   }
-  /// The nearest place, by the side's own coordinates, where its distance [m] is below `least`, which it replaces.
+  /// Sets `place` (coordinates of the side) to the closest point and `least` to its distance [m], if that is below
+  /// `least`; returns whether it is.
   bool nearer(double& least, Vec<double, 2>& place) const {
     if (dimension(shape_) == 1) {
       const auto [t, here] = SeenLine(static_cast<int>(off_.size()), off_.data()).nearest(least);
@@ -95,7 +96,7 @@ class SeenSide {
     place = at;
     return true;
   }
-  /// Inside of the face, by Gauss and Newton's method from its middle and from halfway to each corner.
+  /// Looks inside the face, by the Gauss-Newton method from its middle and from halfway to each corner.
   bool inside(double& least, Vec<double, 2>& place) const {
     bool found = false;
     const auto centre = cell_centre(shape_);
@@ -143,10 +144,10 @@ MeshPlace PointLocator::find(const Point& point, int guess) const {
     if (here < 0) break;
     seen.insert(here);
     double xi[3] = {0, 0, 0};
-    if (!invert(here, point, xi)) break;  // far off a curved element
+    if (!invert(here, point, xi)) break;  // the point is far from a curved element
     const CellShape shape = elements[here].shape;
     if (found.take(here, shape, xi)) return found.place;
-    // on through the side that the point is farthest beyond; where that is closed, through the next best
+    // The walk goes on through the side that the point is farthest beyond; where that is closed, through the next best.
     int next = -1;
     double farthest = edge_tolerance;
     for (int s = 0; s < num_sides(shape); ++s) {
@@ -160,14 +161,14 @@ MeshPlace PointLocator::find(const Point& point, int guess) const {
     here = next;
   }
   if (found.off < 0.1) return found.place;  // just beyond a curved boundary
-  // the walk was caught in a corner
+  // The walk got stuck in a corner.
   const int block = elements[guess].block;
   const std::vector<int>& all = mesh_.block_elements(block);
   const auto look_at = [&](int e) {
     double xi[3] = {0, 0, 0};
     return invert(e, point, xi) && found.take(e, elements[e].shape, xi);
   };
-  double square = std::numeric_limits<double>::min();  // of the distance from their boxes
+  double square = std::numeric_limits<double>::min();  // squared search radius around the boxes
   boxes(block).search(point, square, [&](int i) {
     if (look_at(all[i])) square = 0;
   });
@@ -192,7 +193,7 @@ const BoxTree& PointLocator::boxes(int block) const {
     for (int e : mesh_.block_elements(block)) {
       Bounds box = Bounds::nothing();
       enclose(box, mesh_.elements()[e], x_);
-      for (int d = 0; d < place_size; ++d) {  // for what bulges
+      for (int d = 0; d < place_size; ++d) {  // a margin, because elements may bulge
         const double more = 0.25 * (box.high[d] - box.low[d]);
         box.low[d] -= more;
         box.high[d] += more;

@@ -15,9 +15,9 @@ struct MeshPlace {
 };
 
 /// Finds points in a mesh by walking from a guess to the neighbour in whose direction the point lies; exact on curved
-/// elements. Where the walk is caught, what lies about the point is looked at. Does not leave the guess's block:
-/// materials do not mix. A point outside, beyond a curved boundary, gets the boundary element next to it with reference
-/// coordinates outside the cell.
+/// elements. Where the walk gets stuck, the elements near the point are searched. The search stays in the guess's
+/// block: materials do not mix. A point outside, beyond a curved boundary, gets the boundary element next to it with
+/// reference coordinates outside the cell.
 class PointLocator {
  public:
   PointLocator(const GhostedMesh& mesh, const Positions& x) : mesh_(mesh), x_(x) {}
@@ -28,18 +28,18 @@ class PointLocator {
   bool invert(int element, const Point& point, double xi[3]) const;
 
  private:
-  /// The place so far that is least outside of its cell.
+  /// The best place so far: the one least far outside its cell.
   struct Found {
     MeshPlace place;
     double off = 1e300;
-    /// Whether it is inside.
+    /// Takes the place if it is better than the best so far; returns whether the best is inside its cell.
     bool take(int element, CellShape shape, const double (&xi)[3]);
   };
   const BoxTree& boxes(int block) const;
 
   const GhostedMesh& mesh_;
   const Positions& x_;
-  mutable std::vector<std::unique_ptr<const BoxTree>> boxes_;  // (block) of its elements, where a walk has failed
+  mutable std::vector<std::unique_ptr<const BoxTree>> boxes_;  // (block) of its elements, made when a walk has failed
 };
 
 }  // namespace mudline

@@ -19,7 +19,7 @@ double lowest_quality(const GhostedMesh& mesh, const Positions& x, std::array<do
     }
   const double lowest = mesh.smallest(here);
   if (worst) {
-    // of the element whose first node comes first, where several are as bad
+    // Where several elements are equally bad, the one with the lowest first node counts.
     const bool mine = element >= 0 && here == lowest;
     const double node = mine ? static_cast<double>(mesh.node_id(elements[element].nodes[0])) : 1e300;
     const bool first = mesh.smallest(node) == node && mine;

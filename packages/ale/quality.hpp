@@ -7,10 +7,10 @@
 
 namespace mudline {
 
-/// See ElementMap.
+/// Scaled Jacobian of an element [-], see ElementMap.
 double scaled_jacobian(const GhostedMesh::Element& element, const Positions& x);
 
-/// Smallest scaled Jacobian of the whole mesh; `worst`: a corner of the element where it is [m]. Collective.
+/// Smallest scaled Jacobian of the whole mesh; `worst`: position of a corner of the worst element [m]. Collective.
 double lowest_quality(const GhostedMesh& mesh, const Positions& x, std::array<double, place_size>* worst = nullptr);
 
 }  // namespace mudline

@@ -11,14 +11,14 @@ namespace mudline {
 
 namespace {
 
-/// Of a quadratic polynomial.
+/// Number of terms of a quadratic polynomial.
 template <int Dim>
 constexpr int terms = (Dim + 1) * (Dim + 2) / 2;
 
-/// Points enough for a fit that does not follow noise. In space those of few elements nearly lie on a quadric.
+/// Number of points for a fit that does not follow noise. In space the points of few elements nearly lie on a quadric.
 std::size_t enough_points(int dimension) { return dimension == 2 ? 9 : 40; }
 
-/// Fitted around a vertex.
+/// Quadratic polynomials about a vertex, one for each column, in scaled coordinates.
 template <int Dim>
 struct Polynomial {
   Point centre;
@@ -42,12 +42,12 @@ struct Polynomial {
   }
 };
 
-/// Of the range of the values around a vertex on the boundary: see Recovery. In space patches are wider, and a linear
-/// polynomial says less of them.
+/// Share of the values' range by which the quadratic fit at a boundary vertex may differ from the linear one, see
+/// Recovery. In space it is larger, because patches are wider and a linear polynomial fits them less well.
 template <int Dim>
 constexpr double smooth = Dim == 2 ? 0.025 : 0.1;
 
-/// The linear fit that the leading terms of the normal equations of a quadratic one give: (column, term).
+/// Linear fit from the leading terms of the quadratic fit's normal equations: (column, term).
 template <int terms>
 std::vector<double> linear_fit(const double (&a)[terms][terms], const std::vector<double>& right, int columns) {
   constexpr int n = terms == 6 ? 3 : 4;
@@ -61,7 +61,8 @@ std::vector<double> linear_fit(const double (&a)[terms][terms], const std::vecto
   return result;
 }
 
-/// Both are about the vertex.
+/// Blends the quadratic fit into the linear one where they differ by more than a small share of the ranges; both are
+/// about the vertex.
 template <int Dim>
 void make_linear_where_steep(Polynomial<Dim>& fitted, const std::vector<double>& linear,
                              const std::vector<double>& ranges) {

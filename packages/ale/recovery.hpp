@@ -8,9 +8,9 @@
 
 namespace mudline {
 
-/// The elements to whose points a polynomial around each vertex of a block is fitted: those that touch it, and more
-/// around them where they have too few points. They depend on the topology alone. Of the vertices that this rank needs:
-/// the corners of its own elements and of those around its own nodes.
+/// For each vertex of a block, the elements to whose points a polynomial is fitted: those that touch the vertex, and
+/// more around them where they have too few points. The patches depend on the topology alone. A rank has those of the
+/// vertices that it needs: the corners of its own elements and of those around its own nodes.
 class RecoveryPatches {
  public:
   struct Patch {
@@ -32,25 +32,26 @@ class RecoveryPatches {
 
 /// A continuous field recovered from values at the quadrature points of one block: around every vertex a quadratic
 /// polynomial is fitted, by least squares, to the points of the elements that touch it (Zienkiewicz & Zhu 1992), so
-/// that slopes are of second order; middle nodes take the mean of what the polynomials of the corners around say there.
-/// At a vertex on the block's boundary all points lie on one side, and a quadratic polynomial would make a field that
-/// is steep there steeper from motion to motion: where it differs from the linear one by more than a small share of the
-/// values' range it gives way to that one. Fields are even across the axis of symmetry, which is no such boundary.
-/// Linear fields are reproduced exactly, also on curved elements. Every rank fits what its own nodes need.
+/// that slopes are of second order; mid-side nodes take the mean of the polynomials of the corners around them. At a
+/// vertex on the block's boundary all points lie on one side, and a quadratic polynomial would make a steep field
+/// steeper with every mesh motion: where it differs from the linear fit by more than a small share of the values'
+/// range, it is blended into that fit. The axis of symmetry is no such boundary, because fields are even across it.
+/// Linear fields are reproduced exactly, also on curved elements. Every rank fits the polynomials that its own nodes
+/// need.
 class Recovery {
  public:
-  /// `x`: where the points and nodes were; `table`: (row of gather_points, column). Collective.
+  /// `x`: node positions for which `table` holds; `table`: (row of gather_points, column). Collective.
   Recovery(const GhostedMesh& mesh, const SoilBlock& block, const RecoveryPatches& patches, const Positions& x,
            const std::vector<double>& table, int columns);
   /// Values of all columns at a place of the block's mesh.
   void at(const MeshPlace& place, double* values) const;
-  /// At a quadrature point of an element.
+  /// Values of all columns at a quadrature point of an element.
   void at_point(int element, int point, double* values) const;
-  /// (column) by how much what is recovered at an element's nodes differs, the highest less the lowest value.
+  /// Range of the recovered field over an element's nodes, by column: highest less lowest value.
   void changes(int element, double* values) const;
-  /// Lowest and highest of the old values of the element's points and of what is recovered at its nodes; at a node
-  /// inside the block no farther than the old values around it reach, where the polynomial of a steep field overshoots.
-  /// (On the block's boundary what is recovered lies outside of those values even for a linear field.)
+  /// Lowest and highest of the old values at the element's points and the recovered values at its nodes. At a node
+  /// inside the block the recovered value counts within the range of the old values around it, because the polynomial
+  /// of a steep field overshoots. (On the block's boundary it is outside of that range even for a linear field.)
   const std::pair<double, double>& range(int element, int column) const {
     return range_[static_cast<std::size_t>(mesh_.first_row(element, 1)) * columns_ + column];
   }
@@ -61,7 +62,7 @@ class Recovery {
   /// Fills nodal_.
   template <int Dim>
   void fit(const RecoveryPatches& patches, const Positions& x);
-  /// (column) highest less lowest value at the points of some elements.
+  /// Range of the values at the points of some elements, by column: highest less lowest value.
   std::vector<double> ranges(const std::vector<int>& elements) const;
   /// Fills range_ from nodal_.
   void find_ranges();

@@ -8,14 +8,14 @@
 
 namespace mudline {
 
-/// Point data of one block on the way from one mesh to another one of the same region, or to the same one moved.
+/// Transfer of one block's point data to another mesh of the same region, or to the same mesh after it moved.
 struct PointTransfer {
   BlockPoints before, after;
   const RecoveryPatches& patches;               // of the mesh before
-  const std::vector<StateVariable>& variables;  // split of the columns: rules and bounds
+  const std::vector<StateVariable>& variables;  // variables that the columns hold, with their rules and bounds
   int columns;
   const std::vector<double>& old;  // (row of gather_points, column) before
-  std::vector<double>& now;        // the same after; in: where the mesh moved, a copy of old
+  std::vector<double>& now;        // table after the transfer; on entry, where the mesh moved, a copy of old
   /// Whether it is the same mesh, moved.
   bool moved() const { return &before.mesh == &after.mesh; }
 };
@@ -26,20 +26,20 @@ struct ColumnBounds {
   explicit ColumnBounds(const std::vector<StateVariable>& variables);
 };
 
-/// Carries the state of quadrature points over to the moved mesh: type of "remap" in the deck's "mesh motion".
+/// Transfers the state of quadrature points to the moved mesh: type of "remap" in the deck's "mesh motion".
 class Remap {
  public:
   virtual ~Remap() = default;
-  /// Of this rank's own elements. Collective. Variables by value, tensors by component in the fixed frame. Nothing
-  /// leaves the bounds that a variable declares.
+  /// Transfers the points of this rank's own elements. Collective. Tensors are transferred by component in the world
+  /// frame. All values stay within the bounds that their variable declares.
   virtual void transfer(const PointTransfer& transfer) const = 0;
 };
 
-/// The convection formula f + (x_new - x_old) . grad f with the gradient of the recovered field f*, taken along the
-/// way: f_new = f + f*(x_new) - f*(x_old). Upwind: the further a point moves, in half element sizes, the more of f*
-/// itself and the less of the point's own deviation from it is taken. In simplices a deviation of more than half of
-/// what f* changes over the element is no field but scatter: what is beyond goes with a hundredth of that way.
-/// Limited: no new extremum over the elements the point leaves and enters. Exact for linear fields.
+/// The convection formula f + (x_new - x_old) . grad f with the gradient of the recovered field f*, integrated along
+/// the point's motion: f_new = f + f*(x_new) - f*(x_old). Upwind: the further a point moves, in half element sizes, the
+/// more of f* itself and the less of the point's own deviation from it is taken. In simplices a deviation of more than
+/// half the range of f* over the element counts as scatter: the excess is gone after a hundredth of that distance.
+/// Limited: no new extremum relative to the elements that the point leaves and enters. Exact for linear fields.
 class ConvectionRemap : public Remap {
  public:
   enum class Scheme { upwind, incremental };
@@ -53,8 +53,8 @@ class ConvectionRemap : public Remap {
   bool limited_ = true;
 };
 
-/// The recovered field itself, for another mesh of the same region: no farther than the range of the element that a
-/// point lies in reaches. `before`: has what lies where this rank's points of the other one are.
+/// Takes the recovered field itself, for another mesh of the same region, within the range of the element that a point
+/// lies in. PointTransfer::before must have the elements where this rank's points of the new mesh are.
 class RecoveryRemap : public Remap {
  public:
   void transfer(const PointTransfer& transfer) const override;

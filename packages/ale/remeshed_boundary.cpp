@@ -21,7 +21,7 @@ class SurfaceRemeshing {
       : boundary_(plan.boundary()),
         surfaces_(boundary_.surfaces().surfaces()),
         x_(x),
-        body_([this, &state](const Point& at) { return boundary_.point(state, at); }),
+        body_([this, &state](const Point& at) { return boundary_.projection(state, at); }),
         gaps_(body_, x),
         locator_(surfaces_.faces, x) {
     for (const MeshPath& path : surfaces_.curves)
@@ -43,9 +43,9 @@ class SurfaceRemeshing {
  private:
   void place_vertices();
   void place_mid_side_nodes();
-  /// On the surface of a patch; `span`: of the edges there [m].
+  /// Point of a patch's surface, with the gap to bodies kept; `span`: length of the edges there [m].
   Point on_patch(int patch, const SurfacePlace& place, double span);
-  /// Place of a curve at a parameter of the rounded one.
+  /// Point of a curve; s: parameter of its rounded copy [m].
   Point on_curve(std::size_t curve, double s, double span) const;
 
   const BoundaryMotion& boundary_;
@@ -70,7 +70,7 @@ Point SurfaceRemeshing::on_curve(std::size_t curve, double s, double span) const
 }
 
 void SurfaceRemeshing::place_vertices() {
-  std::vector<double> shortest(made_.mesh.vertices.size(), 1e300);  // edge at a vertex
+  std::vector<double> shortest(made_.mesh.vertices.size(), 1e300);  // (vertex) its shortest edge [m]
   for (const RemeshedSurface::Face& face : made_.mesh.faces)
     for (int k = 0; k < 3; ++k) {
       const int a = face.vertices[k], b = face.vertices[(k + 1) % 3];
@@ -88,7 +88,7 @@ void SurfaceRemeshing::place_vertices() {
 }
 
 void SurfaceRemeshing::place_mid_side_nodes() {
-  std::map<Ends, int> old;  // mid-side nodes by old vertices
+  std::map<Ends, int> old;  // old mid-side nodes by the ends of their edge
   for (const SurfaceFace& face : surfaces_.faces)
     for (int k = 0; k < 3; ++k) old[ends(face.nodes[k], face.nodes[(k + 1) % 3])] = face.nodes[3 + k];
   std::map<Ends, Point> on_curves;

@@ -10,8 +10,8 @@
 
 namespace mudline {
 
-/// What the sides of a path were in the deck's mesh, and are to be again: the (vertex) share of the path's measure,
-/// and its total.
+/// Sides of a path in the deck's mesh, which remeshing reproduces: by vertex the share of the path's measure, and its
+/// total, see CurveMeasure.
 struct PathOrigin {
   std::vector<double> shares;
   double total = 0;
@@ -23,21 +23,20 @@ struct FaceOfPatch {
   int patch;
 };
 
-/// How long edges of a boundary in space are to be at a vertex, see BoundaryMotion::relative_sizes().
+/// Relative edge length at a vertex of a boundary in space, see BoundaryMotion::relative_sizes().
 struct RelativeSize {
   long long node;
   double size;
 };
 
-/// A mesh that was made on the way, with all that a model on it must know, so that a run goes on from it as from a
-/// deck's mesh.
+/// A mesh from remeshing, with all that a model on it needs, so that a run continues on it as on a deck's mesh.
 struct RemeshedMesh {
-  int number = 0;                   // how many such meshes there have been, itself among them
-  int step = 0;                     // after which it was made
+  int number = 0;                   // number of remeshings so far, this one included
+  int step = 0;                     // step after which it was made
   GlobalMesh mesh;                  // on rank 0, and empty elsewhere
-  std::vector<MeshPath> paths;      // of its own nodes, in the order of those of the mesh before
+  std::vector<MeshPath> paths;      // of its own nodes, in the order of the old mesh's paths
   std::vector<PathOrigin> origins;  // (path)
-  Point focus{};                    // of the sizes, when it was made [m]
+  Point focus{};                    // position of the focus when it was made [m]
   // In space:
   std::vector<FaceOfPatch> faces;
   std::vector<RelativeSize> sizes;
@@ -46,7 +45,7 @@ struct RemeshedMesh {
   static RemeshedMesh from_bytes(std::vector<char> bytes);
 };
 
-/// What rank 0 has, on every rank, the mesh itself on rank 0 alone. Collective.
+/// Broadcasts rank 0's result to all ranks; the mesh itself stays on rank 0 alone. Collective.
 RemeshedMesh broadcast(const Teuchos::Comm<int>& comm, RemeshedMesh made);
 
 }  // namespace mudline

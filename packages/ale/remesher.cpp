@@ -15,7 +15,7 @@ namespace mudline {
 
 namespace {
 
-/// The source's lengths of sides in units of the measure's total, between the mid-side nodes of sides linear.
+/// Length of the source's sides at a share of the path, over the measure's total; linear between the middles of sides.
 double side_at(const std::vector<double>& shares, double share) {
   const int sides = static_cast<int>(shares.size()) - 1;
   const auto middle = [&](int v) { return 0.5 * (shares[v] + shares[v + 1]); };
@@ -99,7 +99,7 @@ void Remesher::find_kept() {
     for (const SurfaceFace& face : surfaces.faces)
       for (int a = 0; a < num_nodes(face.shape); ++a) {
         const int node = face.nodes[a];
-        const bool corner = surfaces.patch_of[node] < 0;  // or on a curve, see below
+        const bool corner = surfaces.patch_of[node] < 0;  // also true on curves, corrected below
         fixed_node_[node] = corner || boundary_.material(surfaces.patches[face.patch].sets);
       }
     for (const MeshPath& path : boundary_.paths())
@@ -154,7 +154,7 @@ std::map<std::string, double> Remesher::named_sides() const {
   for (std::size_t p = 0; p < beside_.size(); ++p) {
     const int sides = boundary_.paths()[p].num_vertices() - 1;
     for (const auto* sets : {&beside_[p].left_sets, &beside_[p].right_sets})
-      for (const std::string& name : *sets) on_paths[name] += sides;  // whose sides all belong to it
+      for (const std::string& name : *sets) on_paths[name] += sides;  // all sides of the path belong to it
   }
   return on_paths;
 }
@@ -187,7 +187,7 @@ std::function<double(double s)> Remesher::wanted(std::size_t path, const PathCur
 }
 
 double Remesher::at_wall(double size, const Point& at, const State& state) const {
-  const auto projection = deck_.wall_size > 0 ? boundary_.point(state, at) : std::nullopt;
+  const auto projection = deck_.wall_size > 0 ? boundary_.projection(state, at) : std::nullopt;
   return projection ? std::min(size, deck_.wall_size + deck_.growth * std::max(0.0, projection->gap)) : size;
 }
 
@@ -244,7 +244,7 @@ DividedPath Remesher::divided(std::size_t p, const Positions& x, const State& st
   const PathPlaces places(boundary_, path, x, state);
   const PathCurve& curve = places.curve();
   const int last = static_cast<int>(path.nodes.size()) - 1;
-  std::vector<double> s{0};  // of the nodes
+  std::vector<double> s{0};  // of the new vertices [m]
   if (kept(p)) {
     for (int i = path.stride; i <= last; i += path.stride) s.push_back(curve.parameter(i));
   } else {

@@ -13,9 +13,9 @@
 
 namespace mudline {
 
-/// What the deck says of "remeshing".
+/// Parameters of the deck's "remeshing".
 struct RemeshingParameters {
-  /// What the wanted sizes come from: the deck's mesh and the distance from its boundary, or an error estimate.
+  /// Source of the wanted sizes: the deck's mesh and the distance from its boundary, or an error estimate.
   enum class Size { source, adaptive };
   void parameters(Parameters& p);
   Size size = Size::source;
@@ -30,23 +30,23 @@ struct DividedPath {
   std::vector<Vec<double, 2>> mid_side_nodes;  // (side) of quadratic elements
 };
 
-/// What lies on either side of a path.
+/// Regions and side sets on either side of a path.
 struct PathNeighbours {
   int left = -1, right = -1;  // blocks; -1: outside
   std::set<std::string> left_sets, right_sets;
 };
 
-/// Makes a mesh anew within the boundary as it is. In the plane the paths are divided into sides of the wanted size,
-/// and the regions between them into triangles whose size grows away from the boundary. A side is wanted as long as the
-/// one that was at its share of the path in the deck's mesh, by the same measure about the focus, and at a body no
-/// longer than the wall size; or, where sizes are adaptive, as long as an error estimate asks for. Ends of paths and
-/// nodes of material sides stay where they are. In space the surfaces between the edges of the boundary get new faces
-/// of the size of those that were there in the deck's mesh, with the same focus and wall size, see SurfaceRemesher, and
-/// the inside is filled with tetrahedra that are as large as the faces beside them and grow away from them; the better
-/// one of two meshes is taken. Everything has its name again.
+/// Remeshes the regions within their present boundary. In the plane the paths are divided into sides of the wanted
+/// size, and the regions between them into triangles whose size grows away from the boundary. The wanted length of a
+/// side is that of the side at the same share of the path in the deck's mesh, by the same measure around the focus, and
+/// at a body at most the wall size; or, where sizes are adaptive, the length that an error estimate asks for. Ends of
+/// paths and nodes of material sides stay where they are. In space the surfaces between the boundary's curves get new
+/// faces of the size of those in the deck's mesh, with the same focus and wall size, see SurfaceRemesher, and the
+/// inside is filled with tetrahedra of the size of the faces beside them, growing away from them; the better of two
+/// meshes is taken. Blocks, side sets and node sets keep their names.
 class Remesher {
  public:
-  /// Checks that this mesh can be made anew. `boundary` and `mesh` outlive it. InputError in `section`.
+  /// Checks that this mesh can be remeshed. `boundary` and `mesh` must outlive it. InputError in `section`.
   Remesher(const GhostedMesh& mesh, const BoundaryMotion& boundary, const RemeshingParameters& deck,
            const Section& section);
 
@@ -56,24 +56,24 @@ class Remesher {
   const PathNeighbours& beside(std::size_t path) const { return beside_[path]; }
   /// Whether the path keeps its nodes.
   bool kept(std::size_t path) const { return boundary_.material(boundary_.paths()[path]); }
-  /// Whether a node stays where it is.
+  /// Whether a node is fixed: it stays where it is.
   bool keeps(int node) const { return fixed_node_[node] != 0; }
 
-  /// In space: the side sets of a block's sides on a patch.
+  /// Side sets, in space, of a block's sides on a patch.
   const std::set<std::string>& names(int patch, int block) const { return names_.at({patch, block}); }
 
   bool in_space() const { return mesh_.dimension() == 3; }
   bool adaptive() const { return deck_.size == RemeshingParameters::Size::adaptive; }
-  /// The largest ratio of a side of the boundary, in space of an edge, to its wanted length; what an error asks for is
-  /// left out.
+  /// The largest ratio of a side of the boundary, in space of an edge, to its wanted length; error estimates do not
+  /// count.
   double largest_side(const Positions& x, const State& state) const;
-  /// `sizes`: of an error estimate where sizes are adaptive, else null.
+  /// A path at x divided into new sides. `sizes`: of an error estimate where sizes are adaptive, else null.
   DividedPath divided(std::size_t path, const Positions& x, const State& state, const WantedSizes* sizes) const;
   /// In space: the wanted length of edges of the boundary [m] at a place, by the relative size there, see
   /// BoundaryMotion::relative_sizes().
   std::function<double(double relative, const Point& at)> wanted_on_surface(const State& state) const;
-  /// A mesh in the boundary at x, none of whose elements has a smaller scaled Jacobian than `least_quality`; without
-  /// its numbers of meshes and steps. Throws NoTriangulation, and ChildLost where Gmsh is lost. Serial, pure.
+  /// A mesh within the boundary at x, whose elements all have a scaled Jacobian of at least `least_quality`; `number`
+  /// and `step` are not set. Throws NoTriangulation, and ChildLost where the Gmsh process fails. Serial, pure.
   RemeshedMesh make(const Positions& x, const State& state, double least_quality, const WantedSizes* sizes) const;
 
  private:
@@ -84,9 +84,9 @@ class Remesher {
   void check_space(const Section& section) const;
   void check_sets(const Section& section) const;
   double largest_edge(const Positions& x, const State& state) const;
-  /// No longer than the wall size allows.
+  /// The size, limited near a body by the wall size [m].
   double at_wall(double size, const Point& at, const State& state) const;
-  /// Sides of each set that will have their names again.
+  /// Number of sides of each side set that a new mesh can name again.
   std::map<std::string, double> named_sides() const;
   /// Wanted length of a side at a place s of a path's curve.
   std::function<double(double s)> wanted(std::size_t path, const PathCurve& curve, const State& state,

@@ -84,7 +84,7 @@ class PlaneBuilder {
   const WantedSizes* sizes_;
   SimplexMesh simplices_;
   std::vector<Place> vertices_;
-  std::map<int, int> vertex_of_;          // of old nodes that stay
+  std::map<int, int> vertex_of_;          // of fixed old nodes
   std::vector<std::vector<int>> chains_;  // (path) its vertices
   std::vector<OutlinedRegion> regions_;
   std::vector<int> block_of_;  // (region)

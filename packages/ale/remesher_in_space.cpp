@@ -27,7 +27,7 @@ using Faces = std::vector<Face>;
 
 double six_volumes(const Point& a, const Point& b, const Point& c) { return dot(a, cross(b, c)); }
 
-/// Six times the volume within closed faces [m3]; negative where they are those of a hole.
+/// Six times the volume within closed faces [m3]; negative where they bound a hole.
 double six_volumes(const Faces& faces, const Positions& x) {
   const Point& origin = x[faces[0][0]];
   double sum = 0;
@@ -35,7 +35,7 @@ double six_volumes(const Faces& faces, const Positions& x) {
   return sum;
 }
 
-/// Whether closed faces go round a point: by the solid angle that they fill from there (van Oosterom & Strackee 1983).
+/// Whether closed faces enclose a point, by the solid angle that they subtend there (van Oosterom & Strackee 1983).
 bool around(const Faces& faces, const Point& point, const Positions& x) {
   double angle = 0;
   for (const Face& f : faces) {
@@ -46,7 +46,7 @@ bool around(const Faces& faces, const Point& point, const Positions& x) {
   return std::abs(angle) > 2 * pi;
 }
 
-/// Closed surfaces that hang together by edges.
+/// Splits faces into closed surfaces that are connected by edges.
 std::vector<Faces> shells(const Faces& faces) {
   DisjointSets joined(faces.size());
   std::map<SimplexMesh::Ends, int> beside;
@@ -63,7 +63,7 @@ std::vector<Faces> shells(const Faces& faces) {
   return list;
 }
 
-/// The parts of a region that hang together, each with the surfaces of its holes.
+/// The connected parts of a region, each with the surfaces of its holes.
 std::vector<EnclosedRegion> parts(const Faces& faces, const Positions& x) {
   std::vector<EnclosedRegion> result;
   std::vector<Faces> holes;
@@ -89,7 +89,7 @@ std::vector<EnclosedRegion> parts(const Faces& faces, const Positions& x) {
   return result;
 }
 
-/// MidSideNode nodes between their ends, where `free`(node).
+/// Puts mid-side nodes halfway between their ends, where `free`(node).
 template <class Free>
 void straighten(GlobalMesh& mesh, Free&& free) {
   for (const GlobalMesh::Block& block : mesh.blocks) {
@@ -110,8 +110,8 @@ bool folded(const CornerSimplices& corners, const Positions& x) {
                      [&](const Simplex& t) { return !(determinant(t, x) > 0); });
 }
 
-/// Moves the vertices inside so that elements come as near to regular ones as they can, those at curved faces too. The
-/// boundary is bent from straight sides to what it is in as few parts as the inside can follow.
+/// Moves the inner vertices to make all elements, those at curved faces included, as regular as possible. The boundary
+/// is bent from straight sides to its curved shape in as few parts as the interior can follow.
 void optimise(GlobalMesh& made, Geometry geometry) {
   GlobalMesh straight = made;
   straighten(straight, [](int) { return true; });
@@ -147,7 +147,7 @@ void optimise(GlobalMesh& made, Geometry geometry) {
     }
     share = std::min(1.0, done + part);
   }
-  if (done < 1) move(bent(1));  // beside what is folded nothing moves
+  if (done < 1) move(bent(1));  // vertices beside folded simplices do not move
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (movable[node]) made.coordinates[node] = x[node];
   straighten(made, [&](int node) { return !whole.on_boundary(node); });
@@ -186,10 +186,10 @@ class SpaceBuilder {
   std::vector<Side> sides() const;
   void take_faces();
   void fill();
-  /// Takes off tetrahedra that are poor because two of their faces lie on one patch of the mesh's outside and bend, as
-  /// on the lip beside a body: nothing inside could mend them. Their other two faces take the place of these.
+  /// Removes tetrahedra that are poor because two of their faces lie on one patch of the mesh's outer boundary, bent as
+  /// on the lip beside a body: no inner vertex could repair them. Their other two faces replace these on the boundary.
   void peel(std::vector<std::array<int, 4>>& tetrahedra);
-  /// Scaled Jacobian with the curved edges of the surface.
+  /// Scaled Jacobian of a tetrahedron with the curved edges of the surface.
   double quality(const std::array<int, 4>& corners) const;
   bool may_change(int patch) const;
   void name_sets();
@@ -238,7 +238,8 @@ void SpaceBuilder::fill() {
     for (const Face& f : faces_[b]) {
       const Point &a = vertices[f[0]], &b = vertices[f[1]], &c = vertices[f[2]];
       const double area = 0.5 * length(cross(b - a, c - a));
-      size_.add(1.0 / 3 * (a + b + c), 2 * std::sqrt(area / std::sqrt(3.0)));  // if regular
+      // The size is the edge of a regular triangle of this area.
+      size_.add(1.0 / 3 * (a + b + c), 2 * std::sqrt(area / std::sqrt(3.0)));
     }
   }
   Tetrahedra made = tetrahedra_in(
@@ -336,7 +337,7 @@ void SpaceBuilder::name_sets() {
   for (const Side& side : this->sides())
     for (const std::string& name : plan_.names(side.patch, side.block))
       made_.side_sets[name].push_back(sides.at({side.block, ascending(side.corners)}));
-  std::map<int, long long> new_node;  // of old ones that stay
+  std::map<int, long long> new_node;  // of old nodes that stay
   for (std::size_t v = 0; v < surface_.mesh.vertices.size(); ++v)
     new_node[surface_.mesh.vertices[v].node] = simplices_.node(static_cast<int>(v));
   for (const RemeshedBoundary::MidSideNode& middle : surface_.mid_side_nodes)

@@ -7,7 +7,7 @@ namespace mudline {
 /// Rounds lengths so that last digits, which depend on the number of ranks, do not decide on a mesh.
 class Rounding {
  public:
-  /// To a power of two near 1e-8 of what the places reach.
+  /// The unit of rounding is a power of two near 1e-8 of the places' extent.
   explicit Rounding(const Positions& places) {
     Bounds box = Bounds::nothing();
     for (const Point& place : places) box.enclose(place);

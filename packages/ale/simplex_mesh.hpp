@@ -9,22 +9,23 @@
 
 namespace mudline {
 
-/// Triangles or tetrahedra on the way to a mesh: vertices, cells by block, and the mid-side nodes of curved edges.
+/// Triangles or tetrahedra from which a mesh is built: vertices, cells by block, and the mid-side nodes of curved
+/// edges.
 class SimplexMesh {
  public:
   using Ends = std::pair<int, int>;    // vertices
   using Corners = std::array<int, 4>;  // vertices; the fourth is -1 in the plane
   std::vector<Point> places;           // (vertex) [m]
 
-  /// `blocks`: of the mesh before, whose regions and shapes these have too.
+  /// `blocks`: of the old mesh; the new one has the same regions and shapes.
   explicit SimplexMesh(const std::vector<ElementBlock>& blocks);
   void add(int block, const Corners& corners) { cells_[block].push_back(corners); }
-  /// Where the middle of an edge is [m]; that of other edges is between their ends.
+  /// Sets the place of an edge's mid-side node [m]; that of other edges is halfway between their ends.
   void bend(int a, int b, const Point& middle) { curved_[ascending(a, b)] = middle; }
   Point middle_place(int a, int b) const;
 
-  /// The mesh without sets. Elements are put along a space-filling curve, by block, and nodes in the order in which the
-  /// elements meet them, so that neighbours are close in memory.
+  /// The mesh without sets. Elements are ordered along a space-filling curve, by block, and nodes as the elements meet
+  /// them, so that neighbours are close in memory.
   GlobalMesh number();
   // After number():
   const std::vector<std::vector<Corners>>& cells() const { return cells_; }

@@ -7,12 +7,12 @@
 
 namespace mudline {
 
-/// A length that every side of the boundary asks for beside it, and more with the distance [m].
+/// Size field [m] from the sides of the boundary: the length of a side beside it, growing with the distance from it.
 class SizeAround {
  public:
-  /// `growth`: per distance.
+  /// `growth`: increase of the size per distance [-].
   explicit SizeAround(double growth) : growth_(growth) {}
-  /// A side about a place, of a length [m].
+  /// Adds a side by its middle and length [m].
   void add(const Point& middle, double length) { sides_.push_back({middle, length}); }
   double operator()(const Point& x) const {
     double size = 1e300;

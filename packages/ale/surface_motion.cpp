@@ -39,7 +39,7 @@ void SurfaceMotion::collect(Positions source) {
   }
   for (Patch& patch : patches_) {
     for (int node : patch.vertices) near_[node] = faces_near(node, touching);
-    // centres of faces after the mid-side nodes of edges, which they depend on
+    // Centres of faces come after the mid-side nodes of edges, on which they depend.
     std::stable_sort(patch.mid_side_nodes.begin(), patch.mid_side_nodes.end(),
                      [](const MidSideNode& a, const MidSideNode& b) { return a.sides.size() < b.sides.size(); });
     for (MidSideNode& middle : patch.mid_side_nodes) {
@@ -141,7 +141,7 @@ void SurfaceMotion::add_tangents(Positions& x) const {
 void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions& source) {
   const Point p = source[nodes[1]] - source[nodes[0]], q = source[nodes[2]] - source[nodes[0]];
   const Point e = unit(p);
-  const double a = length(p), b = dot(q, e), c = length(q - b * e), scale = std::sqrt(a * c);  // size is free
+  const double a = length(p), b = dot(q, e), c = length(q - b * e), scale = std::sqrt(a * c);  // size does not count
   const Mat<double, 2> inverse = {{{scale / a, -b * scale / (a * c)}, {0, scale / c}}};
   Corner corner{nodes, {}};
   for (int k = 0; k < 2; ++k) {

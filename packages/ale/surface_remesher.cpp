@@ -10,7 +10,7 @@ namespace mudline {
 
 namespace {
 
-constexpr double longest = 4.0 / 3, shortest = 4.0 / 5;  // of wanted lengths
+constexpr double longest = 4.0 / 3, shortest = 4.0 / 5;  // shares of the wanted length
 constexpr double good = 0.7, poor = 0.6;                 // mean ratios
 constexpr double facing_enough = 0.7;                    // cosine
 
@@ -43,7 +43,7 @@ void SurfaceRemesher::take_vertices() {
         vertex.place = x_[node];
         vertex.node = node;
         vertex.relative = sizes_.relative[node];
-        vertex.fixed = surfaces_.patch_of[node] < 0;  // but for those inside of curves
+        vertex.fixed = surfaces_.patch_of[node] < 0;  // for nodes inside curves see below
         vertices_.push_back(vertex);
         resize(vertices_.back());
       }

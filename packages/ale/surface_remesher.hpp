@@ -19,14 +19,14 @@ struct SurfaceSizes {
   std::function<double(double relative, const Point& at)> wanted;  // [m]
 };
 
-/// A vertex of a surface meshed anew, and where it is on the old one.
+/// A vertex of a remeshed surface, and its place on the old one.
 struct SurfaceVertex {
   Point place{};        // [m] rounded
   double relative = 0;  // see SurfaceSizes
   int node = -1;        // the old vertex that stayed; -1: it moved or is new
-  int curve = -1;       // that it is inside of; -1: none
+  int curve = -1;       // the curve that it is inside of; -1: none
   double s = 0;         // [m] place there, see PathCurve
-  SurfacePlace on{};    // of a vertex inside a patch that is not an old one
+  SurfacePlace on{};    // set for a new or moved vertex inside a patch
 };
 
 struct RemeshedSurface {
@@ -43,15 +43,16 @@ struct RemeshedSurface {
   std::vector<std::vector<OnCurve>> curves;  // (curve) in order, its ends among them
 };
 
-/// Meshes a surface of triangles anew, patch by patch within the curves between them, by local operations on its faces
+/// Remeshes a surface of triangles, patch by patch within the curves between them, by local operations on its faces
 /// (Botsch & Kobbelt 2004): edges longer than 4/3 of the wanted length are split, those shorter than 4/5 collapsed,
 /// edges flipped where that raises the lower mean ratio of the two faces, and vertices moved towards the middle of the
-/// faces around. Vertices stay on the old surface, curved as it is, and those of curves on these. Ends of curves, other
-/// material points, and what is kept stay; where edges and faces are good already nothing changes. All decisions are
-/// made on rounded places and sizes, so that last digits do not decide on the mesh. Serial.
+/// faces around. Vertices stay on the curved old surface, and those of curves on their curve. Ends of curves, other
+/// material points, and the patches and curves named in the constructor do not change; neither do edges and faces that
+/// are good already. All decisions are made on rounded places and sizes, so that rounding errors do not change the
+/// mesh. Serial.
 class SurfaceRemesher {
  public:
-  /// `x`: of the nodes. `keeps_patch`, `keeps_curve`: those whose faces and nodes stay.
+  /// `x`: of the nodes. `keeps_patch`, `keeps_curve`: whether the faces and nodes of a patch or curve stay.
   SurfaceRemesher(const MeshSurfaces& surfaces, const Positions& x, SurfaceSizes sizes, std::vector<char> keeps_patch,
                   std::vector<char> keeps_curve);
   SurfaceRemesher(const SurfaceRemesher&) = delete;
@@ -65,12 +66,12 @@ class SurfaceRemesher {
     double size = 0;               // wanted [m]
     bool fixed = false;            // it stays
     bool active = false;           // it may move
-    std::map<int, Point> normals;  // by patch: of the surface here
-    std::vector<int> faces;        // none: it is no more
+    std::map<int, Point> normals;  // by patch: normal of the surface here
+    std::vector<int> faces;        // empty: it was removed
   };
   struct Face {
     Corners corners;
-    int patch;  // -1: it is no more
+    int patch;  // -1: it was removed
   };
   struct CurveEdge {
     int curve;
@@ -81,7 +82,7 @@ class SurfaceRemesher {
     std::vector<double> relative;  // (point)
     SharedCoordinates shared;
   };
-  /// Of the worst of some faces.
+  /// Shape of the worst of some faces.
   struct Shape {
     double quality = 1;  // mean ratio, of the area that faces outwards
     double facing = 1;   // cosine between normals of face and surface
@@ -114,7 +115,7 @@ class SurfaceRemesher {
   void wake_poor();
 
   bool split(int a, int b);
-  /// a goes into b.
+  /// Merges vertex a into b; returns whether it did.
   bool collapse(int a, int b);
   bool may_collapse(int a, int b, const std::vector<int>& around, Shape& after) const;
   bool flip(int a, int b);

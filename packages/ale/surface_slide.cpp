@@ -1,4 +1,4 @@
-// One relocation of the nodes on surfaces.
+// SurfaceMotion::move(): one relocation of the nodes on surfaces.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@ namespace mudline {
 
 namespace {
 
-/// Two directions across a unit normal.
+/// Two unit tangents perpendicular to a unit normal.
 std::array<Point, 2> tangents(const Point& normal) {
   Point axis{};
   int least = 0;
@@ -26,8 +26,8 @@ Point area_vector(const std::array<int, 3>& nodes, const Positions& x) {
   return cross(x[nodes[1]] - x[nodes[0]], x[nodes[2]] - x[nodes[0]]);
 }
 
-/// Sum over corners of the squared inverse mean ratio, by the place of one vertex, with its gradient and a positive
-/// matrix near its Hessian (that of plane rings) in two directions.
+/// Sum over corners of the squared inverse mean ratio, with its gradient by the place of one vertex along two tangents
+/// and a positive approximation of its Hessian, exact where the faces around are plane.
 struct RingObjective {
   double value = 0, gradient[2] = {0, 0}, hessian[3] = {0, 0, 0};  // xx, xy, yy
 
@@ -76,10 +76,10 @@ struct RingObjective {
 
 }  // namespace
 
-/// One relocation: the old surface, and where its nodes are by now.
+/// One relocation: the old surface and the present places of its nodes.
 class SurfaceMotion::Step {
  public:
-  /// Positions with the ends of tangents.
+  /// `x_old`, `x`: positions of the nodes, then of the ends of tangents.
   Step(const SurfaceMotion& surface, const Positions& x_old, Positions& x)
       : surface_(surface), x_old_(x_old), x_(x), on_(surface.nodes_) {
     for (std::size_t p = 0; p < surface.patches_.size(); ++p)
@@ -106,7 +106,7 @@ class SurfaceMotion::Step {
   /// Passes over the vertices until none moves much.
   void relax() {
     constexpr int sweeps = 40;
-    constexpr double tolerance = 1e-3;  // of the size of the faces around
+    constexpr double tolerance = 1e-3;  // share of the size of the faces around
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double largest = 0;
       for (std::size_t p = 0; p < planes_.size(); ++p) {
@@ -194,7 +194,7 @@ class SurfaceMotion::Step {
     return result;
   }
 
-  /// Moves a vertex; by which share of the size of the faces around.
+  /// Moves a vertex; returns its motion as a share of the size of the faces around.
   double improve(int node, const PatchPlane& plane) {
     const std::array<Point, 2> along = tangents(plane.flat ? plane.normal : normal_at(node, x_));
     const RingObjective now = objective(node, along);
@@ -206,7 +206,7 @@ class SurfaceMotion::Step {
     double square = 0;
     for (int c : surface_.at_[node]) square = std::max(square, length(area_vector(surface_.corners_[c].nodes, x_)));
     const double size = std::sqrt(square);
-    // rounding decides below this: leave the vertex where it is, so that a surface at its optimum does not creep
+    // Steps this small are rounding: the vertex stays, so that a surface at its optimum does not creep.
     if (std::hypot(step[0], step[1]) < 1e-9 * size) return 0;
     const Point from = x_[node];
     const SurfacePlace place = on_[node];
@@ -222,7 +222,7 @@ class SurfaceMotion::Step {
     return 0;
   }
 
-  /// No farther from where the vertex was than it may slide at once.
+  /// Limits the new place to the distance that the vertex may slide at once.
   Point limited(int node, const Point& to) const {
     const Point way = to - x_old_[node];
     const double far = length(way);
@@ -231,7 +231,8 @@ class SurfaceMotion::Step {
     return far <= limit ? to : x_old_[node] + limit / far * way;
   }
 
-  /// From a vertex to the edges opposite to it, in the direction of a way and in its tangent plane.
+  /// Distance from a vertex to the edges opposite to it [m], in the direction of a displacement projected on the
+  /// tangent plane.
   double reach(int node, const Point& way) const {
     const std::array<Point, 2> along = tangents(normal_at(node, x_old_));
     double u[2] = {dot(way, along[0]), dot(way, along[1])};
@@ -263,8 +264,8 @@ class SurfaceMotion::Step {
     return plane.of_all.kept(to);
   }
 
-  /// Where the surface's normal through the middle of the ends meets it. Not the nearest place to that middle: where an
-  /// edge bulges by more than a quarter of its length, this is on the left when the node was on the right, and farther.
+  /// Point of the surface on its normal through the middle of the node's ends. The closest point to that middle would
+  /// not do: where an edge bulges by more than a quarter of its length, it moves from side to side and away.
   Point over_middle(const MidSideNode& middle, const PatchPlane& plane) {
     const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
     const double rounding = 1e-14 * edge_of(middle, x_);
@@ -281,7 +282,8 @@ class SurfaceMotion::Step {
   void limit_bulge(const MidSideNode& middle, const Point& normal) {
     Point& at = x_[middle.node];
     if (at == x_old_[middle.node]) return;
-    const SharedCoordinates plane({at, x_[middle.ends[0]], x_[middle.ends[1]]});  // a curve in one stays there
+    // A curve in a coordinate plane stays in it.
+    const SharedCoordinates plane({at, x_[middle.ends[0]], x_[middle.ends[1]]});
     at = plane.kept(without_bulge(at, middle_of(middle, x_), normal, edge_of(middle, x_)));
   }
 
@@ -294,13 +296,13 @@ class SurfaceMotion::Step {
   const SurfaceMotion& surface_;
   const Positions& x_old_;
   Positions& x_;
-  std::vector<SurfacePlace> on_;    // (node) of the old surface
+  std::vector<SurfacePlace> on_;    // (node) closest point on the old surface
   std::vector<PatchPlane> planes_;  // (patch)
-  Positions normals_;               // (corner) as long as twice its area
-  /// (tetrahedron) from its nodes to its corners: a tangent moves with its end, as if the middle of its edge moved by
-  /// the mean of the ends.
+  Positions normals_;               // (corner) old normal, twice the area long [m2]
+  /// (tetrahedron) vectors from its nodes to its corners, constant in the relocation: a tangent's end moves with its
+  /// node, as if the middle of the edge moved by the mean of the ends.
   std::vector<std::array<Point, 4>> ahead_;
-  std::vector<char> counts_;  // (tetrahedron) it was not folded before
+  std::vector<char> counts_;  // (tetrahedron) whether it was sound before
 };
 
 void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positions& x) const {

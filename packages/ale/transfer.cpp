@@ -1,4 +1,4 @@
-// The region meshed anew: when, and how the soil's state goes over from the mesh before.
+// Remeshing of the region: when it is due, and the transfer of the soil's state from the old mesh.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,7 +52,7 @@ bool Ale::too_coarse(const WantedSizes* sizes) const {
 Remeshing Ale::remesh(int step, const State& committed, const WantedSizes* sizes) const {
   const Teuchos::Comm<int>& comm = *mesh_.mesh().comm();
   const Positions x = mesh_.gather(committed.coordinates);
-  // where the mesh is poor, one that is no better helps nobody
+  // Where the present mesh is poor, the new one must be better.
   const double quality = lowest_quality(mesh_, x);
   RemeshedMesh made;
   Remeshing result;
@@ -101,8 +101,8 @@ void Ale::take_points(const Ale& from, const StateStore& old_store, const MeshCh
 
 namespace {
 
-/// What is still missing of the pore water's compression [m3] comes from one pressure that is added wherever none is
-/// held: it is spread over the whole soil, where a factor would have to be large.
+/// Restores the rest of the pore water's compression `before` [m3] by adding one pressure wherever the pressure is
+/// free: it is spread over the whole soil, where a factor would have to be large.
 void shift_pressures(const Soil& soil, const GhostedMesh& mesh, const std::vector<double>& held, double before,
                      State& to) {
   if (soil.pressure < 0) return;
@@ -114,7 +114,7 @@ void shift_pressures(const Soil& soil, const GhostedMesh& mesh, const std::vecto
     mesh.scatter(*soil.space, soil.pressure, shifted, to.value);
     return take_inventory(soil, to).compression;
   };
-  const double now = compression(0), slope = compression(1) - now;  // it is linear in the pressures
+  const double now = compression(0), slope = compression(1) - now;  // the compression is linear in the pressures
   compression(slope > 0 ? (before - now) / slope : 0.0);
 }
 
@@ -135,9 +135,9 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
     return result;
   };
   const std::vector<double> zero(v.size(), 0.0);
-  double mass[place_size] = {};  // that moves with the free nodes
+  double mass[place_size] = {};  // of the soil that moves with the free nodes [kg]
   for (int d = 0; d < dim; ++d) mass[d] = inventory(on_free(zero, d, 1)).momentum[d];
-  std::vector<double> fixed = v;  // the velocities that are prescribed
+  std::vector<double> fixed = v;  // the prescribed velocities, 0 elsewhere
   for (std::size_t i = 0; i < v.size(); ++i)
     if (held[i] == 0) fixed[i] = 0;
   for (int round = 0; round < 2; ++round) {  // the second one removes the rounding of the first
@@ -147,7 +147,7 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   }
   const Inventory now = inventory(v);
   if (now.kinetic <= before.kinetic) return;
-  // v = mean + deviation, whose momentum is zero: less of the deviation takes energy and leaves the momentum
+  // v = mean + deviation, where the deviation has no momentum: reducing it lowers the energy and keeps the momentum.
   std::vector<double> mean = fixed;
   const Inventory at_fixed = inventory(fixed);
   for (int d = 0; d < dim; ++d)
@@ -157,7 +157,7 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   const double constant = inventory(mean).kinetic, square = inventory(deviation).kinetic,
                linear = now.kinetic - constant - square, excess = constant - before.kinetic;
   const double root = linear * linear - 4 * square * excess;
-  double share = square > 0 ? -0.5 * linear / square : 1;  // of the least energy
+  double share = square > 0 ? -0.5 * linear / square : 1;  // the share with the least energy
   if (square > 0 && root >= 0) share = 0.5 * (-linear + std::sqrt(root)) / square;
   share = std::clamp(share, 0.0, 1.0);
   for (std::size_t i = 0; i < v.size(); ++i) v[i] = mean[i] + share * deviation[i];

@@ -7,7 +7,8 @@ namespace mudline {
 
 namespace {
 
-/// A random number of a node that every rank knows; no two nodes have the same (a bijective mixer, Steele et al. 2014).
+/// A pseudo-random number of a node, the same on every rank and different for every node (a bijective mixer, Steele et
+/// al. 2014).
 std::uint64_t priority(long long node) {
   std::uint64_t z = static_cast<std::uint64_t>(node) + 0x9e3779b97f4a7c15ull;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -32,7 +33,7 @@ std::vector<std::vector<int>> vertex_colours(const GhostedMesh& mesh, const std:
     std::vector<int> later;
     for (int node : waiting) {
       std::vector<char> taken(beside[node].size() + 1, 0);
-      bool first = true;  // of those around that have no colour yet
+      bool first = true;  // whether its priority is highest among the uncoloured nodes around
       for (int other : beside[node]) {
         if (colour[other] < 0) first = first && priority(mesh.node_id(node)) > priority(mesh.node_id(other));
         if (colour[other] >= 0 && colour[other] < taken.size()) taken[static_cast<int>(colour[other])] = 1;

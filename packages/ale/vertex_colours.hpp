@@ -6,9 +6,9 @@
 
 namespace mudline {
 
-/// The nodes that may move, complete ghosts among them, by colours: no two of a colour are in one element, so that all
-/// of a colour may be placed at once, on any number of ranks with the same result (Jones & Plassmann 1993). `movable`:
-/// (node). Collective.
+/// The movable nodes, complete ghosts included, by colour: no two of a colour share an element, so that all of a colour
+/// may be placed at once, with the same result on any number of ranks (Jones & Plassmann 1993). `movable`: (node).
+/// Collective.
 std::vector<std::vector<int>> vertex_colours(const GhostedMesh& mesh, const std::vector<char>& movable);
 
 }  // namespace mudline

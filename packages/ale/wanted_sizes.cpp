@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-/// Side [m] of the equilateral or square cell of the area of an element's corners.
+/// Side [m] of the equilateral triangle or square that has the area of the element with straight sides.
 double side_length(const GhostedMesh::Element& element, const Positions& x) {
   const int corners = num_corners(element.shape);
   double twice = 0;
@@ -44,7 +44,7 @@ WantedSizes::WantedSizes(std::shared_ptr<const GhostedMesh> mesh, const Position
                           : mesh_->block_elements(static_cast<int>(block)).front());
 }
 
-/// From the smallest size on, as the shortest ways in a graph.
+/// Limits the growth of sizes along edges by Dijkstra's algorithm, from the smallest size on.
 void WantedSizes::bound_growth(double growth) {
   std::vector<std::vector<int>> beside(x_.size());
   for (const auto& element : mesh_->elements()) {
@@ -78,7 +78,7 @@ double WantedSizes::in_block(const Vec<double, 2>& place, std::size_t block, dou
   double N[9], dN[18], sum = 0, all = 0;
   evaluate_shape(linear_partner(element.shape), found.xi, N, dN);
   outside = 0;
-  for (int a = 0; a < corners; ++a) {  // of the place in the element that is nearest, or about so
+  for (int a = 0; a < corners; ++a) {  // at a place in the element close to the closest point
     outside = std::max(outside, -N[a]);
     sum += std::max(0.0, N[a]) * at_vertex_[element.nodes[a]];
     all += std::max(0.0, N[a]);

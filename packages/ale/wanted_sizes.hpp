@@ -8,21 +8,20 @@
 
 namespace mudline {
 
-/// Sizes that are wanted of the elements of a mesh, as a field of place: at a vertex the mean, in the logarithm, over
-/// the elements around, within bounds and no more than `growth` per distance above that of any other vertex; linear
-/// between them.
+/// Field of the wanted element sizes of a mesh: at a vertex the geometric mean over the elements around, within bounds,
+/// and above that of any other vertex by at most `growth` per distance; linear between vertices.
 class WantedSizes {
  public:
   struct Bounds {
     double smallest, largest;  // [m]
-    double growth;             // per distance
+    double growth;             // increase of the size per distance [-]
   };
-  /// `mesh`: all elements of the whole one; `by_element`: [m] in the order of its elements. Serial, pure.
+  /// `mesh`: with all elements of the whole mesh; `by_element`: [m] in the order of its elements. Serial, pure.
   WantedSizes(std::shared_ptr<const GhostedMesh> mesh, const Positions& x, const std::vector<double>& by_element,
               const Bounds& bounds);
-  /// [m] at a place; outside of the mesh that of its edge.
+  /// Size at a place [m]; outside of the mesh that at its boundary.
   double operator()(const Vec<double, 2>& place) const;
-  /// The largest ratio of the size that an element has to the one that is wanted of it.
+  /// The largest ratio of an element's size to its wanted size.
   double largest_ratio() const;
 
  private:
@@ -32,7 +31,7 @@ class WantedSizes {
   std::shared_ptr<const GhostedMesh> mesh_;
   Positions x_;
   std::vector<double> at_vertex_;    // (node) [m]; 0 at other nodes
-  mutable std::vector<int> nearby_;  // (block) where the last place was found: the search starts there
+  mutable std::vector<int> nearby_;  // (block) element of the last place found: the search starts there
 };
 
 }  // namespace mudline

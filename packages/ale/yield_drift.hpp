@@ -4,8 +4,8 @@
 
 namespace mudline {
 
-/// How far a remap carried stresses out of the yield surface [-]: root mean square over all points of what the laws
-/// took back (evaluated less remapped effective stress) over that of the stress itself. 0: no stress was touched.
+/// How far a remap moved stresses out of the yield surface [-]: root mean square over all points of the laws'
+/// correction (evaluated less remapped effective stress), over that of the stress itself. 0: no stress was corrected.
 /// Collective.
 double yield_drift(const Soil& soil, const State& remapped, const State& evaluated);
 

@@ -4,7 +4,8 @@
 
 namespace mudline {
 
-/// |A| |x|: the sum of the sizes of the products of A x before they cancel. Its rounding is that of A x. Collective.
+/// |A| |x|: the sum of the absolute values of the products in A x, before they cancel. It measures the rounding of A x.
+/// Collective.
 Vector absolute_product(const CrsMatrix& A, const Vector& x);
 
 }  // namespace mudline

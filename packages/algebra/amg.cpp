@@ -14,7 +14,7 @@ namespace mudline {
 
 namespace {
 
-// Eigenvalue estimates start from random vectors; a fixed seed makes every set-up, and so a restarted run, repeatable.
+// Eigenvalue estimates start from random vectors. A fixed seed makes every set-up, and so a restarted run, repeatable.
 void fix_random_start() { std::srand(1); }
 
 /// True if no unknown depends on another one: all of them are prescribed.

@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// What a multigrid cycle is built from.
+/// The data that a multigrid cycle is built from.
 struct AmgInput {
   RCP<CrsMatrix> matrix;         // global ids dense from 0, the equations of a node adjacent
   int equations = 1;             // per node
@@ -15,7 +15,7 @@ struct AmgInput {
 /// One V-cycle of smoothed aggregation, a fixed linear operator.
 RCP<Operator> amg_cycle(const AmgInput& input);
 
-/// alpha A + beta B, on the row map of A.
+/// The matrix alpha A + beta B, on the row map of A.
 RCP<CrsMatrix> combination(double alpha, const CrsMatrix& a, double beta, const CrsMatrix& b);
 
 }  // namespace mudline

@@ -16,8 +16,8 @@ using FEGraph = Tpetra::FECrsGraph<>;
 using RowCounts = Kokkos::DualView<const std::size_t*, FEGraph::device_type>;
 using HostElements = Kokkos::View<const int**, Kokkos::LayoutRight, Kokkos::HostSpace>;
 
-/// The overlap dofs in bundles, the components of one node each: rows of one bundle have the same columns, and these
-/// are whole bundles.
+/// Groups the overlap dofs into bundles, each with the components of one node. The rows of a bundle have the same
+/// columns, and these are whole bundles.
 struct Bundles {
   std::vector<int> begin;  // by bundle: its first dof; and the end
   std::vector<int> of;     // by dof: its bundle
@@ -39,7 +39,7 @@ Bundles find_bundles(const DofMap& dofs) {
   return bundles;
 }
 
-/// Calls action(bundle) for the bundles of an element; one whose dofs are side by side comes once.
+/// Calls action(bundle) for the bundles of an element; consecutive dofs of a bundle give one call.
 template <class Action>
 void for_each_bundle(const HostElements& group, std::size_t e, const Bundles& bundles, Action&& action) {
   int last = -1;
@@ -50,7 +50,7 @@ void for_each_bundle(const HostElements& group, std::size_t e, const Bundles& bu
   }
 }
 
-/// Which elements touch each bundle: (group, element) pairs in compressed rows.
+/// The elements that touch each bundle: (group, element) pairs in compressed rows.
 struct Incidence {
   std::vector<std::size_t> begin;
   std::vector<std::pair<int, int>> elements;
@@ -73,8 +73,8 @@ Incidence incidence(const std::vector<HostElements>& groups, const Bundles& bund
   return result;
 }
 
-/// The neighbours of every bundle, each once, itself always among them (a constrained dof without elements still needs
-/// its one).
+/// The neighbours of every bundle, each once and always including itself (a constrained dof without elements still
+/// needs its diagonal).
 std::vector<std::vector<int>> sparsity(const std::vector<HostElements>& groups, const Bundles& bundles) {
   const Incidence touching = incidence(groups, bundles);
   std::vector<std::vector<int>> rows(bundles.count());
@@ -106,7 +106,7 @@ RowCounts row_counts(const std::vector<std::vector<int>>& rows, const Bundles& b
   return counts;
 }
 
-/// Columns of a group that are side by side in one bundle, in all of its elements, make one node of the group.
+/// Consecutive columns of a group that belong to one bundle in all of its elements form one node of the group.
 std::vector<MatrixScatter::Place> find_places(const HostElements& group, const Bundles& bundles) {
   std::vector<MatrixScatter::Place> places;
   for (int a = 0; a < static_cast<int>(group.extent(1)); ++a) {
@@ -130,7 +130,7 @@ std::vector<HostElements> on_host(const std::vector<ElementDofs>& groups) {
   return result;
 }
 
-/// Where the rows of a group's nodes have the columns of its nodes.
+/// Positions of the columns of a group's nodes in the rows of its nodes.
 template <class T, class Graph>
 Kokkos::View<T***, Kokkos::LayoutRight> find_positions(const HostElements& group,
                                                        const std::vector<MatrixScatter::Place>& places,

@@ -13,11 +13,12 @@
 namespace mudline {
 
 /// Writes element matrices into the local values of the matrix. Copied into kernels. Rows and columns of one node's
-/// components lie side by side in the matrix, so that one position serves them all: it is kept per element and pair of
-/// nodes. Constrained dofs: off-diagonal entries of their rows and columns are dropped, the diagonal is kept (a
-/// correctly scaled, symmetric, AMG-friendly identity row; the residual is zero there).
+/// components lie side by side in the matrix, so that one position, stored per element and pair of nodes, serves them
+/// all. Constrained dofs: off-diagonal entries of their rows and columns are dropped, the diagonal is kept (a correctly
+/// scaled, symmetric, AMG-friendly identity row; the residual is zero there).
 struct MatrixScatter {
-  /// (element, row node, column node): within the row. Wide only where rows are longer than 65536, as those of a body.
+  /// (element, row node, column node) -> offset within the row. Wide only where rows are longer than 65536, as those of
+  /// a body.
   struct Positions {
     Kokkos::View<const std::uint16_t***, Kokkos::LayoutRight> narrow;
     Kokkos::View<const std::uint32_t***, Kokkos::LayoutRight> wide;
@@ -25,12 +26,12 @@ struct MatrixScatter {
       return wide.data() == nullptr ? narrow(e, row, column) : wide(e, row, column);
     }
   };
-  /// Of one column of a group's dofs: which of its nodes, and which of that node's columns.
+  /// The node of the group, and the component of that node, that a column of a group's dofs belongs to.
   struct Place {
     int node, component;
   };
 
-  /// What of a row of the buffer is filled.
+  /// The filled columns of a row of the buffer.
   struct Span {
     int first, count;
   };
@@ -41,7 +42,7 @@ struct MatrixScatter {
   Kokkos::View<const Place*> places;  // by column of `dofs`
   ElementDofs dofs;
   Kokkos::View<const char*> constrained;                 // by overlap dof
-  ElementBuffer buffer = {};                             // of loops on several threads
+  ElementBuffer buffer = {};                             // for loops on several threads
   Kokkos::View<Span**, Kokkos::LayoutRight> spans = {};  // (element of the batch, row)
 
   /// Adds the entry (a, b) of element e's matrix. From one thread only.
@@ -90,9 +91,9 @@ struct MatrixScatter {
     }
   }
 
-  // For in_order().
+  // The functions open_buffer, open and take serve in_order().
   void open_buffer(int elements);
-  /// Before element e adds.
+  /// Clears element e's rows of the buffer; call it before the element adds.
   KOKKOS_INLINE_FUNCTION void open(int e) const {
     if (!buffer.used()) return;
     for (int a = 0; a < static_cast<int>(spans.extent(1)); ++a) spans(e - buffer.first, a).count = 0;
@@ -120,7 +121,7 @@ struct MatrixScatter {
   }
 };
 
-/// The sparse Jacobian: graph from element groups, built once; assembled any number of times.
+/// The sparse Jacobian: its graph is built once from element groups, its values are assembled any number of times.
 class Assembler {
  public:
   explicit Assembler(RCP<const DofMap> dofs);
@@ -142,7 +143,7 @@ class Assembler {
 
  private:
   using FEMatrix = Tpetra::FECrsMatrix<>;
-  /// Where the matrix has the entries of one group of elements.
+  /// Positions in the matrix of the entries of one group of elements.
   struct Entries {
     MatrixScatter::Positions positions;
     Kokkos::View<const MatrixScatter::Place*> places;

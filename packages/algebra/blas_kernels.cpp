@@ -25,7 +25,7 @@ bool is_one_of(const std::string& name, const std::array<const char*, n>& names)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A matrix of numbers between -1 and 1 without a pattern, the same every time.
+/// A matrix of pseudo-random numbers between -1 and 1, the same in every run.
 std::vector<double> scattered(int size, unsigned seed) {
   std::vector<double> values(size);
   for (double& value : values) {
@@ -88,7 +88,7 @@ bool processor_has_avx2() {
 
 std::string better_kernels(const std::string& picked, bool processor_has_avx2,
                            const std::function<bool()>& results_are_right) {
-  // OpenBLAS's names of kernels for x86 without AVX2, or without fused multiply-adds
+  // OpenBLAS's names for x86 kernels without AVX2, or without fused multiply-adds
   static const std::array<const char*, 20> older{
       "Katmai", "Coppermine", "Northwood",  "Prescott",    "Banias",  "Atom",         "Core2",
       "Penryn", "Dunnington", "Nehalem",    "Athlon",      "Opteron", "Opteron_SSE3", "Barcelona",
@@ -116,7 +116,7 @@ BlasKernels blas_kernels() {
 }
 
 void use_best_blas_kernels(char** argv) {
-  if (const char* replaced = std::getenv(replaced_kernels)) {  // this is the new start
+  if (const char* replaced = std::getenv(replaced_kernels)) {  // the program has been restarted
     replaced_in_this_process = replaced;
     unsetenv(replaced_kernels);
     unsetenv(chosen_kernels);

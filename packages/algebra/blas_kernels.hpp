@@ -7,24 +7,24 @@ namespace mudline {
 
 // OpenBLAS picks its kernels by the model of the processor. A version that is older than the processor does not know
 // the model and takes kernels of 2004 (Prescott), two to four times slower. Kernels for AVX-512 of old versions were
-// wrong on some processors. Another choice takes the environment variable OPENBLAS_CORETYPE, which the library reads
-// when it is loaded, so a program that wants other kernels has to start itself anew.
+// wrong on some processors. Other kernels are chosen by the environment variable OPENBLAS_CORETYPE, which the library
+// reads when it is loaded, so a program that wants other kernels has to restart itself.
 
-/// Starts this program anew with better kernels, where there are some, and does not return then. What the user has set
-/// in OPENBLAS_CORETYPE stands. Programs that are started from this one choose for themselves. Throws
-/// std::runtime_error where results are wrong and the program cannot be started anew.
+/// Restarts this program with better kernels, where there are some, and does not return then. A value that the user has
+/// set in OPENBLAS_CORETYPE is kept. Programs that are started from this one choose for themselves. Throws
+/// std::runtime_error where results are wrong and the program cannot be restarted.
 void use_best_blas_kernels(char** argv);
 
 /// Names of OpenBLAS's kernels in this process.
 struct BlasKernels {
   std::string in_use;    // "" where the BLAS is not OpenBLAS
-  std::string replaced;  // what OpenBLAS had picked before use_best_blas_kernels; "" where that stands
+  std::string replaced;  // OpenBLAS's pick before use_best_blas_kernels; "" where it is still in use
 };
 BlasKernels blas_kernels();
 
 /// The kernels that suit a processor better than `picked`, or "": Haswell's, where the processor has AVX2 and fused
 /// multiply-adds and the picked ones use less, or where the picked ones use more (AVX-512) and compute wrong results.
-/// That is asked of kernels that are not known only.
+/// `results_are_right` is called only for kernels that are in no list of known ones.
 std::string better_kernels(const std::string& picked, bool processor_has_avx2,
                            const std::function<bool()>& results_are_right);
 

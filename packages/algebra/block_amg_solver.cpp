@@ -77,11 +77,11 @@ LinearReport BlockAmgSolver::solve(const Vector& b, Vector& x, const LinearToler
   if (matrix_.is_null()) throw std::logic_error("block amg solver used before it has a matrix");
   LinearReport report;
   KrylovResult krylov;
-  // The blocks of another graph cannot be refilled, though they still precondition.
+  // The old preconditioner is tried only where the matrix still has the graph that the blocks were built for.
   const bool old = !preconditioner_.is_null() && !stale_ && blocks_->fits(*matrix_) && fresh_rate_ >= 0;
   if (old) {
-    // Twice the limit of a full solve: one that only just exceeds its own is finished, and the next matrix pays for the
-    // rebuild.
+    // The limit is twice that of a full solve: a solve that just exceeds its own limit is finished, and the rebuild
+    // waits for the next matrix.
     const double most_decades = -std::log10(tolerance.relative);
     krylov = gmres_->solve(matrix_, preconditioner_, b, x, tolerance,
                            std::min(2 * most_iterations(most_decades), maximum_iterations_));

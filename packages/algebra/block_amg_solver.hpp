@@ -11,7 +11,7 @@ namespace mudline {
 class FieldBlocks;
 class FieldGmres;
 
-/// "block amg": GMRES on the current matrix, preconditioned by block_triangular.hpp. The preconditioner is kept for
+/// "block amg": GMRES on the current matrix, preconditioned by block_triangular.hpp. The preconditioner is reused for
 /// later matrices until the iterations grow.
 class BlockAmgSolver : public LinearSolver {
  public:
@@ -26,7 +26,7 @@ class BlockAmgSolver : public LinearSolver {
 
  private:
   void build();
-  /// Iterations that a solve through so many decades may take with the preconditioner at hand.
+  /// The most iterations that reducing the residual by `decades` may take with the current preconditioner.
   int most_iterations(double decades) const;
 
   int maximum_iterations_ = 200;

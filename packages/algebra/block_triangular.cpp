@@ -13,9 +13,9 @@ namespace mudline {
 
 namespace {
 
-/// The inverse square of the domain's extent [1/m2].
+/// The smallest squared wave number of the domain: the inverse square of its extent [1/m2].
 double smallest_wave_number(const BlockData& data, int dimension, const Comm& comm) {
-  double here[6], extent[6];  // largest coordinates, then the largest of the other sign
+  double here[6], extent[6];  // largest coordinates, then the largest negated ones
   std::fill_n(here, 6, -std::numeric_limits<double>::max());
   for (std::size_t i = 0; i < data.coordinates.size(); i += dimension)
     for (int c = 0; c < dimension; ++c) {

@@ -36,7 +36,7 @@ Bordered::Bordered(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlock
       for (int i = 0; i < count_; ++i) factors_[column * count_ + i] = diagonal[i] - through[i];
       columns_->getVectorNonConst(column)->update(1, *w.getVector(0), 0);
     }
-  // a body that nothing holds yet has an empty row: it stays where it is
+  // A body without forces yet has an empty row. A unit diagonal keeps it where it is.
   for (int i = 0; i < count_; ++i) {
     double largest = 0;
     for (int j = 0; j < count_; ++j) largest = std::max(largest, std::abs(factors_[j * count_ + i]));
@@ -45,7 +45,7 @@ Bordered::Bordered(const CrsMatrix& matrix, const DofMap& dofs, const FieldBlock
   pivots_.assign(count_, 0);
   int info = 0;
   Teuchos::LAPACK<int, double>().GETRF(count_, count_, factors_.data(), count_, pivots_.data(), &info);
-  if (info != 0) std::fill(pivots_.begin(), pivots_.end(), 0);  // singular: see apply()
+  if (info != 0) std::fill(pivots_.begin(), pivots_.end(), 0);  // S is singular; apply() then skips the solve
 }
 
 std::vector<double> Bordered::gathered(const MultiVector& v) const {

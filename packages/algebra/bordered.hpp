@@ -22,9 +22,9 @@ class Bordered : public Operator {
              double = 0) const override;
 
  private:
-  /// Values at the apart unknowns, on every rank.
+  /// Values of v at the unknowns apart from the mesh, on every rank.
   std::vector<double> gathered(const MultiVector& v) const;
-  /// A_bi v_i on every rank.
+  /// The product A_bi v_i, on every rank.
   std::vector<double> rows_times(const MultiVector& v) const;
 
   RCP<const Map> map_;
@@ -33,7 +33,7 @@ class Bordered : public Operator {
   RCP<Operator> inner_;
   std::vector<RCP<CrsMatrix>> rows_;  // (apart field, inner field)
   int count_ = 0;
-  std::vector<double> factors_;  // of S, column by column
+  std::vector<double> factors_;  // LU factors of S, column by column
   std::vector<int> pivots_;
   RCP<MultiVector> columns_;  // W
 };

@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-/// A list of plain values made on the host, as kernels read it.
+/// Copies a list of plain values from the host to memory that kernels read.
 template <class T>
 Kokkos::View<const T*> device_copy(const std::vector<T>& from) {
   const Kokkos::View<T*> to(Kokkos::view_alloc("list", Kokkos::WithoutInitializing), from.size());

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-/// Who owns each ghost node of a field, and as which of the owner's nodes.
+/// The owner rank of each ghost node of a field, and the node's index on that rank.
 struct GhostOwners {
   std::vector<int> rank;
   std::vector<LocalOrdinal> index;
@@ -47,7 +47,7 @@ DofMap::DofMap(RCP<const Comm> comm, std::vector<FieldLayout> fields) : fields_(
     num_overlap_dofs_ += (field.node_ids.size() - field.num_owned) * field.components;
   }
 
-  // First global id of every field on every rank.
+  // The first global id of every field on every rank.
   owned_ = make_dense_map(num_owned_dofs_, comm);
   const GlobalOrdinal first_here = num_owned_dofs_ > 0 ? owned_->getMinGlobalIndex() : 0;
   std::vector<GlobalOrdinal> begin_here(num_fields), begin(static_cast<std::size_t>(num_fields) * comm->getSize());

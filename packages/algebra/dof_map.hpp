@@ -15,7 +15,7 @@ struct FieldLayout {
   int components;
   std::vector<GlobalOrdinal> node_ids;  // global ids of this rank's nodes that carry the field, owned ones first
   int num_owned;                        // how many of node_ids this rank owns
-  bool apart = false;                   // a few unknowns that are not on the mesh
+  bool apart = false;                   // true for a few unknowns that are not on the mesh
 };
 
 /// Numbering of all unknowns. Global ids are 0 .. N-1; each rank owns a contiguous range, field after field, the
@@ -31,7 +31,7 @@ class DofMap {
 
   const RCP<const Map>& owned() const { return owned_; }
   const RCP<const Map>& overlap() const { return overlap_; }
-  /// owned -> overlap
+  /// Import from the owned to the overlap map.
   const RCP<const Import>& import() const { return import_; }
   RCP<const Comm> comm() const { return owned_->getComm(); }
 

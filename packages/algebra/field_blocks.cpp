@@ -11,7 +11,7 @@ namespace {
 
 using IdVector = Tpetra::Vector<GlobalOrdinal>;
 
-/// A value per row, carried to the columns.
+/// Imports a value per row to the columns with the same ids.
 std::vector<GlobalOrdinal> on_columns(const std::vector<GlobalOrdinal>& by_row, const Map& rows,
                                       const RCP<const Map>& columns) {
   IdVector source(rcpFromRef(rows)), target(columns);
@@ -26,7 +26,7 @@ std::vector<GlobalOrdinal> on_columns(const std::vector<GlobalOrdinal>& by_row, 
   return result;
 }
 
-/// A matrix whose rows begin as given among its entries; fill(entries, values) writes local columns and values.
+/// Makes a matrix from the begin of its rows among its entries; fill(entries, values) writes local columns and values.
 template <class Fill>
 RCP<CrsMatrix> make_matrix(const RCP<const Map>& rows, const RCP<const Map>& columns, const RCP<const Map>& domain,
                            const std::vector<std::size_t>& row_begin, Fill&& fill) {

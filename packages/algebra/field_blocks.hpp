@@ -9,7 +9,7 @@ namespace mudline {
 
 /// Cuts the monolithic matrix into one matrix per pair of fields. Each block lives on a map of its own whose global ids
 /// are dense from 0, the components of a node adjacent and aligned (as multigrid expects), in the owned range's order.
-/// Blocks are cut anew each time: they are wanted rarely, and what would make it faster takes half a block's memory.
+/// Every call cuts its block afresh: calls are rare, and a faster way would take half a block's memory.
 class FieldBlocks {
  public:
   FieldBlocks(const CrsMatrix& matrix, RCP<const DofMap> dofs);
@@ -19,7 +19,7 @@ class FieldBlocks {
   const RCP<const Map>& map(int f) const { return maps_[f]; }
   /// Rows of field f, columns of field g, with the values of `matrix`.
   RCP<CrsMatrix> block(const CrsMatrix& matrix, int f, int g) const;
-  /// The same by nodes, in single precision.
+  /// Block (f, g) of `matrix` stored by nodes, in single precision.
   RCP<NodeMatrix> node_block(const CrsMatrix& matrix, int f, int g) const;
   /// A copy of a matrix given on dofs.field_map(f), on map(f).
   RCP<CrsMatrix> renumbered(const CrsMatrix& matrix, int f) const;
@@ -31,8 +31,8 @@ class FieldBlocks {
   RCP<MultiVector> part(MultiVector& v, int f) const;
 
  private:
-  /// The columns of field g among those of the whole matrix: the place of each in the block, -1 for others, and their
-  /// ids.
+  /// The columns of field g: for each column of the whole matrix its place in the block (-1: of another field), and the
+  /// ids of the block's columns.
   struct Columns {
     std::vector<LocalOrdinal> place;
     std::vector<GlobalOrdinal> ids;
@@ -43,10 +43,10 @@ class FieldBlocks {
   RCP<const DofMap> dofs_;
   std::vector<RCP<const Map>> maps_;
   std::vector<int> column_field_;         // by local column of the monolithic matrix
-  std::vector<GlobalOrdinal> column_id_;  // ... and its dense id within the field
+  std::vector<GlobalOrdinal> column_id_;  // by local column: its dense id within the field
 };
 
-/// Marks those of the owned rows from `begin` to `end` that hold nothing off the diagonal.
+/// Marks the owned rows from `begin` to `end` that hold nothing off the diagonal.
 std::vector<char> isolated_rows(const CrsMatrix& matrix, LocalOrdinal begin, LocalOrdinal end);
 
 /// Drops the off-diagonal entries of the marked rows (owned dofs) and of the columns that belong to them.

@@ -9,7 +9,7 @@
 namespace mudline {
 
 namespace {
-constexpr double rounding_floor = 1e-6;  // with a tolerance of 1e-8: 100 times the rounding of a product
+constexpr double rounding_floor = 1e-6;  // at a tolerance of 1e-8 this is 100 times the rounding of a product
 }
 
 double FieldResidual::relative() const {
@@ -77,8 +77,8 @@ FieldResidual FieldResidualEvaluator::operator()(const CrsMatrix& matrix, const 
     const std::vector<double> terms = field_norms(product_);
     for (std::size_t f = 0; f < terms.size(); ++f) result.reference[f] = std::max(result.reference[f], terms[f]);
   }
-  // A uniform pressure or a rigid motion leaves only rounding in A x, against which no solver could look accurate: the
-  // floor is what the products would be if nothing cancelled, down to where rounding begins.
+  // A uniform pressure or a rigid motion leaves only rounding in A x, and no solver is accurate relative to that. The
+  // floor is therefore a small fraction of the products before they cancel, just above their rounding.
   absolute_product(matrix, x);
   const std::vector<double> uncancelled = field_norms(product_);
   for (std::size_t f = 0; f < uncancelled.size(); ++f)

@@ -13,7 +13,7 @@ struct FieldResidual {
   std::vector<double> reference;  // the largest of ||b_f||, the terms ||A_fg x_g||, and 1e-6 || |A_f| |x| ||
   /// Worst norm/reference over the fields; a field without terms counts as zero. NaN stays NaN.
   double relative() const;
-  /// Raises the references so that what is enough meets the relative tolerance.
+  /// Raises the references so that a residual norm of `tolerance.enough` meets the relative tolerance.
   void loosen(const LinearTolerance& tolerance);
 };
 

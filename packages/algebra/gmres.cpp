@@ -22,8 +22,8 @@ class Basis {
   int size() const { return static_cast<int>(vectors_.size()); }
   const Vector& back() const { return *vectors_.back(); }
 
-  /// Takes the components along the directions off w: classical Gram-Schmidt, twice, which keeps the directions
-  /// orthogonal to rounding. Returns them.
+  /// Subtracts the components along the directions from w and returns them. Classical Gram-Schmidt is applied twice,
+  /// which keeps the directions orthogonal to rounding.
   std::vector<double> take_off(Vector& w) const {
     std::vector<double> all(vectors_.size(), 0.0);
     for (int pass = 0; pass < 2; ++pass) {
@@ -48,7 +48,7 @@ class Basis {
 
  private:
   using Values = Vector::dual_view_type::t_host::const_type;
-  static constexpr std::size_t chunk = 2048;  // rows at a time: they stay in the cache while all directions pass
+  static constexpr std::size_t chunk = 2048;  // rows per block: they stay in the cache for all directions
 
   std::vector<Values> values(std::size_t count) const {
     std::vector<Values> result;
@@ -63,7 +63,7 @@ class Basis {
       for (std::size_t i = 0; i < with.size(); ++i) {
         const double *const v = with[i].data(), *const other = from.data();
         const std::size_t end = std::min<std::size_t>(begin + chunk, from.extent(0));
-        double sums[4] = {};  // so that the sum is no single chain of additions
+        double sums[4] = {};  // four partial sums, independent of each other
         std::size_t k = begin;
         for (; k + 4 <= end; k += 4)
           for (int j = 0; j < 4; ++j) sums[j] += v[k + j] * other[k + j];
@@ -78,7 +78,7 @@ class Basis {
   std::vector<RCP<Vector>> vectors_;
 };
 
-/// The least squares problem of the Hessenberg matrix, column by column, by rotations.
+/// The least squares problem of the Hessenberg matrix, column by column, by Givens rotations.
 class LeastSquares {
  public:
   explicit LeastSquares(double norm) : right_{norm} {}

@@ -8,7 +8,7 @@ namespace mudline {
 
 namespace {
 
-/// The block by itself, of this rank alone.
+/// The block of the joined nodes as a matrix of this rank alone.
 RCP<CrsMatrix> extract(const NodeMatrix& matrix, const std::vector<int>& nodes) {
   const int n = matrix.components();
   std::vector<int> place(matrix.nodes(), -1);

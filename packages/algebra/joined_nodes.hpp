@@ -14,9 +14,10 @@ class JoinedNodes {
   /// `joined`: by owned node; may be empty.
   JoinedNodes(const NodeMatrix& matrix, const std::vector<char>& joined);
 
-  /// None where nothing is joined, or where the block is singular.
+  /// The joined nodes; empty where nothing is joined, or where the block is singular.
   const std::vector<int>& nodes() const { return nodes_; }
-  /// The values that the inverse gives for the rows of these nodes, one after the other. x: on the matrix' rows.
+  /// Applies the inverse to the values of x (on the matrix' rows) at these nodes; the result lists the nodes one after
+  /// the other.
   const MultiVector& solve(const MultiVector& x) const;
 
  private:

@@ -74,13 +74,13 @@ KrylovResult FieldGmres::solve(const RCP<const CrsMatrix>& matrix, const RCP<con
     result.converged = result.relative_residual <= tolerance.relative;
     return !result.converged && std::isfinite(result.relative_residual);
   };
-  // A first guess only tells how large the terms are; it is not kept, GMRES finds it again in its first step.
+  // A first guess only shows how large the terms are. It is dropped, because GMRES finds it again in its first step.
   preconditioner->apply(b, x);
   if (!evaluate()) return result;
   x.putScalar(0);
   residual.assign(b);
 
-  // The references follow x, so a second round may be needed when the first guess misjudged them.
+  // The references depend on x, so another round may be needed when the first guess misjudged them.
   for (int round = 0; round < 4; ++round) {
     if (result.iterations >= max_iterations) break;
     const RCP<Vector> scale = row_scale(state);

@@ -12,12 +12,12 @@ namespace mudline {
 struct KrylovResult {
   bool converged = false;
   int iterations = 0;
-  double relative_residual = 0;  // true, worst over the fields
-  double decades = 0;            // by which the residual had to fall
+  double relative_residual = 0;  // true residual, worst over the fields
+  double decades = 0;            // orders of magnitude that the residual had to fall
 };
 
 /// Restarted GMRES, preconditioned from the right, that converges in every field: the rows of each field are divided by
-/// what that field may leave, so that the norm GMRES minimises weighs the fields alike.
+/// the residual that is allowed in that field, so that the norm that GMRES minimises weighs the fields alike.
 class FieldGmres {
  public:
   explicit FieldGmres(RCP<const DofMap> dofs);

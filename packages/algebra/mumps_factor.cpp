@@ -55,9 +55,9 @@ std::string describe(int code, int detail, long long size) {
 /// The MUMPS instance and the arrays it points into. With one process, rank 0 holds all entries and the others none.
 struct MumpsFactor::Instance {
   DMUMPS_STRUC_C id{};
-  bool one_process = false, here = true;  // here: this rank takes part
+  bool one_process = false, here = true;  // here: this rank takes part in the factorisation
   MPI_Comm ranks = MPI_COMM_SELF;
-  std::vector<int> counts, offsets;  // entries of each rank, known where they are gathered
+  std::vector<int> counts, offsets;  // entries of each rank, on the rank that gathers them
   std::vector<MUMPS_INT> rows, columns, order;
   std::vector<double> values;
   std::size_t local_values = 0;
@@ -82,7 +82,7 @@ struct MumpsFactor::Instance {
 
   void take_graph(const CrsMatrix& matrix);
   void gather_graph();
-  /// Takes over the order of elimination that the nodes of the rows lead to.
+  /// Sets the elimination order to the nested dissection of the nodes of the rows.
   void order_by_nodes(const std::vector<GlobalOrdinal>& node_of_row);
   void take_values(const CrsMatrix& matrix);
 };
@@ -169,8 +169,8 @@ MumpsFactor::MumpsFactor(const CrsMatrix& matrix, bool one_process, const std::v
   mumps.control(4) = 0;
   mumps.control(5) = 0;  // assembled matrix
   const bool central = mumps.one_process || comm.getSize() == 1;
-  mumps.control(18) = central ? 0 : 3;  // entries on rank 0, or where they are
-  mumps.control(6) = 0;                 // columns are not permuted, as with distributed entries
+  mumps.control(18) = central ? 0 : 3;  // entries on rank 0, or distributed
+  mumps.control(6) = 0;                 // no permutation of columns, as with distributed entries
   mumps.control(28) = 1;                // sequential analysis
   mumps.control(7) = 7;                 // ordering chosen by MUMPS
   if (central && !node_of_row.empty()) mumps.order_by_nodes(node_of_row);

@@ -21,7 +21,7 @@ class MumpsFactor {
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
 
-  /// What the analysis objected to; "" if it went well.
+  /// Error of the analysis; "" if it went well.
   const std::string& analysis() const { return analysis_; }
   /// Factors the values of `matrix`, which has the graph given at construction.
   std::string factor(const CrsMatrix& matrix);

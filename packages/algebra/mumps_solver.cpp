@@ -13,7 +13,7 @@ namespace mudline {
 
 namespace {
 
-/// Matrices that are factored without trying the old factors, when those never help.
+/// The most matrices that are factored without trying the old factors, when those never help.
 constexpr int longest_wait = 15;
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string MumpsSolver::prepare(RCP<const DofMap> dofs) {
   dofs_ = std::move(dofs);
   evaluate_ = std::make_unique<FieldResidualEvaluator>(dofs_);
   gmres_ = std::make_unique<FieldGmres>(dofs_);
-  // In the plane the order of MUMPS is as good.
+  // In the plane the order that MUMPS finds is as good.
   const int u = dofs_->find("displacement");
   node_of_row_ = u >= 0 && dofs_->field(u).components == 3 ? nodes_of_rows(*dofs_) : std::vector<GlobalOrdinal>();
   return "";

@@ -24,7 +24,7 @@ class MumpsSolver : public LinearSolver {
   LinearReport solve(const Vector& b, Vector& x, const LinearTolerance& tolerance) override;
   bool exact() const override { return factored_ && current_; }
   void reset() override;
-  /// The values of the matrix that the kept factors belong to, behind the counters of the reuse.
+  /// The counters of the reuse, then the values of the matrix that the factors belong to.
   std::vector<double> memory() override;
   void restore(RCP<CrsMatrix> matrix, const std::vector<double>& memory) override;
 
@@ -39,12 +39,12 @@ class MumpsSolver : public LinearSolver {
   bool reuse_ = true, reproducible_ = true;
   int reuse_iterations_ = 8;
   RCP<const DofMap> dofs_;
-  std::vector<GlobalOrdinal> node_of_row_;  // in space, to order by; else empty
+  std::vector<GlobalOrdinal> node_of_row_;  // for the ordering in space; else empty
   RCP<const CrsMatrix> matrix_;
   RCP<FactorOperator> factor_;
   bool factored_ = false;    // factor_ holds factors, maybe of an older matrix
-  bool current_ = false;     // ... of matrix_
-  bool helped_ = false;      // ... and preconditioned a later matrix well
+  bool current_ = false;     // the factors are those of matrix_
+  bool helped_ = false;      // the factors preconditioned a later matrix well
   int wait_ = 0, skip_ = 0;  // matrices to factor before old factors are tried again; how many of them remain
   std::unique_ptr<FieldResidualEvaluator> evaluate_;
   std::unique_ptr<FieldGmres> gmres_;

@@ -16,7 +16,7 @@ namespace {
 constexpr int power_iterations = 10;
 constexpr double safety = 1.1;  // the power method approaches the largest eigenvalue from below
 
-/// Between -1 and 1, without pattern from one id to the next (splitmix64).
+/// A pseudo-random number between -1 and 1 from an id (splitmix64).
 double scattered(GlobalOrdinal id) {
   std::uint64_t z = (static_cast<std::uint64_t>(id) + 1) * 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

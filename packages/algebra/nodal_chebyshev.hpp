@@ -8,14 +8,13 @@ namespace mudline {
 
 /// Chebyshev smoother on D^-1 A, started from zero: y ~ A^-1 x on the upper part of the spectrum. D holds the blocks of
 /// the diagonal of A that couple the unknowns of one node, unsymmetric as they are: a stiff contact with friction makes
-/// one direction of a node stiff, which the diagonal alone does not see. Joined nodes have one block together: a
-/// contact that presses a part of a side only leaves its nodes free to move together in soft ways, which no block of
-/// one node sees.
+/// one direction of a node stiff, which the diagonal alone does not see. Joined nodes share one block: where a contact
+/// presses only a part of a side, its nodes still have soft modes of moving together, which no block of one node sees.
 class NodalChebyshev : public Operator {
  public:
   struct Settings {
     int degree = 2;
-    double ratio = 10;  // of the largest eigenvalue to the smallest one that is smoothed
+    double ratio = 10;  // largest eigenvalue over the smallest one that is smoothed
   };
   /// `joined`: by owned node; empty: none.
   NodalChebyshev(RCP<const NodeMatrix> matrix, const Settings& settings, const std::vector<char>& joined = {});
@@ -30,7 +29,8 @@ class NodalChebyshev : public Operator {
 
  private:
   void invert_blocks();
-  /// By the power method from a start that depends on the global ids only, so that a repeated set-up gives the same.
+  /// Estimates the largest eigenvalue by the power method. The start depends only on the global ids, so that a repeated
+  /// set-up gives the same value.
   double estimate_largest() const;
   /// y = share * y + factor * D^-1 x
   void add_inverse(double factor, const MultiVector& x, double share, MultiVector& y) const;

@@ -114,11 +114,11 @@ void NodeMatrix::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mo
 
 namespace {
 
-/// The rows of a prolongator by nodes: from which nodes of its domain each one interpolates, and how much of each
+/// The rows of a prolongator by nodes: the coarse nodes that each node interpolates from, and the weight of each
 /// component.
 struct NodalWeights {
-  std::vector<GlobalOrdinal> coarse;  // ids of the nodes of the domain, ascending
-  std::vector<std::size_t> begin;     // by node of the rows
+  std::vector<GlobalOrdinal> coarse;  // ids of the coarse nodes, ascending
+  std::vector<std::size_t> begin;     // by fine node: its first entry
   std::vector<int> parent;            // index among `coarse`
   std::vector<double> weight;         // (entry, component)
 };
@@ -151,7 +151,8 @@ NodalWeights nodal_weights(const CrsMatrix& prolongator, int n) {
   return result;
 }
 
-/// The product row by row of nodes of the coarse space, which are those of `fine`'s own rows and their neighbours'.
+/// The product P^T A P, one row of coarse nodes after the other, on the coarse nodes that this rank's rows interpolate
+/// from.
 class NodalProduct {
  public:
   NodalProduct(const NodeMatrix& matrix, const NodalWeights& weights) : matrix_(matrix), weights_(weights) {
@@ -225,7 +226,7 @@ class NodalProduct {
 
   const NodeMatrix& matrix_;
   const NodalWeights& weights_;
-  std::vector<std::size_t> begin_;                  // by coarse node
+  std::vector<std::size_t> begin_;                  // by coarse node: its first child
   std::vector<std::pair<int, std::size_t>> child_;  // fine node and its entry among the weights
 };
 

@@ -6,20 +6,21 @@
 
 namespace mudline {
 
-/// A matrix by the blocks that couple the unknowns of two nodes, in single precision: what a preconditioner needs of a
-/// block that couples two fields. Of a displacement block it takes a third of the memory of a CrsMatrix.
+/// A matrix stored as the blocks that couple the unknowns of two nodes, in single precision, for preconditioners. A
+/// displacement block takes a third of the memory of a CrsMatrix.
 class NodeMatrix : public Operator {
  public:
-  /// Unknowns of a field: how many on a node, which are adjacent, and their map.
+  /// Unknowns of a field: their number on a node, where they are adjacent, and their map.
   struct Unknowns {
     int components;
     RCP<const Map> map;
   };
-  /// The rows from `first_row` on of `matrix`, and those of its columns that `place_of_column` has a place in `columns`
-  /// for (-1: none), which hold what the rows need of `domain`. The rows of a node have the same columns.
+  /// Takes the rows of `matrix` from `first_row` on. `place_of_column` gives the place of each of its columns in
+  /// `columns` (-1: left out), the map of the unknowns of `domain` that the rows use. All rows of a node have the same
+  /// columns.
   NodeMatrix(const CrsMatrix& matrix, LocalOrdinal first_row, const std::vector<LocalOrdinal>& place_of_column,
              const Unknowns& rows, const Unknowns& domain, RCP<const Map> columns);
-  /// All of a square matrix.
+  /// Takes all of a square matrix.
   NodeMatrix(const CrsMatrix& matrix, int components);
 
   RCP<const Map> getDomainMap() const override { return domain_; }
@@ -28,11 +29,11 @@ class NodeMatrix : public Operator {
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
              double beta = 0) const override;
 
-  /// Unknowns of a row's node; of a square matrix those of a column's too.
+  /// Unknowns of a row node; in a square matrix also of a column node.
   int components() const { return components_; }
   int nodes() const { return static_cast<int>(begin_.size()) - 1; }
   const RCP<const Map>& columns() const { return columns_; }
-  /// From the domain to the columns; null where these are the same.
+  /// Import from the domain map to the column map; null where these are the same.
   const RCP<const Import>& import() const { return import_; }
   /// Calls action(column node, block) for the blocks of a row of nodes; a block is row by row.
   template <class Action>
@@ -55,7 +56,8 @@ class NodeMatrix : public Operator {
   mutable RCP<MultiVector> on_columns_;
 };
 
-/// P^T A P of a square matrix, for a prolongator whose domain map is dense and aligned like the rows of A.
+/// The product P^T A P of a square matrix A with a prolongator P whose domain map is dense and aligned like the rows of
+/// A.
 RCP<CrsMatrix> galerkin_product(const CrsMatrix& prolongator, const NodeMatrix& matrix);
 
 }  // namespace mudline

@@ -7,10 +7,10 @@
 
 namespace mudline {
 
-/// Items whose sum is taken by one thread.
+/// Number of consecutive items that one thread sums.
 inline constexpr int items_of_sum = 512;
 
-/// What runs on every stretch of an ordered sum.
+/// The kernel that sums one stretch of consecutive items.
 template <int N, class Add>
 struct StretchSum {
   Add add;

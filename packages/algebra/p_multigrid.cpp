@@ -13,8 +13,8 @@ namespace mudline {
 
 namespace {
 
-/// Stretched elements leave errors that are smooth in one direction only: a wider part of the spectrum is smoothed.
-/// From three to one on it is worth the products.
+/// Stretched elements leave errors that are smooth in one direction only, so a wider part of the spectrum is smoothed.
+/// From a stretch of three to one on, this is worth the additional products.
 NodalChebyshev::Settings smoothing(double aspect_ratio) {
   constexpr double stretched = 4;  // a box of six tetrahedra, stretched three to one, has 3.9
   return aspect_ratio > stretched ? NodalChebyshev::Settings{6, 30} : NodalChebyshev::Settings{2, 10};
@@ -37,8 +37,8 @@ Vertices find_vertices(const FieldLayout& field, const BlockData& data, const RC
   return result;
 }
 
-/// For every owned node and every parent of one: the first coarse dof (-1 off the vertices) and which components are
-/// constrained.
+/// The first coarse dof (-1 for nodes that are not vertices) and the constrained components of every owned node and
+/// every parent of one.
 struct NodeTable {
   RCP<const Map> nodes;
   RCP<IdVectors> columns;
@@ -73,8 +73,8 @@ NodeTable exchange_nodes(const FieldLayout& field, const BlockData& data, const 
   return table;
 }
 
-/// Interpolation from the linear to the given space. Constrained dofs take part in neither: their rows hold at most the
-/// vertex itself, so that the coarse matrix keeps them isolated.
+/// Interpolation from the linear to the given space. Constrained dofs are left out of it: their rows hold at most the
+/// vertex itself, so that they stay isolated in the coarse matrix.
 RCP<CrsMatrix> make_prolongator(const RCP<const Map>& fine, const FieldLayout& field, const BlockData& data,
                                 const Vertices& vertices, const std::vector<char>& constrained) {
   const NodeTable table = exchange_nodes(field, data, vertices, constrained);
@@ -143,7 +143,7 @@ void add_rigid_modes(AmgInput& input, const Vertices& vertices, const BlockData&
     const auto row = [&](int i) { return dimension * v + i; };
     for (int i = 0; i < dimension; ++i) modes(row(i), i) = 1;
     int mode = dimension;
-    for (int i = 0; i < dimension; ++i)  // in the plane of the directions i and j
+    for (int i = 0; i < dimension; ++i)  // rotation in the plane of the directions i and j
       for (int j = i + 1; j < dimension; ++j, ++mode) {
         modes(row(i), mode) = -(points(v, j) - extent.centre[j]) / extent.radius;
         modes(row(j), mode) = (points(v, i) - extent.centre[i]) / extent.radius;

@@ -8,12 +8,12 @@
 namespace mudline {
 
 /// Approximate inverse of the displacement block: smoothing on the given (quadratic) space around a cycle on the linear
-/// one, whose functions are the vertex values with every other node at the mean of its parents. Going down in degree
-/// first leaves multigrid a smaller, sparser problem of the kind it is made for. On the linear space algebraic
-/// multigrid does the rest, in space between two more smoothings, because its own smoother sees single unknowns only.
+/// one, whose functions are the vertex values with every other node at the mean of its parents. Lowering the degree
+/// first leaves multigrid a smaller, sparser problem of the kind it is made for. Algebraic multigrid then solves on the
+/// linear space, in three dimensions between two more smoothings, because its own smoother sees single unknowns only.
 class PMultigrid : public Operator {
  public:
-  /// Of the diagonal block of field f, the displacement, of `matrix`, whose values may change afterwards.
+  /// Takes the diagonal block of the displacement, field f, from `matrix`, whose values may change afterwards.
   PMultigrid(const CrsMatrix& matrix, const FieldBlocks& blocks, int f, const FieldLayout& field,
              const BlockData& data);
 

@@ -14,7 +14,7 @@ inline MPI_Comm raw_communicator(const Teuchos::Comm<int>& comm) {
   return mpi != nullptr ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF;
 }
 
-/// The numbers of all ranks, one rank's after the other's; `first`: gets the place where this rank's begin. T: double
+/// The numbers of all ranks in rank order, on every rank; `first` gets the index at which this rank's begin. T: double
 /// or long long. Collective.
 template <class T>
 std::vector<T> all_gather(const Teuchos::Comm<int>& comm, const std::vector<T>& mine, std::size_t* first = nullptr) {

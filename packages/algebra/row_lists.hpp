@@ -7,38 +7,39 @@ namespace mudline {
 /// Local overlap dofs of every element of one group: (element, dof). One group per element block and field combination.
 using ElementDofs = Kokkos::View<const int**, Kokkos::LayoutRight>;
 
-/// Elements at a time: few enough that what is kept of them stays in the cache of each thread.
+/// Number of elements in a batch: few enough that their buffer stays in the cache of each thread.
 int elements_of_batch();
 
 /// The elements of a group in batches, and for each batch the rows that its elements touch. Where several threads work,
-/// the elements of a batch write their vectors or matrices to a buffer, and then each row adds what is its own, element
-/// after element: in the order, and to the bit, as one thread does. Empty where one thread works: it adds at once.
+/// the elements of a batch write their vectors or matrices to a buffer, and then each row adds its own entries, element
+/// after element: in the same order and with the same bits as one thread. Empty where one thread works, which adds at
+/// once.
 struct RowLists {
-  int batch = 0;                                          // elements in it; 0: empty
-  Kokkos::View<const int*, Kokkos::HostSpace> first_row;  // by batch: in `rows`; and the end
+  int batch = 0;                                          // number of elements in a batch; 0: empty
+  Kokkos::View<const int*, Kokkos::HostSpace> first_row;  // by batch: its first place in `rows`; and the end
   Kokkos::View<const int*> rows;                          // overlap dof
-  Kokkos::View<const int*> begin;                         // by place in `rows`: in `entries`; and the end
+  Kokkos::View<const int*> begin;    // by place in `rows`: its first place in `entries`; and the end
   Kokkos::View<const int*> entries;  // (element - first of its batch) * columns of a group + column
 
   RowLists() = default;
-  /// For so many threads as there are.
+  /// Builds the lists for the number of threads in use.
   explicit RowLists(const ElementDofs& dofs);
   RowLists(const ElementDofs& dofs, int elements_of_batch);
 };
 
-/// What the elements of a batch add, kept until the rows take it.
+/// The contributions of a batch's elements, stored until the rows add them.
 struct ElementBuffer {
   Kokkos::View<double***, Kokkos::LayoutRight> values;  // (element of the batch, row, column)
-  int first = 0;                                        // element of the batch
+  int first = 0;                                        // first element of the batch
   KOKKOS_INLINE_FUNCTION bool used() const { return values.data() != nullptr; }
 };
 
-/// What runs on every row of a batch: takes its entries from the buffer, in the order of elements.
+/// The kernel on the rows of a batch: each row adds its entries from the buffer, in the order of elements.
 template <class Target>
 struct AddRows {
   Target to;
   RowLists lists;
-  int entries;  // of the elements that were worked on
+  int entries;  // number of entries of the elements in work
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     for (int k = lists.begin(i); k < lists.begin(i + 1) && lists.entries(k) < entries; ++k)
       to.take(lists.rows(i), lists.entries(k));
@@ -46,7 +47,7 @@ struct AddRows {
 };
 
 /// Calls work(first, last, to) for the elements [first, last): all at once, or, where several threads work, batch after
-/// batch, where the rows take over from the buffer of `to` after each. `first` begins a batch.
+/// batch; after each batch the rows add from the buffer of `to`. `first` begins a batch.
 template <class Target, class Work>
 void in_order(const char* label, const RowLists& lists, int first, int last, Target to, Work&& work) {
   if (lists.batch == 0) {

@@ -17,7 +17,7 @@ double positive_root(double t, double q) {
   return q > 0 ? 0.5 * q / (root - t) : 0;
 }
 
-/// A wave term below this share of the other one even for the longest wave is not worth a solve.
+/// A wave term that is below this fraction of the other term even for the longest wave is not worth a solve.
 constexpr double negligible = 1e-3;
 
 }  // namespace
@@ -41,7 +41,7 @@ SchurCoefficients schur_coefficients(const BlockData& data, double x_min) {
   result.wave = c > 0 && z_minus_sM > 0;
   if (result.wave) {
     result.l1 = D * z / (c * z_minus_sM);
-    // Neither storage nor drainage: keep the constant pressure from being undetermined.
+    // Without storage and drainage a constant pressure would be undetermined; a small term determines it.
     result.m1 = std::max(s * D / z_minus_sM, 1e-6 * result.l1 * x_min);
     if (result.consolidation) {
       const double wave = 1 / (result.l1 * x_min + result.m1);
@@ -49,7 +49,8 @@ SchurCoefficients schur_coefficients(const BlockData& data, double x_min) {
       result.wave = wave > negligible * consolidation;
     }
   }
-  // Without waves the soil deforms sideways as well, if its boundaries let it: measured one or two iterations fewer.
+  // Without waves the soil also deforms sideways where its boundaries permit; the drained modulus saves one or two
+  // iterations (measured).
   if (!result.wave && data.drained_modulus > 0) result.sigma = z_minus_sM / data.drained_modulus;
   return result;
 }

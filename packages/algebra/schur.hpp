@@ -18,21 +18,23 @@ namespace mudline {
 ///
 /// The denominator has the roots x = -r1, -r2 <= 0, as its discriminant (s M - h c + g)^2 + 4 g h c is not negative:
 ///
-///     Shat^-1 = w1/(x + r1) + w2/(x + r2) = 1/(l1 x + m1) + 1/(l2 x + m2),   x -> pressure Laplacian, 1 -> pressure
-///     mass.
+///     Shat^-1 = w1/(x + r1) + w2/(x + r2) = 1/(l1 x + m1) + 1/(l2 x + m2),
 ///
+/// in which x stands for the pressure Laplacian and 1 for the pressure mass matrix.
 /// With z = h M r2 (the larger root of z^2 - (s M + h c + g) z + s M h c, finite also for h = 0) and D = z - h M r1:
 ///
-///     l1 = D z/(c (z - s M)),   m1 = s D/(z - s M)          slow compressional wave; absent without inertia
-///     l2 = h D/(z - h c),       m2 = z D/(M (z - h c))      consolidation; without inertia the fixed-stress form s + h
-///     x + g/M,
-///                                                        then with the drained modulus for M
+///     l1 = D z/(c (z - s M)),   m1 = s D/(z - s M)
+///     l2 = h D/(z - h c),       m2 = z D/(M (z - h c)).
+///
+/// The first term is the slow compressional wave, absent without inertia; the second one is consolidation. Without
+/// inertia the second is the fixed-stress form s + h x + g/M, with the drained modulus for M.
 ///
 /// The second term is written as theta [C + sigma 1], theta = D/(z - h c), sigma = (z - s M)/M, and takes C from the
-/// matrix itself, so that layers of different permeability enter with their own values. One cycle of multigrid each.
+/// matrix itself, so that layers of different permeability enter with their own values. Each term takes one multigrid
+/// cycle.
 struct SchurCoefficients {
   bool wave = false;           // first term present
-  double l1 = 0, m1 = 0;       // of the Laplacian, of the mass matrix
+  double l1 = 0, m1 = 0;       // factors of the Laplacian and of the mass matrix
   bool consolidation = false;  // second term present
   double theta = 0, sigma = 0;
 };
@@ -40,6 +42,7 @@ struct SchurCoefficients {
 /// `x_min`: the smallest squared wave number of the domain [1/m2]; a wave term that is small even there is dropped.
 SchurCoefficients schur_coefficients(const BlockData& data, double x_min);
 
+/// The approximate inverse Shat^-1 of the pressure Schur complement, as an operator.
 class SchurInverse : public Operator {
  public:
   /// `block`: C with the constrained rows and columns isolated; mass and laplacian without constraints, all on one map.
@@ -55,7 +58,7 @@ class SchurInverse : public Operator {
   RCP<const Map> map_;
   std::vector<RCP<Operator>> terms_;
   std::vector<char> constrained_;
-  std::vector<double> diagonal_;  // of C; constrained unknowns are solved exactly
+  std::vector<double> diagonal_;  // diagonal of C; constrained unknowns are solved exactly
   mutable RCP<MultiVector> term_;
 };
 

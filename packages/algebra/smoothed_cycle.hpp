@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// A correction from a smaller space, or from another approximate inverse on the same one, between two smoothings.
+/// A correction from a smaller space, or from another approximate inverse on the same space, between two smoothings.
 class SmoothedCycle : public Operator {
  public:
   /// `prolongator`: from the space of `inner` to that of `matrix`; null: they are the same.

@@ -25,13 +25,13 @@ inline std::size_t local_entries(const CrsMatrix& matrix) { return matrix.getLoc
 
 #endif
 
-/// A map of the given global ids, in this order. Collective.
+/// Makes a map of the given global ids, in this order. Collective.
 inline RCP<const Map> make_map(const std::vector<GlobalOrdinal>& ids, const RCP<const Comm>& comm) {
   const auto unknown_size = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   return rcp(new Map(unknown_size, Teuchos::ArrayView<const GlobalOrdinal>(ids.data(), ids.size()), 0, comm));
 }
 
-/// A map of `count` ids on this rank, dense from 0 over the ranks. Collective.
+/// Makes a map of `count` ids on this rank, dense from 0 over the ranks. Collective.
 inline RCP<const Map> make_dense_map(std::size_t count, const RCP<const Comm>& comm) {
   return rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), count, 0, comm));
 }

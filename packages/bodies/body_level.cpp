@@ -18,7 +18,7 @@ BodyVector by_axis(const Point& factor, const BodyVector& v) {
   return {factor[0] * v[0], factor[1] * v[1], factor[2] * v[2]};
 }
 
-/// Of the body and of the water that turns with it, along the body's axes.
+/// Inertia tensor times spin, of the body and of the water that rotates with it, along the body's axes.
 BodyVector inertia_times(const RigidBody& body, const BodyVector& spin) {
   BodyVector result = by_axis(added_mass(body).inertia, spin);
   const auto& tensor = body.properties().inertia;
@@ -54,7 +54,7 @@ BodyLevel::BodyLevel(const RigidBody& body, const StepView& view) {
     }
   }
   if (body.dimension() == 3) {
-    // the mean of the axes at both ends: forces that are fixed in space then do the work that they should
+    // With the weighted mean of the axes at both ends, forces that are fixed in space do the exact work.
     const BodyAxes old(body.state_of(*view.committed).turn);
     at.axes = old.turned_on(increment).mixed(by.value, old);
     between = by.value * (1 - by.value);
@@ -98,7 +98,8 @@ BodyNumber generalised(const RigidBody& body, const BodyLevel& level, const Body
   const double scale = body.unknowns().scale[k];
   if (direction < axes || axes == 2) return along(load, axes, direction) * scale;
   const BodyVector moment = level.at.axes.inward(load.moment), &turned = level.increment;
-  // exactly the change of angular momentum in space where the level is the middle of the step
+  // With this correction the angular momentum in the world frame changes exactly by the moment, where the level is the
+  // middle of the step.
   return (moment - cross(turned, cross(turned, moment)) * level.between)[direction - 3] * scale;
 }
 
@@ -113,7 +114,7 @@ void BodyInertiaForce::in_space(const RigidBody& body, const BodyLevel& level) {
   const AddedMass added = added_mass(body);
   const BodyVector &spin = level.at.spin, v = level.at.axes.inward(level.at.velocity),
                    a = level.at.axes.inward(level.acceleration), water = by_axis(added.mass, v);
-  // the water's momentum turns with the body
+  // The water's momentum rotates with the body.
   const BodyVector dragged = by_axis(added.mass, a) + cross(spin, water) - by_axis(added.mass, cross(spin, v));
   const BodyVector force = level.acceleration * body.properties().mass + level.at.axes.outward(dragged);
   const BodyVector moment =

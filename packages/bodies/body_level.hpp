@@ -9,8 +9,8 @@ struct BodyLevel {
   BodyInstant at;
   BodyVector acceleration = BodyVector::zero();  // [m/s2] of the centre of mass
   BodyVector spin_change = BodyVector::zero();   // [rad/s2] about the body's axes
-  BodyVector increment = BodyVector::zero();     // [rad] in space: of the step, along the body's axes
-  double between = 0;  // [-] of a level between the ends of the step: the shares of both, multiplied
+  BodyVector increment = BodyVector::zero();     // [rad] in space: rotation over the step, along the body's axes
+  double between = 0;  // [-] product of the shares that the old and the new state have in the level
   BodyNumber arc_acceleration[body_directions];  // [m/s2] of the unknowns
 
   /// The alpha level of a step.
@@ -25,11 +25,11 @@ struct BodyLevel {
   void place(const RigidBody& body);
 };
 
-/// Of a released body: what acts, along the model's axes.
+/// Load on a released body, in the world frame.
 BodyLoad load(const RigidBody& body, const BodyLevel& level);
-/// A force along the model's axes as the body's unknown k feels it.
+/// Generalised force of a load along the body's unknown k [N].
 BodyNumber generalised(const RigidBody& body, const BodyLevel& level, const BodyLoad& load, int k);
-/// Inertia along the unknown k: of the body and of the water that moves along.
+/// Generalised inertia force along the unknown k [N]: of the body and of the water that moves with it.
 class BodyInertiaForce {
  public:
   BodyInertiaForce(const RigidBody& body, const BodyLevel& level);
@@ -40,11 +40,11 @@ class BodyInertiaForce {
   BodyNumber force_[body_directions];
 };
 
-/// [kg] in the plane.
+/// Mass of the body and of the water that moves with it, in the plane [kg].
 double moving_mass(const RigidBody& body);
 
-/// [N s], [N m s] about the centre of mass along the model's axes, [J]: of a body with unknowns and the water that
-/// moves along.
+/// Momentum [N s], angular momentum about the centre of mass [N m s] and kinetic energy [J], in the world frame, of a
+/// body with unknowns and the water that moves with it.
 struct BodyMomentum {
   Point linear{}, angular{};
   double kinetic = 0;

@@ -15,7 +15,7 @@ BodyNumber at(const Function& f, double time, const BodyVector& x, int dimension
   const Point here = plain_vector(x);
   BodyNumber result(f(time, here));
   if (f.is_constant()) return result;
-  for (int j = 0; j < dimension; ++j) {  // an expression has no derivative: differenced
+  for (int j = 0; j < dimension; ++j) {  // central differences: an expression has no derivative
     const double h = 1e-6 * std::max(1.0, std::abs(here[j]));
     Point above = here, below = here;
     above[j] += h;

@@ -128,7 +128,8 @@ namespace {
 void accelerate(const RigidBody& body, State& state, const double* force) {
   const BodyUnknowns& unknowns = body.unknowns();
   for (int k = 0; k < unknowns.count; ++k) state.acceleration(unknowns.dof[k]) = 0;
-  // at rest in acceleration what the motion itself takes, and its derivatives the masses
+  // At zero acceleration the inertia force holds the gyroscopic terms; its derivatives by the accelerations are the
+  // masses.
   const BodyInertiaForce inertia(body, BodyLevel(body, state, state.rate, {0, 0, 0, 1}));
   SmallLu<body_directions> masses;
   double right[body_directions] = {};
@@ -164,7 +165,7 @@ void set_free(const RigidBody& body, State& committed, const NodalView& unbalanc
     else if (starts)
       v = (turns ? started[axis] : start[axis]) / unknowns.scale[k];
   }
-  // the residual at rest lacks what the velocity adds to the loads
+  // The residual at rest lacks the part of the loads that depends on velocity.
   const BodyLevel moving(body, committed, committed.rate),
       resting(body, committed, NodalView("rest", committed.rate.extent(0)));
   const BodyLoad with = load(body, moving), without = load(body, resting);

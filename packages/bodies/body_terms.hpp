@@ -10,21 +10,23 @@ namespace mudline {
 
 using Bodies = std::vector<std::shared_ptr<RigidBody>>;
 
-/// What the terms of bodies with unknowns share: one element per body, on the rank that owns it.
+/// Base of the terms of bodies with unknowns: one element per body, on the rank that owns it.
 class BodyTerm : public Term, public Reports {
  public:
   explicit BodyTerm(Bodies bodies) : bodies_(std::move(bodies)) {}
   void sparsity(Assembler& assembler) override;
 
  protected:
-  /// Adds what `forces` gives by unknown, for the bodies of this rank for which it gives something.
+  /// Adds the derivatives of `forces` (by unknown) to the matrix, for the bodies of this rank for which it returns
+  /// true.
   template <class Forces>
   void add_slopes(const MatrixScatter& to, double weight, const Forces& forces) const;
   Bodies bodies_;
   int group_ = -1;
 };
 
-/// Moves all bodies over a step, before the other terms look at them: what is prescribed, and the clocks. No force.
+/// Advances all bodies over a step, before the other terms use them: their prescribed motion and their clocks. No
+/// force.
 class BodyPaths : public Term {
  public:
   explicit BodyPaths(Bodies bodies) : bodies_(std::move(bodies)) {}
@@ -38,8 +40,8 @@ class BodyPaths : public Term {
   Bodies bodies_;
 };
 
-/// R = m a, with the water that moves along; in a prescribed direction, whose rates are those of the motion, the
-/// momentum that this takes in the step. In space J dw/dt + w x J w along the body's axes, which with spectral radius 1
+/// R = m a, with the water that moves with the body; in a prescribed direction, whose rates are those of the motion, R
+/// is the force that this motion takes. In space J dw/dt + w x J w along the body's axes, which with spectral radius 1
 /// keeps energy and angular momentum (Simo and Wong 1991).
 class BodyInertia : public BodyTerm {
  public:
@@ -61,8 +63,9 @@ class BodyLoads : public BodyTerm {
   void histories(const StepView& view, Report& values) override;
 };
 
-/// Acceleration of a released body at the start of a stage, in the committed state, and where it is `anew` released its
-/// initial velocity. `unbalanced`: the residual of that state at rest by overlap dof, what touches the body included.
+/// Sets the acceleration of a released body at the start of a stage, in the committed state; where its motion is `anew`
+/// in this stage also its initial velocity. `unbalanced`: residual of that state at rest, by overlap dof, with the
+/// forces of all that touches the body.
 void set_free(const RigidBody& body, State& committed, const NodalView& unbalanced, bool anew);
 
 }  // namespace mudline

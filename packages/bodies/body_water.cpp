@@ -6,7 +6,7 @@ namespace mudline {
 
 namespace {
 
-/// One number for each axis of the body.
+/// Declares a parameter that has one number for each axis of the body.
 void add_by_axis(Parameters& p, const std::string& name, std::vector<double>& member, const std::string& unit,
                  const std::string& doc) {
   p.add(name, member, unit, non_negative(), doc);
@@ -109,7 +109,7 @@ void BodyWater::act_in_space(const BodyProperties& body, const Point& gravity, c
   const BodyVector middle = constant_vector(body.middle), arm = at.axes.outward(middle);
   load.add(constant_vector(-density * body.volume * gravity), arm);
   if (drags_at_all()) {
-    // past the middle of the volume, along the body's axes
+    // velocity of the centre of volume, along the body's axes
     const BodyVector past = at.axes.inward(at.velocity) + cross(at.spin, middle);
     const BodyNumber squares = dot(past, past), speed = squares.v > 0 ? square_root(squares) : BodyNumber(0.0);
     BodyVector force;

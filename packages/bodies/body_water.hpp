@@ -6,9 +6,9 @@
 
 namespace mudline {
 
-/// The water around a body. Buoyancy is the weight of the water displaced above the mudline; below it the soil's own
-/// pressure acts, which contact knows. Drag 1/2 rho C_d A |v| v, times the share of the volume that is in the water; in
-/// space the product C_d A may be another one along each of the body's axes.
+/// The water around a body. Buoyancy is the weight of the water displaced above the mudline; below it the soil acts
+/// through contact. Drag 1/2 rho C_d A |v| v, times the share of the volume that is in the water; in space the product
+/// C_d A may differ along each of the body's axes.
 struct BodyWater {
   void parameters(Parameters& p);
   void check(const BodyProperties& body, bool rotates, const Section& section) const;

@@ -56,8 +56,8 @@ double ContourVolume::crossing(const Run& run, double h) {
   return 0.5 * (below + above);
 }
 
-// int flank(x) dy along the contour as far as it is below h: by Green's theorem the volume that it encloses there,
-// since neither the axis nor the level itself contributes.
+// By Green's theorem the volume below h is int flank(x) dy along the contour below h: neither the axis nor the level
+// itself contributes.
 double ContourVolume::below(double h) const {
   double sum = 0;
   for (const Run& run : runs_) {

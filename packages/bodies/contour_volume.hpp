@@ -8,19 +8,19 @@
 
 namespace mudline {
 
-/// Volume enclosed by a contour below a height in the body's frame: of the whole circumference in axisymmetry, per
-/// metre of depth in plane strain (of the half that a half contour models).
+/// Volume enclosed by a contour below a height in the body frame: over the whole circumference in axisymmetry, per
+/// metre of depth in plane strain (of the modelled half where the contour is a half one).
 class ContourVolume {
  public:
   ContourVolume(const Contour& contour, Geometry geometry);
 
-  /// [m3] below the height h [m]; of an open contour as far as it is drawn.
+  /// Volume below the height h [m]; of an open contour up to its end [m3].
   double below(double h) const;
-  /// d below / dh [m2]: the area of the section.
+  /// Area of the section at the height h, the derivative of below() [m2].
   double section(double h) const;
-  /// [m3] of a closed contour; 0 of an open one, which has no end.
+  /// Volume of a closed contour [m3]; 0 for an open one.
   double total() const { return total_; }
-  /// [m2] largest area across the vertical: what the water meets.
+  /// Largest section across the vertical, for drag [m2].
   double frontal_area() const { return frontal_area_; }
 
  private:
@@ -30,11 +30,11 @@ class ContourVolume {
     double from, to, low, high, volume;
     bool crosses(double h) const { return (low < h) != (high < h); }
   };
-  /// pi x^2 or x, the measure summed from 0 to x: the section's share of one flank.
+  /// Area of the section between the axis and x: pi x^2 in axisymmetry, x in plane strain.
   double flank(double x) const;
   /// int flank dy between two arc lengths of a piece.
   double integrate(const ContourPiece& piece, double from, double to) const;
-  /// Where a run crosses the height.
+  /// Arc length at which a run crosses the height [m].
   static double crossing(const Run& run, double h);
   std::vector<Run> runs_;
   Geometry geometry_;

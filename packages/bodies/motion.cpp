@@ -8,7 +8,7 @@ namespace mudline {
 
 namespace {
 
-/// f at a time, axis by axis.
+/// Values of f at a time, by axis.
 Point at(const Function (&f)[3], double time) { return {f[0](time, {}), f[1](time, {}), f[2](time, {})}; }
 
 }  // namespace
@@ -40,7 +40,7 @@ void PrescribedDisplacement::refuse_rest(Parameters& p) const {
   const auto rests = [](const Function& f) { return f.is_constant() && !f.is_zero(); };
   for (int i = 0; i < 3; ++i)
     if (rests(along_[i])) refuse(axis_names[i]);
-  // beside one that changes a constant component of a rotation vector has a meaning
+  // A constant component of a rotation vector is meaningful beside one that changes.
   if (!std::all_of(std::begin(about_), std::end(about_), [](const Function& f) { return f.is_constant(); })) return;
   for (int i = 0; i < 3; ++i)
     if (rests(about_[i])) refuse(std::string("rotation ") + axis_names[i]);

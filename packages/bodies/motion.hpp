@@ -10,11 +10,11 @@ namespace mudline {
 
 class ReleasedMotion;
 
-/// Where a rigid body is and how it moves. In the plane the third components are 0.
+/// Position and motion of a rigid body. In the plane the translations' third components are 0.
 struct BodyState {
   Point displacement{};    // [m] of the centre of mass from where it was at the start
   Point velocity{};        // [m/s]
-  Rotation turn;           // about the centre of mass, from the orientation of the body's frame
+  Rotation turn;           // rotation about the centre of mass, from the orientation of the body frame
   Point spin{};            // [rad/s]
   double moving_time = 0;  // [s] since the body was last set in motion
 };
@@ -23,16 +23,16 @@ struct BodyState {
 class BodyMotion {
  public:
   virtual ~BodyMotion() = default;
-  /// The state at t_end of a body that is in `old` at t_old; pure. Times are absolute [s].
+  /// The state at t_end of a body that is in state `old` at t_old; pure. Times are absolute [s].
   virtual BodyState advance(const BodyState& old, double t_old, double t_end) const = 0;
-  /// Whether it moves along an axis (0, 1, 2: x, y, z), or turns about any.
+  /// Whether the body moves along an axis (0, 1, 2: x, y, z), or rotates about any.
   virtual bool moves(int axis) const = 0;
   virtual bool turns() const = 0;
   /// Itself where the body has degrees of freedom in the nonlinear system; null where its motion is prescribed.
   virtual const ReleasedMotion* released() const { return nullptr; }
 };
 
-/// What is prescribed of a body as functions of time: along the axes, and in space about them.
+/// Motion prescribed by functions of time: along the axes, and in space also about them.
 class PrescribedMotion : public BodyMotion {
  public:
   bool moves(int axis) const override { return !along_[axis].is_constant(); }
@@ -43,8 +43,8 @@ class PrescribedMotion : public BodyMotion {
 };
 
 /// Displacement follows the changes of functions of time while the body is active: u += f(t_end) - f(t_old), so a body
-/// that is set in motion in a later stage does not jump. The same of the rotation vector: R(f(t_end)) R(f(t_old))^-1
-/// comes on top. Velocity and spin: the means of the step.
+/// that is set in motion in a later stage does not jump. The rotation changes likewise: it is multiplied by R(f(t_end))
+/// R(f(t_old))^-1, R of the rotation vector f. Velocity and spin are the means over the step.
 class PrescribedDisplacement : public PrescribedMotion {
  public:
   void parameters(Parameters& p);
@@ -70,7 +70,7 @@ class PrescribedVelocity : public PrescribedMotion {
   double ramp_time_ = 0;
 };
 
-/// The body stays where it is: what a stage names to hold a body that moves otherwise.
+/// The body rests: a stage names this motion to hold a body that has another one.
 class Held : public BodyMotion {
  public:
   void parameters(Parameters&) {}

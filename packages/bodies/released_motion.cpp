@@ -105,7 +105,7 @@ void ReleasedMotion::check_body(const BodyProperties& body, const Section& secti
       section.fail("an axisymmetric body moves along its axis only: its freedom is y", "freedom");
   for (int i = 0; i < dimension_; ++i)
     if (!releases(i) && !force_[i].is_zero()) refuse(section, i, std::string("force ") + axis_names[i]);
-  // about the model's axes: any rotation of a body in space may answer
+  // Moments are about the world axes: in space any released rotation may respond to them.
   if (!rotates())
     for (int axis = 0; axis < 3; ++axis)
       if (!moment_[axis].is_zero())

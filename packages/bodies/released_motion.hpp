@@ -8,8 +8,8 @@
 
 namespace mudline {
 
-/// A body that moves as Newton's law says: its released directions are unknowns of the nonlinear system, the others
-/// rest, or move as prescribed.
+/// Motion by Newton's law: the body's released directions are unknowns of the nonlinear system, the others rest or move
+/// as prescribed.
 class ReleasedMotion : public BodyMotion {
  public:
   BodyState advance(const BodyState& old, double t_old, double t_end) const override;
@@ -17,22 +17,22 @@ class ReleasedMotion : public BodyMotion {
   bool turns() const override { return rotates() || others_.turns(); }
   const ReleasedMotion* released() const override { return this; }
   bool releases(int direction) const { return released_[direction]; }
-  /// Whether it does about any axis.
+  /// Whether it releases any rotation.
   bool rotates() const;
 
-  /// Loads other than those of what touches the body. Pure.
+  /// Loads on the body other than those from contact. Pure.
   virtual BodyLoad load(const BodyProperties& body, const BodyInstant& at) const;
-  /// What is accelerated with the body.
+  /// Water that is accelerated with the body.
   virtual AddedMass added_mass(const BodyProperties&) const { return {}; }
-  /// The velocity [m/s] and spin [rad/s] with which the body is set free; false: it keeps what it has.
+  /// Sets the velocity [m/s] and spin [rad/s] with which the body is released; false: it keeps those that it has.
   virtual bool initial_velocity(Point& velocity, Point& spin) const { return false; }
-  /// InputError where a body like this cannot move so.
+  /// InputError where this motion does not fit the body.
   virtual void check_body(const BodyProperties& body, const Section& section) const;
 
  protected:
-  /// Declares what all released motions share.
+  /// Declares the parameters that all released motions share.
   void common_parameters(Parameters& p);
-  /// InputError: the deck's entry is of a direction in which the body does not move.
+  /// Throws InputError: the deck's entry is for a direction in which the body does not move.
   void refuse(const Section& section, int direction, const std::string& entry) const;
   int dimension_ = 2;
   Point gravity_{};

@@ -98,7 +98,7 @@ void RigidBody::read_surface(const Section& section, const BodyRegistries& regis
   if (tip_height_ == 0) tip_height_ = shape->tip_height();
   read_rotation(section);
   fill_evenly(section);
-  constexpr double coarse = 0.01;  // of its extent; [m] where it goes on for ever
+  constexpr double coarse = 0.01;  // share of the surface's extent; [m] where that is infinite
   const double extent = surface_->bounds().extent();
   outline_ = surface_->triangles(coarse * (std::isfinite(extent) ? extent : 1.0)).points;
   for (const Point& x : outline_) reach_ = std::max(reach_, length(x - centre_));
@@ -134,8 +134,8 @@ void RigidBody::fill_evenly(const Section& section) {
   if (closed) {
     const SurfaceTriangles triangles = surface_->triangles(1e-3 * size);
     for (std::size_t t = 0; t < triangles.facets.size(); ++t)
-      for (int i = 0; i < 3; ++i)  // of what is convex, each shadow is cast twice, and area vectors are double areas
-        properties_.frontal_areas[i] += 0.25 * std::abs(triangles.area_vector(t)[i]);
+      // A quarter: a convex body casts each shadow twice, and area vectors are double areas.
+      for (int i = 0; i < 3; ++i) properties_.frontal_areas[i] += 0.25 * std::abs(triangles.area_vector(t)[i]);
   }
   auto& tensor = properties_.inertia;
   if (inertia_.empty()) {
@@ -199,7 +199,7 @@ void RigidBody::declare_state(StateStore& store) {
   if (dimension() == 3) {
     for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("rotation ") + axis_names[i], 1, "rad"});
     for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("spin ") + axis_names[i], 1, "rad/s"});
-    if (may_be_free_)  // the unknowns when the rotation was that
+    if (may_be_free_)  // values of the unknowns for which this rotation holds
       for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("arc ") + axis_names[i], 1, "m"});
   }
   array_ = store.find(info.name);
@@ -277,7 +277,7 @@ void RigidBody::prescribe(const State& committed, double t_old, double t_end, Co
   Point turned{}, spin{};
   if (axes == 3) {
     const Rotation now = state_of(committed).turn;
-    // what rests stays where it is to the last bit
+    // A body at rest stays in place to the last bit.
     const bool rests = std::equal(&now.matrix[0][0], &now.matrix[0][0] + 9, &end.turn.matrix[0][0]);
     if (!rests) turned = (now.inverse() * end.turn).increment();
     spin = end.turn.back(end.spin);
@@ -302,7 +302,7 @@ void RigidBody::advance(const StepView& view) const {
   row(0, 2 * axes) = now.moving_time;
   const bool unknown = unknowns_.count > 0;
   if (unknown && axes == 2) return;
-  // the unknowns turn the body on from where it is
+  // The unknowns rotate the body from its committed rotation.
   const Rotation turn = (unknown ? state_of(*view.committed) : now).turn, before = turn_of_row(*view.committed);
   const bool rests = std::equal(&turn.matrix[0][0], &turn.matrix[0][0] + 9, &before.matrix[0][0]);
   const Point turned = (turn * start_turn_.inverse()).vector();
@@ -321,7 +321,8 @@ void RigidBody::advance(const StepView& view) const {
 double RigidBody::speed(const State& state, double dt) const {
   if (!active() || !(dt > 0)) return 0;
   if (released()) {
-    // where it stands, or at the end of the step with the acceleration it has; a rotation moves the contour's far end
+    // The larger of the speeds now and at the end of the step with the present acceleration; a rotation moves the
+    // body's farthest point.
     Point now{}, then{}, turning{}, turned{};
     for (int k = 0; k < unknowns_.count; ++k) {
       const int direction = unknowns_.direction[k];
@@ -378,7 +379,7 @@ BodyPlacement RigidBody::placement(const State& state, const ConstNodalView& ahe
 }
 
 Point BodyPlacement::turning(int component) const {
-  // before the increment the body's axes were those that the increment is told by; its own axis stays
+  // The increment is given along the body's axes before it; a rotation keeps its own axis.
   Point unit{};
   unit[component] = 1;
   const Rotation before = turn * Rotation::by_increment(increment).inverse();

@@ -8,10 +8,10 @@
 
 namespace mudline {
 
-/// Boxes, sorted along the direction in which they spread most: finds those near another one.
+/// Finds the boxes near another one. The boxes are sorted along the direction in which they spread most.
 class BoxSearch {
  public:
-  using Corners = std::array<Point, 2>;  // [m] low, high; in the plane the third numbers are 0
+  using Corners = std::array<Point, 2>;  // [m] low, high; in the plane the third coordinates are 0
   void sort(const std::vector<Corners>& boxes);
   /// Numbers of the boxes that come within `distance` [m] of the box, in ascending order.
   std::vector<int> near(const Corners& box, double distance) const;
@@ -21,9 +21,9 @@ class BoxSearch {
     Point low, high;
     int number;
   };
-  std::vector<Box> boxes_;  // by low[along_]
+  std::vector<Box> boxes_;  // sorted by low[along_]
   int along_ = 0;
-  double longest_ = 0;  // [m] extent of a box in that direction
+  double longest_ = 0;  // [m] largest extent of a box in that direction
 };
 
 /// The box around the nodes of a side.

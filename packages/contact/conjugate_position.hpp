@@ -6,11 +6,12 @@
 
 namespace mudline {
 
-/// Coordinates of the nodes moved on by `ahead` (by overlap dof, [m]; empty: x itself), see ImpactView: where
-/// gaps are measured in dynamic steps by contacts that conserve energy.
+/// Coordinates of the nodes [m] displaced by `ahead` (by overlap dof, [m]; empty: x itself), see ImpactView. Contacts
+/// that conserve energy measure their gaps there in dynamic steps.
 ConstCoordinateView moved_ahead(const Space& space, const ConstCoordinateView& x, const ConstNodalView& ahead);
 
-/// The same of a body, which moves on with its velocity where its motion is prescribed; `lead` [s].
+/// Placement of a body displaced by `ahead`. A body of prescribed motion moves for the time `lead` [s] with its
+/// velocity instead.
 BodyPlacement moved_ahead(const RigidBody& body, const State& state, const ConstNodalView& ahead, double lead);
 
 }  // namespace mudline

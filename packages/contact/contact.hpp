@@ -15,7 +15,7 @@
 
 namespace mudline {
 
-/// What a contact may look at when it is made.
+/// Data of the model that a contact reads when it is constructed.
 struct ContactContext {
   const Space& space;
   const std::map<std::string, std::shared_ptr<RigidBody>>& bodies;  // by name
@@ -24,29 +24,29 @@ struct ContactContext {
   /// Representative constrained modulus lambda + 2 G [Pa] of the soil in an element (block, element): scale of
   /// penalties.
   std::function<double(int block, int element)> stiffness;
-  /// Weight [N/m3] of the pore water in a block, as far as pore pressures hold it up; absent: none.
+  /// Weight [N/m3] of the pore water in a block, as far as the pore pressures balance it; absent: none.
   std::function<Point(int block, double time)> water_weight = {};
-  /// Total stress [Pa, tension positive, as sym6 numbers it] of a state in an element of a block, at a place on its
+  /// Total stress [Pa, tension positive, as sym6 numbers it] of a state in an element of a block, at a point on its
   /// surface; absent: none.
   std::function<std::array<double, 6>(const State& state, int block, int element, const Point& at)> stress = {};
-  /// The mesh was made on the way: its surface is where the bodies have left it, not where they start.
+  /// The mesh is the result of remeshing: its surface is where the bodies have left it, not where they start.
   bool remeshed = false;
 };
 
-/// An array of a contact whose rows belong to places along its surface: when the mesh is made anew they go over to the
-/// places of the new rows.
+/// An array of a contact whose rows belong to points along its surface. Remeshing transfers it to the points of the new
+/// rows.
 struct SurfaceRows {
   int array;
   std::vector<Point> places;  // [m] by row
-  std::vector<double> areas;  // [m2] by row, of the part of the surface that it stands for
+  std::vector<double> areas;  // [m2] by row, of the part of the surface that the row stands for
 };
 
-/// What a contact presses together: the sides of one surface, and a body or the sides of another surface.
+/// Partners of a contact: the sides of one surface, and a body or the sides of another surface.
 struct ContactPartners {
   std::string surface;
   std::string opposite;             // side set; empty: a body
   const RigidBody* body = nullptr;  // null: two surfaces
-  bool shear = false;               // friction may hold what lies along the surface
+  bool shear = false;               // friction may act along the surface
 };
 
 /// One entry of the deck's "contacts": a term that couples the soil's surface with a body, or two surfaces. A contact
@@ -57,20 +57,21 @@ class Contact : public Term, public History, public Unilateral, public Transferr
   Role role() const override { return Role::contact; }
   virtual ContactPartners partners() const = 0;
   /// Normal pressure [Pa] on the soil, compression positive, by local node (owned and ghost), averaged from the contact
-  /// points around; 0 off the surface. For output. Collective.
+  /// points around it; 0 off the surface. For output. Collective.
   virtual std::vector<double> nodal_pressure(const State& state) const = 0;
-  /// The same of the shear stress [Pa] on the soil, positive along the body's contour; empty without friction.
+  /// Shear stress [Pa] on the soil by local node, averaged alike, positive along the body's contour; empty without
+  /// friction.
   virtual std::vector<double> nodal_shear(const State&) const { return {}; }
-  /// Sets 1, by local node, on the sides that a penalty presses somewhere: for preconditioners.
+  /// Sets 1, by local node, on the sides where a penalty acts at some point. For preconditioners.
   virtual void mark_pressed(const State&, std::vector<char>&) const {}
-  /// Its arrays with their places when the nodes are at x, as far as they are not the same on every rank; empty for a
-  /// contact that cannot go over to another mesh.
+  /// Its arrays of rows with the points of the rows when the nodes are at x, except arrays that are the same on every
+  /// rank. Empty for a contact that cannot be transferred to another mesh.
   virtual std::vector<SurfaceRows> surface_rows(const ConstCoordinateView&) const { return {}; }
 };
 
 using ContactRegistry = Registry<Contact, const ContactContext&>;
 
-/// "penalty", "frictionless penalty", "node to segment", "point to face", "mortar"; a plain list.
+/// Registers "penalty", "frictionless penalty", "node to segment", "point to face" and "mortar".
 void register_contact(ContactRegistry& registry);
 
 }  // namespace mudline

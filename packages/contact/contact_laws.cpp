@@ -8,10 +8,10 @@ namespace mudline {
 
 namespace {
 
-/// A law whose slopes are wrong makes Newton's method fail far from where the fault is.
+/// Warns of a law whose slopes are wrong: Newton's method would fail far from where the fault is.
 template <class Law>
 void doubt_slopes(const ContactContext& context, const Section& entry, const Law& law) {
-  if (context.remeshed) return;  // its model was doubted
+  if (context.remeshed) return;  // checked before the remeshing
   const std::string problem = slope_problem(law);
   if (!problem.empty())
     log::warn(entry.source("type") + ": " + entry.path() + "/type: the law '" + entry.text("type") +

@@ -13,15 +13,16 @@ namespace mudline {
 /// The laws that the deck names for a contact, and what they read of the soil behind its surface.
 class ContactLaws {
  public:
-  /// The entry "normal law" of a contact; that of friction is declare_friction().
+  /// Declares the entry "normal law" of a contact; declare_friction() declares that of friction.
   static void declare_normal_law(Parameters& p);
-  /// InputError for laws that read what the model does not have.
+  /// Reads the deck's laws. InputError for laws that read what the model does not have.
   void read(const ContactContext& context, const Section& section);
   /// InputError for a normal law that is not linear where it has to be.
   void check_linear(const Section& section, bool multipliers, bool conserving) const;
   /// InputError for laws that read the pore pressure between two surfaces, which a contact of them does not know.
   void check_two_surfaces(const Section& section) const;
-  /// After the physics. InputError for laws that read the stress of soil whose physics keeps none.
+  /// Finds the arrays of the soil's effective stress, which the physics has declared before. InputError for laws that
+  /// read the stress where there is none.
   void declare_state(const StateStore& store);
 
   const Friction* friction() const { return friction_.get(); }  // null: smooth
@@ -29,11 +30,12 @@ class ContactLaws {
   /// Tangential over normal penalty; 0: no friction.
   double tangential_factor() const { return friction_ ? friction_->tangential_factor() : 0.0; }
   bool read_pore_pressure() const { return read_.pore_pressure; }
-  /// The contact itself reads it.
+  /// Makes the contact read the pore pressure, whatever its laws read.
   void ask_for_pore_pressure() { read_.pore_pressure = true; }
   /// Laws, times and weights of a step; `damping` of the deck [s/m].
   ContactPointLaw in_step(const StepView& view, double damping) const;
-  /// At the reference coordinates xi of a side, in the state in which a step starts; without the pore pressure.
+  /// The soil at the reference coordinates xi of a side, in the state in which a step starts; without the pore
+  /// pressure.
   TouchingSoil soil(const State& committed, const SurfaceSide& side, const double* xi) const;
 
  private:

@@ -52,7 +52,7 @@ struct ContactTables {
     return at;
   }
 };
-/// The tables of a side's shape, and what is looked up on the host only.
+/// The tables of a side's shape, with data that only the host reads.
 struct ContactRule : ContactTables {
   ContactRule(ContactPoints kind, CellShape side, int degree);
   std::vector<Vec<double, 3>> xi;  // (point) reference coordinates
@@ -74,10 +74,11 @@ KOKKOS_INLINE_FUNCTION bool contact_areas(const ContactTables& rule, const Nodes
   }
   return true;
 }
-/// The same by the side's dimension.
+/// Overload that takes the dimension from the side's shape.
 bool contact_areas(const ContactRule& rule, const SideCoordinates& x, Geometry geometry, double* area);
 
-/// 1 at a node of a side, falling to 0 at half the side's length: positive weights, unlike the quadratic shapes.
+/// Weight of a node at a contact point: 1 at the node, falling to 0 at half the side's length. It is never negative,
+/// unlike the quadratic shapes.
 double nearness(const ContactRule& rule, int point, int node);
 
 }  // namespace mudline

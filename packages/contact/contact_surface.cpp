@@ -32,8 +32,8 @@ double size_of(const Mesh& mesh, CellShape shape, Node&& node) {
   return size;
 }
 
-/// Size of an element over that of a side, times its dimension for a triangle or a tetrahedron: its height above the
-/// side. Corners only.
+/// Height of an element above a side, from the corners only: its size over that of the side, times its dimension for a
+/// triangle or a tetrahedron.
 double height_above(const Mesh& mesh, const ElementBlock& block, const SurfaceSide& side) {
   const double content = size_of(mesh, block.shape, [&](int a) { return block.nodes(side.element, a); });
   const double base = size_of(mesh, side.shape, [&](int a) { return side.node[a]; });

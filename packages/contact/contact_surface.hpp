@@ -19,18 +19,18 @@ struct SurfaceSide {
   int count;      // nodes
   int node[9];    // local, in the order of the shape
   int row;        // in the dof table of its shape
-  double height;  // [m] of the element above the side, in the source's mesh
+  double height;  // [m] height of the element above the side, in the mesh at the start
 };
 
 /// The sides of a side set that may touch a body: nodes, dofs, neighbours over the ranks.
 class ContactSurface {
  public:
-  /// `pressures`: the dof tables hold the pore pressures too; those of the body's unknowns follow. Collective.
+  /// `pressures`: the dof tables hold the pore pressures too. The dofs of the body's unknowns follow them. Collective.
   ContactSurface(const Space& space, const std::string& side_set, bool pressures, const BodyUnknowns& body);
 
   const std::vector<SurfaceSide>& sides() const { return sides_; }
   const Mesh& mesh() const { return mesh_; }
-  /// Over all ranks.
+  /// Number of sides over all ranks.
   long long num_global_sides() const { return num_global_sides_; }
   /// The shapes that this rank's sides have, in a fixed order.
   const std::vector<CellShape>& shapes() const { return shapes_; }
@@ -39,14 +39,14 @@ class ContactSurface {
   /// How many of the first nodes of a side of a shape have their pore pressure in its dofs.
   int pressure_nodes(CellShape shape) const;
 
-  /// Ids of rows that follow side after side, as many as `rows` says of each (less than 64); see ArrayInfo.
+  /// Ids of rows that are stored side after side, `rows` of each (less than 64); see ArrayInfo.
   std::vector<long long> row_ids(const std::function<int(std::size_t side)>& rows) const;
 
   /// Shortest and longest edge of a side, between its corners [m], over all ranks. Collective.
   double shortest(const ConstCoordinateView& x) const;
   double longest(const ConstCoordinateView& x) const;
 
-  /// By local node: weighted mean over all ranks of values that were summed with their weights. Collective.
+  /// Weighted mean, by local node and over all ranks, of values that were summed with their weights. Collective.
   std::vector<double> mean(std::vector<double> weighted, std::vector<double> weights) const;
 
  private:
@@ -62,7 +62,8 @@ class ContactSurface {
 /// Shortest and longest edge of one side [m].
 std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateView& x);
 
-/// Declares an array of rows with these ids; `shares`: of one row, of which every rank has its part.
+/// Declares an array of rows with these ids and returns its handle. `shares`: the array has one row, and every rank
+/// holds its share of the sum.
 int declare_rows(StateStore& store, const std::string& name, std::vector<StateVariable> variables,
                  std::vector<long long> ids, bool shares = false);
 

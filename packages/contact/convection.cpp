@@ -8,7 +8,8 @@ namespace mudline {
 
 namespace {
 
-/// Directions along a side: of its first edge, and in space across that; in the plane the second is 0.
+/// Directions along a side: that of its first edge, and in space the one perpendicular to it; in the plane the second
+/// is 0.
 std::array<Point, 2> directions(CellShape side, const SideCoordinates& nodes) {
   const Point chord = nodes[1] - nodes[0];
   const double length_of_chord = std::hypot(std::hypot(chord[0], chord[1]), chord[2]);
@@ -62,7 +63,7 @@ SideShifts::Along SideShifts::slope(const std::vector<double>& values) const {
   }
   Along result{};
   if (!(bottom[0] > 0)) return result;
-  // points of one line know the slope along it only
+  // points on one line determine the slope along it only
   const double rest = bottom[1] - bottom[2] / bottom[0] * bottom[2];
   if (rest > 1e-9 * bottom[0]) result[1] = (top[1] - bottom[2] / bottom[0] * top[0]) / rest;
   result[0] = result[1] == 0 ? top[0] / bottom[0] : (top[0] - bottom[2] * result[1]) / bottom[0];

@@ -9,7 +9,7 @@
 
 namespace mudline {
 
-/// All sides of a side set, of the whole mesh, on every rank that has all their nodes (see SetPairs).
+/// All sides of a side set of the whole mesh, on every rank that has all their nodes (see SetPairs).
 class MasterSurface {
  public:
   /// Collective.
@@ -20,7 +20,7 @@ class MasterSurface {
     int node[9];  // local, in the order of the shape
     CellShape shape = CellShape::line2;
   };
-  /// In an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
+  /// The sides, in an order that does not depend on the number of ranks; empty on ranks that lack some of the nodes.
   const std::vector<MasterSide>& sides() const { return sides_; }
   long long num_global_sides() const { return num_global_sides_; }
 

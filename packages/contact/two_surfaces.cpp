@@ -102,7 +102,8 @@ double closing_limit(const Space& space, const ContactSurface& slave, const Mast
     for (int i = 0; i < axes; ++i) v[i] = committed.rate(first(node) + i);
     return v;
   };
-  // speeds against the master's mean, which is the same on all ranks that have slave sides: they have the whole master
+  // speeds are relative to the master's mean. It is the same on all ranks that have slave sides, since these have the
+  // whole master
   Point mean{};
   double nodes = 0, fastest[2] = {0, 0}, nearest = 1e300;
   for (const auto& side : master.sides())

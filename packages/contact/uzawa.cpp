@@ -79,7 +79,7 @@ std::optional<Augmentation> end_of_augmentation(const std::string& contact, cons
                                                 double gap_tolerance, const Misfit& misfit, int count,
                                                 const Comm& comm) {
   const auto [gap, stretch, spring] = misfit.largest(comm);
-  constexpr double share = 0.01;  // of the stretch that the largest pressure would make
+  constexpr double share = 0.01;  // share of the stretch that the largest pressure would cause
   const bool automatic = deck.gap_tolerance == 0;
   const double stretch_tolerance = automatic ? std::max(gap_tolerance, share * spring) : gap_tolerance;
   char text[480];
@@ -100,7 +100,7 @@ std::optional<Augmentation> end_of_augmentation(const std::string& contact, cons
 
 std::vector<double> in_shapes(const ContactSurface& surface, const std::vector<double>& weighted,
                               const ShapeMass& mass) {
-  // the mass matrix over its lumped self has eigenvalues between 0.4 (three nodes; 1/3 with two) and 1
+  // relative to its lumped form the mass matrix has eigenvalues between 0.4 (three nodes; 1/3 with two) and 1
   constexpr int sweeps = 12;
   std::vector<double> result = weighted;
   for (int sweep = 1; sweep < sweeps; ++sweep) {

@@ -13,7 +13,7 @@ namespace mudline {
 
 enum class Enforcement { penalty, augmented_lagrangian };
 
-/// What the deck says of the way in which a contact's condition is met; each contact has its own default.
+/// Deck entries for the enforcement of a contact's condition; each contact has its own default.
 struct EnforcementParameters {
   Enforcement enforcement;
   double penalty = 0, penalty_factor = 10;  // [Pa/m] 0: automatic; [-]
@@ -21,16 +21,16 @@ struct EnforcementParameters {
   int most_augmentations = 50;
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   void parameters(Parameters& p);
-  /// Fills the rows (side, 0) that have no penalty yet [Pa/m]: it stays as it was when the contact first started a
-  /// step. `stiffness`: of the soil by block and element [Pa].
+  /// Fills the rows (side, 0) that have no penalty yet [Pa/m]. A penalty stays as it was when the contact first started
+  /// a step. `stiffness`: of the soil by block and element [Pa].
   void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
                        const PointView& rows) const;
   /// InputError for entries that have no meaning with the penalty method.
   void check(const Section& section) const;
 };
 
-/// Sums over a rank's sides for Misfit, by local node: of stresses less multipliers [N/m], lengths, lengths times
-/// penalties.
+/// Sums over a rank's sides for Misfit, by local node: stresses less multipliers [N/m], lengths [m], and lengths times
+/// penalties [Pa].
 struct MisfitSums {
   /// `shears`: components of a shear stress.
   explicit MisfitSums(const Mesh& mesh, int shears = 1)
@@ -41,9 +41,9 @@ struct MisfitSums {
   double spring = 0;
 };
 
-/// By local node of a surface, weighted by the multipliers' shapes: what stresses differ by from their multipliers
-/// [Pa], and over the penalties the gap and the stretch of what sticks [m]. Without friction shear and stretch are
-/// empty.
+/// Differences between stresses and their multipliers [Pa], by local node of a surface, weighted by the multipliers'
+/// shapes. Divided by the penalties they are the gap, and the stretch of the stick springs [m]. Without friction shear
+/// and stretch are empty.
 struct Misfit {
   std::vector<double> normal, gap, stretch;
   std::vector<std::vector<double>> shear;  // (component, node)
@@ -54,14 +54,14 @@ struct Misfit {
   struct Largest {
     double gap, stretch, spring;  // [m]
   };
-  /// Over all ranks. Collective.
+  /// Largest values over all ranks. Collective.
   Largest largest(const Comm& comm) const;
 };
 
-/// Whether Uzawa's method is at its end after `count` augmentations: within the tolerance, or refused at the most
-/// allowed ones. Nothing: the multipliers are to grow by the misfit, and the step to be solved again. Where the deck
-/// gives no tolerance, that of the stretch follows the load: points at the edge of what sticks turn to and fro, and
-/// what they leave grows with the pressure. Collective.
+/// Result of Uzawa's method after `count` augmentations: accepted within the tolerance, refused at the largest allowed
+/// number. Empty: the multipliers are to grow by the misfit, and the step is to be solved again. Where the deck gives
+/// no tolerance, that of the stretch follows the load: points at the edge of the sticking part alternate between stick
+/// and slip, and the misfit that they leave grows with the pressure. Collective.
 std::optional<Augmentation> end_of_augmentation(const std::string& contact, const EnforcementParameters& deck,
                                                 double gap_tolerance, const Misfit& misfit, int count,
                                                 const Comm& comm);

@@ -10,7 +10,7 @@ KOKKOS_INLINE_FUNCTION Vec<T, 2> vector(const T (&x)[2]) {
   return {x[0], x[1]};
 }
 
-/// The unknown number `direction`: with its derivative, or the plain number.
+/// An unknown: a dual number with the derivative index `direction`, or the plain number.
 template <class T>
 KOKKOS_INLINE_FUNCTION T unknown(double value, int direction) {
   if constexpr (std::is_same_v<T, double>)
@@ -39,7 +39,7 @@ KOKKOS_INLINE_FUNCTION Vec<T, 2> combine(int count, const W* weight, const Vec<T
   for (int a = 0; a < count; ++a) sum = sum + x[a] * weight[a];
   return sum;
 }
-/// The transpose: adds weight_a force to node a of `to`, node after node, component after component.
+/// Transpose of combine(): adds weight_a force to node a of `to`, node after node, component after component.
 template <class T, class W>
 KOKKOS_INLINE_FUNCTION void spread(int count, const W* weight, const Vec<T, 2>& force, T* to) {
   for (int a = 0; a < count; ++a) {
@@ -48,13 +48,13 @@ KOKKOS_INLINE_FUNCTION void spread(int count, const W* weight, const Vec<T, 2>& 
   }
 }
 
-/// Forces by the N unknowns [N]: at the end of the step, and what comes on top in the mean over it.
+/// Forces by the N unknowns [N]: at the end of the step, and the addition to the mean over the step.
 template <class T, int N>
 struct StepForces {
   StepForces() {
     for (int a = 0; a < N; ++a) end[a] = more[a] = T(0.0);
   }
-  /// Their values, and with dual numbers the derivatives of share * end + weight * more.
+  /// Writes their values, and for dual numbers the derivatives of share * end + weight * more.
   void write(const T& share, double weight, double (&f)[N], double (&on_top)[N], double (&k)[N][N]) const {
     for (int a = 0; a < N; ++a) {
       f[a] = value(end[a]);

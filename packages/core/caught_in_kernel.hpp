@@ -10,7 +10,7 @@ namespace mudline {
 /// The first exception thrown in a kernel on host threads: none may leave a parallel region.
 class CaughtInKernel {
  public:
-  /// action(), or false where it throws. On a device, which knows no exceptions, just action().
+  /// Returns action(), or false where it throws. On a device, which knows no exceptions, it is just action().
   template <class Action>
   KOKKOS_INLINE_FUNCTION static bool run(CaughtInKernel* caught, const Action& action) {
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || defined(__SYCL_DEVICE_ONLY__)
@@ -25,7 +25,7 @@ class CaughtInKernel {
     }
 #endif
   }
-  /// After the kernel: throws what was caught.
+  /// Throws the caught exception, if any; call it after the kernel.
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }

@@ -31,13 +31,13 @@ void write_all(int to, const char* data, std::size_t size) {
   while (size > 0) {
     const ssize_t written = ::write(to, data, size);
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return;  // nobody reads any more
+    if (written <= 0) return;  // the parent no longer reads
     data += written;
     size -= static_cast<std::size_t>(written);
   }
 }
 
-/// Signals of a fault of the process itself, and those that stop and continue it, keep their meaning.
+/// Whether a signal keeps its default action: it comes from a fault of the process itself, or stops or continues it.
 bool keeps_its_meaning(int signal) {
   switch (signal) {
     case SIGSEGV:
@@ -61,27 +61,28 @@ bool keeps_its_meaning(int signal) {
 constexpr int parent_ended = SIGUSR2;
 pid_t parent = 0;
 
-/// Ends the child and what it has started: they are one process group.
+/// Ends the child and all processes that it has started, which are one process group.
 void on_parent_ended(int) {
   if (::getppid() != parent) ::kill(0, SIGKILL);
 }
 
-/// A process group of its own, that ends with the parent and hears no other signal.
+/// Puts the child in a process group of its own that ends with the parent and ignores other signals.
 void stand_alone() {
   ::setpgid(0, 0);
-  // handlers of this program and of MPI, which print stack traces, are not for the child
+  // the child must not run handlers of this program and of MPI, which print stack traces
   for (int signal = 1; signal <= SIGRTMAX; ++signal) std::signal(signal, keeps_its_meaning(signal) ? SIG_DFL : SIG_IGN);
   std::signal(parent_ended, on_parent_ended);
   ::prctl(PR_SET_PDEATHSIG, parent_ended);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  on_parent_ended(0);  // it may have ended before
+  on_parent_ended(0);  // the parent may have ended already
 }
 
-/// The child holds nothing open of the program's: neither results, whose locks would outlive it, nor connections.
+/// Closes the program's files in the child: neither results, whose locks would outlive it, nor connections may stay
+/// open.
 void close_files(int but) {
-  constexpr long close_range = 436;  // of Linux since 5.9
+  constexpr long close_range = 436;  // the system call's number, in Linux since 5.9
   const unsigned first = STDERR_FILENO + 1, own = static_cast<unsigned>(but);
   if (::syscall(close_range, own + 1, ~0U, 0) == 0) {
     if (own > first) ::syscall(close_range, first, own - 1, 0);
@@ -124,10 +125,10 @@ void close_files(int but) {
   write_all(to, reinterpret_cast<const char*>(&kind), sizeof kind);
   write_all(to, reinterpret_cast<const char*>(&size), sizeof size);
   write_all(to, bytes.data(), bytes.size());
-  ::_exit(0);  // no destructor of what is the parent's
+  ::_exit(0);  // runs no destructors of the parent's objects
 }
 
-/// Reads to the end; false when the time is over. A time in which this process was stopped does not count.
+/// Reads to the end; false when the time is over. The time in which this process was stopped does not count.
 bool read_all(int from, double limit, std::vector<char>& bytes) {
   using Clock = std::chrono::steady_clock;
   constexpr double slice = 0.5;  // [s]
@@ -154,7 +155,7 @@ std::string short_text(double seconds) {
   return text;
 }
 
-/// Holds signals back in the moment of a fork, in which the child still has the program's handlers.
+/// Blocks signals during a fork, while the child still has the program's handlers.
 class NoSignals {
  public:
   NoSignals() {
@@ -170,9 +171,9 @@ class NoSignals {
   sigset_t before_{};
 };
 
-/// The child's process group ends, what it has started with it; gives how the child itself ended.
+/// Ends the child's process group, with all that it has started; returns how the child itself ended.
 int end_of(pid_t child, bool kill_it) {
-  ::setpgid(child, child);  // where it has not come so far itself
+  ::setpgid(child, child);  // in case the child has not done so yet
   if (kill_it) ::kill(child, SIGKILL);
   siginfo_t info{};
   while (::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT) < 0 && errno == EINTR) {

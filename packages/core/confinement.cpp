@@ -21,7 +21,7 @@ namespace mudline {
 
 namespace {
 
-// Landlock of <linux/landlock.h>, which older systems do not have; the numbers are the same on every architecture.
+// Constants of <linux/landlock.h>, which older systems lack; the numbers are the same on every architecture.
 constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 constexpr unsigned ask_version = 1, path_beneath = 1;
 
@@ -64,7 +64,7 @@ void restrict_files(const std::string& folder) {
   ::close(rules);
 }
 
-/// No new program and no network: an answer of "not permitted" to the calls that lead there.
+/// Makes system calls that start programs or open connections fail with "not permitted".
 void refuse_calls() {
 #if defined(SECCOMP_RET_ERRNO) && (defined(__x86_64__) || defined(__aarch64__))
 #ifdef __x86_64__

@@ -47,8 +47,8 @@ std::vector<std::string> split_path(const std::string& path) {
   return parts;
 }
 
-/// A value keeps the type it replaces where it can, so that "3" stays a string; otherwise what reads it later decides
-/// (an expression may replace the number of a function).
+/// A value keeps the type it replaces where it can, so that "3" stays a string; otherwise its reader decides later (an
+/// expression may replace the number of a function).
 Teuchos::ParameterEntry replacement(const Teuchos::ParameterList& list, const std::string& name,
                                     const std::string& text) {
   if (list.isParameter(name)) {
@@ -78,8 +78,8 @@ bool names_a_type(const Teuchos::ParameterList& list) {
   return false;
 }
 
-/// A section that only settings made and that is no new object, as it names no type, is refused where it looks like one
-/// beside it that the deck gives.
+/// Refuses a section that only settings made, that names no type (so it is no new object) and whose name looks like
+/// that of a sibling in the deck.
 void refuse_misspelt_settings(const Teuchos::ParameterList& list, const Sources& sources, const std::string& path) {
   const auto is_setting = [&](const std::string& name) {
     return sources.at(join_path(path, name)).rfind("--set ", 0) == 0;
@@ -126,8 +126,8 @@ void Deck::set(const std::string& assignment) {
     if (names[i].empty()) throw InputError(position + ": a name of the path before '=' is empty");
     path = join_path(path, names[i]);
     if (i + 1 == names.size()) break;
-    // A section that the deck leaves to its defaults comes in with its first setting; whoever reads the deck refuses a
-    // misspelt one, at this position.
+    // The first setting in a missing section adds that section. A misspelt one is refused, at this position, when the
+    // deck is read.
     if (list->isParameter(names[i]) && !list->isSublist(names[i]))
       throw InputError(position + ": " + path + ": a parameter; it has no entries of its own");
     if (!list->isSublist(names[i])) (*sources_)[path] = position;

@@ -16,16 +16,16 @@ class Deck {
  public:
   /// Parses XML text of Teuchos' ParameterList format (types double, int, bool, string, Array(double), Array(int),
   /// Array(string)). Later files replace single parameters of earlier ones and merge sections; the folder of the first
-  /// one is the deck's. InputError with file:line for malformed XML, bad types or values, duplicated entries.
+  /// one is the deck's. Throws InputError with file:line for malformed XML, bad types or values, duplicated entries.
   void overlay(const std::string& xml_text, const std::string& file_name);
 
   /// "stages/push/duration=2.0": replaces or adds one parameter; its type is that of the replaced value where the text
-  /// fits it, else inferred (bool, int, double, {a, b} array, string). Sections of the path that the deck lacks come in
-  /// with it. InputError "--set <assignment>: ..." when malformed or when it would replace a section.
+  /// fits it, else inferred (bool, int, double, {a, b} array, string). Missing sections of the path are added. Throws
+  /// InputError "--set <assignment>: ..." when malformed or when it would replace a section.
   void set(const std::string& assignment);
 
-  /// Reads the section "functions" (tables, expressions, constants) and returns the root section. InputError for what
-  /// is wrong with the functions, and for a section that only set() made and that looks like a misspelling.
+  /// Reads the section "functions" (tables, expressions, constants) and returns the root section. Throws InputError for
+  /// errors in the functions, and for a section that only set() made and that looks like a misspelling.
   Section root();
 
   const Teuchos::ParameterList& list() const { return *list_; }

@@ -19,7 +19,7 @@ std::string value(const Teuchos::ParameterList& list, const std::string& name) {
   return list.isParameter(name) && !list.isSublist(name) ? entry_text(list.getEntry(name)) : "";
 }
 
-/// `only_new`: of what `now` has and `was` has not, else of all that `was` has.
+/// Adds the changes of the parameters that only `now` has (`only_new`), or of all that `was` has.
 void compare(const Teuchos::ParameterList& was, const Teuchos::ParameterList& now, const std::string& path,
              bool only_new, std::vector<DeckChange>& changes) {
   const Teuchos::ParameterList& names = only_new ? now : was;

@@ -7,10 +7,10 @@
 
 namespace mudline {
 
-/// A parameter that one of two decks gives and the other does not, or gives otherwise.
+/// A parameter that differs between two decks, or that only one of them gives.
 struct DeckChange {
   std::string path;      // "materials/clay/skeleton/Young's modulus"
-  std::string was, now;  // as they would stand in XML; "" where it is not given
+  std::string was, now;  // the values as in XML; "" where it is not given
 
   /// "materials/clay/void ratio: 0.9, was 1.2"
   std::string text() const;
@@ -23,7 +23,7 @@ std::vector<DeckChange> deck_changes(const Teuchos::ParameterList& was, const Te
 /// The texts of some changes in one line.
 std::string one_line(const std::vector<DeckChange>& changes);
 
-/// Does the path lie in the section: "stages/push/duration" in "stages", or in "stages/push"?
+/// Whether the path lies in the section: "stages/push/duration" in "stages", or in "stages/push".
 bool lies_in(const std::string& path, const std::string& section);
 
 }  // namespace mudline

@@ -43,7 +43,7 @@ const char* explanation(tinyxml2::XMLError error) {
   }
 }
 
-/// White space of any kind and length is one blank, so that a message that shows the text stays one line.
+/// Replaces any run of white space by one blank, so that a message that shows the text stays on one line.
 std::string one_line(const std::string& text) {
   std::string line;
   for (const char c : trim(text))
@@ -54,7 +54,7 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-/// A line break or tab in an attribute is a blank (XML 1.0, section 3.3.3).
+/// Replaces line breaks and tabs in an attribute by blanks (XML 1.0, section 3.3.3).
 std::string attribute_text(const char* value) {
   std::string text = value;
   std::replace_if(
@@ -130,7 +130,7 @@ class Reader {
     }
   }
 
-  /// What a reference such as "&#27;" stands for may be no more than what stands in the file itself.
+  /// Refuses characters that a reference such as "&#27;" stands for and that the file itself may not hold.
   void check_text(const tinyxml2::XMLElement& element, const std::string& path, const std::string& what,
                   const std::string& text) const {
     const std::string bad = unfit(text);

@@ -8,8 +8,8 @@
 
 namespace mudline {
 
-/// Reads XML text of Teuchos' ParameterList format into `list` and the line of every entry into `sources`.
-/// Throws InputError "<file>:<line>: [<path>: ]<message>" for malformed XML, what is no ParameterList, bad types or
+/// Reads XML text of Teuchos' ParameterList format into `list` and the line of every entry into `sources`. Throws
+/// InputError "<file>:<line>: [<path>: ]<message>" for malformed XML, XML that is no ParameterList, bad types or
 /// values, and anything given twice.
 void read_xml(const std::string& text, const std::string& file, Teuchos::ParameterList& list, Sources& sources);
 

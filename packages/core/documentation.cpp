@@ -23,7 +23,7 @@ std::vector<Row> rows_of(const std::vector<ParameterDoc>& parameters) {
   return rows;
 }
 
-/// Characters, not bytes: units hold superscripts in UTF-8.
+/// The number of characters, not bytes: units hold superscripts in UTF-8.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0U) != 0x80U; }));
@@ -83,7 +83,7 @@ void markdown_body(const std::vector<ParameterDoc>& parameters, const Sections& 
   }
 }
 
-/// XML forbids "--" inside a comment.
+/// Makes a text fit for an XML comment, which must not hold "--".
 std::string comment(std::string text) {
   for (auto i = text.find("--"); i != std::string::npos; i = text.find("--", i)) text.replace(i, 2, "- -");
   return "<!-- " + text + " -->\n";

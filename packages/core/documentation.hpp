@@ -7,7 +7,7 @@
 
 namespace mudline {
 
-/// For the terminal: name, kind, summary, an aligned table of the parameters; nested sections indented below.
+/// Text for the terminal: name, kind, summary, an aligned table of the parameters; nested sections indented below.
 std::string explain(const EntryDoc& entry);
 
 /// One Markdown chapter (a second-level heading) with the same content.

@@ -26,7 +26,7 @@ std::string array_text(const Teuchos::ParameterEntry& entry) {
 
 template <class T>
 const T& value_of(const Teuchos::ParameterEntry& entry) {
-  return Teuchos::any_cast<T>(entry.getAny(false));  // false: looking at a value is not using it
+  return Teuchos::any_cast<T>(entry.getAny(false));  // false: reading it here does not mark it as used
 }
 
 double to_number(const std::string& text, const std::string& expected) {
@@ -135,7 +135,7 @@ Teuchos::ParameterEntry infer_entry(const std::string& text) {
     try {
       return make_entry(type, text);
     } catch (const InputError&) {
-      continue;  // not of this type: the next one is wider
+      continue;  // the text does not fit this type; try the next, wider one
     }
   }
   return Teuchos::ParameterEntry(text);

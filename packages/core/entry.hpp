@@ -17,11 +17,11 @@ std::string entry_type(const Teuchos::ParameterEntry& entry);
 /// The value as it would stand in XML: "0.5", "true", "{1, 2}".
 std::string entry_text(const Teuchos::ParameterEntry& entry);
 
-/// For error messages: "the string 'abc'", "the number 0.5", "a section".
+/// Describes an entry for error messages: "the string 'abc'", "the number 0.5", "a section".
 std::string describe_entry(const Teuchos::ParameterEntry& entry);
 
-/// True where two sources (section.hpp) are of different files, or of the command line: an overlay or --set may
-/// overrule what the deck says.
+/// True where two sources (section.hpp) are in different files or on the command line: an overlay or --set may overrule
+/// the deck.
 bool apart(const std::string& source, const std::string& other);
 
 /// True where a string, or one of several, in the list or below it is `word`.

@@ -7,7 +7,7 @@ namespace mudline {
 
 namespace {
 
-/// Case, '_' and '-' for ' ' are differences of habit, not of meaning: they cost nothing.
+/// Removes differences that the edit distance ignores: case, and '_' or '-' for ' '.
 std::string normalised(std::string text) {
   for (char& c : text) {
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -16,7 +16,8 @@ std::string normalised(std::string text) {
   return text;
 }
 
-/// Insertions, deletions, substitutions and swaps of neighbours that turn a into b.
+/// Number of insertions, deletions, substitutions and swaps of neighbours that turn a into b (optimal string alignment
+/// distance).
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = j;
@@ -52,7 +53,7 @@ std::string nearest(const std::string& given, const std::vector<std::string>& ca
     if (length - std::min(word.size(), other.size()) > limit) continue;
     const std::size_t distance = edit_distance(word, other);
     if (distance > limit) continue;
-    // Typos rarely hit the first letters: among equals the longest common beginning wins ("sinn": sin, not sign).
+    // Typos rarely hit the first letters, so the longest common prefix wins among equals ("sinn": sin, not sign).
     const std::size_t prefix = common_prefix(word, other);
     if (best.empty() || distance < best_distance || (distance == best_distance && prefix > best_prefix)) {
       best = candidate;

@@ -27,7 +27,7 @@ namespace mudline {
 
 namespace {
 
-// What a signal handler may read: nothing here allocates once it is set.
+// Data that a signal handler may read: none of it allocates once it is set.
 
 struct LoadedCode {
   std::uintptr_t begin, end;
@@ -37,16 +37,16 @@ constexpr int most_libraries = 256;
 LoadedCode loaded[most_libraries];
 std::atomic<int> libraries{0};
 
-char being_loaded[sizeof LoadedCode::name];  // the file whose static initialisers run
+char being_loaded[sizeof LoadedCode::name];  // file whose static initialisers are running
 
 int own_rank = 0;
-pid_t own_process = 0;       // children that are forked are not guarded
-int kept_error_output = -1;  // a copy, for the last words after somebody has closed the descriptor
+pid_t own_process = 0;       // forked children are not guarded
+int kept_error_output = -1;  // copy, for the last message after somebody has closed the descriptor
 std::atomic<bool> armed{false}, ending{false};
 constexpr int deadly[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-std::array<char, 1 << 16> signal_stack;  // a recursion without end has used up the ordinary one
+std::array<char, 1 << 16> signal_stack;  // endless recursion uses up the ordinary stack
 
-/// The foreign library nearest on the stack; null: none.
+/// The nearest foreign library on the call stack; null: none.
 const char* library_on_stack() {
   void* frames[128];
   const int depth = backtrace(frames, 128);
@@ -58,7 +58,7 @@ const char* library_on_stack() {
   return being_loaded[0] != '\0' ? being_loaded : nullptr;
 }
 
-/// What the C library's _exit does: nothing but the end.
+/// Ends the process at once, as the C library's _exit does.
 [[noreturn]] void leave(int code) {
   for (;;) syscall(SYS_exit_group, code);
 }
@@ -66,7 +66,7 @@ const char* library_on_stack() {
 /// Writes the pieces as one line with one system call, so that ranks do not mix, and ends the process.
 [[noreturn]] void end(std::initializer_list<const char*> pieces, int code) {
   if (own_rank > 0) {
-    signal(SIGTERM, SIG_DFL);  // the launcher's, once the first rank has ended
+    signal(SIGTERM, SIG_DFL);  // from the launcher, once the first rank has ended
     sleep(2);
   }
   char line[2000];
@@ -96,7 +96,7 @@ const char* words(int number) {
 }
 
 void on_deadly_signal(int number) {
-  // The search of the stack may fail in turn where the stack is damaged.
+  // The search of the stack may itself crash where the stack is damaged.
   if (ending.exchange(true)) end({"error: the program crashed (", words(number), ")"}, 1);
   if (const char* library = library_on_stack())
     end({"error: the library '", library, "' crashed (", words(number), ") while it was being called"}, 1);
@@ -108,7 +108,7 @@ void on_deadly_signal(int number) {
   end({"error: the library '", library, "' ended the program (", how, ") while it was being called"}, 1);
 }
 
-/// `inside`: how a library does it; `own`: how this program would.
+/// `inside`, `own`: how a library, or else this program, has ended the process.
 void end_from_inside(const char* inside, const char* own) {
   if (!armed.exchange(false)) return;
   if (const char* library = library_on_stack()) end_for(library, inside);
@@ -131,7 +131,7 @@ std::string loaded_libraries() {
 
 bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
 
-// As the program began.
+// The state at the start of the program.
 int own_rounding = FE_TONEAREST;
 struct stat own_folder {};
 std::array<struct stat, 3> own_streams{};  // standard input, output and error; st_ino 0: not there
@@ -201,7 +201,7 @@ ForeignLibrary::ForeignLibrary(const std::string& path) {
     throw std::runtime_error("its initialisation throws: " + fault_thrown());
   }
   being_loaded[0] = '\0';
-  std::fesetenv(&arithmetic);  // code for -ffast-math switches small numbers off in all of the program, at its loading
+  std::fesetenv(&arithmetic);  // undoes the flush-to-zero mode that loading -ffast-math code sets
   if (!handle_) throw std::runtime_error(last_line(dlerror()));
   remember(handle_, path);
   check_foreign_code(&before);
@@ -218,7 +218,7 @@ ExitGuard::ExitGuard(int rank, int ranks) {
   for (int i = 0; i < 3; ++i)
     if (fstat(i, &own_streams[i]) != 0) own_streams[i] = {};
   void* frame[1];
-  backtrace(frame, 1);  // loads what it needs now and not in a signal handler
+  backtrace(frame, 1);  // the first call loads a library, which a signal handler must not do
   stack_t stack{};
   stack.ss_sp = signal_stack.data();
   stack.ss_size = signal_stack.size();
@@ -245,7 +245,7 @@ OpenDescriptors::OpenDescriptors(bool loading) {
     struct stat what {};
     if (number > 2 && fstat(number, &what) == 0) of_.push_back({number, what.st_dev, what.st_ino});
   }
-  // the one by which they were listed is closed by now
+  // the descriptor of the listing itself is closed by now
   const auto closed = [](const Open& open) {
     struct stat what {};
     return fstat(open.number, &what) != 0;
@@ -283,8 +283,8 @@ void end_with_error(const std::string& message, int code) {
 
 }  // namespace mudline
 
-// The program exports these: what a library that is loaded later calls by these names comes here. The C library ends
-// itself by other names.
+// The program exports these functions, so that calls of them in libraries that are loaded later come here. The C
+// library itself uses other names.
 extern "C" {
 [[noreturn]] void _exit(int code) {
   if (const char* library = mudline::foreign_caller()) mudline::end_for(library, "a call of _exit");

@@ -49,7 +49,7 @@ class Expression : public FunctionBase {
   bool has_variables() const { return !used_.empty(); }
 
  private:
-  /// muParser would take "x = 3" as an order to overwrite x.
+  /// Refuses assignments: muParser would overwrite x at "x = 3".
   static void refuse_assignment(const std::string& text) {
     for (std::size_t i = text.find('='); i != std::string::npos; i = text.find('=', i + 1)) {
       const char before = i > 0 ? text[i - 1] : '=';

@@ -12,7 +12,7 @@ namespace mudline {
 
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};  // in decks and histories; in the plane the first two
 
-constexpr const char* geometry_in_space = "three-dimensional";  // word of the deck's "mesh/geometry"; others: plane
+constexpr const char* geometry_in_space = "three-dimensional";  // value of the deck's "mesh/geometry"; others: plane
 
 /// A scalar function of time and position; immutable after construction.
 class FunctionBase {
@@ -36,9 +36,9 @@ class Function {
   bool steady() const { return definition_ ? definition_->steady() : true; }
   bool is_constant() const { return definition_ == nullptr; }
   bool is_zero() const { return is_constant() && constant_ == 0.0; }
-  /// As the user wrote it.
+  /// The definition as the user wrote it.
   const std::string& text() const { return text_; }
-  /// The same function that calls itself `text`.
+  /// A copy of the function with another text().
   Function with_text(std::string text) const;
 
  private:
@@ -47,10 +47,10 @@ class Function {
   std::string text_;
 };
 
-/// The deck's named functions; resolves what a parameter of function kind may hold.
+/// The deck's named functions; resolves the value of a parameter that is a function.
 class FunctionLibrary {
  public:
-  /// dimension: of the deck's mesh, 2 or 3; expressions have that many coordinates.
+  /// dimension: that of the deck's mesh, 2 or 3; expressions have that many coordinates.
   explicit FunctionLibrary(int dimension = 2) : dimension_(dimension) {}
   int dimension() const { return dimension_; }
   void add(const std::string& name, Function function);

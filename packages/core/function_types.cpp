@@ -57,7 +57,7 @@ class ConstantDefinition : public FunctionDefinition {
   double value_ = 0.0;
 };
 
-/// A function called "t" or "3" could never be used: the name already means something.
+/// Whether a name already has a meaning: a function called "t" or "3" could never be used.
 bool reserved(const std::string& name) {
   try {
     FunctionLibrary().resolve(name);

@@ -5,17 +5,17 @@
 
 namespace mudline {
 
-/// What an entry of the deck's section "functions" holds until it becomes a Function.
+/// The parameters of an entry of the deck's section "functions", from which a Function is made.
 class FunctionDefinition {
  public:
   virtual ~FunctionDefinition() = default;
   virtual Function make() const = 0;
 };
 
-/// The types "table", "expression" and "constant".
+/// Registers the types "table", "expression" and "constant".
 void register_functions(Registry<FunctionDefinition>& functions);
 
-/// Reads every sublist of the deck's section "functions"; InputError with path and line for what is wrong.
+/// Reads every sublist of the deck's section "functions"; Throws InputError with path and line for errors in them.
 FunctionLibrary read_functions(const Section& functions, const Registry<FunctionDefinition>& types);
 
 }  // namespace mudline

@@ -17,7 +17,7 @@ std::string last_line(const std::string& text) {
 
 namespace {
 
-/// A value of a file of /proc in kilobytes, in GiB; 0 where there is none.
+/// Reads a value in kilobytes from a file of /proc and returns it in GiB; 0 where there is none.
 double gibibytes(const char* file, const std::string& name) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);)
@@ -31,7 +31,7 @@ std::string text_of(double value) {
   return text;
 }
 
-/// The words of the standard library, and of Kokkos and others that say it in their own.
+/// Whether a line of a message reports exhausted memory, in the words of the standard library, Kokkos or others.
 bool tells_of_memory(const std::string& line) {
   for (const char* words : {"std::bad_alloc", "bad_array_new_length", "cannot create std::vector larger than max_size",
                             "failed to allocate", "_M_default_append", "out of memory", "Cannot allocate memory"})
@@ -39,7 +39,7 @@ bool tells_of_memory(const std::string& line) {
   return false;
 }
 
-/// That there is not enough memory, how much this process held at most, and what limits it.
+/// Message that memory is exhausted: how much this process held at most, and what limits it.
 std::string memory_exhausted() {
   std::string text = "not enough memory for this model";
   const double held = gibibytes("/proc/self/status", "VmHWM"), all = gibibytes("/proc/meminfo", "MemTotal");
@@ -60,7 +60,7 @@ std::string what_was_thrown() {
     return memory_exhausted();
   } catch (const std::exception& error) {
     const std::string line = last_line(error.what());
-    if (tells_of_memory(error.what())) return memory_exhausted();  // a rank may have heard it from another
+    if (tells_of_memory(error.what())) return memory_exhausted();  // the error may come from another rank
     return line.empty() ? "an exception without a message" : line;
   } catch (...) {
     return "something that is no std::exception";

@@ -8,18 +8,19 @@
 
 namespace mudline {
 
-/// The last line of `text` with something in it: long messages of libraries end with what happened.
+/// The last line of `text` that is not blank: long messages of libraries end with the cause.
 std::string last_line(const std::string& text);
 
-/// What was thrown, in one line, inside a catch block: the last line of a std::exception's text, or that it is none.
+/// Describes the current exception in one line, inside a catch block: the last line of a std::exception's text, or that
+/// it is none.
 std::string what_was_thrown();
 
-/// The same of code that may be a plugin's, but for exhausted memory: that is no fault of what was called, and is
-/// thrown on to the end of the program, which has a line of its own for it.
+/// Describes the current exception of code that may be a plugin's. Exhausted memory is rethrown: it is no fault of the
+/// called code, and the program reports it at its end.
 std::string fault_thrown();
 
-/// The result of `action`, code that may be a plugin's. Whatever it throws becomes an InputError at `entry` of the
-/// section, "<what it was to do>: <what was thrown>"; an InputError and exhausted memory stay as they are.
+/// Returns the result of `action`, code that may be a plugin's. An exception in it becomes the InputError "<failure>:
+/// <what was thrown>" at `entry` of the section; an InputError and exhausted memory stay as they are.
 template <class Action>
 auto guarded(const Section& section, const std::string& entry, const std::string& failure, Action&& action)
     -> decltype(action()) {

@@ -7,17 +7,17 @@ namespace mudline::log {
 
 enum class Level { quiet, normal, verbose, debug };
 
-/// Set once by the program: which rank this is (only rank 0 writes) and how much is printed.
+/// Sets this process' rank (only rank 0 writes) and how much is printed; the program calls it once.
 void configure(int rank, Level level);
 Level level();
 
-/// One line on standard output of rank 0 (normal and above).
+/// Writes one line on standard output of rank 0 (normal and above).
 void info(const std::string& line);
-/// One line on standard output of rank 0 (verbose and above).
+/// Writes one line on standard output of rank 0 (verbose and above).
 void detail(const std::string& line);
-/// "warning: ..." on standard error of rank 0, at every level.
+/// Writes "warning: ..." on standard error of rank 0, at every level.
 void warn(const std::string& line);
-/// "error: ..." likewise: what ends the run.
+/// Writes "error: ..." in the same way, for an error that ends the run.
 void error(const std::string& line);
 
 }  // namespace mudline::log

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What is wrong with one value, without position; the caller adds it.
+/// An error in one value, without its position, which the caller adds.
 using Fault = InputError;
 
 [[noreturn]] void mismatch(const std::string& expected, const Teuchos::ParameterEntry& entry) {
@@ -78,7 +78,7 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, std::
   if (entry.isType<Teuchos::Array<std::string>>()) {
     member = value_of<Teuchos::Array<std::string>>(entry).toVector();
   } else if (entry_text(entry) == "{}") {
-    member.clear();  // --set takes "{}" for an array of integers
+    member.clear();  // --set reads "{}" as an array of integers
   } else {
     mismatch("an array of strings (Array(string))", entry);
   }
@@ -91,7 +91,7 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& range, Vec<doubl
   std::copy(values.begin(), values.end(), member.begin());
 }
 
-/// Names of functions and expressions need the deck's library, the other conversions only the entry.
+/// Unlike other conversions, this one needs the deck's library, for names of functions and for expressions.
 Function read_function(const Teuchos::ParameterEntry& entry, const FunctionLibrary& library) {
   if (entry.isType<std::string>()) return library.resolve(value_of<std::string>(entry));
   if (!entry.isType<double>() && !entry.isType<int>())
@@ -153,7 +153,7 @@ void Parameters::declare(ParameterDoc doc) {
 
 const Teuchos::ParameterEntry* Parameters::entry(const ParameterDoc& doc) const {
   if (documenting()) return nullptr;
-  return section_->list().getEntryPtr(doc.name);  // finish() asks for the required ones, when all names are known
+  return section_->list().getEntryPtr(doc.name);  // finish() checks the required ones, when all names are known
 }
 
 template <class Read>

@@ -25,13 +25,13 @@ Range closed(double low, double high);     // [low, high]
 Range open(double low, double high);       // (low, high)
 Range half_open(double low, double high);  // [low, high)
 
-/// What is known of one parameter; the source of help texts, the reference, templates, the XSD, and errors.
+/// The documentation of one parameter: the source of help texts, the reference, templates, the XSD, and errors.
 struct ParameterDoc {
   std::string name;
   std::string type;  // double, int, bool, string, array of doubles, array of strings, function, choice, file
   std::string unit, range, default_text, doc;
   bool required;
-  std::vector<std::string> choices;  // of an enumeration
+  std::vector<std::string> choices;  // allowed words of a choice
 };
 
 /// Parameters of one object, declared once: the same call documents, validates, reads into the member.
@@ -59,7 +59,7 @@ class Parameters {
            const std::string& doc);
   void add(const std::string& name, std::vector<std::string>& member, const std::string& doc);
   void add(const std::string& name, Vec<double, 2>& member, const std::string& unit, const std::string& doc);
-  /// A place or a vector: as many numbers as the mesh has dimensions; in the plane the third stays 0.
+  /// A point or a vector: as many numbers as the mesh has dimensions; in the plane the third stays 0.
   void add(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void add(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, double& member, const std::string& unit, Range range, const std::string& doc);
@@ -92,7 +92,7 @@ class Parameters {
   /// True when the deck gives this parameter (always false when documenting).
   bool given(const std::string& name) const;
   bool documenting() const { return section_ == nullptr; }
-  /// Of the deck's mesh, 2 or 3; 3 when documenting.
+  /// Dimension of the deck's mesh, 2 or 3; 3 when documenting.
   int dimension() const { return documenting() ? 3 : section_->dimension(); }
   const Section& deck() const { return *section_; }
 

@@ -14,7 +14,7 @@
 
 namespace mudline {
 
-/// What `mudline list` and `mudline explain` know of one registered type.
+/// The documentation of one registered type, for `mudline list` and `mudline explain`.
 struct EntryDoc {
   std::string kind, name, summary;
   std::vector<ParameterDoc> parameters;
@@ -65,7 +65,7 @@ class Registry {
   }
 
   /// Builds the object that section's "type" names and reads its parameters.
-  /// InputError for a missing or unknown type (with the known ones), whatever the parameters object to, and whatever
+  /// Throws InputError for a missing or unknown type (with the known ones), for bad parameters, and for anything that
   /// the type, which may be a plugin's, throws.
   std::unique_ptr<Interface> create(const Section& section, Context... context) const {
     if (!section.has_parameter("type"))
@@ -81,7 +81,7 @@ class Registry {
                  "type");
   }
 
-  /// The same of a section that has no "type": its name is that of a registered type.
+  /// Builds the object of a section without "type": the section's name is that of a registered type.
   std::unique_ptr<Interface> create_by_name(const Section& section, Context... context) const {
     for (const auto& entry : entries_)
       if (entry.name == section.name())

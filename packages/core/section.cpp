@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-/// Teuchos' iterators of release 13.2 give name and entry only through the list; one place to know it.
+/// Visits all entries. In release 13.2, Teuchos' iterators give name and entry only through the list.
 template <class Visit>
 void for_each_entry(const Teuchos::ParameterList& list, Visit visit) {
   for (auto it = list.begin(); it != list.end(); ++it) visit(list.name(it), list.entry(it));
@@ -21,7 +21,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Sections are not judged by themselves: Teuchos marks them used whenever something is put into them.
+/// Collects unused parameters only: Teuchos marks a section as used whenever something is put into it.
 void collect_unused(const Teuchos::ParameterList& list, const std::string& path, std::vector<std::string>& unused) {
   for_each_entry(list, [&](const std::string& name, const Teuchos::ParameterEntry& entry) {
     if (entry.isList()) {
@@ -105,7 +105,7 @@ std::string Section::source(const std::string& entry) const {
 }
 
 void Section::fail(const std::string& message, const std::string& entry) const {
-  // Who misses the type of an object does not know the object's other names yet.
+  // Where the type is missing, the object's other parameters are unknown, so look for a misspelt "type" first.
   const std::string missing = "required parameter 'type' is missing";
   const std::string misspelt =
       message.compare(0, missing.size(), missing) == 0 ? nearest("type", parameter_names()) : "";

@@ -12,14 +12,14 @@
 
 namespace mudline {
 
-/// Where each entry of the deck was written: path "materials/clay/type" -> "deck.xml:12".
+/// The position of each entry of the deck: path "materials/clay/type" -> "deck.xml:12".
 using Sources = std::map<std::string, std::string>;
 
-/// One sublist of the deck together with all that a good error message needs. Cheap to copy; the deck owns the data.
-/// Entries that are read are marked; unused() then finds what nobody asked for.
+/// One sublist of the deck, with its path and position for error messages. Cheap to copy; the deck owns the data.
+/// Entries that are read are marked; unused() then finds the others.
 class Section {
  public:
-  /// `root` outlives the section.
+  /// `root` must outlive the section.
   Section(Teuchos::ParameterList& root, std::shared_ptr<const Sources> sources,
           std::shared_ptr<const FunctionLibrary> functions, std::string folder);
 
@@ -30,7 +30,7 @@ class Section {
   /// The deck's folder; relative files in the deck are relative to it.
   const std::string& folder() const { return folder_; }
   const FunctionLibrary& functions() const { return *functions_; }
-  /// Of the deck's mesh, 2 or 3: how many numbers a point has.
+  /// Dimension of the deck's mesh, 2 or 3: how many numbers a point has.
   int dimension() const { return functions_->dimension(); }
   Teuchos::ParameterList& list() const { return *list_; }
 
@@ -38,7 +38,7 @@ class Section {
   bool has_parameter(const std::string& name) const;
   /// The sublist; an absent one is an empty section with the right path.
   Section section(const std::string& name) const;
-  /// The same; where its "type" is not given, it is `type`.
+  /// The sublist, where a missing "type" is taken to be `type`.
   Section section_of_type(const std::string& name, const std::string& type) const;
   /// Names of all sublists in deck order.
   std::vector<std::string> section_names() const;

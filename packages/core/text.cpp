@@ -20,8 +20,8 @@ std::optional<Number> parse(const std::string& text) {
   return value;
 }
 
-/// Bytes of the UTF-8 character at `at`; 0 where there is none. Only what XML 1.0 takes for a character, in the
-/// shortest form.
+/// Number of bytes of the UTF-8 character at `at`; 0 where there is none. Only characters of XML 1.0 in their shortest
+/// form count.
 std::size_t character_length(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) -> unsigned {
     return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0;
@@ -40,7 +40,7 @@ std::size_t character_length(const std::string& text, std::size_t at) {
   return code < least[length] || code > 0x10ffff || surrogate || code == 0xfffe || code == 0xffff ? 0 : length;
 }
 
-/// Whether the character there commands a terminal instead of showing something.
+/// Whether the character there is a control character, which a terminal would obey instead of showing.
 bool is_control(const std::string& text, std::size_t at) {
   const auto first = static_cast<unsigned char>(text[at]);
   const auto next = static_cast<unsigned char>(at + 1 < text.size() ? text[at + 1] : 0);
@@ -53,7 +53,7 @@ std::string hexadecimal(char byte) {
   return text;
 }
 
-/// So many bytes or a few less, so that no character is cut.
+/// `bytes`, or a few less, so that no character is cut.
 std::size_t whole_characters(const std::string& text, std::size_t bytes) {
   while (bytes > 0 && bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80) --bytes;
   return bytes;
@@ -81,7 +81,7 @@ std::string beginning(const std::string& text, std::size_t bytes) {
 }
 
 std::string printable(const std::string& message) {
-  constexpr std::size_t begin = 1500, end = 500;  // [bytes] that are kept of a longer one
+  constexpr std::size_t begin = 1500, end = 500;  // [bytes] shown of a longer one
   std::string shown = message;
   if (message.size() > begin + end + 100) {
     const std::size_t first = whole_characters(message, begin), last = whole_characters(message, message.size() - end);

@@ -11,7 +11,7 @@
 
 namespace mudline {
 
-/// The text of the lowest rank that has one, on every rank; "" where none has. Collective.
+/// Returns on every rank the text of the lowest rank that has one; "" where none has. Collective.
 inline std::string broadcast(const Teuchos::Comm<int>& comm, std::string text) {
   const int mine = text.empty() ? comm.getSize() : comm.getRank();
   int first = 0;
@@ -25,12 +25,12 @@ inline std::string broadcast(const Teuchos::Comm<int>& comm, std::string text) {
 }
 
 /// Runs `action` on every rank; when it throws anywhere, every rank throws the error of the lowest such rank, so that
-/// what only one rank can see (a missing file, a bad mesh) ends all of them alike. Collective; the action itself must
-/// not communicate.
+/// an error that only one rank can see (a missing file, a bad mesh) ends all ranks alike. Collective; the action itself
+/// must not communicate.
 template <class Action>
 void agree(const Teuchos::Comm<int>& comm, Action&& action) {
   std::string message;
-  std::exception_ptr other;  // a programmer's error or exhausted memory: its own type is kept where it was thrown
+  std::exception_ptr other;  // a programming error or exhausted memory; the rank that threw it rethrows its own type
   int failed = comm.getSize();
   try {
     action();

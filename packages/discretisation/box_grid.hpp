@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-/// Boxes in a grid of about as many cells as there are boxes, to find those near another box.
+/// A uniform grid of about as many cells as there are boxes, to find the boxes near another one.
 class BoxGrid {
  public:
   explicit BoxGrid(std::vector<Bounds> boxes) : boxes_(std::move(boxes)) {
@@ -34,7 +34,7 @@ class BoxGrid {
       for_each_cell(boxes_[b], [&](std::vector<int>& list) { list.push_back(static_cast<int>(b)); });
   }
 
-  /// Calls f(number) for the boxes that meet one, sometimes more than once.
+  /// Calls f(number) for every box that meets `box`, for some of them more than once.
   template <class F>
   void near(const Bounds& box, F&& f) {
     for_each_cell(box, [&](const std::vector<int>& list) {

@@ -12,7 +12,7 @@ namespace mudline {
 
 namespace {
 
-/// A number in [0, 1) that depends on `key` only (splitmix64), the same everywhere.
+/// A pseudo-random number in [0, 1) from `key` (splitmix64), the same on every machine.
 double scatter(std::uint64_t key) {
   key += 0x9e3779b97f4a7c15u;
   key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -159,8 +159,8 @@ void BoxMesh::move_vertices(const std::array<std::vector<double>, 3>& x, GlobalM
           size = std::min({size, x[d][at[d]] - x[d][at[d] - 1], x[d][at[d] + 1] - x[d][at[d]]});
           place[d] = step_ * at[d];
         }
-        // Within a disc or a ball: vertices that move by less than 0.35 of the cell size turn no triangle,
-        // quadrilateral or tetrahedron over; a hexahedron in the worst case only, which check_mesh() would refuse.
+        // Vertices move within a disc or a ball. A move of less than 0.35 of the cell size folds no triangle,
+        // quadrilateral or tetrahedron; it can fold a hexahedron in the worst case, which check_mesh() refuses.
         auto& point = mesh.coordinates[node(place)];
         const auto key = static_cast<std::uint64_t>(node(place)) * dimension_;
         const double angle = 2 * pi * scatter(key + 1), cosine = plane ? 0 : 2 * scatter(key + 2) - 1;
@@ -225,9 +225,9 @@ std::vector<std::vector<BoxMesh::Index>> BoxMesh::triangles(const Index& cell) c
   return {{a, b, d}, {b, c, d}};
 }
 
-/// Six tetrahedra around a diagonal of the cell (Kuhn): on each the coordinates grow one after the other. Whether a
-/// direction is mirrored depends on the cell's number in that direction only, so that neighbours fit, alternates, and
-/// is such that the diagonals start at the corners of the box.
+/// Six tetrahedra around a diagonal of the cell (Kuhn): along the path of each, the coordinates grow one after the
+/// other. Whether a direction is mirrored depends only on the cell's number in that direction, so that neighbours fit.
+/// The mirroring alternates, and the diagonals start at the corners of the box.
 std::vector<std::vector<BoxMesh::Index>> BoxMesh::tetrahedra(const Index& cell) const {
   static constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   bool mirrored[3], turned = false;
@@ -244,7 +244,7 @@ std::vector<std::vector<BoxMesh::Index>> BoxMesh::tetrahedra(const Index& cell) 
       at[d] += mirrored[d] ? -1 : 1;
       corners.push_back(at);
     }
-    if (turned != (t >= 3)) std::swap(corners[2], corners[3]);  // the last three ways are odd
+    if (turned != (t >= 3)) std::swap(corners[2], corners[3]);  // the last three permutations are odd
     result.push_back(std::move(corners));
   }
   return result;

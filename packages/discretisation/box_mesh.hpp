@@ -21,7 +21,7 @@ class BoxMesh : public MeshSource {
   GlobalMesh generate() const override;
 
  private:
-  using Index = std::array<int, 3>;  // of a cell, or of a node in the grid of corners and mid-side nodes
+  using Index = std::array<int, 3>;  // index of a cell, or of a node in the grid of corners and mid-side nodes
 
   void check_numbers(const Section& section);
   void check_layers(const Section& section) const;
@@ -31,7 +31,7 @@ class BoxMesh : public MeshSource {
   void place_nodes(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
   void move_vertices(const std::array<std::vector<double>, 3>& x, GlobalMesh& mesh) const;
   void place_mid_side_nodes(GlobalMesh& mesh) const;
-  /// The block of each layer of cells from the bottom up; adds the blocks.
+  /// Adds the blocks and returns the block of each layer of cells, from the bottom up.
   std::vector<int> blocks_of_rows(const std::vector<double>& heights, GlobalMesh& mesh) const;
   /// Adds a cell and its sides on the boundary.
   void add_cell(const Index& cell, int block, GlobalMesh& mesh) const;

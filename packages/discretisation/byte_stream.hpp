@@ -9,14 +9,14 @@
 
 namespace mudline {
 
-/// Values written to bytes, or read back in the same order: a type lists its members once, for both directions, in
-/// `void transfer(ByteStream&)`. One that is kept in other ways too gives them names in `template <class Archive> void
-/// transfer(Archive&)`, which bytes do without.
+/// Values written to bytes, or read back in the same order. A type lists its members once, for both directions, in
+/// `void transfer(ByteStream&)`. A type that other archives store too names its members in `template <class Archive>
+/// void transfer(Archive&)`; a ByteStream ignores the names.
 class ByteStream {
  public:
-  /// For writing.
+  /// An empty stream to write to.
   ByteStream() = default;
-  /// For reading.
+  /// A stream that reads from `bytes`.
   explicit ByteStream(std::vector<char> bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
   const std::vector<char>& bytes() const { return bytes_; }

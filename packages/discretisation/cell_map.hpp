@@ -9,9 +9,9 @@ template <int Dim>
 struct CellMap {
   Mat<double, Dim> slope;    // dx_i / dxi_k [m]
   Mat<double, Dim> inverse;  // dxi_k / dx_i [1/m]; not finite where det is 0
-  double det;                // of `slope` [m^Dim]; not positive in a folded cell
+  double det;                // determinant of `slope` [m^Dim]; not positive in a folded cell
 
-  /// x: places of the nodes (node, i) [m]; dN: reference gradients of their shapes (node, k), row-major.
+  /// x: node positions (node, i) [m]; dN: reference gradients of their shape functions (node, k), row-major.
   template <int N>
   KOKKOS_INLINE_FUNCTION void compute(const double (&x)[N][Dim], const double* dN) {
     for (int i = 0; i < Dim; ++i)
@@ -21,13 +21,14 @@ struct CellMap {
         for (int k = 0; k < Dim; ++k) slope[i][k] += x[a][i] * dN[Dim * a + k];
     finish();
   }
-  /// From the gradient itself.
+  /// Computes the map from its gradient dx_i / dxi_k [m].
   KOKKOS_INLINE_FUNCTION void compute(const Mat<double, Dim>& gradient) {
     for (int i = 0; i < Dim; ++i)
       for (int k = 0; k < Dim; ++k) slope[i][k] = gradient[i][k];
     finish();
   }
-  /// Gradients in space [1/m] of shapes whose reference gradients are given: its own, or those of another field.
+  /// Spatial gradients [1/m] of the shape functions with the reference gradients dN: the cell's own, or another
+  /// field's.
   template <int N>
   KOKKOS_INLINE_FUNCTION void gradients(const double* dN, double (&g)[N][Dim]) const {
     for (int a = 0; a < N; ++a)

@@ -55,8 +55,8 @@ Tag CentreNodes::centre_of_face(const std::vector<int>& face, const Tag* cell) {
   return known->second;
 }
 
-/// The serendipity shapes in the middle of a quadrilateral: -1/4 at corners, 1/2 at mid-side nodes of edges; of a
-/// hexahedron: -1/4 and 1/4.
+/// Serendipity shape functions at the centre: in a quadrilateral -1/4 for corners and 1/2 for mid-side nodes, in a
+/// hexahedron -1/4 and 1/4.
 Tag CentreNodes::centre(const std::vector<int>& corners, const std::vector<int>& mid_side_nodes, const Tag* cell) {
   const double of_corner = -0.25,
                of_middle = (1 - of_corner * static_cast<double>(corners.size())) / mid_side_nodes.size();

@@ -9,21 +9,22 @@
 
 namespace mudline {
 
-/// The centres of faces and cells that quadrilaterals of 8 nodes and hexahedra of 20 lack. They are put where the
-/// serendipity shapes of the element have them: the map of the cell with centres is the same polynomial as before, so
-/// that the geometry does not change. Neighbours get the same node on their common face; where the neighbour has that
-/// node already, theirs is taken.
+/// Adds the centre nodes of faces and cells that 8-node quadrilaterals and 20-node hexahedra lack. They are placed by
+/// the serendipity shape functions of the element, so that the map of the cell stays the same polynomial and the
+/// geometry does not change. Neighbours share the node of their common face; a node that the neighbour already has is
+/// used.
 class CentreNodes {
  public:
   using Tag = TaggedMesh::Tag;
   static constexpr Tag missing = -1;
 
-  /// The nodes of a file by their numbers, which are not negative; centres get negative numbers.
+  /// `places`: the nodes of a file by their numbers, which are not negative; centres are added with negative numbers.
   explicit CentreNodes(std::unordered_map<Tag, Point>& places) : places_(places) {}
 
-  /// Tells what cells have already: to be called for all of them before add(). (element, node) in the cell's order.
+  /// Registers the face centres that cells already have. Call it for all cells before add(). nodes: (element, node) in
+  /// the cell's order.
   void note(CellShape shape, const std::vector<Tag>& nodes);
-  /// Puts the centres in place of `missing`.
+  /// Replaces `missing` by centre nodes.
   void add(CellShape shape, std::vector<Tag>& nodes);
 
  private:

@@ -21,7 +21,7 @@ void refuse(const Bounds& all, int dimension) {
                    " of a hole that is meant");
 }
 
-/// The voids of the plane: loops of boundary sides.
+/// The boundaries of a plane mesh as loops of sides.
 class Loops {
  public:
   explicit Loops(const std::vector<SeamSide>& sides) : sides_(sides) {
@@ -35,8 +35,8 @@ class Loops {
   std::unordered_map<long long, std::vector<std::size_t>> from_;  // sides by their first node
 };
 
-/// The side with which the boundary goes on around the same void: at a node where several voids meet, the first one met
-/// on the way through the void.
+/// The next side of the boundary around the same void: at a node where several voids meet, the first side met when
+/// turning through the void.
 std::size_t Loops::next_of(std::size_t s) const {
   const std::vector<std::size_t>& ways = from_.at(sides_[s].at.nodes[1]);
   if (ways.size() == 1) return ways[0];
@@ -74,7 +74,7 @@ void Loops::check() const {
   }
 }
 
-/// The voids of space: surfaces of boundary faces that hang together by edges of two of them.
+/// The boundaries of a mesh in space as surfaces of faces; two faces are connected by an edge that only they share.
 class Surfaces {
  public:
   explicit Surfaces(const std::vector<SeamSide>& sides);
@@ -105,7 +105,7 @@ void Surfaces::for_each_edge(F&& f) const {
 
 Surfaces::Surfaces(const std::vector<SeamSide>& sides) : sides_(sides) {
   DisjointSets joined(sides.size());
-  std::unordered_map<SideKey, std::vector<int>, SideKeyHash> faces;  // at an edge
+  std::unordered_map<SideKey, std::vector<int>, SideKeyHash> faces;  // faces at each edge
   for_each_edge([&](int face, const long long* ends) { faces[sorted_key(ends, 2)].push_back(face); });
   for (const auto& [edge, at] : faces)
     if (at.size() == 2) joined.join(at[0], at[1]);
@@ -127,7 +127,7 @@ void Surfaces::check() const {
       surface.volume += determinant(v) / 6;
     }
   }
-  std::unordered_map<SideKey, std::map<int, int>, SideKeyHash> ways;  // of the faces of a surface along an edge
+  std::unordered_map<SideKey, std::map<int, int>, SideKeyHash> ways;  // by edge and surface
   for_each_edge(
       [&](int face, const long long* ends) { ways[sorted_key(ends, 2)][leader_[face]] += ends[0] < ends[1] ? 1 : -1; });
   for (const auto& [edge, at] : ways)

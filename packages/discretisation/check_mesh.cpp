@@ -83,13 +83,13 @@ void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
       throw InputError("an axisymmetric mesh needs radii x >= 0, but has a node at " + place_text(point, 2));
 }
 
-/// Neighbours see their common side the opposite way round and share the node in its middle; a way round met twice
-/// means that elements lie on one another.
+/// Neighbours see their common side with opposite orientation and share its mid-side node; an orientation that is met
+/// twice means that elements overlap.
 void check_sides(const GlobalMesh& mesh) {
   struct Seen {
     SideKey way;
     long long middle;
-    bool both = false;  // from both elements
+    bool both = false;  // seen from both elements
   };
   std::vector<Seen> sides;  // by number
   SideTable table(count_over_elements(mesh, num_sides) / 2 + 1);
@@ -121,7 +121,7 @@ void check_sides(const GlobalMesh& mesh) {
   });
 }
 
-/// Cells of space share the middle nodes of common edges. (In the plane the edges are the sides.)
+/// Cells of space share the mid-side nodes of common edges. (In the plane the edges are the sides.)
 void check_edges(const GlobalMesh& mesh) {
   if (mesh.dimension() == 2) return;
   std::vector<long long> mid_side_nodes;  // by number
@@ -141,8 +141,8 @@ void check_edges(const GlobalMesh& mesh) {
   });
 }
 
-/// Where the Jacobian is looked at: the points of the usual quadrature, and the corners, where a curved side folds an
-/// element first.
+/// The points at which the Jacobian is checked: the usual quadrature points, and the corners, where a curved side folds
+/// an element first.
 std::vector<Vec<double, 3>> jacobian_points(CellShape shape) {
   std::vector<Vec<double, 3>> points = cell_quadrature(shape, 4).points;
   for (int c = 0; c < num_corners(shape); ++c) points.push_back(reference_node(shape, c));
@@ -165,7 +165,7 @@ void check_jacobians(const GlobalMesh& mesh) {
     for (int c = 0; c < num_corners(block.shape); ++c)
       for (int d = 0; d < dimension(block.shape); ++d)
         size = std::max(size, std::abs(mesh.coordinates[nodes[c]][d] - mesh.coordinates[nodes[0]][d]));
-    for (int d = 0; d < dimension(block.shape); ++d) round_off *= size;  // a sliver like a flat element is refused too
+    for (int d = 0; d < dimension(block.shape); ++d) round_off *= size;  // a sliver is refused like a flat element
     if (lowest > round_off) return;
     throw InputError("element with " + std::string(lowest < -round_off ? "negative" : "zero") +
                      " Jacobian in region '" + block.region + "' centred at " + centre(mesh, nodes, block.shape) +

@@ -16,11 +16,11 @@ double distance(const Point& a, const Point& b) {
   return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
 }
 
-/// How the boundary of a whole mesh lies on itself.
+/// Checks where the boundary of a whole mesh touches itself.
 class Seams {
  public:
   explicit Seams(const GlobalMesh& mesh);
-  /// What lies beside each other; `cracks` are let pass.
+  /// Refuses sides that lie beside each other, except contacts and `cracks`.
   void check_joints(const std::vector<std::string>& cracks);
   void check_overlap();
   void check_voids() const { check_holes(mesh_, sides_); }
@@ -43,7 +43,7 @@ class Seams {
   const GlobalMesh& mesh_;
   std::vector<SeamSide> sides_;
   std::vector<std::pair<int, long long>> elements_;
-  std::map<std::pair<int, long long>, std::set<std::string>> element_sets_;  // of an element's boundary sides
+  std::map<std::pair<int, long long>, std::set<std::string>> element_sets_;  // sets of an element's boundary sides
   std::set<std::string> cracked_;                                            // sets in which a crack was found
 };
 
@@ -71,8 +71,8 @@ std::vector<int> Seams::common(const SeamSide& a, const SeamSide& b) const {
   return result;
 }
 
-/// Neighbours on a seam look in opposite directions, side by side on some length or area and not only where their ends
-/// or edges meet.
+/// Two sides form a seam where their normals are opposite and they are close along some length or area, not only where
+/// their ends or edges meet.
 bool Seams::lies_along(const SeamSide& smaller, const SeamSide& larger) const {
   double along = 0;
   for (int i = 0; i < 3; ++i) along += smaller.normal[i] * larger.normal[i];
@@ -84,7 +84,7 @@ bool Seams::lies_along(const SeamSide& smaller, const SeamSide& larger) const {
   int close = 0;
   for (const auto& sample : side_samples(side_shape(map.shape()), false)) {
     const Point x = map.at(on_side(map.shape(), place.side, sample).data());
-    // beside a common edge of two faces that open like a book nothing can be told
+    // close to the common edge of two faces that open like a book, the distance says nothing
     if (joined.size() == 2 &&
         distance_to_piece(x, corner(smaller, joined[0]), corner(smaller, joined[1])) < 0.2 * smaller.size)
       continue;
@@ -96,13 +96,13 @@ bool Seams::lies_along(const SeamSide& smaller, const SeamSide& larger) const {
 bool Seams::may_touch(const std::set<std::string>& a, const std::set<std::string>& b) const {
   const auto unknown = [&](const std::string& set) { return mesh_.side_sets.count(set) == 0; };
   return std::any_of(mesh_.contacts.pairs.begin(), mesh_.contacts.pairs.end(), [&](const auto& pair) {
-    // a misspelt set may be one of these; the contact that names it, or one twice, says so
+    // a misspelt set may be one of these; the contact itself refuses unknown sets and the same set twice
     if (unknown(pair.first) || unknown(pair.second) || pair.first == pair.second) return true;
     return (a.count(pair.first) && b.count(pair.second)) || (a.count(pair.second) && b.count(pair.first));
   });
 }
 
-/// Whether two sides end at the same places.
+/// Whether two sides have their corners at the same places.
 bool Seams::twins(const SeamSide& a, const SeamSide& b) const {
   const double near = seam_closeness * std::min(a.size, b.size);
   for (int c = 0; c < a.corners; ++c) {
@@ -113,8 +113,8 @@ bool Seams::twins(const SeamSide& a, const SeamSide& b) const {
   return a.corners == b.corners;
 }
 
-/// Whether the deck names what two sides beside each other are: surfaces in contact, or the faces of a crack, which end
-/// at the same places.
+/// Whether the deck declares two sides beside each other as surfaces in contact, or as the faces of a crack, whose
+/// corners are at the same places.
 bool Seams::meant(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks) {
   if (may_touch(a.sets, b.sets)) return true;
   const bool allowed = twins(a, b) || common(a, b).empty();
@@ -146,7 +146,7 @@ void Seams::refuse(const SeamSide& smaller, const SeamSide& larger) const {
   if (joined.empty())
     throw InputError("two parts of the mesh lie beside each other at " + text(middle_of(mesh_, smaller.at)) +
                      " without common nodes" + ways);
-  int hanging = -1;  // of those that are not common, the one nearest to the larger side
+  int hanging = -1;  // the corner nearest to the larger side among those that are not common
   double nearest = std::numeric_limits<double>::max();
   for (int c = 0; c < smaller.corners; ++c) {
     const double here = distance_to(larger, corner(smaller, c));
@@ -177,7 +177,7 @@ void Seams::check_joints(const std::vector<std::string>& cracks) {
   }
 }
 
-/// Two sheets of elements over one another end at a boundary: there, just inside of a side, a point lies in two
+/// Where two sheets of elements overlap, one of them has a boundary: a point just inside of that side lies in two
 /// elements.
 void Seams::check_overlap() {
   std::vector<Bounds> boxes;
@@ -213,7 +213,7 @@ void Seams::look_into(const SeamSide& side, const Point& x, int e) {
   double there[3];
   const ElementMap other = element_map(mesh_, elements_[e].first, elements_[e].second);
   if (!other.invert(x.data(), there) || outside_cell(other.shape(), there) > -1e-3) return;
-  if (distance(other.at(there), x) > 1e-9 * side.edge) return;  // the search did not end
+  if (distance(other.at(there), x) > 1e-9 * side.edge) return;  // the inversion did not converge
   const auto sets = element_sets_.find(elements_[e]);
   if (sets != element_sets_.end() && may_touch(side.sets, sets->second)) return;
   throw InputError("the mesh lies over itself at " + text(x) + ": the point is in an element of region '" +

@@ -7,10 +7,10 @@
 
 namespace mudline {
 
-/// Which of the numbers 0, 1, ... hang together. The lowest number of a set leads it.
+/// Disjoint sets (union-find) of the numbers 0, 1, ... The leader of a set is its lowest number.
 class DisjointSets {
  public:
-  /// So many numbers, each by itself.
+  /// `count` numbers, each in a set of its own.
   explicit DisjointSets(std::size_t count) : leader_(count) { std::iota(leader_.begin(), leader_.end(), 0); }
   int leader(int number) {
     while (leader_[number] != number) number = leader_[number] = leader_[leader_[number]];
@@ -20,7 +20,7 @@ class DisjointSets {
     const auto [low, high] = std::minmax({leader(a), leader(b)});
     leader_[high] = low;
   }
-  /// Of every number.
+  /// The leader of every number.
   const std::vector<int>& leaders() {
     for (std::size_t number = 0; number < leader_.size(); ++number) leader_[number] = leader(static_cast<int>(number));
     return leader_;

@@ -22,9 +22,9 @@ long long count_elements(const GlobalMesh& mesh) {
   return count;
 }
 
-/// Ranks by METIS, which may leave some empty.
+/// The rank of every element by METIS, which may leave ranks empty.
 std::vector<int> metis_partition(const GlobalMesh& mesh, int ranks, long long elements) {
-  constexpr int contact_side_weight = 2;  // elements that cost as much as a side on which contact works
+  constexpr int contact_side_weight = 2;  // cost of a side in contact, in elements
   std::vector<idx_t> start{0}, corners, weights;
   std::vector<std::size_t> offsets{0};
   for (const auto& block : mesh.blocks) {
@@ -43,7 +43,7 @@ std::vector<int> metis_partition(const GlobalMesh& mesh, int ranks, long long el
       weights[offsets[side.block] + side.element] += contact_side_weight * num_nodes(mesh.blocks[side.block].shape);
   }
   idx_t num_elements = static_cast<idx_t>(elements), num_nodes = static_cast<idx_t>(mesh.coordinates.size());
-  idx_t common = 4, parts = ranks, cut = 0;  // elements are neighbours across a side: so many common corners
+  idx_t common = 4, parts = ranks, cut = 0;  // `common`: the number of corners that neighbours share
   for (const auto& block : mesh.blocks) common = std::min<idx_t>(common, num_corners(side_shape(block.shape)));
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
@@ -56,8 +56,8 @@ std::vector<int> metis_partition(const GlobalMesh& mesh, int ranks, long long el
   return {element_part.begin(), element_part.end()};
 }
 
-/// Owner of every node. A node of several ranks goes to one of them by a rule that gives a whole interface between two
-/// ranks to the same one, and the interfaces now to the lower rank, now to the higher.
+/// Owner of every node. For a node of several ranks, a rule picks one of them: a whole interface between two ranks goes
+/// to the same rank, for some interfaces to the lower and for others to the higher rank.
 std::vector<int> node_owners(const std::vector<std::vector<long long>>& nodes_of_rank, std::size_t num_nodes) {
   constexpr int none = std::numeric_limits<int>::max();
   std::vector<int> lowest(num_nodes, none), highest(num_nodes, -1);
@@ -127,7 +127,7 @@ MeshCutter::MeshCutter(const GlobalMesh& mesh, int ranks)
   describe_whole();
 }
 
-/// Nodes of the other side of a pair become ghosts where they are missing; their owners stay.
+/// Adds missing nodes of a pair's second set as ghosts; their owners stay the same.
 void MeshCutter::add_partners() {
   for (const auto& [first, second] : mesh_.contacts.pairs) {
     if (mesh_.side_sets.count(first) == 0 || mesh_.side_sets.count(second) == 0) continue;
@@ -203,7 +203,7 @@ void MeshCutter::add_sets(int rank, MeshPart& part) const {
   for (const auto& [name, nodes] : mesh_.node_sets) part.node_sets[name] = part.set_nodes.at(name);
 }
 
-/// Those of the nodes that the rank being cut has, by local number.
+/// Local numbers of the given nodes that the rank being cut has.
 std::vector<int> MeshCutter::local(const std::vector<long long>& sorted_nodes, const MeshPart& part) const {
   std::vector<int> mine;
   for (long long node : sorted_nodes) {
@@ -217,7 +217,8 @@ std::vector<int> MeshCutter::local(const std::vector<long long>& sorted_nodes, c
 
 namespace {
 
-/// MPI counts bytes by int, a part may be larger: calls `piece(first, size)` for one stretch after the other.
+/// Calls `piece(first, size)` for consecutive pieces of the bytes, because MPI counts them by int and a part may be
+/// larger.
 template <class Piece>
 void in_pieces(long long bytes, Piece&& piece) {
   constexpr long long largest = 1 << 30;
@@ -259,7 +260,7 @@ std::vector<int> partition_elements(const GlobalMesh& mesh, int ranks) {
   std::vector<char> used(ranks, 0);
   for (int rank : result) used[rank] = 1;
   if (std::count(used.begin(), used.end(), 0) == 0) return result;
-  // With a few elements per rank METIS may leave a rank empty: equal shares in the order of the source then.
+  // With few elements per rank METIS may leave a rank empty. Then every rank gets an equal share in the source's order.
   for (long long e = 0; e < elements; ++e) result[e] = static_cast<int>(e * ranks / elements);
   return result;
 }

@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-/// What one rank gets to know of the mesh: some facts of the whole, and its own part.
+/// The mesh data that one rank receives: some facts of the whole mesh, and its own part.
 struct MeshPart {
   struct Block {
     std::string region;
@@ -35,7 +35,7 @@ struct MeshPart {
   std::vector<Block> blocks;
   std::map<std::string, std::vector<Side>> side_sets;
   std::map<std::string, std::vector<int>> node_sets;
-  std::map<std::string, std::vector<int>> set_nodes;  // of side and node sets
+  std::map<std::string, std::vector<int>> set_nodes;  // local nodes of the side sets and node sets
 
   template <class Archive>
   void transfer(Archive& to) {
@@ -46,15 +46,15 @@ struct MeshPart {
   }
 };
 
-/// The rank of every element, elements numbered over all blocks in order. Balanced by METIS on the dual graph, where an
-/// element weighs as many nodes as it has, and a side that contact works on as much as two elements; every rank gets at
-/// least one. Throws InputError when there are more ranks than elements.
+/// The rank of every element, elements numbered over all blocks in order. METIS balances the dual graph, where the
+/// weight of an element is its number of nodes and a side in contact weighs as much as two elements; every rank gets at
+/// least one element. Throws InputError when there are more ranks than elements.
 std::vector<int> partition_elements(const GlobalMesh& mesh, int ranks);
 
-/// Cuts a whole mesh into the parts of so many ranks, one at a time.
+/// Cuts a whole mesh into one part per rank, one at a time.
 class MeshCutter {
  public:
-  /// `mesh` outlives it.
+  /// `mesh` must outlive the cutter.
   MeshCutter(const GlobalMesh& mesh, int ranks);
   MeshPart part(int rank);
 
@@ -77,12 +77,12 @@ class MeshCutter {
   MeshPart whole_;
 };
 
-/// Cuts rank 0's mesh into parts and hands each rank its own, one after the other. Collective.
+/// Cuts rank 0's mesh into parts and sends each rank its own, one after the other. Collective.
 MeshPart distribute(const Teuchos::Comm<int>& comm, const GlobalMesh& mesh);
 
-/// Throws InputError when the mesh cannot be computed on: no elements, mixed orders or dimensions, cells that are
-/// not of the geometry's dimension, orphan nodes, overlapping or not matching elements, a Jacobian that is not
-/// positive, a negative radius, an empty set, sets of the same name.
+/// Throws InputError when the mesh cannot be used: no elements, mixed orders or dimensions, cells that are not of the
+/// geometry's dimension, orphan nodes, elements that overlap or do not match, a Jacobian that is not positive, a
+/// negative radius, an empty set, sets of the same name.
 void check_mesh(const GlobalMesh& mesh, Geometry geometry);
 
 }  // namespace mudline

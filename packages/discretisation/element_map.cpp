@@ -12,16 +12,16 @@ namespace {
 
 constexpr int shapes = static_cast<int>(CellShape::hex27) + 1;
 
-/// What of a reference cell is asked for in inner loops.
+/// Data of a reference cell, tabulated for inner loops.
 struct Reference {
   struct Side {
-    int direction = -1;  // in which the side is flat; -1: the slanted side of a triangle or tetrahedron
-    double at = 0;       // its coordinate there
+    int direction = -1;  // coordinate that is constant on the side; -1: the slanted side of a triangle or tetrahedron
+    double at = 0;       // value of that coordinate
     Vec<double, 3> corner{}, along[2]{};
   };
   std::vector<Side> sides;
-  std::vector<std::array<int, 3>> edges;  // (corner): those that span it
-  std::vector<Vec<double, 3>> nodes;      // places of corners, of a quadratic cell of all nodes, and the centre
+  std::vector<std::array<int, 3>> edges;  // (corner) the edges that meet at it
+  std::vector<Vec<double, 3>> nodes;      // corners, in a quadratic cell all nodes, and the centre
 
   explicit Reference(CellShape shape);
   static const Reference& of(CellShape shape);
@@ -77,7 +77,7 @@ double length_of(int dimension, const double* v) {
   return dimension == 2 ? std::hypot(v[0], v[1]) : std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// What the reference determinant is multiplied by to be 1 where the edges of length 1 stand as they should.
+/// Factor that makes the determinant 1 for the ideal cell with edges of length 1.
 double ideal(CellShape shape) {
   if (dimension(shape) == 2) return is_simplex(shape) ? 2 / std::sqrt(3.0) : 4.0;  // sin 60 deg; side 2 of the square
   return is_simplex(shape) ? std::sqrt(2.0) : 8.0;  // six times the volume of the regular tetrahedron; the cube
@@ -141,7 +141,7 @@ ElementSize ElementMap::size() const {
     result.shortest_edge = std::min(result.shortest_edge, l);
     result.longest_edge = std::max(result.longest_edge, l);
   }
-  // the divergence theorem: a side adds its outward area times the distance of its middle from a corner of the cell
+  // divergence theorem: each side adds its outward area vector times the vector from a corner of the cell to its centre
   double content = 0, largest = 0;
   for (int s = 0; s < num_sides(shape_); ++s) {
     const std::vector<int> nodes = side_nodes(shape_, s);
@@ -204,7 +204,7 @@ bool ElementMap::invert_in(const double* point, double* xi) const {
     }
     const double size = length_of(Dim, step);
     if (!(size < 1e6)) return false;
-    const double factor = size > 1 ? 1 / size : 1.0;  // far from the solution the quadratic map misleads
+    const double factor = size > 1 ? 1 / size : 1.0;  // damping, as the map misleads far from the solution
     for (int k = 0; k < Dim; ++k) xi[k] += factor * step[k];
     if (size < 1e-13) return true;
   }
@@ -221,7 +221,7 @@ double ElementMap::scaled_jacobian() const {
     for (int i = 0; i < dimension_; ++i) way[i] = x_[to][i] - x_[from][i];
     length[e] = length_of(dimension_, way);
   }
-  double widest = 0;  // product of the edges of a corner, for the middle of the element
+  double widest = 0;  // largest product of a corner's edges, for the element's centre
   for (int c = 0; c < corners; ++c) {
     product[c] = length[reference.edges[c][0]];
     for (int i = 1; i < dimension_; ++i) product[c] *= length[reference.edges[c][i]];

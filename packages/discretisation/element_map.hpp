@@ -6,16 +6,16 @@
 
 namespace mudline {
 
-/// Of the cell with straight edges through the corners [m].
+/// Lengths of the cell with straight edges between its corners [m].
 struct ElementSize {
   double shortest_edge, longest_edge;
   double height;  // area over the longest edge; in space volume over the largest face
 };
 
-/// The isoparametric map of one cell of the plane or of space: its shape and the places of its nodes.
+/// The isoparametric map of one cell of the plane or of space: its shape and its node positions.
 class ElementMap {
  public:
-  /// `place(a)`: coordinates of local node a [m], anything of which [0], [1] and in space [2] can be taken.
+  /// `place(a)`: coordinates of local node a [m], as any type with the subscripts [0], [1] and in space [2].
   template <class NodePlace>
   ElementMap(CellShape shape, NodePlace&& place)
       : shape_(shape), nodes_(num_nodes(shape)), dimension_(mudline::dimension(shape)) {
@@ -25,10 +25,10 @@ class ElementMap {
   CellShape shape() const { return shape_; }
   /// (dimension) [m]
   const double* node(int a) const { return x_[a]; }
-  /// [m]; in the plane its third coordinate is 0.
+  /// Mean position of the corners [m]; in the plane its third coordinate is 0.
   Vec<double, 3> mean_of_corners() const;
   ElementSize size() const;
-  /// The place that reference coordinates stand for; in the plane its third coordinate is 0.
+  /// Position [m] at reference coordinates; in the plane its third coordinate is 0.
   Vec<double, 3> at(const double* xi) const;
   /// Determinant of the map's gradient [m^dimension].
   double determinant(const double* xi) const;
@@ -42,7 +42,7 @@ class ElementMap {
   double scaled_jacobian() const;
 
  private:
-  /// The map at a place, and where the place is.
+  /// The map at reference coordinates; `x` gets the position there [m].
   template <int Dim>
   CellMap<Dim> map(const double* xi, Vec<double, 3>& x) const;
   template <int Dim>
@@ -55,13 +55,14 @@ class ElementMap {
 
 /// How far reference coordinates lie beyond a side, in reference units; negative inside.
 double beyond_side(CellShape shape, int side, const double* xi);
-/// How far they lie outside the cell; negative inside.
+/// How far reference coordinates lie outside the cell, in reference units; negative inside.
 double outside_cell(CellShape shape, const double* xi);
-/// Reference coordinates of a cell's centre; those that it has not are 0.
+/// Reference coordinates of a cell's centre; unused ones are 0.
 Vec<double, 3> cell_centre(CellShape shape);
-/// Reference coordinates in the cell of a place on one of its sides, which is given by those of the side's own shape.
+/// Reference coordinates in the cell of a point on one of its sides, given by reference coordinates in the side's own
+/// shape.
 Vec<double, 3> on_side(CellShape shape, int side, const Vec<double, 2>& place);
-/// The same in the plane: the place t in [-1, 1].
+/// Reference coordinates in a plane cell of the point t in [-1, 1] on one of its sides.
 inline Vec<double, 3> on_side(CellShape shape, int side, double t) {
   return on_side(shape, side, Vec<double, 2>{t, 0});
 }

@@ -34,7 +34,7 @@ const std::map<std::string, const char*>& commands() {
   return all;
 }
 
-/// Values that do so wherever they are given: of a size field, and of options (behind a dot).
+/// Settings that do so wherever they are given: those of a size field, and options (behind a dot).
 const std::map<std::string, const char*>& values() {
   static const std::map<std::string, const char*> all = {{"ExternalProcess", starts}, {"CommandLine", starts}};
   return all;
@@ -54,17 +54,17 @@ const std::set<std::string> reads = {"Include", "Merge", "MergeWithBoundingBox"}
 /// Gmsh goes back to the beginning of the line after one of these.
 const std::set<std::string> jumps = {
     "For", "EndFor", "Macro", "Function", "Call", "Return", "Include", "Merge", "MergeWithBoundingBox"};
-/// What ends a stretch that Gmsh passes over, in texts and comments too.
+/// Words that end a passage that Gmsh skips, in strings and comments too.
 const std::vector<std::string> stretch_ends = {"EndIf", "Else", "EndFor", "Return"};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// One way in which Gmsh may read the file up to some place.
+/// One state that Gmsh's parser may be in at some place of the file.
 struct Reading {
-  char within = 0;                        // a text up to this quote, or a comment: '*'
+  char within = 0;                        // in a string: its quote; in a comment: '*'
   bool printing = false, plugin = false;  // the statement has such a word
-  int depth = 0;                          // of the parentheses since
+  int depth = 0;                          // of parentheses in that statement
   bool operator<(const Reading& b) const {
     return std::tie(within, printing, plugin, depth) < std::tie(b.within, b.printing, b.plugin, b.depth);
   }
@@ -74,7 +74,7 @@ class Scanner {
  public:
   /// The first command found, or "".
   std::string look_through(const std::filesystem::path& file, bool included);
-  /// The files that were looked at, or would be data.
+  /// The files that were scanned, and those that are data.
   const std::set<std::filesystem::path>& reached() const { return reached_; }
 
  private:
@@ -88,7 +88,7 @@ class Scanner {
   std::size_t code(const std::string& text, std::size_t at_char, Reading& reading, const Place& at);
   void word(const std::string& text, std::size_t begin, std::size_t end, Reading& reading, const Place& at);
   void read_file(const std::string& command, const std::string& rest, const Place& at);
-  /// Text or comment: where it ends; Gmsh may take up reading within it.
+  /// Passes over a string or comment and returns its end `to`; Gmsh may resume reading within it.
   std::size_t passed_over(const std::string& text, std::size_t from, std::size_t to);
   void note(const Place& at, const std::string& what) {
     if (found_.empty()) found_ = at.file.filename().string() + ":" + std::to_string(at.line) + ": " + what;
@@ -104,7 +104,7 @@ class Scanner {
 
 std::string Scanner::look_through(const std::filesystem::path& file, bool included) {
   std::error_code none;
-  if (!std::filesystem::is_regular_file(file, none)) return found_;  // Gmsh says so
+  if (!std::filesystem::is_regular_file(file, none)) return found_;  // Gmsh reports that
   reached_.insert(file);
   const std::filesystem::path beside = file.string() + ".opt";  // Gmsh reads it with the file
   if (!included && std::filesystem::is_regular_file(beside, none)) look_through(beside, true);
@@ -181,7 +181,7 @@ std::size_t Scanner::code(const std::string& text, std::size_t k, Reading& readi
     return k + 2;
   }
   if (c == '"' || c == '\'') {
-    constexpr std::size_t most = 1000;  // a longer one Gmsh breaks off, and goes on behind that
+    constexpr std::size_t most = 1000;  // Gmsh cuts a longer string off and reads on behind that
     const std::size_t end = std::min(text.find(c, k + 1), text.size());
     if (end - k > most)
       note(at, "a text of more than " + std::to_string(most) +
@@ -221,7 +221,7 @@ void Scanner::word(const std::string& text, std::size_t begin, std::size_t end, 
   const std::size_t last = begin == 0 ? std::string::npos : text.find_last_not_of(" \t\f", begin - 1);
   const char following = next == std::string::npos ? '\0' : text[next];
   const bool of_something = last != std::string::npos && text[last] == '.';  // Print.Background
-  // a variable of that name: an operand, or something that a value is given to
+  // a variable of that name, as an operand or assigned to
   const bool variable =
       word != "Exit" && following != '\0' && std::string("=.),;]}+-*<>:?").find(following) != std::string::npos;
   const auto refuse = [&](const std::map<std::string, const char*>& words) {
@@ -246,7 +246,7 @@ void Scanner::word(const std::string& text, std::size_t begin, std::size_t end, 
   if (!variable && reads.count(word) > 0) read_file(word, text.substr(end), at);
 }
 
-/// The value of a text that needs no variable: "a", CurrentDirectory, StrCat[a, b]; what is read is taken from `rest`.
+/// The value of a string expression without variables: "a", CurrentDirectory, StrCat[a, b]; removes it from `rest`.
 std::optional<std::string> constant_text(std::string& rest, const std::filesystem::path& folder) {
   const auto skip = [&] { rest.erase(0, std::min(rest.find_first_not_of(" \t\f"), rest.size())); };
   const auto take = [&](const std::string& word) {
@@ -289,7 +289,7 @@ void Scanner::read_file(const std::string& command, const std::string& text, con
                  "' is worked out, so that its commands cannot be looked at; give it as a text");
     return;
   }
-  // a script within a script, whose lines are read here while those around it wait
+  // scans a script within a script; the state of the outer one is restored afterwards
   const auto next_readings = next_;
   const auto begun = begun_;
   const auto waiting = std::exchange(waiting_, {});
@@ -308,7 +308,7 @@ GmshContent gmsh_content(const std::string& file) {
     return std::all_of(extension.begin() + (extension.empty() ? 0 : 1), extension.end(),
                        [&](unsigned char c) { return is(c) != 0; });
   };
-  const bool one_case = all(std::islower) || all(std::isupper);  // Gmsh knows no other
+  const bool one_case = all(std::islower) || all(std::isupper);  // Gmsh knows only these
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const char* model : {".step", ".stp", ".brep", ".iges", ".igs", ".stl"})
     if (one_case && extension == model) return GmshContent::data;

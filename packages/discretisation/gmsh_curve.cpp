@@ -99,7 +99,7 @@ class Curve {
     }
     return result;
   }
-  /// Gmsh calls an ellipse of its own kernel a circle in some versions: chords over equal steps tell them apart.
+  /// Some versions of Gmsh call an ellipse of its own kernel a circle; the chords over equal steps tell them apart.
   bool equal_speed() const {
     double shortest = 1e300, longest = 0;
     CurvePoint before = at(from_);

@@ -18,7 +18,7 @@ struct GmshFile {
   void parameters(Parameters& p, const std::string& formats);
 };
 
-/// Reads the sublist "parameters". InputError where the file is no geometry.
+/// Reads the sublist "parameters". Throws InputError where the file is no geometry.
 GmshOverrides gmsh_overrides(const Section& section, const std::string& file);
 
 bool is_gmsh_geometry(const std::string& file);

@@ -85,7 +85,7 @@ void GmshMesh::refuse_merged_groups() const {
       try {
         add_groups_of_entities(reached, groups);
       } catch (const InputError&) {
-        continue;  // Gmsh tells what it thinks of it
+        continue;  // Gmsh reports the error itself
       }
       merged += (merged.empty() ? "'" : ", '") + short_name(reached) + "'";
     }

@@ -23,7 +23,7 @@ class GmshMesh : public MeshSource {
  private:
   TaggedMesh read() const;
   TaggedMesh read_by_gmsh() const;
-  /// InputError where a geometry merges files of old formats whose groups Gmsh would mix up.
+  /// Throws InputError where a geometry merges files of old formats whose groups Gmsh would mix up.
   void refuse_merged_groups() const;
 
   GmshFile file_;

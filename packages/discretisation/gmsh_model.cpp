@@ -29,15 +29,15 @@ std::vector<int> entities_of(int dimension) {
   return result;
 }
 
-/// Whether an entity refers to elements of another one, for a partition beside it.
+/// Whether an entity is a ghost: it refers to elements of another entity, for a neighbouring partition.
 bool is_ghost(int dimension, int entity) {
   std::string type;
   gmsh::model::getType(dimension, entity, type);
   return type.compare(0, 5, "Ghost") == 0;
 }
 
-/// The groups of an entity by name. A piece of a partitioned entity has those of the whole; what lies between pieces
-/// has a parent of another dimension, whose groups Gmsh gives it too.
+/// The groups of an entity by name. A piece of a partitioned entity has those of the whole. An interface between pieces
+/// has none: its parent is of another dimension, and Gmsh gives it the parent's groups.
 std::set<std::string> groups_of(int dimension, int entity) {
   std::set<std::string> names;
   int parent_dimension = -1, parent = -1;
@@ -146,7 +146,7 @@ void Reader::read_sides() {
   }
 }
 
-/// Groups of points, in space of curves too: their nodes.
+/// The nodes of groups of points, and in space of groups of curves.
 std::map<std::string, std::vector<Tag>> Reader::read_points(int dimension) const {
   std::map<std::string, std::vector<Tag>> result;
   for (const auto& [set, entities] : groups(dimension)) {

@@ -15,7 +15,7 @@ namespace mudline {
 
 namespace {
 
-/// Names of the parameters that the open geometry defines, without those in which Gmsh describes itself.
+/// Names of the parameters that the open geometry defines, without Gmsh's own.
 std::vector<std::string> geometry_parameters() {
   std::vector<std::string> all, own;
   gmsh::onelab::getNames(all);
@@ -46,7 +46,7 @@ void override_parameters(const GmshFile& file, const SourcePosition& position) {
   gmsh::open(file.name);
 }
 
-/// What is to be a mesh must be one, and commands that reach beyond it need the user's leave.
+/// Refuses a .msh file that is no mesh, and commands that change the system without the user's permission.
 void refuse_commands(const GmshFile& file, const SourcePosition& position) {
   if (std::filesystem::path(file.name).extension() == ".msh" && gmsh_content(file.name) != GmshContent::data)
     position.fail("'" + short_name(file.name) + "' is no mesh of Gmsh: it does not begin with $MeshFormat", "file");
@@ -87,7 +87,7 @@ std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& posit
       throw;
     } catch (const std::bad_alloc&) {
       throw;
-    } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
+    } catch (...) {  // Gmsh throws ints or strings, depending on its version; its log says more
       const std::string error = gmsh_error();
       position.fail("Gmsh, reading '" + short_name(file.name) + "': " + (error.empty() ? "it gave no reason" : error),
                     "file");

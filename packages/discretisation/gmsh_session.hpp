@@ -11,14 +11,14 @@
 namespace mudline {
 
 /// Runs `work`, which gives bytes, in a process of its own with Gmsh open, silent and without the user's configuration
-/// files, so that a deck gives the same everywhere. What Gmsh complains of, a crash of it, and a call that does not
-/// come back within the file's time limit become an InputError at the entry "file" of `position`; so does a file with
-/// commands that would change the system (geometry_commands.hpp), unless they are permitted. The process may write in a
-/// folder of its own only.
+/// files, so that a deck gives the same result everywhere. An error of Gmsh, a crash of it, and a call that does not
+/// return within the file's time limit become an InputError at the entry "file" of `position`; so does a file with
+/// commands that would change the system (geometry_commands.hpp), unless they are permitted. The process may write only
+/// in a folder of its own.
 std::vector<char> gmsh_process(const GmshFile& file, const SourcePosition& position,
                                const std::function<std::vector<char>()>& work);
 
-/// The same for a result of any type that a ByteStream carries.
+/// Runs `work` as gmsh_process() does, with a result of any type that a ByteStream can write.
 template <class Result, class Work>
 Result with_gmsh(const GmshFile& file, const SourcePosition& position, Work&& work) {
   ByteStream stream(gmsh_process(file, position, [&] {
@@ -35,11 +35,11 @@ Result with_gmsh(const GmshFile& file, const SourcePosition& position, Work&& wo
 /// Opens Gmsh in a process that ends with its work: silent, without the user's configuration files.
 void start_gmsh();
 
-/// Opens a file within with_gmsh(), a geometry (.geo) with the values for its named constants. InputError for a file
-/// that Gmsh cannot read, and for constants it does not have.
+/// Opens a file within with_gmsh(), a geometry (.geo) with the values for its named constants. Throws InputError for a
+/// file that Gmsh cannot read, and for constants that it does not have.
 void open_in_gmsh(const GmshFile& file, const SourcePosition& position);
 
-/// The first error that Gmsh has noted, in one line; "" when there is none.
+/// The first error that Gmsh has logged, in one line; "" when there is none.
 std::string gmsh_error();
 
 }  // namespace mudline

@@ -115,7 +115,7 @@ void require_side_set(const Mesh& mesh, const Section& section, const std::strin
 
 namespace {
 
-/// What make_mesh reads of the section "mesh", of whatever type its source is.
+/// The entries of the section "mesh" that make_mesh reads for every type of source.
 struct Entries {
   Geometry geometry = Geometry::plane_strain;
   std::vector<std::string> cracks;

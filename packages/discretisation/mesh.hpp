@@ -15,27 +15,28 @@
 
 namespace mudline {
 
-/// What the coordinates of a mesh mean. The vertical is y in the plane and z in space.
+/// The meaning of a mesh's coordinates. The vertical is y in the plane and z in space.
 enum class Geometry { plane_strain, axisymmetric, space };
-/// Its word in decks and in files of results.
+/// The geometry's name in decks and result files.
 const char* name(Geometry geometry);
-/// Of the mesh: 2 or 3.
+/// Dimension of a mesh of this geometry: 2 or 3.
 int dimension(Geometry geometry);
 
 /// Lowest and highest coordinates [m]; in the plane the third ones are 0.
 struct Bounds {
   Point low{}, high{};
-  /// Of no place at all, to be widened by places.
+  /// Empty bounds, to be widened by enclose().
   static Bounds nothing();
   void enclose(const Point& place);
-  /// The largest of its lengths [m].
+  /// Longest edge of the box [m].
   double extent() const;
 };
 
-/// Pairs of side sets that act on each other (contact): a rank with sides of the first has all nodes of the second.
+/// Pairs of side sets that act on each other (contact): a rank with sides of the first set also gets all nodes of the
+/// second.
 using SetPairs = std::vector<std::pair<std::string, std::string>>;
 
-/// What the contacts of a deck ask of the parts of a mesh. Sets that the mesh lacks count for nothing.
+/// The side sets that a deck's contacts use, for the distribution of the mesh. Sets that the mesh lacks are ignored.
 struct ContactSets {
   SetPairs pairs;
   std::vector<std::string> surfaces;  // side sets that contact works on: their elements cost more
@@ -58,7 +59,7 @@ struct GlobalMesh {
   std::map<std::string, std::vector<Side>> side_sets;
   std::map<std::string, std::vector<long long>> node_sets;  // nodes of zero-dimensional groups
   ContactSets contacts;
-  /// Of its cells (those of the first block; check_mesh() sees to it that all have the same): 2 or 3.
+  /// Dimension of its cells, 2 or 3 (that of the first block; check_mesh() makes sure that all are the same).
   int dimension() const { return blocks.empty() ? 2 : mudline::dimension(blocks.front().shape); }
 };
 
@@ -68,7 +69,7 @@ class MeshSource {
  public:
   virtual ~MeshSource() = default;
   virtual GlobalMesh generate() const = 0;
-  /// The files that it reads.
+  /// The files that the source reads.
   virtual std::vector<std::string> files() const { return {}; }
 };
 
@@ -93,15 +94,15 @@ struct Side {
 class Mesh {
  public:
   /// Distributes `global` (rank 0's; ignored elsewhere) by METIS. Checks orphan nodes, how elements fit together,
-  /// Jacobians at quadrature points and corners, and on an axisymmetric mesh r >= 0. InputError on every rank alike.
-  /// Collective.
+  /// Jacobians at quadrature points and corners, and on an axisymmetric mesh r >= 0. Throws InputError on every rank
+  /// alike. Collective.
   Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, GlobalMesh global);
-  /// From the part that this rank has of a mesh that was checked and cut before.
+  /// Builds the mesh from this rank's part of a mesh that has been checked and cut before.
   Mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, Geometry geometry, MeshPart part);
 
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
   Geometry geometry() const { return geometry_; }
-  /// Coordinates of a node: 2 or 3.
+  /// Number of coordinates of a node: 2 or 3.
   int dimension() const { return mudline::dimension(geometry_); }
 
   int num_nodes() const { return static_cast<int>(node_ids_.size()); }
@@ -112,7 +113,7 @@ class Mesh {
   const std::vector<long long>& node_ids() const { return node_ids_; }
   /// (node, dimension) [m]
   const Kokkos::View<double**, Kokkos::LayoutRight>& coordinates() const { return coordinates_; }
-  /// The same of one node.
+  /// Coordinates of one node [m]; in the plane the third one is 0.
   Point place(int node) const;
   /// True for corner nodes, which carry the linear fields. By local node.
   const std::vector<char>& is_vertex() const { return is_vertex_; }
@@ -133,7 +134,7 @@ class Mesh {
   std::vector<std::string> set_names() const;
   std::vector<std::string> side_set_names() const;
 
-  /// Of the whole mesh, and of each region.
+  /// Bounds of the whole mesh and, by name, of each of its regions.
   const Bounds& bounds() const { return bounds_; }
   const std::map<std::string, Bounds>& region_bounds() const { return region_bounds_; }
 
@@ -153,26 +154,27 @@ class Mesh {
   std::map<std::string, Bounds> region_bounds_;
 };
 
-/// The entries that make_mesh reads and every source lets pass: "geometry" ("plane strain", "axisymmetric" or
+/// Declares the entries that make_mesh reads for every source: "geometry" ("plane strain", "axisymmetric" or
 /// "three-dimensional"), which is returned, and "cracks".
 Geometry declare_geometry(Parameters& p);
 
-/// Fail with "unknown side set 'tpo' (did you mean 'top'?)" at `entry` of `section` unless the mesh has it.
+/// Throws InputError "unknown side set 'tpo' (did you mean 'top'?)" at `entry` of `section` unless the mesh has the
+/// set.
 void require_side_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
 
-/// "box", "extruded", "revolved" and, when built with Gmsh, "gmsh"; a plain list.
+/// Registers "box", "extruded", "revolved" and, when built with Gmsh, "gmsh".
 void register_mesh_sources(Registry<MeshSource>& registry);
 
-/// The deck's section "mesh" read: how to make the mesh.
+/// How to make the mesh, as the deck's section "mesh" says.
 class MeshRecipe {
  public:
-  /// InputError on whatever rank the entries are wrong.
+  /// Throws InputError for wrong entries, on the calling rank only.
   MeshRecipe(const Registry<MeshSource>& sources, const Section& section, ContactSets contacts);
   Geometry geometry() const { return geometry_; }
   const Section& section() const { return section_; }
   const ContactSets& contacts() const { return contacts_; }
   const MeshSource& source() const { return *source_; }
-  /// The whole mesh, checked; for one rank to call. InputError.
+  /// Makes and checks the whole mesh; only one rank needs to call it. Throws InputError.
   GlobalMesh make() const;
 
  private:
@@ -183,9 +185,9 @@ class MeshRecipe {
   std::vector<std::string> cracks_;
 };
 
-/// Made on rank 0 and distributed. InputError on every rank alike. Collective.
+/// Makes the mesh on rank 0 and distributes it. Throws InputError on every rank alike. Collective.
 std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshRecipe& recipe);
-/// The same of the deck's section "mesh".
+/// Makes the mesh that the deck's section "mesh" describes. Throws InputError on every rank alike. Collective.
 std::unique_ptr<Mesh> make_mesh(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Registry<MeshSource>& sources,
                                 const Section& section, const ContactSets& contacts = {});
 

@@ -5,7 +5,7 @@
 
 namespace mudline {
 
-/// A whole mesh to bytes or back, without what contacts ask of it.
+/// Writes a whole mesh to bytes or reads it back, without its `contacts`.
 inline void transfer_mesh(ByteStream& s, GlobalMesh& mesh) {
   std::size_t blocks = mesh.blocks.size();
   s(blocks);

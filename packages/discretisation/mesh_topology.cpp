@@ -24,8 +24,8 @@ std::vector<T> reduced(const Mesh& mesh, Teuchos::EReductionType how, const std:
   return result;
 }
 
-/// By local node: the lowest node of the whole mesh, by its global number, that it hangs together with. Ranks tell each
-/// other of the nodes that they share, until nothing changes.
+/// For each local node, the lowest global number of a node in its connected part of the whole mesh. Ranks exchange the
+/// values at shared nodes until nothing changes.
 std::vector<long long> leaders(const Mesh& mesh) {
   using Numbers = Tpetra::Vector<GlobalOrdinal>;
   const std::vector<long long>& ids = mesh.node_ids();
@@ -34,7 +34,7 @@ std::vector<long long> leaders(const Mesh& mesh) {
     for (int e = 0; e < block.num_elements; ++e)
       for (int a = 1; a < num_nodes(block.shape); ++a) sets.join(block.nodes(e, 0), block.nodes(e, a));
   const std::vector<int> piece = sets.leaders();
-  std::vector<long long> lowest(ids.size(), mesh.num_global_nodes());  // by piece
+  std::vector<long long> lowest(ids.size(), mesh.num_global_nodes());  // by piece on this rank
 
   const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   const std::vector<GlobalOrdinal> rows(ids.begin(), ids.end());
@@ -54,7 +54,7 @@ std::vector<long long> leaders(const Mesh& mesh) {
     if (reduced(mesh, Teuchos::REDUCE_MAX, changed)[0] == 0) break;
     {
       const auto values = here.getLocalViewHost(Tpetra::Access::OverwriteAll);
-      // the lowest number has the largest distance from the end
+      // ABSMAX finds a maximum: the lowest number is the farthest from the end
       for (std::size_t node = 0; node < ids.size(); ++node)
         values(node, 0) = mesh.num_global_nodes() - lowest[piece[node]];
     }
@@ -68,7 +68,7 @@ std::vector<long long> leaders(const Mesh& mesh) {
   return found;
 }
 
-/// All ranks' values, one rank's after the other's, on every rank.
+/// All-gather: the values of all ranks in rank order, on every rank.
 template <class T>
 std::vector<T> joined(const Mesh& mesh, const std::vector<T>& own) {
   std::vector<int> counts(mesh.comm()->getSize(), 0);
@@ -82,8 +82,8 @@ std::vector<T> joined(const Mesh& mesh, const std::vector<T>& own) {
 
 /// The sides of a set on all ranks, in a common order.
 struct SetSides {
-  std::vector<long long> keys;         // (side, 4) sorted corners, nodes of the whole mesh, and -1
-  std::vector<double> mid_side_nodes;  // (side, 3) [m]
+  std::vector<long long> keys;         // (side, 4) sorted global numbers of the corners; unused: -1
+  std::vector<double> mid_side_nodes;  // (side, 3) mean of the corners [m]
 };
 
 SideKey key_of(const Mesh& mesh, const ElementBlock& block, int element, const std::vector<int>& local) {
@@ -151,8 +151,8 @@ std::size_t count_over_elements(const GlobalMesh& mesh, int (*per_element)(CellS
 std::vector<ElementSide> boundary_sides(const GlobalMesh& mesh) {
   const std::size_t all = count_over_elements(mesh, num_sides);
   SideTable table(all / 2 + 1);
-  std::vector<std::size_t> number;  // of each side in turn
-  std::vector<char> count;          // how many elements have it; by number
+  std::vector<std::size_t> number;  // number of each side, in the order of for_each_side()
+  std::vector<char> count;          // by number: how many elements have the side
   number.reserve(all);
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
     number.push_back(table.number(sorted_key(nodes.data(), num_corners(side_shape(mesh.blocks[place.block].shape)))));

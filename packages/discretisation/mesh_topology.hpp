@@ -11,11 +11,12 @@
 
 namespace mudline {
 
-/// The corners of a side in a form that two sides can be compared by; -1 where there are fewer than four.
+/// The corners of a side as a key to compare sides by; unused places are -1.
 using SideKey = std::array<long long, 4>;
-/// By number: the same for the two elements at a side, and for whatever way round it is given.
+/// Key of the corners sorted by number: the same for both elements at a side, and for either orientation.
 SideKey sorted_key(const long long* corners, int count);
-/// As they go round, the lowest first (in the plane as they are): the same for one way round only.
+/// Key of the corners in their cyclic order, the lowest first (in the plane in the given order): it differs between the
+/// two orientations.
 SideKey directed_key(const long long* corners, int count);
 /// The directed key of the same side seen from the other element.
 SideKey reversed_key(const SideKey& directed);
@@ -46,7 +47,7 @@ void for_each_side(const GlobalMesh& mesh, F&& f) {
     }
   }
 }
-/// How many sides (num_sides) or edges (num_edges) all elements have together.
+/// Total number of sides (num_sides) or edges (num_edges) over all elements.
 std::size_t count_over_elements(const GlobalMesh& mesh, int (*per_element)(CellShape));
 
 /// Sides that no second element shares: the boundary, outer and inner.
@@ -57,26 +58,26 @@ Point middle_of(const GlobalMesh& mesh, const ElementSide& side);
 /// "(0.1, -2)", in space with three numbers.
 std::string place_text(const Point& point, int dimension);
 
-/// Throws InputError where elements of a whole mesh lie on each other or beside each other without being joined:
-/// hanging nodes, twin nodes, meshes that do not match or lie over one another, holes that no set names. Surfaces that
-/// may touch (mesh.contacts.pairs) are let pass, and the side sets `cracks` along cracks that are meant, which must be
-/// there. Sides are looked at in some points, nearer than a fiftieth of their elements' size. In space this does not
-/// find elements that have a face beside a part of another one that is smaller than about a tenth of it, overlaps
-/// thinner than that fiftieth, and a hole whose faces meet those of another void along an edge in such a way that its
-/// own do not close around it.
+/// Throws InputError where elements of a whole mesh overlap, or lie beside each other without being joined: hanging
+/// nodes, twin nodes, meshes that do not match or overlap, holes that no set names. Surfaces that may touch
+/// (mesh.contacts.pairs) are allowed, and so are the side sets `cracks` along intended cracks, which must exist. Sides
+/// lie beside each other where sample points of theirs are nearer than a fiftieth of their elements' size. In space
+/// this does not find elements that have a face beside a part of another one that is smaller than about a tenth of it,
+/// overlaps thinner than that fiftieth, and a hole whose faces meet those of another void along an edge so that its own
+/// do not close around it.
 void check_seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks);
 
-/// The parts of a distributed mesh, each of which hangs together by common nodes.
+/// The connected parts of a distributed mesh: elements with common nodes are connected.
 struct MeshParts {
-  std::vector<Point> places;                       // a node of each
-  std::vector<int> of_node;                        // of this rank, by local node
+  std::vector<Point> places;                       // position of one node of each part [m]
+  std::vector<int> of_node;                        // (local node) its part
   std::map<std::string, std::vector<int>> of_set;  // the parts that have a node in a set
 };
-/// Collective.
+/// Finds the connected parts of a mesh. Collective.
 MeshParts mesh_parts(const Mesh& mesh);
 
-/// Fails as require_side_set() does, and where a side of the set lies between two elements: loads and contacts act on
-/// the boundary. Collective.
+/// Throws InputError as require_side_set() does, and where a side of the set lies between two elements, because loads
+/// and contacts act on the boundary. Collective.
 void require_boundary(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
 
 }  // namespace mudline

@@ -46,7 +46,8 @@ constexpr MshElement elements[] = {{1, "Line 2", 1, 2, 2},
                                    {92, "Hexahedron 64", 3, 64, 8},
                                    {93, "Hexahedron 125", 3, 125, 8}};
 
-/// The corners around each node behind the corners, in Gmsh's order. In the plane it is that of the cell itself.
+/// The corners around each higher node (those after the corners), in Gmsh's order. In the plane the cell has the same
+/// order.
 const std::vector<std::vector<int>> tetrahedron = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
 const std::vector<std::vector<int>> hexahedron = {{0, 1},
                                                   {0, 3},

@@ -62,8 +62,8 @@ void MshElements::check_nodes() const {
                                  std::to_string(places_.size()) + " nodes of the file");
 }
 
-/// Gmsh may write lines, faces and points between partitions. They have no partition of their own, the physical tag of
-/// what they divide, and nodes at which two of its partitions meet.
+/// Leaves out the lines, faces and points that Gmsh may write between partitions. They have no partition of their own,
+/// they have the physical tag of the elements that they divide, and two partitions of those meet at their nodes.
 void MshElements::leave_out_interfaces() {
   std::map<long long, int> divided;  // group -> the highest dimension of its elements that have a partition
   for (const Element& e : elements_)
@@ -95,8 +95,8 @@ void MshElements::leave_out_interfaces() {
   elements_.erase(std::remove_if(elements_.begin(), elements_.end(), is_interface), elements_.end());
 }
 
-/// An element of the file may be listed once for each of its groups: a side belongs to all of them then. Cells have one
-/// group, and nothing is listed twice in one.
+/// A file may list an element once for each of its groups; a side then belongs to all of them. A cell may have only one
+/// group, and no element may be listed twice in a group.
 void MshElements::leave_out_doubles() {
   struct Key {
     std::uint64_t hash;
@@ -131,7 +131,8 @@ bool MshElements::is_double(const Element& e, const Element& before) const {
   if (e.type != before.type) return false;
   std::vector<Tag> a(nodes(e), nodes(e) + e.type->nodes), b(nodes(before), nodes(before) + e.type->nodes);
   const bool cell = e.type->dimension == dimension_;
-  if (cell) {  // sides are told from those that see the same place from the other element
+  if (cell) {  // only cells are compared without regard to order: a side differs from the same side seen from the other
+               // element
     std::sort(a.begin(), a.end());
     std::sort(b.begin(), b.end());
   }

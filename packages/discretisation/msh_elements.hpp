@@ -13,12 +13,12 @@
 
 namespace mudline {
 
-/// The physical groups of elements by dimension and elementary tag: an element's groups are a set, and an entry has all
-/// the sets that its elements have.
+/// Physical groups by dimension and elementary tag of an entity. Each element has a set of groups; an entity has all
+/// the sets that occur among its elements.
 using GroupsOfEntities = std::map<std::pair<int, long long>, std::set<std::set<std::string>>>;
 
-/// Nodes, elements and names of groups as a file of Gmsh's formats 1 to 2.2 gives them, one after the other, and the
-/// mesh of one dimension that they are. What is wrong with them is told at the element's place in the file.
+/// Collects the nodes, elements and group names of a file of Gmsh's formats 1 to 2.2 and makes a mesh of one dimension
+/// from them. Errors name the element's place in the file.
 class MshElements {
  public:
   using Tag = TaggedMesh::Tag;
@@ -29,14 +29,14 @@ class MshElements {
 
   MshElements(const MshInput& in, int dimension) : in_(in), dimension_(dimension) {}
 
-  /// The type of that number. InputError where no mesh of this dimension may have such elements.
+  /// The type of that number. Throws InputError where no mesh of this dimension may have such elements.
   const MshElement& type(long long type) const;
   void name_group(int dimension, long long group, const std::string& name);
   /// False where a node of that number is at another place.
   bool add_node(Tag tag, const Point& place);
   void add(const MshElement& type, const Tags& tags, std::size_t place, const long long* nodes);
 
-  /// InputError where elements name nodes that are none, or are listed twice.
+  /// The mesh of all that was added. Throws InputError where elements have unknown nodes, or are listed twice.
   TaggedMesh mesh();
   void add_groups_of_entities(GroupsOfEntities& groups) const;
 
@@ -45,7 +45,7 @@ class MshElements {
     const MshElement* type;
     Tags tags;
     std::size_t place;  // line or byte
-    std::size_t first;  // of its nodes
+    std::size_t first;  // its first node in nodes_
   };
   const Tag* nodes(const Element& e) const { return nodes_.data() + e.first; }
   std::string group_name(const Element& e) const;
@@ -61,9 +61,9 @@ class MshElements {
   int dimension_;
   std::map<std::pair<int, long long>, std::string> names_;
   std::unordered_map<Tag, Point> places_;
-  std::vector<Tag> order_;  // of the nodes in the file
+  std::vector<Tag> order_;  // nodes in the file's order
   std::vector<Element> elements_;
-  std::vector<Tag> nodes_;  // of all elements
+  std::vector<Tag> nodes_;  // nodes of all elements
 };
 
 }  // namespace mudline

@@ -8,7 +8,7 @@
 
 namespace mudline {
 
-/// The bytes of a mesh file of Gmsh, and a place in them: the next line of words, or the next binary numbers.
+/// Reads a mesh file of Gmsh from a current position: the next line of words, or the next binary number.
 class MshInput {
  public:
   /// Reads the whole file. InputError where it cannot be read.
@@ -16,20 +16,20 @@ class MshInput {
 
   /// Goes to the next line with something in it; false at the end of the file.
   bool next_line();
-  /// That line without white space at its ends, and its words.
+  /// The current line without white space at its ends, and its words.
   std::string_view line() const { return line_; }
   const std::vector<std::string_view>& words();
 
-  /// From here on numbers are binary; `swapped`: in the other order of bytes than the machine's.
+  /// Makes all following numbers binary; `swapped`: their byte order is not the machine's.
   void set_binary(bool swapped);
   bool binary() const { return binary_; }
-  /// The next binary number. Fails where the file ends within it.
+  /// The next binary number. Throws InputError where the file ends within it.
   int integer();
   double number();
   /// How many bytes are left.
   std::size_t left() const { return bytes_.size() - next_; }
 
-  /// Where the last line or number stands: the line, of a binary file the byte.
+  /// Position of the last line or number: its line number, in a binary file its byte.
   std::size_t place() const { return binary_ ? start_ : line_number_; }
   /// "line 12", "byte 340".
   std::string place_text(std::size_t place) const;
@@ -47,7 +47,7 @@ class MshInput {
   std::vector<std::string_view> words_;
 };
 
-/// The whole of a word as a number; none where it is something else, or has no end. Independent of the locale.
+/// The whole of a word as a number; none where it is something else or not finite. Independent of the locale.
 std::optional<long long> msh_integer(std::string_view word);
 std::optional<double> msh_number(std::string_view word);
 

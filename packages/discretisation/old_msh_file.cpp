@@ -34,7 +34,7 @@ class Reader {
   void read_elements(const std::string& section);
   void read_element();
   std::size_t read_binary_elements();
-  /// The number of things that a section announces; each takes at least so many bytes.
+  /// Reads the number of items that a section announces; each item takes at least `bytes` bytes.
   std::size_t read_count(const std::string& what, std::size_t bytes);
   void expect_line(const std::string& what);
   void expect_end(const std::string& section);
@@ -45,7 +45,7 @@ class Reader {
   int dimension_;
   double version_ = 1;
   bool nodes_read_ = false, elements_read_ = false;
-  std::vector<long long> numbers_;  // of one element
+  std::vector<long long> numbers_;  // the numbers of one element
   std::string announced_;           // "line 12 announces 50 nodes"
 };
 
@@ -138,7 +138,7 @@ void Reader::read_nodes(const std::string& section) {
         in_.fail_at(at, "node " + std::to_string(tag) + " has a coordinate that is no finite number");
       add_node(tag, place);
       if (!parametric) continue;
-      const int on = in_.integer();  // a point, curve, surface or volume, and its number
+      const int on = in_.integer();  // dimension and number of the entity that the node is on
       in_.integer();
       if (on < 3)
         for (int d = 0; d < on; ++d) in_.number();
@@ -212,7 +212,7 @@ void Reader::read_element() {
                 in_.place(), &numbers[head]);
 }
 
-/// A block of elements of one type: how many.
+/// Reads a block of elements of one type and returns their number.
 std::size_t Reader::read_binary_elements() {
   const int kind = in_.integer();
   const MshElement& type = elements_.type(kind);
@@ -232,7 +232,8 @@ std::size_t Reader::read_binary_elements() {
   return count;
 }
 
-/// Physical and elementary tag, then in 2.2 the number of partitions and those, before that one partition.
+/// The tags are the physical and the elementary tag, then in format 2.2 the number of partitions and the partitions, in
+/// older formats one partition.
 MshElements::Tags Reader::tags(const long long* tags, std::size_t count) const {
   MshElements::Tags result;
   if (count > 0) result.group = std::llabs(std::max(tags[0], -std::numeric_limits<long long>::max()));
@@ -254,7 +255,7 @@ std::size_t Reader::read_count(const std::string& what, std::size_t bytes) {
   return static_cast<std::size_t>(*count);
 }
 
-/// Goes to a line within a section: `what` begins the message where there is none.
+/// Goes to the next line of a section. Where there is none, `what` begins the message.
 void Reader::expect_line(const std::string& what) {
   const std::string after = announced_.empty() ? "" : " (" + announced_ + ")";
   if (!in_.next_line()) in_.fail(what + "the end of the file" + after);

@@ -11,13 +11,13 @@ namespace mudline {
 namespace {
 
 constexpr int degree = 12;
-constexpr int deepest = 44;  // halvings: an interval around a corner is then 1e-13 of the curve
+constexpr int deepest = 44;  // most halvings: an interval around a corner then has 1e-13 of the curve's length
 
 class Fit {
  public:
   Fit(const std::function<CurvePoint(double)>& f, double tolerance) : f_(f), tolerance_(tolerance) {}
 
-  /// The interpolant on [from, to] where it is as near as it has to be, looked at halfway between its nodes.
+  /// The interpolant on [from, to]; none where it misses the tolerance halfway between its nodes.
   std::optional<PolynomialRun> run(double from, double to) const {
     std::vector<CurvePoint> values;
     for (int j = 0; j <= degree; ++j) values.push_back(f_(place(from, to, node(j))));
@@ -39,7 +39,7 @@ class Fit {
     return result;
   }
 
-  /// Ends of intervals in which one run is enough, after `from`. False where halving does not lead there.
+  /// Adds the ends, after `from`, of intervals in which one run is enough. False where halving does not find them.
   bool divide(double from, double to, int depth, std::vector<double>& ends) const {
     if (run(from, to)) {
       ends.push_back(to);
@@ -50,10 +50,10 @@ class Fit {
   }
 
  private:
-  /// Chebyshev's extreme points, from 1 at j = 0 to 0: the ends are among them, so that runs join.
+  /// Chebyshev's extreme points, from 1 at j = 0 to 0. They include both ends, so that runs join.
   static double node(double j) { return 0.5 * (1 + std::cos(pi * j / degree)); }
   static double place(double from, double to, double t) { return t == 1 ? to : from + t * (to - from); }
-  /// Drops what is rounding, which second derivatives would magnify.
+  /// Drops coefficients that are only rounding, which second derivatives would magnify.
   static void trim(std::vector<CurvePoint>& c) {
     double size = 0;
     for (const CurvePoint& a : c) size = std::max(size, std::hypot(a[0], a[1]));
@@ -97,7 +97,7 @@ std::vector<PolynomialRun> polynomial_runs(const std::function<CurvePoint(double
   const Fit fit(f, tolerance);
   std::vector<double> ends;
   if (!fit.divide(from, to, 0, ends)) return {};
-  // Halving has cut around every jump; what lies between two jumps is put together again.
+  // Halving has cut around every jump; the intervals between two jumps are merged again.
   std::vector<PolynomialRun> result;
   double begin = from;
   for (std::size_t i = 0; i < ends.size();) {

@@ -10,7 +10,8 @@ namespace mudline {
 
 namespace {
 
-/// Points that the symmetries of the triangle map onto each other, by two of their area coordinates.
+/// Builds a rule from orbits: points that the symmetries of the triangle map onto each other, given by two area
+/// coordinates.
 /// Weights are fractions of the area.
 class TriangleRule {
  public:
@@ -79,7 +80,8 @@ QuadratureRule triangle_quadrature(int degree) {
   throw std::invalid_argument("triangle quadrature exists for the degrees 1 to 8, not " + std::to_string(degree));
 }
 
-/// Points that the symmetries of the tetrahedron map onto each other. Weights are fractions of the volume.
+/// Builds a rule from orbits: points that the symmetries of the tetrahedron map onto each other. Weights are fractions
+/// of the volume.
 class TetrahedronRule {
  public:
   TetrahedronRule& centre() {
@@ -114,7 +116,7 @@ class TetrahedronRule {
   QuadratureRule rule_;
 };
 
-/// Symmetric rules with positive weights and all points inside; degree 3 and 4 take that of 5.
+/// Symmetric rules with positive weights and all points inside; degrees 3 and 4 use the rule of degree 5.
 /// Source: Keast 1986, Comput. Methods Appl. Mech. Engng 55 (degree 6); Walkington 2000 (degree 5); digits refined by
 /// Newton on the moment equations.
 QuadratureRule tetrahedron_quadrature(int degree) {

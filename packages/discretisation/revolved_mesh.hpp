@@ -4,8 +4,8 @@
 
 namespace mudline {
 
-/// A plane mesh turned about its y axis, which becomes the z axis of space: x is the distance from it. It starts in the
-/// x-z plane and turns from x to y. MidSideNode nodes lie on circles.
+/// A plane mesh revolved about its y axis, which becomes the z axis of space; x is the distance from the axis. It
+/// starts in the x-z plane and turns from x to y. Mid-side nodes lie on circles.
 class RevolvedMesh : public MeshSource {
  public:
   void parameters(Parameters& p);

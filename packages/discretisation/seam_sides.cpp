@@ -9,14 +9,14 @@ namespace mudline {
 
 namespace {
 
-/// Pieces per edge of a side, so many that its curve is followed.
+/// Number of pieces per edge of a side, enough to follow its curve.
 int divisions(CellShape side) {
   if (dimension(side) == 1) return order(side) == 1 ? 1 : 8;
   if (order(side) == 2) return 4;
   return is_simplex(side) ? 1 : 2;
 }
 
-/// Points and pieces of a side.
+/// Computes the points and pieces of a side.
 void divide(const ElementMap& map, SeamSide& side) {
   const int face = side.at.place.side, n = divisions(side_shape(map.shape()));
   const auto add = [&](double s, double t) {
@@ -55,12 +55,13 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
     const Point way = corner(1) - corner(0);
     side.normal = {way[1], -way[0], 0};
   } else {
-    const int last = side.corners == 3 ? 0 : 1;  // of a quadrilateral: half the product of its diagonals
+    const int last = side.corners == 3 ? 0 : 1;  // a quadrilateral's area: half the product of its diagonals
     side.normal = cross(corner(side.corners == 3 ? 1 : 2) - corner(0), corner(side.corners - 1) - corner(last));
     for (double& n : side.normal) n *= 0.5;
   }
   side.measure = std::sqrt(dot(side.normal, side.normal));
-  // the determinant is the size of the cell over that of the reference cell; a pyramid is a third of its prism
+  // The determinant is the size of the cell over that of the reference cell. The size of a simplex is 1/2 (in space
+  // 1/3) of side times depth.
   const bool simplex = is_simplex(map.shape());
   const double share = side.corners == 2 ? (simplex ? 1.0 : 4.0) : (simplex ? 0.5 : 8.0);
   const double depth = map.determinant(cell_centre(map.shape()).data()) * share / side.measure;

@@ -9,27 +9,27 @@
 
 namespace mudline {
 
-/// Sides that lie nearer to each other than this share of the smaller of their elements (the side, or the depth behind
-/// it) form a seam; what lies over another element by more than this share of its own depth overlaps it.
+/// Relative tolerance of seams. Two sides form a seam where they are nearer to each other than this fraction of the
+/// smaller SeamSide::size; an element overlaps another one where more than this fraction of its own depth lies in it.
 constexpr double seam_closeness = 0.02;
 
 /// A side on the boundary of a whole mesh, as check_seams() looks at it.
 struct SeamSide {
   ElementSide at;
   int corners = 2;
-  std::vector<Point> points;               // in the plane along it, evenly in the parameter; in space a grid on it
-  std::vector<std::array<int, 3>> pieces;  // straight pieces between two of the points, or flat ones between three
-  std::set<std::string> sets;              // those that name it
-  Point normal{};                          // outward, as long as `measure`
-  double measure = 0;                      // of it were it straight: its length [m] or area [m2]
-  double edge = 0;                         // its shortest edge; in the plane its length [m]
-  double size = 0;                         // that, or the depth of its element behind it where it is less [m]
+  std::vector<Point> points;               // sample points [m], even in the parameter; in space a grid
+  std::vector<std::array<int, 3>> pieces;  // segments between two of the points, or triangles between three
+  std::set<std::string> sets;              // side sets that contain it
+  Point normal{};                          // outward normal of length `measure`
+  double measure = 0;                      // its length [m] or area [m2] were it straight
+  double edge = 0;                         // its shortest edge [m]; in the plane its length
+  double size = 0;                         // the smaller of `edge` and the depth of its element [m]
 };
 
 /// The boundary sides of a mesh.
 std::vector<SeamSide> seam_sides(const GlobalMesh& mesh);
 
-/// Places on a side by the coordinates of its own shape: all over it, or a few.
+/// Sample points on a side in reference coordinates of its own shape: all of them, or a few.
 std::vector<Vec<double, 2>> side_samples(CellShape side, bool few);
 
 /// Distance [m] of a point from a side's pieces.

@@ -9,7 +9,7 @@ namespace mudline {
 
 namespace {
 
-/// The corners of a linear cell, and how they join. Corners of a side go round as side_nodes says.
+/// The corners of a linear cell, its edges and its sides. Corners of a side go round as side_nodes says.
 struct Frame {
   int dimension, corners, edges, sides, side_corners;
   double corner[8][3];
@@ -140,7 +140,8 @@ void evaluate_line(int nodes, double xi, double* N, double* dN) {
 
 namespace {
 
-/// Triangle or tetrahedron: its corners' coordinates L, or the products of two of them.
+/// Shape functions of a triangle or tetrahedron: the barycentric coordinates L of the corners, or products of two of
+/// them.
 template <int Dim>
 void evaluate_simplex(const Frame& f, int order, const double* xi, double* N, double* dN) {
   double L[Dim + 1], dL[Dim + 1][Dim];
@@ -161,7 +162,7 @@ void evaluate_simplex(const Frame& f, int order, const double* xi, double* N, do
   }
 }
 
-/// Products of line shapes; `place` gives the line nodes of each cell node.
+/// Shape functions that are products of line shapes; `place` gives the line nodes of each cell node.
 template <int Dim, int Nodes>
 void evaluate_product(int line_nodes, const int (&place)[Nodes][Dim], const double* xi, double* N, double* dN) {
   double value[Dim][3], slope[Dim][3];

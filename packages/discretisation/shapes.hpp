@@ -16,8 +16,8 @@ enum class CellShape { line2, line3, tri3, tri6, quad4, quad9, tet4, tet10, hex8
 
 int num_nodes(CellShape shape);
 int num_corners(CellShape shape);
-int num_sides(CellShape shape);  // of a cell in the plane or in space; all have the same shape
-/// Of the reference cell: 1 line, 2 plane, 3 space.
+int num_sides(CellShape shape);  // sides of a cell in the plane or in space; all have the same shape
+/// Dimension of the reference cell: 1 line, 2 plane, 3 space.
 int dimension(CellShape shape);
 /// Polynomial order, 1 or 2.
 int order(CellShape shape);
@@ -34,9 +34,10 @@ std::vector<int> side_nodes(CellShape shape, int side);
 /// The two corners of an edge; edges in the order of their mid-side nodes.
 std::array<int, 2> edge_corners(CellShape shape, int edge);
 int num_edges(CellShape shape);
-/// The corners in whose middle a node is: itself, the ends of an edge, the corners of a face or of the whole cell.
+/// The corners whose mean is the node's position: itself, the ends of an edge, the corners of a face or of the whole
+/// cell.
 std::vector<int> corners_around(CellShape shape, int node);
-/// Reference coordinates of a node; those that the cell has not are 0.
+/// Reference coordinates of a node; unused ones are 0.
 Vec<double, 3> reference_node(CellShape shape, int node);
 
 /// Shape functions and reference gradients at one reference point. Triangles and tetrahedra: area or volume coordinates
@@ -46,13 +47,13 @@ void evaluate_shape(CellShape shape, const double* xi, double* N, double* dN);
 void evaluate_line(int nodes, double xi, double* N, double* dN);
 
 struct QuadratureRule {
-  std::vector<Vec<double, 3>> points;  // reference coordinates; those that the cell has not are 0
+  std::vector<Vec<double, 3>> points;  // reference coordinates; unused ones are 0
   std::vector<double> weights;         // sum = size of the reference cell
 };
-/// Exact for polynomials of this total degree (triangles 1-8, tetrahedra 1-6) or degree per direction (the others,
-/// 1-11). Throws std::invalid_argument beyond.
+/// Quadrature rule that is exact for polynomials of this total degree (triangles 1-8, tetrahedra 1-6) or degree per
+/// direction (the others, 1-11). Throws std::invalid_argument beyond.
 QuadratureRule cell_quadrature(CellShape shape, int degree);
-/// Gauss-Legendre on [-1, 1], exact to this degree (1-11).
+/// Gauss-Legendre rule on [-1, 1], exact to this degree (1-11).
 QuadratureRule line_quadrature(int degree);
 
 /// Shape functions tabulated at quadrature points, for kernels.

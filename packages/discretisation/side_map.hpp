@@ -5,16 +5,16 @@
 namespace mudline {
 
 /// The isoparametric map of a side, a surface of Dim - 1 parameters, at one point: x = sum_a N_a(xi) x_a. T: double, or
-/// a dual number that carries derivatives by whatever the nodes' places depend on.
+/// a dual number that carries derivatives with respect to whatever the node positions depend on.
 template <int Dim, class T = double>
 struct SideMap {
   T x[Dim];               // [m]
   T along[Dim - 1][Dim];  // dx_i / dxi_k [m]
-  T normal[Dim];          // outward, as long as `stretch`
+  T normal[Dim];          // outward normal of length `stretch`
   T stretch;              // area per reference area [m^(Dim-1)]; 0 where the side has no extent
 
-  /// place(a, i): coordinate i of node a [m]; N: shapes (node); dN: their reference gradients (node, k), row-major;
-  /// numbers, or dual numbers where the point itself depends on something.
+  /// place(a, i): coordinate i of node a [m]; N: shape functions (node); dN: their reference gradients (node, k),
+  /// row-major; both are dual numbers where the reference coordinates of the point carry derivatives too.
   template <class S, class Place>
   KOKKOS_INLINE_FUNCTION void compute(int nodes, const S* N, const S* dN, Place&& place) {
     for (int i = 0; i < Dim; ++i) {
@@ -30,7 +30,7 @@ struct SideMap {
   }
 
   /// Normal and stretch from `along`. Corners go round counter-clockwise as seen from outside; in the plane the outward
-  /// normal is to the right of the way.
+  /// normal is to the right of the tangent `along`.
   KOKKOS_INLINE_FUNCTION void finish() {
     static_assert(Dim == 2 || Dim == 3);
     if constexpr (Dim == 2) {

@@ -7,13 +7,13 @@
 
 namespace mudline {
 
-/// Numbers sides or edges by their keys: 0, 1, ... in the order in which they are first met. An open table, because
-/// millions of keys in nodes of their own take several times as long.
+/// Numbers sides or edges by their keys: 0, 1, ... in the order in which they are first met. A hash table with open
+/// addressing, because one allocation per key takes several times as long for millions of keys.
 class SideTable {
  public:
   /// `expected`: about how many different keys there will be.
   explicit SideTable(std::size_t expected) { resize(expected); }
-  /// The number of a key, which is added where it is not known.
+  /// The number of a key, which is added where it is new.
   std::size_t number(const SideKey& key) {
     if (2 * (keys_.size() + 1) > slots_.size()) resize(2 * keys_.size() + 1);
     std::size_t slot = first_slot(key);

@@ -8,7 +8,7 @@
 
 namespace mudline {
 
-/// The deck section a mesh source was read from, so that generate() can say where a mistake stands.
+/// The deck section a mesh source was read from, so that generate() can say where an error is.
 class SourcePosition {
  public:
   void remember(const Parameters& p) {

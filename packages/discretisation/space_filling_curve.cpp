@@ -27,7 +27,7 @@ std::uint64_t in_square(std::uint32_t a, std::uint32_t b) {
   return position;
 }
 
-/// Skilling 2004, "Programming the Hilbert curve".
+/// The algorithm of Skilling 2004, "Programming the Hilbert curve".
 std::uint64_t in_cube(std::uint32_t (&x)[3]) {
   for (std::uint32_t q = cells / 2; q > 1; q /= 2)
     for (std::uint32_t& here : x) {

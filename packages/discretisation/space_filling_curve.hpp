@@ -4,8 +4,8 @@
 
 namespace mudline {
 
-/// Position along Hilbert's curve of a point of the unit square (dimension 2) or cube (3), whose coordinates are at t:
-/// points that are close on the curve are close to each other.
+/// Position along the Hilbert curve of the point t of the unit square (dimension 2) or cube (3): points that are close
+/// on the curve are close to each other.
 std::uint64_t along_curve(const double* t, int dimension);
 
 }  // namespace mudline

@@ -26,7 +26,7 @@ CellShape swept_shape(CellShape plane) {
   }
 }
 
-/// A corner of a cell of one layer: that of the plane's element, at the layer's start (0) or end (1).
+/// A corner of a cell of one layer: a corner of the plane's element, at the layer's start (0) or end (1).
 struct Corner {
   int node;
   int end;
@@ -39,7 +39,7 @@ class Sweeper {
   GlobalMesh mesh();
 
  private:
-  /// A plane element on its way through a layer.
+  /// A plane element that is swept through a layer.
   struct Element {
     int block;
     long long number;  // in its block
@@ -51,7 +51,7 @@ class Sweeper {
   std::vector<std::vector<Corner>> prisms_cut(const Element& element) const;
   void add_cell(const Element& element, const std::vector<Corner>& corners);
   void add_sides(const Element& element, const std::vector<Corner>& corners, long long cell);
-  /// The node of the mesh at a node of the plane and a level (a layer's start, or the middle of a quadratic one).
+  /// The node of the mesh over a node of the plane at a level (a layer's start, or the middle of a quadratic layer).
   long long node(long long plane, int level);
   long long middle(const Element& element, const Corner& a, const Corner& b);
   int level(const Element& element, int end) const { return order_ * (element.layer + end); }
@@ -93,12 +93,12 @@ long long Sweeper::node(long long plane, int level) {
   return number;
 }
 
-/// The prism over a triangle in three: every cut goes from the start of the corner with the lower number to the end of
-/// the other one. The tetrahedron that stands on a fixed corner is flat.
+/// Cuts the prism over a triangle into three tetrahedra. Every cut goes from the start of the corner with the lower
+/// number to the end of the other one. The tetrahedron that stands on a fixed corner is flat and left out.
 std::vector<std::vector<Corner>> Sweeper::prisms_cut(const Element& element) const {
   int v[3] = {0, 1, 2};
   std::sort(v, v + 3, [&](int a, int b) { return element.nodes[a] < element.nodes[b]; });
-  const bool odd = (v[1] - v[0] + 3) % 3 != 1;  // they go round the other way
+  const bool odd = (v[1] - v[0] + 3) % 3 != 1;  // the sorted corners are clockwise
   std::vector<std::vector<Corner>> result;
   for (int upright = 0; upright < 3; ++upright) {
     if (fixed(element, v[upright])) continue;
@@ -111,7 +111,7 @@ std::vector<std::vector<Corner>> Sweeper::prisms_cut(const Element& element) con
   return result;
 }
 
-/// Of an edge between two corners of a cell.
+/// The mid-side node of an edge between two corners of a cell.
 long long Sweeper::middle(const Element& element, const Corner& a, const Corner& b) {
   int local = a.node;
   if (a.node != b.node)
@@ -141,7 +141,7 @@ void Sweeper::add_cell(const Element& element, const std::vector<Corner>& corner
       block.nodes.push_back(node(element.nodes[corners[a].node], level(element, corners[a].end)));
     } else if (around.size() == 2) {
       block.nodes.push_back(middle(element, corners[around[0]], corners[around[1]]));
-    } else {  // of a face or the cell: below or in the middle of the layer, over the plane's corner, side or element
+    } else {  // centre of a face or of the cell, over a side or the centre of the plane's element
       std::set<int> below;
       int ends = 0;
       for (const int c : around) {
@@ -198,7 +198,7 @@ void Sweeper::add_point_sets() {
   };
   for (const auto& [name, nodes] : plane_.node_sets) add(name, nodes);
   for (const auto& [name, sides] : plane_.side_sets) {
-    if (mesh_.side_sets.count(name) != 0) continue;  // else all its sides do not move
+    if (mesh_.side_sets.count(name) != 0) continue;  // otherwise none of its sides moves
     std::vector<long long> nodes;
     for (const auto& side : sides) {
       const auto& block = plane_.blocks[side.block];

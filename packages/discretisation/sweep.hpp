@@ -13,29 +13,30 @@ namespace mudline {
 struct Sweep {
   int layers = 1;
   bool closed = false;  // the last layer ends where the first one starts
-  bool turned = false;  // the plane's elements go round clockwise as seen from where they move to
-  /// Where a place of the plane is after so many layers, or halves of one.
+  bool turned = false;  // the plane's elements are clockwise as seen from the place that they move to
+  /// Position of a point of the plane after a number of layers, which may end in a half [m].
   std::function<Point(const Point& plane, double layers)> place;
-  std::vector<char> fixed;  // (node of the plane) it does not move
+  std::vector<char> fixed;  // (node of the plane) 1 where it does not move
 };
 
-/// The mesh in space that a plane one leaves behind: quadrilaterals become hexahedra, triangles prisms of three
+/// The mesh in space that a plane mesh sweeps out: quadrilaterals become hexahedra, triangles prisms of three
 /// tetrahedra each, which fit because every cut starts at the lower node number of the plane; where nodes do not move,
-/// the flat tetrahedra are left out. Side sets become faces, point sets the lines that their points leave, regions
-/// stay. The faces at the ends are the side sets "start" and "end". A side set all of whose sides do not move becomes a
-/// set of their points. InputError for quadrilaterals with a fixed corner, and for sets that are called as an end is.
+/// the flat tetrahedra are left out. Side sets become faces, point sets become the lines that their points trace,
+/// regions stay. The faces at the ends are the side sets "start" and "end". A side set all of whose sides do not move
+/// becomes a set of their points. Throws InputError for quadrilaterals with a fixed corner, and for sets named "start"
+/// or "end".
 GlobalMesh swept(const GlobalMesh& plane, const Sweep& sweep);
 
 /// The section "plane" of a mesh source: the plane mesh that it sweeps.
 class PlaneMesh {
  public:
   static void document(Parameters& p);
-  /// `section`: that of the source. InputError unless it has a plane mesh.
+  /// `section`: the section of the source. Throws InputError unless it has a plane mesh.
   void read(const Section& section);
-  /// Checked as a mesh of that geometry is.
+  /// The plane mesh, checked as a mesh of that geometry.
   GlobalMesh generate(Geometry geometry) const;
   std::vector<std::string> files() const { return source_->files(); }
-  /// Calls what throws an InputError without a position, and adds that of the section "plane".
+  /// Calls `make` and adds the position of the section "plane" to an InputError that it throws.
   GlobalMesh at_section(const std::function<GlobalMesh()>& make) const;
 
  private:
@@ -46,7 +47,7 @@ class PlaneMesh {
 /// Fails unless the section's geometry is three-dimensional. `what`: "an extruded mesh".
 void require_space(const Section& section, Geometry geometry, const std::string& what);
 
-/// Sources of meshes that can be of the plane: "box" and, when built with Gmsh, "gmsh".
+/// Registers the sources of plane meshes: "box" and, when built with Gmsh, "gmsh".
 void register_plane_sources(Registry<MeshSource>& registry);
 
 }  // namespace mudline

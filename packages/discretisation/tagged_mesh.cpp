@@ -43,7 +43,7 @@ CellShape cell_shape(int type, int order, int dimension, const std::string& regi
   return *shape;
 }
 
-/// The node of the same cell turned over: its first two reference coordinates are exchanged.
+/// For each node, the node of the same cell with its first two reference coordinates exchanged (turned over).
 std::vector<int> turned_over(CellShape shape) {
   std::vector<int> result;
   for (int a = 0; a < num_nodes(shape); ++a) {
@@ -134,7 +134,8 @@ void Numbering::take_cells() {
   for (TaggedBlock& block : blocks_) centres.add(block.shape, block.nodes);
 }
 
-/// A surface of Gmsh may face down; its elements then run clockwise. Volumes swept backwards have negative elements.
+/// Turns elements over. A surface of Gmsh may face down, so that its elements run clockwise, and volumes swept
+/// backwards have negative elements.
 void Numbering::turn_over(TaggedBlock& block) const {
   const int n = num_nodes(block.shape);
   const CellShape straight = linear_partner(block.shape);

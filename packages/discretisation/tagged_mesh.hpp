@@ -9,7 +9,7 @@
 
 namespace mudline {
 
-/// What a file for Gmsh holds of a mesh of one dimension (2 or 3): nodes by the file's own numbers, elements by Gmsh's
+/// A mesh of one dimension (2 or 3) as a file for Gmsh holds it: nodes by the file's own numbers, elements by Gmsh's
 /// types and in its order of nodes, each with the name of its physical group.
 struct TaggedMesh {
   using Tag = long long;
@@ -34,14 +34,14 @@ struct TaggedMesh {
   std::vector<Node> nodes;
   std::vector<Cells> cells;
   std::vector<Sides> sides;
-  std::map<std::string, std::vector<Tag>> points, curves;  // nodes of groups of points, in space of curves
+  std::map<std::string, std::vector<Tag>> points, curves;  // nodes in groups of points, and in space of curves
   void transfer(ByteStream& s) { s(nodes)(cells)(sides)(points)(curves); }
 };
 
-/// The mesh, with elements of the given order and dimension. Elements are put along a space-filling curve and nodes in
-/// the order the elements meet them, so that neighbours are close in memory; nodes of no element are dropped; clockwise
-/// elements, and those of space with a negative volume, are turned over. Quadrilaterals of 8 nodes and hexahedra of 20
-/// get the centres that they lack (centre_nodes.hpp). Throws InputError without a position.
+/// The mesh, with elements of the given order and dimension. Elements are sorted along a space-filling curve and nodes
+/// in the order in which elements use them, so that neighbours are close in memory; nodes of no element are dropped;
+/// clockwise elements, and those of space with a negative volume, are turned over. Quadrilaterals of 8 nodes and
+/// hexahedra of 20 get the centres that they lack (centre_nodes.hpp). Throws InputError without a position.
 GlobalMesh global_mesh(const TaggedMesh& tagged, int order, int dimension);
 
 /// "12 quadrilaterals of 8 nodes", where such elements get centres; "" where there are none.

@@ -34,7 +34,7 @@ Tetrahedra tetrahedra_in(const std::vector<Point>&, const std::vector<EnclosedRe
 
 namespace {
 
-/// The sides as lines of one element each, the regions as surfaces. Tags are numbers from 1.
+/// Adds the sides to Gmsh's model as lines of one element each, and the regions as surfaces. Tags are numbers from 1.
 void outline(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions) {
   for (std::size_t v = 0; v < vertices.size(); ++v)
     gmsh::model::geo::addPoint(vertices[v][0], vertices[v][1], 0, 0, static_cast<int>(v) + 1);
@@ -72,7 +72,7 @@ double twice_area(const std::vector<Vec<double, 2>>& x, const Chain& chain) {
   return sum;
 }
 
-/// Of a boundary that cuts itself Gmsh makes something else.
+/// Gmsh meshes another area where a boundary cuts itself.
 void check_areas(const Triangulation& mesh, const std::vector<OutlinedRegion>& regions) {
   for (std::size_t r = 0; r < regions.size(); ++r) {
     double outlined = 0, sum = 0;
@@ -82,12 +82,12 @@ void check_areas(const Triangulation& mesh, const std::vector<OutlinedRegion>& r
   }
 }
 
-/// A place of the plane or of space in Gmsh's coordinates.
+/// Sets a point of the plane or of space from Gmsh's coordinates.
 void set_place(const double* from, Vec<double, 2>& place) { place = {from[0], from[1]}; }
 void set_place(const double* from, Point& place) { place = {from[0], from[1], from[2]}; }
 
-/// What Gmsh has made in the regions: their simplices, turned so that `size_of` them is positive. `numbers`: the given
-/// vertices by Gmsh's tags; other nodes are numbered as the elements meet them, behind those.
+/// Reads the simplices that Gmsh has made in the regions, turned so that their `size_of` is positive. `numbers`: the
+/// given vertices by Gmsh's tags; other nodes get the numbers after those, in the order in which elements use them.
 template <int corners, class Place, class Size>
 std::vector<std::vector<std::array<int, corners>>> read_simplices(std::unordered_map<std::size_t, int> numbers,
                                                                   std::size_t regions, std::vector<Place>& points,
@@ -100,7 +100,7 @@ std::vector<std::vector<std::array<int, corners>>> read_simplices(std::unordered
   for (std::size_t i = 0; i < tags.size(); ++i) set_place(&coordinates[3 * i], places[tags[i]]);
   std::vector<std::vector<std::array<int, corners>>> result(regions);
   for (std::size_t r = 0; r < regions; ++r) {
-    std::vector<std::size_t> elements, nodes;  // Gmsh takes what is not empty for room that it may fill
+    std::vector<std::size_t> elements, nodes;  // Gmsh would write into a vector that is not empty
     gmsh::model::mesh::getElementsByType(type, elements, nodes, static_cast<int>(r) + 1);
     for (std::size_t first = 0; first + corners <= nodes.size(); first += corners) {
       std::array<int, corners> simplex{};
@@ -120,7 +120,7 @@ std::vector<std::vector<std::array<int, corners>>> read_simplices(std::unordered
   return result;
 }
 
-/// Sizes come from `size` alone, of (x, y, z).
+/// Makes `size`, a function of (x, y, z), the only source of element sizes.
 template <class Size>
 void take_sizes(Size&& size) {
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
@@ -156,7 +156,7 @@ Triangulation in_plane(const std::vector<Vec<double, 2>>& vertices, const std::v
 /// Regions on the two sides of a face; -1: none.
 using Sides = std::array<int, 2>;
 
-/// The faces by the regions that they are between, each one once.
+/// The faces by the two regions that they lie between, each face once.
 std::map<Sides, std::vector<std::size_t>> surfaces_between(const std::vector<EnclosedRegion>& regions) {
   struct Face {
     std::array<int, 3> corners;
@@ -176,7 +176,8 @@ std::map<Sides, std::vector<std::size_t>> surfaces_between(const std::vector<Enc
   return result;
 }
 
-/// The surfaces as discrete ones, whose triangles Gmsh keeps, the regions as volumes. Tags are numbers from 1.
+/// Adds the surfaces to Gmsh's model as discrete ones, whose triangles Gmsh keeps, and the regions as volumes. Tags are
+/// numbers from 1.
 void enclose(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions) {
   constexpr int triangle = 2;  // of Gmsh
   std::vector<std::vector<int>> around(regions.size());
@@ -206,7 +207,7 @@ double six_volumes(const std::vector<Point>& x, const std::array<int, 4>& t) {
   return dot(x[t[1]] - x[t[0]], cross(x[t[2]] - x[t[0]], x[t[3]] - x[t[0]]));
 }
 
-/// A surface that cuts itself encloses something else than its tetrahedra fill.
+/// The tetrahedra fill another volume than the surface encloses where the surface cuts itself.
 void check_volumes(const Tetrahedra& mesh, const std::vector<EnclosedRegion>& regions) {
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const int origin = regions[r].faces[0][0];
@@ -222,7 +223,7 @@ Tetrahedra in_space(const std::vector<Point>& vertices, const std::vector<Enclos
   enclose(vertices, regions);
   take_sizes([&](double x, double y, double z) { return size({x, y, z}); });
   gmsh::option::setNumber("Mesh.Optimize", 1);
-  constexpr int delaunay = 1;  // HXT does not give the same mesh twice
+  constexpr int delaunay = 1;  // HXT does not repeat its mesh
   gmsh::option::setNumber("Mesh.Algorithm3D", delaunay);
   generate(3);
   std::unordered_map<std::size_t, int> numbers;
@@ -236,7 +237,7 @@ Tetrahedra in_space(const std::vector<Point>& vertices, const std::vector<Enclos
 void transfer(ByteStream& stream, Triangulation& mesh) { stream(mesh.points)(mesh.triangles); }
 void transfer(ByteStream& stream, Tetrahedra& mesh) { stream(mesh.points)(mesh.tetrahedra); }
 
-/// What `work` makes with Gmsh open, in a process of its own.
+/// The result of `work`, which runs with Gmsh open in a process of its own.
 template <class Result, class Work>
 Result made_in_gmsh(double time_limit, Work&& work) {
   std::vector<char> bytes;
@@ -251,7 +252,7 @@ Result made_in_gmsh(double time_limit, Work&& work) {
             throw;
           } catch (const std::bad_alloc&) {
             throw;
-          } catch (...) {  // Gmsh throws ints and texts, depending on its version; its log knows more
+          } catch (...) {  // Gmsh throws ints or strings, depending on its version; its log says more
             const std::string error = gmsh_error();
             throw NoTriangulation("Gmsh: " + (error.empty() ? "it gave no reason" : error));
           }

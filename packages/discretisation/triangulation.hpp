@@ -21,7 +21,7 @@ struct Triangulation {
   std::vector<std::vector<std::array<int, 3>>> triangles;  // by region, counter-clockwise
 };
 
-/// A region of space that hangs together, inside closed surfaces of triangles, given by the numbers of their vertices:
+/// A connected region of space inside closed surfaces of triangles, given by the numbers of their vertices:
 /// counter-clockwise as seen from outside of the region.
 struct EnclosedRegion {
   std::vector<std::array<int, 3>> faces;
@@ -32,7 +32,7 @@ struct Tetrahedra {
   std::vector<std::vector<std::array<int, 4>>> tetrahedra;  // by region, of positive volume
 };
 
-/// Why there is no triangulation: what() goes on after "the region cannot be meshed: ".
+/// Thrown where there is no triangulation; what() completes "the region cannot be meshed: ".
 class NoTriangulation : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -41,14 +41,14 @@ class NoTriangulation : public std::runtime_error {
 /// Whether this program can fill regions with triangles and tetrahedra: it was built with Gmsh.
 bool has_triangulation();
 
-/// Triangles of the regions whose sides on the chains are the given ones, undivided, and inside are as long as `size`
-/// asks [m]. By Gmsh, in a process of its own that is given up after `time_limit` seconds; the same input gives the
-/// same triangles. Throws NoTriangulation, and ChildLost where that process is lost, which says nothing of the regions.
+/// Triangulates the regions with Gmsh. The sides of the chains are not divided; inside, edges are as long as `size`
+/// asks [m]. Gmsh runs in a process of its own that is ended after `time_limit` seconds; the same input gives the same
+/// triangles. Throws NoTriangulation, and ChildLost where that process is lost, which says nothing about the regions.
 Triangulation triangulate(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit);
 
-/// Tetrahedra of the regions whose faces on the surfaces are the given ones, likewise. Regions that touch have common
-/// faces there. Throws likewise.
+/// Fills the regions with tetrahedra in the same way. The faces of the surfaces are not divided; regions that touch
+/// have common faces there. Throws as triangulate() does.
 Tetrahedra tetrahedra_in(const std::vector<Point>& vertices, const std::vector<EnclosedRegion>& regions,
                          const std::function<double(const Point&)>& size, double time_limit);
 

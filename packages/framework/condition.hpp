@@ -12,10 +12,10 @@
 
 namespace mudline {
 
-/// What a condition may look at when it is bound to a model.
+/// The parts of a model that a condition may use when it is bound to it.
 struct ConditionContext {
   const Space& space;
-  const Shared& shared;  // what the physics offer
+  const Shared& shared;  // objects that the physics offer
 };
 
 /// One named entry of the deck's "boundary conditions": prescribes unknowns, adds a load term, or both.
@@ -28,16 +28,16 @@ class Condition {
   virtual void prescribe(double t_old, double t_end, const State& committed, Constraints& constraints) const {}
   /// The load that the condition adds; null for purely prescribed ones.
   virtual Term* term() { return nullptr; }
-  /// Whether its load may grow with the displacement of what it acts on and so hold it, as a spring does. A condition
-  /// of a plugin that adds a load may, unless it says otherwise.
+  /// Whether its load may grow with the displacement and so support the soil, as a spring does. By default every
+  /// condition with a load may.
   virtual bool may_hold() { return term() != nullptr; }
-  /// The mesh set that it keeps from moving away, by prescribed displacements or by resistance; "": none.
+  /// The mesh set whose rigid motion it prevents, by prescribed displacements or by resistance; "": none.
   virtual std::string holds() const { return ""; }
-  /// Whether it moves what it prescribes: its reaction is then a resistance.
+  /// Whether the prescribed unknowns move: the reaction is then the resistance to that motion.
   virtual bool drives() const { return false; }
   /// Called when a stage begins in which the condition is newly active. `unbalanced`: residual of the committed state
-  /// under what stays active, by overlap dof; zero where the stage prescribes the unknown. A condition that takes over
-  /// a force sets it to zero there (owned dofs are enough), so that no other takes it too.
+  /// under what stays active, by overlap dof; zero where the stage prescribes the unknown. A condition that takes a
+  /// force from it sets the entry to zero (owned dofs are enough), so that no other condition takes the same force.
   virtual void activate(const State& committed, const NodalView& unbalanced) {}
   /// Adds this rank's share of the reactions at the prescribed unknowns, "reaction/<name> x". The same names in every
   /// call; nodes that two conditions share count in both.

@@ -7,13 +7,13 @@
 
 namespace mudline {
 
-/// What the balance of a scalar field conserves, for the audits of the history file: heat, a solute.
+/// The conserved quantity (heat, a solute) of the balance of a scalar field, for the audits of the history file.
 struct Conserved {
   std::string name, unit;  // "heat", "J"
   int field;
-  std::function<double(const State&)> content;  // of the whole mesh; collective
-  int transfer = -1;                            // field whose flow carries it; -1: none
-  double transferred = 0, reference = 0;        // per outflow of the carrier: carried * (value - reference)
+  std::function<double(const State&)> content;  // content of the whole mesh; collective
+  int transfer = -1;                            // field whose flow transports it; -1: none
+  double transferred = 0, reference = 0;  // transported per outflow of that field: transferred * (value - reference)
 };
 
 }  // namespace mudline

@@ -12,15 +12,15 @@ struct Constraints {
   NodalView rate;             // given rate at t_{n+1}, per second
 
   Constraints() = default;
-  /// Of so many unknowns, none of them prescribed.
+  /// Makes room for this many unknowns, none of them prescribed.
   explicit Constraints(int dofs)
       : mask("prescribed", dofs), value("value", dofs), moves("moves", dofs), rate("rate", dofs) {}
   KOKKOS_INLINE_FUNCTION void prescribe(int dof, double to) const {
     mask(dof) = 1;
     value(dof) = to;
   }
-  /// With the rate of a motion that is known: the integrator's own, found from the values, would ring after every
-  /// corner of the motion.
+  /// Prescribes the value and the known rate of a motion. A rate that the integrator derives from the values would
+  /// oscillate after every kink of the motion.
   KOKKOS_INLINE_FUNCTION void prescribe(int dof, double to, double at_rate) const {
     prescribe(dof, to);
     moves(dof) = 1;

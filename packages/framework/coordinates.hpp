@@ -9,9 +9,9 @@
 
 namespace mudline {
 
-// Coordinate systems. Kernels are templates on one of them: `dim` directions, and in axial symmetry a hoop, the strain
-// u_r / r out of the plane. measure(x): length [m] out of the plane that a point stands for; 1 in space. x: numbers, or
-// dual numbers.
+// Coordinate systems. Kernels are templates on one of them. `dim`: number of directions. `hoop`: whether there is the
+// hoop strain u_r / r out of the plane (axial symmetry). measure(x): length [m] out of the plane that a point stands
+// for; 1 in space. T: double or a dual number.
 
 struct PlaneStrain {
   static constexpr int dim = 2;
@@ -54,7 +54,7 @@ auto with_coordinates(Geometry geometry, F&& f) {
   throw std::logic_error("unknown geometry");
 }
 
-/// The same length where the coordinate system is known at run time only.
+/// Length [m] out of the plane that a point stands for, where the coordinate system is known at run time only.
 template <class T>
 KOKKOS_INLINE_FUNCTION T measure(Geometry geometry, const T* x) {
   return geometry == Geometry::axisymmetric ? Axisymmetric::measure(x) : T(1.0);

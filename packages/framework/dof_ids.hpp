@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-/// By local (overlap) dof: an id that does not depend on the number of ranks, other than the map's own global ids.
+/// Ids by local (overlap) dof. Unlike the map's global ids they do not depend on the number of ranks.
 std::vector<long long> dof_ids(const DofMap& dofs);
 
 }  // namespace mudline

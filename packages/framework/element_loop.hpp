@@ -13,7 +13,7 @@
 #include "tensor/mat.hpp"
 #include "tensor/midpoint_rule.hpp"
 
-// g++ unrolls a short loop completely before it looks whether the loop can be vectorised, and then it cannot.
+// g++ completely unrolls a short loop before it tries to vectorise it, which prevents vectorisation.
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
 #define MUDLINE_KEEP_LOOP _Pragma("GCC unroll 1")
 #else
@@ -22,16 +22,16 @@
 
 namespace mudline {
 
-/// The state that a loop looks at: places and fields of one level, and how they follow from the unknowns.
+/// The state on which a loop works: coordinates and fields at one level, and their sensitivities to the unknowns.
 struct LoopLevel {
   ConstCoordinateView x;                // [m]
-  ConstNodalView value_old, value_end;  // of the step; places move by geometry_weight times their difference
+  ConstNodalView value_old, value_end;  // of the step; coordinates move by geometry_weight times their difference
   ConstNodalView value, rate, acceleration;
   double geometry_weight = 0;  // d x / d u_{n+1}
   Sensitivity displacement, scalar[max_scalars];
 };
 
-/// At one of the levels of a step.
+/// The state at one of the levels of a step.
 inline LoopLevel loop_level(const StepView& view, const Level& level, const FieldBlock& block) {
   LoopLevel at;
   at.x = level.x;
@@ -46,8 +46,8 @@ inline LoopLevel loop_level(const StepView& view, const Level& level, const Fiel
   return at;
 }
 
-/// The end of the step, where state variables live. In the search for the rates at the start of a stage, which is no
-/// step, places do not depend on the unknowns.
+/// The state at the end of the step, where state variables live. In the solve for the initial rates of a stage the
+/// coordinates do not depend on the unknowns.
 inline LoopLevel end_level(const StepView& view, const FieldBlock& block) {
   LoopLevel at =
       loop_level(view, {view.time_end, view.x_end, view.kind == StepView::Kind::initial_rates ? 0.0 : 1.0}, block);
@@ -56,29 +56,29 @@ inline LoopLevel end_level(const StepView& view, const FieldBlock& block) {
   return at;
 }
 
-/// What a law fills and what it depends on. A law inherits this and says otherwise by constants of the same names; what
-/// it has not costs nothing.
+/// Declares the outputs of a law and what it depends on. A law inherits this and overrides constants by the same names;
+/// outputs and derivatives that are switched off cost nothing.
 struct PointLaw {
   static constexpr bool forces = false, stresses = false, storages = false, fluxes = false;
-  static constexpr int any = -1, fields = any;  // number of scalar fields that it is written for
-  static constexpr bool motion = true;      // depends on the gradient of the displacement, as all do by their volume
-  static constexpr bool inertia = false;    // on velocity or acceleration themselves
-  static constexpr bool scalars = true;     // on values (and rates) of the scalar fields
-  static constexpr bool rates = true;       // on velocities, accelerations and rates at all
-  static constexpr bool gradients = false;  // on the scalar fields' gradients
-  static constexpr bool stands = false;     // its stress stood before the step, the change is given beside it
-  static constexpr bool cancels = false;    // a storage is the difference of two large numbers, whose size is given
+  static constexpr int any = -1, fields = any;  // number of scalar fields for which it is written
+  static constexpr bool motion = true;    // depends on the displacement gradient, as every law does through the volume
+  static constexpr bool inertia = false;  // depends on velocity or acceleration themselves
+  static constexpr bool scalars = true;   // depends on values (and rates) of the scalar fields
+  static constexpr bool rates = true;     // uses velocities, accelerations or rates at all
+  static constexpr bool gradients = false;  // depends on the gradients of the scalar fields
+  static constexpr bool stands = false;     // its stress lasts from before the step; the law also gives the change
+  static constexpr bool cancels = false;    // a storage is a difference of large numbers; the law also gives their size
 };
 
 /// One generic loop over the elements of a block. A law is called once per quadrature point: law(row, fields, out),
-/// with the row of the point's data, PointFields and PointBalance. It is written once for numbers and for dual numbers,
-/// so that it has no derivatives of its own.
+/// with the row of the point's data, PointFields and PointBalance. It is written once for numbers and dual numbers;
+/// derivatives come by automatic differentiation.
 template <class Coordinates, class Shapes>
 struct ElementLoop {
   static constexpr int D = Coordinates::dim, NU = Shapes::NU, NS = Shapes::NS, S = Shapes::S;
   static constexpr int NQ = NS > 0 ? NS : 1, SQ = S > 0 ? S : 1;  // sizes of arrays that may be empty
   static constexpr bool moves = Shapes::moves;
-  static constexpr int MU = moves ? D * NU : 0, columns = MU + S * NS;  // unknowns: displacement, all
+  static constexpr int MU = moves ? D * NU : 0, columns = MU + S * NS;  // number of unknowns: displacement, all
   static constexpr int gradients_u = D * D + (Coordinates::hoop ? 1 : 0);
   using Fields = PointFields<Coordinates, S, double>;
   using Balance = PointBalance<Coordinates, S, double>;
@@ -86,9 +86,9 @@ struct ElementLoop {
   FieldBlock b;
   LoopLevel at;
 
-  /// Places and values at the nodes of one element.
+  /// Coordinates and values at the nodes of one element.
   struct Nodes {
-    double x[NU][D], moved[NU][D];  // [m] at the level; since the start of the step, without the rounding of places
+    double x[NU][D], moved[NU][D];  // [m] position at the level; displacement in the step, without rounding of x
     double rate[NU][D], acceleration[NU][D];
     double value[SQ][NQ], change[SQ][NQ], scalar_rate[SQ][NQ];
   };
@@ -120,13 +120,13 @@ struct ElementLoop {
       }
   }
 
-  /// Shapes at a point of a configuration; false where it is folded or on the wrong side of the axis.
+  /// Shapes at a quadrature point; false where the element is folded or on the wrong side of the axis.
   KOKKOS_INLINE_FUNCTION bool shapes(int q, const double (&x)[NU][D], Shape& s) const {
     s.N = &b.u.N(q, 0);
     s.Np = NS > 0 ? &b.p.N(q, 0) : nullptr;
     CellMap<D> map;
     map.compute(x, &b.u.dN(q, 0, 0));
-    double here[D] = {};  // a coordinate system without a hoop does not ask where
+    double here[D] = {};  // the position matters in axial symmetry only
     if constexpr (Coordinates::hoop)
       for (int a = 0; a < NU; ++a) here[0] += s.N[a] * x[a][0];
     const double measure = Coordinates::measure(here);
@@ -137,7 +137,7 @@ struct ElementLoop {
     s.dv = b.u.weights(q) * map.det * measure;
     return true;
   }
-  /// The fields at a point whose shapes are known. False where the step's start would be folded.
+  /// The fields at a point with known shapes; false where the element would be folded at the start of the step.
   template <bool Rates>
   KOKKOS_INLINE_FUNCTION bool fields(const Nodes& n, const Shape& s, Fields& f) const {
     f.hoop_moved = 0;
@@ -183,8 +183,8 @@ struct ElementLoop {
     return true;
   }
 
-  /// Calls f(point, shape, fields) for the points of an element; stops with 1 where it is folded. Rates: whether rates
-  /// are looked at; else they are undefined.
+  /// Calls f(point, shape, fields) for the points of an element; stops and returns 1 where it is folded. Rates: whether
+  /// rates are needed; else they are undefined.
   template <bool Rates, class F>
   KOKKOS_INLINE_FUNCTION int for_each_point(int e, F&& f) const {
     Nodes n;
@@ -198,8 +198,9 @@ struct ElementLoop {
     return 0;
   }
 
-  /// Adds the balance of element e to the residual; returns 1 where the element is folded. What acts in the step is the
-  /// size of each kind of contribution by itself: they may cancel, as storage and flow do in consolidation.
+  /// Adds the balance of element e to the residual; returns 1 where the element is folded. The acting size is the sum
+  /// of the sizes of each kind of contribution, because kinds may cancel each other, as storage and flow do in
+  /// consolidation.
   template <class Law>
   KOKKOS_INLINE_FUNCTION int residual(int e, const Law& law, const VectorScatter& to) const {
     Nodes n;
@@ -264,15 +265,15 @@ struct ElementLoop {
     return work;
   }
 
-  // Directions of the dual numbers of a law.
+  // Layout of the derivative indices of a law's dual numbers.
   template <class Law>
   struct Directions {
     static constexpr int motion = 0, inertia = Law::motion ? gradients_u : 0, value = inertia + (Law::inertia ? D : 0),
                          gradient = value + (Law::scalars ? S : 0), count = gradient + (Law::gradients ? S * D : 0);
-    static constexpr int hoop = D * D;  // within `motion`
+    static constexpr int hoop = D * D;  // index of the hoop strain
   };
 
-  /// The fields as dual numbers.
+  /// Makes dual numbers of the fields.
   template <class Law, class T>
   KOKKOS_INLINE_FUNCTION void seed(const Fields& f, PointFields<Coordinates, S, T>& d) const {
     using Way = Directions<Law>;
@@ -296,7 +297,7 @@ struct ElementLoop {
       for (int j = 0; j < D; ++j) d.gradient[k][j] = f.gradient[k][j];
     }
     if constexpr (Law::motion) {
-      // a gradient of the displacement at the level turns and stretches what gradients are taken in
+      // a displacement gradient at the level rotates and stretches the frame of the spatial gradients
       for (int j = 0; j < D; ++j)
         for (int m = 0; m < D; ++m) {
           const int way = Way::motion + D * j + m;
@@ -327,8 +328,8 @@ struct ElementLoop {
         for (int j = 0; j < D; ++j) d.gradient[k][j].d[Way::gradient + D * k + j] += at.scalar[k].value;
   }
 
-  /// What the motion of the configuration does to the integral: dv grows by the trace of the gradient, and the test
-  /// functions' gradients turn with it.
+  /// Adds the derivatives of the integral with respect to the motion of the configuration: dv grows by the trace of the
+  /// displacement gradient, and the gradients of the test functions change.
   template <class Law, class T>
   KOKKOS_INLINE_FUNCTION void transfer(PointBalance<Coordinates, S, T>& out) const {
     if constexpr (Law::motion) {
@@ -360,8 +361,8 @@ struct ElementLoop {
     }
   }
 
-  // The rows of a point's matrix: forces, stresses, hoop stress, storages, fluxes; what a law does not have is left
-  // out.
+  // Rows of a point's matrix: forces, stresses, hoop stress, storages, fluxes; outputs that a law does not have are
+  // left out.
   template <class Law>
   struct Rows {
     static constexpr int force = 0, stress = force + (Law::forces ? D : 0), hoop = stress + (Law::stresses ? D * D : 0),
@@ -376,7 +377,7 @@ struct ElementLoop {
                          last = Law::scalars || Law::gradients ? columns : MU, count = last - first;
   };
 
-  /// The law's derivatives at a point, rows by directions, times the volume.
+  /// The law's derivatives at a point times the volume: (row, derivative index).
   template <class Law>
   KOKKOS_INLINE_FUNCTION void point_matrix(int row, const Law& law, const Shape& s, const Fields& f,
                                            double (&A)[Rows<Law>::count][Directions<Law>::count]) const {
@@ -404,7 +405,7 @@ struct ElementLoop {
     }
   }
 
-  /// From directions to the nodes' unknowns: rows by columns.
+  /// Converts derivative indices to the nodes' unknowns: (row, column).
   template <class Law>
   KOKKOS_INLINE_FUNCTION static void to_unknowns(const Shape& s,
                                                  const double (&A)[Rows<Law>::count][Directions<Law>::count],
@@ -436,7 +437,7 @@ struct ElementLoop {
     }
   }
 
-  /// From a point's rows to those of the element: the test functions' values and gradients.
+  /// Adds a point's rows to the rows of the element by the test functions' values and gradients.
   template <class Law>
   KOKKOS_INLINE_FUNCTION static void spread(const Shape& s, const double (&Y)[Rows<Law>::count][Columns<Law>::count],
                                             double (&ku)[D * NU][Columns<Law>::count],
@@ -493,7 +494,7 @@ struct ElementLoop {
   }
 };
 
-/// Whether a law fits a set of fields: a balance of a scalar needs one, one of forces needs the displacement.
+/// Whether a law fits a set of fields: a scalar balance needs a scalar field, a force balance needs the displacement.
 template <class Law, class Shapes>
 constexpr bool fits = (Law::fields == PointLaw::any || Law::fields == Shapes::S) &&
                       (Shapes::S > 0 || !(Law::storages || Law::fluxes)) &&
@@ -502,7 +503,7 @@ constexpr bool fits = (Law::fields == PointLaw::any || Law::fields == Shapes::S)
   throw std::logic_error("a law of balance does not fit the fields of its block");
 }
 
-/// What runs on every element: adds its balance to the residual; `failed` counts folded elements.
+/// Kernel for one element: adds its balance to the residual; `failed` counts folded elements.
 template <class Loop, class Law>
 struct ElementResidual {
   Loop loop;
@@ -527,7 +528,7 @@ void with_loop(Geometry geometry, const FieldBlock& block, const LoopLevel& leve
   });
 }
 
-/// Adds the balance of a block's elements to the residual. `level`: the state to look at. Returns the number of folded
+/// Adds the balance of a block's elements to the residual. `level`: the state to be used. Returns the number of folded
 /// elements.
 template <class Law>
 int add_residual(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
@@ -545,7 +546,7 @@ int add_residual(Geometry geometry, const FieldBlock& block, const LoopLevel& le
   return failed;
 }
 
-/// Adds weight times its derivative, of elements [first, last), which begin a batch.
+/// Adds weight times the derivative for elements [first, last); `first` is the start of a batch.
 template <class Law>
 void add_tangent(Geometry geometry, const FieldBlock& block, const LoopLevel& level, const Law& law,
                  const MatrixScatter& to, double weight, int first, int last) {

@@ -16,8 +16,8 @@ struct ElementShapes {
   static constexpr bool moves = Moves;
 };
 
-/// Calls f(coordinate system, ElementShapes) of a block. The displacement stands at all nodes; scalar fields at the
-/// corners, or, without a displacement, at all nodes.
+/// Calls f(coordinate system, ElementShapes) of a block. The displacement has values at all nodes; scalar fields at the
+/// corners or, without a displacement, at all nodes.
 template <class F>
 auto with_element(Geometry geometry, const FieldBlock& block, F&& f) {
   using Result = decltype(f(PlaneStrain{}, ElementShapes<6, 0, 0>{}));

@@ -4,12 +4,12 @@
 
 namespace mudline {
 
-/// A term that takes something from the state in which it first acts: gaps, a stress that stands there already.
+/// A term that records something of the state in which it first acts: gaps, or a stress that is already there.
 class FirstActs {
  public:
   virtual ~FirstActs() = default;
-  /// At the start of every stage in which the term acts; it writes its own arrays where it has not acted before.
-  /// Collective.
+  /// Called at the start of every stage in which the term acts. It writes the term's arrays where it has not acted
+  /// before. Collective.
   virtual void first_act(State& committed) = 0;
 };
 

@@ -18,7 +18,7 @@ class Properties {
   virtual ~Properties() = default;
 };
 
-/// One entry of the deck's "materials": what some regions are made of.
+/// One entry of the deck's "materials": the material of some regions.
 class Material {
  public:
   virtual ~Material() = default;
@@ -27,7 +27,7 @@ class Material {
   /// The groups of properties that the entry has, by name.
   std::map<std::string, std::shared_ptr<const Properties>> properties;
 
-  /// A group that a physics cannot do without. InputError through `materials`, the deck's section.
+  /// A group that a physics needs. InputError through `materials`, the deck's section, when it is missing.
   template <class T>
   std::shared_ptr<const T> require(const std::string& group, const Section& materials) const {
     used_.insert(group);
@@ -36,7 +36,7 @@ class Material {
       materials.section(name).fail("required section '" + group + "' is missing: a physics of this model needs it");
     return std::dynamic_pointer_cast<const T>(found->second);
   }
-  /// Names of the groups that no physics has asked for.
+  /// Names of the groups that no physics has required.
   std::vector<std::string> unused() const;
 
  private:
@@ -46,7 +46,7 @@ class Material {
 using Materials = std::vector<std::shared_ptr<Material>>;
 
 /// The materials that name a mesh region, in the deck's order. InputError through `materials`, the deck's section, when
-/// none does, or when one names a region that the mesh has not.
+/// none does, or when one names a region that the mesh does not have.
 std::vector<std::shared_ptr<const Material>> materials_of(const std::string& region, const Mesh& mesh,
                                                           const Materials& all, const Section& materials);
 

@@ -5,9 +5,9 @@
 
 namespace mudline {
 
-/// Solves the normal equations of a least squares fit for all columns; b: (column, n), in: right sides, out: solutions.
-/// A direction that the samples do not resolve (they lie on a conic) is left out: its coefficient is zero. Returns
-/// how many were resolved.
+/// Solves the normal equations of a least squares fit for all columns by elimination without pivoting. b: (column, n),
+/// right sides on entry, solutions on return. An unknown that the samples do not resolve (they lie on a conic) is set
+/// to zero. Returns the number of resolved unknowns.
 template <int n>
 int solve_normal(double (&a)[n][n], std::vector<double>& b) {
   double diagonal[n];

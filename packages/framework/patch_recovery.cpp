@@ -12,7 +12,7 @@ namespace mudline {
 
 namespace {
 
-constexpr int most_terms = 10;  // of a quadratic in space
+constexpr int most_terms = 10;  // terms of a quadratic polynomial in space
 
 int number_of_terms(int dimension, int degree) {
   return degree == 1 ? 1 + dimension : (dimension + 1) * (dimension + 2) / 2;
@@ -77,8 +77,8 @@ int PatchRecovery::solve_terms(const double* moments, double* coefficients) cons
   for (int r = 0; r < n; ++r)
     for (int s = r; s < n; ++s) a[r][s] = a[s][r] = *moments++;
   for (int r = 0; r < n; ++r) scale[r] = a[r][r] > 0 ? 1 / std::sqrt(a[r][r]) : 0.0;
-  // Where all samples lie in planes through the vertex, a product of two offsets is nothing, or what a small
-  // deformation of the mesh makes of it: its scale must not blow that up.
+  // Where all samples lie in planes through the vertex, a product of two offsets is zero or, on a slightly deformed
+  // mesh, tiny. Such a term is dropped, because scaling would amplify noise.
   int term = 1 + dimension_;
   if (degree_ == 2)
     for (int i = 0; i < dimension_; ++i)
@@ -129,8 +129,8 @@ void PatchRecovery::fit() {
     mine[1] = std::max(mine[1], static_cast<int>(moments[0]));
   }
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_MAX, 2, mine, most);
-  // fewer samples than twice the terms lie on one side of the vertex, or follow noise; a slice of one element has no
-  // more
+  // With fewer samples than twice the number of terms they lie on one side of the vertex, or the fit follows noise. A
+  // mesh one element thick has no more samples, hence the minimum.
   std::vector<char> fitted;
   for (std::size_t v = 0; v < node_.size(); ++v)
     fitted.push_back(resolved[v] == most[0] && moments_[v * width_] >= std::min(2 * terms_, most[1]));

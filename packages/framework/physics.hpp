@@ -13,15 +13,15 @@
 
 namespace mudline {
 
-/// What a physics gets to build itself, and where it leaves what others need.
+/// Input for building a physics, and the lists to which it adds what others need.
 struct PhysicsContext {
   const Space& space;
   const Materials& materials;
   const Section& materials_section;           // for messages
-  std::vector<std::unique_ptr<Term>>& terms;  // add yours
-  Shared& shared;                             // what others may use: a physics with soil offers its Soil
-  std::vector<Conserved>& conserved;          // add what your scalar fields conserve
-  /// Data of the block preconditioner; set by physics it can treat.
+  std::vector<std::unique_ptr<Term>>& terms;  // the physics adds its terms here
+  Shared& shared;                             // the physics offers objects to others here: a physics with soil its Soil
+  std::vector<Conserved>& conserved;          // the physics adds the conserved quantities of its scalar fields here
+  /// Data of the block preconditioner; set by a physics that supports it.
   std::function<BlockData(const StepView&)>& block_data;
 };
 
@@ -30,7 +30,7 @@ struct PhysicsContext {
 class Physics {
  public:
   virtual ~Physics() = default;
-  /// Fields of this physics; a field that several name must be declared alike.
+  /// Fields of this physics; all physics that name the same field must declare it alike.
   virtual std::vector<Field> fields() const = 0;
   /// Checks that the mesh suits the discretisation (stable pairs). InputError through section.
   virtual void check_mesh(const Mesh& mesh, const Section& section) const {}

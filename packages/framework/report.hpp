@@ -9,10 +9,10 @@ namespace mudline {
 struct Quantity {
   std::string unit;
   double value = 0;
-  bool lasting = false;  // a sum over time: stands while what reports it does not act
+  bool lasting = false;  // a sum over time: it keeps its value while its source does not act
 };
 
-/// By name, groups separated by "/": "body/cone/spin".
+/// Quantities by name, groups separated by "/": "body/cone/spin".
 using Report = std::map<std::string, Quantity>;
 
 }  // namespace mudline

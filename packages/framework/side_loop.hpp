@@ -12,36 +12,36 @@
 
 namespace mudline {
 
-/// What a load sees at a quadrature point of a side. T: double, or a dual number with derivatives by the place, the
-/// velocity and the scalar field there.
+/// Input of a load law at a quadrature point of a side. T: double, or a dual number with derivatives with respect to
+/// the position, the velocity and the scalar field there.
 template <class C, class T>
 struct SidePoint {
   static constexpr int D = C::dim;
   T x[D];         // [m]
-  T normal[D];    // outward, times the area that the point stands for, per quadrature weight [m2]
-  T area;         // its length [m2]; in plane strain per metre of depth
+  T normal[D];    // outward normal times the area per quadrature weight [m2]
+  T area;         // length of `normal` [m2]; in plane strain per metre of depth
   T velocity[D];  // [m/s]
-  T value;        // of the scalar field
+  T value;        // value of the scalar field
 };
 
-/// What it puts in, per quadrature weight: sum of weight * (force . w + flow q) over the points, for the test functions
-/// w of the displacement or q of the scalar field.
+/// Output of a load law per quadrature weight: the load is the sum of weight * (force . w + flow q) over the points,
+/// for the test functions w of the displacement or q of the scalar field.
 template <class C, class T>
 struct SideBalance {
   T force[C::dim];               // [N]
-  T flow;                        // of the scalar's conjugate [1/s]
+  T flow;                        // flow of the scalar's conjugate [1/s]
   double standing[C::dim] = {};  // part of the force that stood before the step [N]
 };
 
-/// What a load depends on. One inherits this and says otherwise by constants of the same names.
+/// Declares the dependencies of a load. A load law inherits this and overrides constants by the same names.
 struct SideLaw {
   static constexpr bool flows = false;   // acts on a scalar field, not on the displacement
-  static constexpr bool moves = false;   // depends on where the side is
-  static constexpr bool damps = false;   // on the velocity
-  static constexpr bool drains = false;  // on the scalar field
+  static constexpr bool moves = false;   // depends on the position of the side
+  static constexpr bool damps = false;   // depends on the velocity
+  static constexpr bool drains = false;  // depends on the scalar field
 };
 
-/// The state that a loop over sides looks at, and how it follows from the unknowns.
+/// The state on which a loop over sides works, and its sensitivities to the unknowns.
 struct SideLevel {
   ConstCoordinateView x;  // [m]
   ConstNodalView velocity, value;
@@ -54,9 +54,9 @@ inline SideLevel side_level(const StepView& view, const SideBlock& block, const 
   return {x, view.velocity, view.value, geometry_weight, by.velocity, by.value};
 }
 
-/// One generic loop over sides. A law is called once per quadrature point: law(row, point, out), with the row
-/// side * points + q of the point's data. It is written once for numbers and for dual numbers. NN: nodes of a side, NF:
-/// those of the scalar field.
+/// One generic loop over sides. A law is called once per quadrature point: law(row, point, out), with the row side *
+/// points + q of the point's data. It is written once for numbers and for dual numbers. NN: nodes of a side, NF: nodes
+/// of the scalar field on it.
 template <class Coordinates, int NN, int NF>
 struct SideLoop {
   static constexpr int D = Coordinates::dim, K = D - 1;
@@ -103,8 +103,8 @@ struct SideLoop {
     return p;
   }
 
-  /// Adds the load on side s to the residual, point by point: a corner's shape has both signs on a quadratic side, and
-  /// sizes are wanted before they cancel.
+  /// Adds the load on side s to the residual point by point: a corner's shape function has both signs on a quadratic
+  /// side, and sizes are taken before cancellation.
   template <class Law>
   KOKKOS_INLINE_FUNCTION void residual(int s, const Law& law, const VectorScatter& to) const {
     for (int q = 0; q < b.points; ++q) {
@@ -162,7 +162,7 @@ struct SideLoop {
   }
 };
 
-/// What runs on every side: adds its load to the residual.
+/// Kernel for one side: adds its load to the residual.
 template <class Loop, class Law>
 struct SideResidual {
   Loop loop;
@@ -181,7 +181,7 @@ template <class F>
 void with_side_loop(Geometry geometry, const SideBlock& b, const SideLevel& level, F&& f) {
   with_coordinates(geometry, [&](auto coordinates) {
     using C = decltype(coordinates);
-    // a side with all of the cell's nodes, and the corners of it that may alone carry a field
+    // all: number of nodes of the side; corners: number of its corners, which may be the field's only nodes
     const auto of_side = [&](auto all, auto corners) {
       constexpr int N = decltype(all)::value, P = decltype(corners)::value;
       if (b.shape.nodes != N) return false;
@@ -216,7 +216,7 @@ void add_side_residual(Geometry geometry, const SideBlock& block, const SideLeve
   });
 }
 
-/// Adds weight times its derivative.
+/// Adds weight times the derivative of a load on all sides of a block to the matrix.
 template <class Law>
 void add_side_tangent(Geometry geometry, const SideBlock& block, const SideLevel& level, const Law& law,
                       const MatrixScatter& to, double weight) {

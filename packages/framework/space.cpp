@@ -79,7 +79,7 @@ ElementDofs Space::element_dofs(int block, const std::vector<int>& fields) const
   Kokkos::View<int**, Kokkos::LayoutRight> dofs("element dofs", elements.num_elements, width);
   for (int e = 0; e < elements.num_elements; ++e) {
     int* to = &dofs(e, 0);
-    for (int f : fields)  // corners come first: the linear partner's nodes
+    for (int f : fields)  // the corners, which are the linear partner's nodes, come first
       to = write_dofs(f, &elements.nodes(e, 0), num_nodes(shape(f, block)), to);
   }
   return dofs;

@@ -9,22 +9,22 @@
 
 namespace mudline {
 
-/// Which nodes carry a field: all of them, the cell corners (the linear partner of a Taylor-Hood pair), or none of the
-/// mesh: `apart`, a few points of their own (rigid bodies), known to every rank and owned by the first.
+/// The nodes that carry a field: all nodes, the cell corners (the linear partner of a Taylor-Hood pair), or no nodes of
+/// the mesh (`apart`) but a few separate points (rigid bodies), known to every rank and owned by the first.
 enum class Support { all_nodes, vertices, apart };
 
-/// Number of components of a vector in the mesh's space, 2 or 3: a Space puts in which.
+/// Stands for the number of components of a vector, 2 or 3; a Space replaces it by the dimension of its mesh.
 constexpr int vector_components = 0;
 
-/// One unknown field as a physics asks for it.
+/// One unknown field as a physics declares it.
 struct Field {
   std::string name;  // "displacement", "pore pressure", "temperature"
-  std::string unit;  // of the value
+  std::string unit;  // unit of the value
   std::string flux;  // unit of the conjugate residual: "N", "m3/s", "W"
   int components;    // or vector_components
   Support support;
   int time_order;  // 2: value, rate, second rate (inertia); 1: value and rate
-  int count = 0;   // of points, of a field apart from the mesh
+  int count = 0;   // number of points of a field apart from the mesh
 };
 
 /// Fields on a mesh: the numbering of unknowns and the tables that element loops need.

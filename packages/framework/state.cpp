@@ -29,7 +29,7 @@ void copy(const State& from, State& to) {
   for (std::size_t i = 0; i < from.arrays.size(); ++i) Kokkos::deep_copy(to.arrays[i], from.arrays[i]);
 }
 
-/// A state of the same sizes, its content undefined.
+/// A state of the same sizes, with undefined content.
 State room_for(const State& like) {
   State state;
   state.value = NodalView("value", like.value.extent(0));

@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// What runs on every element or side of a loop: adds weight times the derivative of a law's balance to the matrix.
+/// Kernel for one element or side of a loop: adds weight times the derivative of a law's balance to the matrix.
 template <class Loop, class Law>
 struct TangentKernel {
   Loop loop;
@@ -19,7 +19,7 @@ struct TangentKernel {
 template <class Loop, class Law>
 TangentKernel(Loop, Law, MatrixScatter, double) -> TangentKernel<Loop, Law>;
 
-/// Runs it on elements or sides [first, last) of a group, of which `first` begins a batch.
+/// Runs TangentKernel on elements or sides [first, last) of a group; `first` is the start of a batch.
 template <class Loop, class Law>
 void add_tangents(const char* label, const RowLists& rows, int first, int last, const Loop& loop, const Law& law,
                   const MatrixScatter& to, double weight) {

@@ -4,14 +4,14 @@
 
 namespace mudline {
 
-/// Where the elements or sides of a loop add their vectors.
+/// Target to which the elements or sides of a loop add their vectors.
 struct VectorScatter {
   ResidualView to;
   ElementDofs dofs;
-  int pieces = 1;             // in which an element adds to a row, one after the other
-  ElementBuffer buffer = {};  // of loops on several threads: (element of the batch, row, three numbers of each piece)
+  int pieces = 1;             // number of separate additions of an element to a row, in order
+  ElementBuffer buffer = {};  // for loops on several threads: (element of the batch, row, three numbers per piece)
 
-  /// Adds to row a of element e's vector: a sum, and its sizes before what cancels does. Within in_order().
+  /// Adds a sum and its sizes before cancellation to row a of element e's vector. Called within in_order().
   KOKKOS_INLINE_FUNCTION void add(int e, int a, double sum, double acting, double whole, int piece = 0) const {
     if (!buffer.used()) return to.add(dofs(e, a), sum, acting, whole);
     double* const kept = &buffer.values(e - buffer.first, a, 3 * piece);
@@ -20,12 +20,12 @@ struct VectorScatter {
     kept[2] = whole;
   }
 
-  // For in_order().
+  // Interface for in_order().
   void open_buffer(int elements) {
     buffer.values = decltype(buffer.values)(Kokkos::view_alloc("element vectors", Kokkos::WithoutInitializing),
                                             elements, dofs.extent(1), 3 * pieces);
   }
-  /// Before element e adds.
+  /// Called before element e adds: clears its part of the buffer.
   KOKKOS_INLINE_FUNCTION void open(int e) const {
     if (!buffer.used()) return;
     for (int a = 0; a < static_cast<int>(dofs.extent(1)); ++a)

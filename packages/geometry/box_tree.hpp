@@ -6,13 +6,14 @@
 
 namespace mudline {
 
-/// Boxes in space in a binary tree, each half at the median of the centres along the longest side: finds what is near.
+/// Binary tree of boxes in space, to search for near ones. Branches are halved at the median of the centres along the
+/// longest side.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<Bounds>& boxes);
 
-  /// Calls visit(number) for the boxes that are nearer to x than the root of `square` [m2], which visit lowers; the
-  /// nearer half first.
+  /// Calls visit(number) for the boxes that are nearer to x than the root of `square` [m2], which visit() lowers. The
+  /// nearer half comes first.
   template <class Visit>
   void search(const Point& x, const double& square, const Visit& visit) const {
     int stack[2 * max_depth], count = 0;
@@ -35,8 +36,8 @@ class BoxTree {
   static constexpr int max_depth = 64;
   struct Node {
     Bounds box;
-    int first, count;  // of a leaf: into numbers_
-    int right;         // of a branch, whose left half is the next node
+    int first, count;  // of a leaf: its range in numbers_
+    int right;         // of a branch: its right half; the left one is the next node
   };
   static double square_distance(const Bounds& box, const Point& x);
   void build(const std::vector<Bounds>& boxes, int first, int count);

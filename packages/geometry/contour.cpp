@@ -14,8 +14,8 @@ constexpr double same_direction = 1e-10;  // 1 - cos of the angle below which a 
 
 PlanePoint right_of(const PlanePoint& t) { return {t[1], -t[0]}; }
 
-/// The closest point lies at a corner or at an open end: the gap is the distance to that point, its sign that of
-/// `outward`.
+/// Gap and normal where the closest point is a corner or an open end: the gap is the distance to that point, positive
+/// on the side of `outward`.
 void point_projection(const PlanePoint& from_projection, const PlanePoint& outward, double tolerance,
                       ContourProjection& result) {
   const double distance = std::hypot(from_projection[0], from_projection[1]);
@@ -106,7 +106,7 @@ ContourProjection Contour::closest(const PlanePoint& x) const {
     result.normal = own;
     result.curvature = piece.curvature(s);
     const double stretch = 1 + result.curvature * result.gap;
-    const bool centre = std::abs(stretch) <= 1e-9;  // of an arc: everything there has the same closest point
+    const bool centre = std::abs(stretch) <= 1e-9;  // the centre of an arc: all points of the arc are equally near
     result.turning = centre ? 0.0 : result.curvature / stretch;
     result.travel = centre ? 0.0 : 1 / stretch;
   }

@@ -7,7 +7,7 @@
 
 namespace mudline {
 
-/// What a contour knows of one point of the plane.
+/// Closest point of a contour to a point of the plane, with the gap and its derivatives.
 struct ContourProjection {
   double gap;          // [m] signed distance; negative inside the body (penetration)
   PlanePoint normal;   // [-] unit, from the body into the soil; the gradient of the gap
@@ -16,7 +16,7 @@ struct ContourProjection {
       curvature;   // kappa [1/m] of the contour at the closest point, positive where the body is convex; 0 at a corner
   double turning;  // [1/m] dn/dx = turning (t (x) t): kappa / (1 + kappa gap), and 1 / gap at a corner
   PlanePoint projection;  // [m] the nearest point of the contour
-  int piece;              // that the closest point lies on
+  int piece;              // the piece that the closest point lies on
   double arc_length;      // [m] of the closest point from the contour's start
   double travel;          // d arc_length / dx = travel t: 1 / (1 + kappa gap), and 0 at a corner
 };
@@ -46,7 +46,7 @@ class Contour {
   double distance(const ContourProjection& from, const ContourProjection& to) const;
   /// Polyline for output whose chords stay within `chord_error` [m] of the contour.
   std::vector<PlanePoint> sample(double chord_error) const;
-  /// A half contour and its mirror image.
+  /// The full contour made of a half contour and its mirror image.
   Contour mirrored() const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 bool straight(const ContourPiece& piece) { return dynamic_cast<const LinePiece*>(&piece) != nullptr; }
 
-/// Points along neighbouring curved pieces, the ends of the pieces among them.
+/// Points along neighbouring curved pieces, with the pieces' ends.
 std::vector<PlanePoint> points_along(const ContourPieces& pieces, double chord) {
   std::vector<PlanePoint> points{pieces.front()->point(0)};
   for (const auto& piece : pieces) {
@@ -23,7 +23,7 @@ std::vector<PlanePoint> points_along(const ContourPieces& pieces, double chord) 
   return points;
 }
 
-/// Direction at an end of a closed run or at one on the axis: as if the neighbour beyond were known too.
+/// Direction at an end of a closed run or at one on the axis, from the neighbour beyond that end; 0 at other ends.
 PlanePoint end_direction(const std::vector<PlanePoint>& points, bool at_start, bool closed, bool on_axis) {
   const std::size_t n = points.size();
   if (closed) return {points[1][0] - points[n - 2][0], points[1][1] - points[n - 2][1]};
@@ -64,7 +64,7 @@ Contour approximated(const Contour& contour, Approximation kind, double chord) {
         begin == 0 && i == all.size() && !half && std::hypot(last[0] - first[0], last[1] - first[1]) <= tolerance;
     PlanePoint start = end_direction(points, true, closed, half && std::abs(first[0]) <= tolerance);
     PlanePoint end = end_direction(points, false, closed, half && std::abs(last[0]) <= tolerance);
-    // a straight neighbour that it joins smoothly gives the direction
+    // beside a straight piece the end keeps the contour's own direction
     if (begin > 0 && straight(*all[begin - 1])) start = run.front()->tangent(0);
     if (i < all.size() && straight(*all[i])) end = run.back()->tangent(run.back()->length());
     for (auto& piece : hermite_pieces(points, start, end)) result.push_back(std::move(piece));

@@ -54,7 +54,7 @@ PlanePoint ArcPiece::tangent(double s) const {
 double ArcPiece::closest(const PlanePoint& x) const {
   const double dx = x[0] - centre_[0], dy = x[1] - centre_[1];
   if (dx == 0 && dy == 0) return 0.5 * length();  // every point is equally near: the middle keeps the symmetry
-  // angle travelled from the start, in [0, 2 pi)
+  // angle from the start in the direction of travel, in [0, 2 pi)
   double travelled = (std::atan2(dy, dx) - start_) * (sweep_ < 0 ? -1 : 1);
   travelled -= 2 * pi * std::floor(travelled / (2 * pi));
   if (travelled <= std::abs(sweep_)) return radius_ * travelled;

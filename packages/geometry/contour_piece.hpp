@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-/// The first two coordinates.
+/// The first two coordinates of a point.
 template <class Place>
 PlanePoint in_plane(const Place& x) {
   return {x[0], x[1]};

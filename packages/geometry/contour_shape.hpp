@@ -17,15 +17,15 @@ class ContourShape {
   /// Height [m] above the reference point that separates tip from shaft; 0: all is shaft.
   virtual double tip_height() const { return 0; }
 
-  /// What its name says of it: a body of revolution, which in plane strain would be a wedge or a wall; one that lies
-  /// across the plane, which turned around an axis would be something else; or nothing.
+  /// Kind of body that the shape's name implies: a body of revolution, which in plane strain would be a wedge or a
+  /// wall; one that lies across the plane, which would be another body if it were revolved; or nothing.
   enum class Named { nothing, of_revolution, across_plane };
   virtual Named named() const { return Named::nothing; }
 
  protected:
-  /// Declares what all shapes share.
+  /// Declares the parameters that all shapes share.
   void common_parameters(Parameters& p);
-  /// The half contour as such, or with its mirror image.
+  /// The half contour itself, or with its mirror image, as the extent says.
   Contour complete(Contour half) const;
   ContourExtent extent_ = ContourExtent::half;
 
@@ -85,7 +85,7 @@ class SphereShape : public ContourShape {
   double diameter_ = 0;
 };
 
-/// The same circle, meant to lie across the plane.
+/// Circle that is the section of a cylinder across the plane.
 class CylinderShape : public SphereShape {
  public:
   Named named() const override { return Named::across_plane; }

@@ -26,7 +26,7 @@ std::vector<CadCurve> chained(const std::vector<CadCurve>& curves, double tolera
     return std::hypot(a[0] - b[0], a[1] - b[1]) <= tolerance;
   };
   std::vector<CadCurve> chain{curves.front()}, rest(curves.begin() + 1, curves.end());
-  // appends what fits at the end, as often as something does
+  // appends the curve that fits at the end, as long as there is one
   const auto extend = [&] {
     while (!rest.empty()) {
       const CurvePoint end = chain.back().end();

@@ -13,7 +13,7 @@ namespace mudline {
 std::vector<CadCurve> chained(const std::vector<CadCurve>& curves, double tolerance, const Section& section,
                               const std::string& entry);
 
-/// The same chain from its other end.
+/// The chain traversed from its other end.
 std::vector<CadCurve> backwards(const std::vector<CadCurve>& chain);
 
 }  // namespace mudline

@@ -89,7 +89,7 @@ double CurvePiece::closest(const PlanePoint& x) const {
     best = dot(d, d);
     nearest = i;
   }
-  // f(t) = (x - x(t)) . x'(t), half the slope of minus the squared distance: positive where the closest point lies
+  // f(t) = (x - x(t)) . x'(t), minus half the slope of the squared distance: positive where the closest point lies
   // ahead
   const auto ahead = [&](double t) {
     const ParametricCurve::Point p = curve_->at(t);

@@ -21,7 +21,7 @@ class ParametricCurve {
 /// the nearest of the runs' ends, kept between its neighbours by bisection.
 class CurvePiece : public ContourPiece {
  public:
-  /// std::logic_error where the curve stands still.
+  /// std::logic_error where the curve's first derivative vanishes.
   explicit CurvePiece(std::shared_ptr<const ParametricCurve> curve);
   double length() const override { return start_.back(); }
   PlanePoint point(double s) const override { return curve_->at(parameter(s)).x; }
@@ -52,7 +52,7 @@ class CubicBezier : public ParametricCurve {
 /// One span between two knots of a non-uniform rational B-spline.
 class NurbsSpan : public ParametricCurve {
  public:
-  /// All of the spline and the span [knots[span], knots[span + 1]], which is not empty.
+  /// Takes the whole spline; the span is [knots[span], knots[span + 1]], which is not empty.
   NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoint> points, std::vector<double> weights,
             int span);
   Point at(double t) const override;

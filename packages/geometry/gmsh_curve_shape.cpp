@@ -35,7 +35,7 @@ std::shared_ptr<const ContourPiece> arc(const std::vector<PlanePoint>& x) {
   return std::make_shared<ArcPiece>(centre, std::hypot(from[0], from[1]), std::atan2(from[1], from[0]), 3 * step);
 }
 
-/// Twice the area on the left of the chain, closed by a straight line.
+/// Twice the area on the left of the chain, which a straight line closes.
 double signed_area(const std::vector<CadCurve>& chain) {
   std::vector<CurvePoint> outline;
   for (const CadCurve& curve : chain) {

@@ -66,7 +66,8 @@ Contour TorpedoShape::build() const {
     points.push_back({tail, length_ + diameter_});
   fillets.push_back(0);
   if (cone) return complete(rounded_polygon(points, fillets, ContourExtent::half));
-  // rounded_polygon starts on the axis: the ogive goes before a polygon of the rest, which begins at a sharp corner
+  // rounded_polygon() starts on the axis: the ogive is put before the polygon of the rest, which begins at a sharp
+  // corner
   const double ogive = (radius * radius + tip_length_ * tip_length_) / (2 * radius);
   const PlanePoint centre{radius - ogive, tip_length_};
   const double from = std::atan2(-tip_length_, ogive - radius);

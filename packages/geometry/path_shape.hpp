@@ -15,11 +15,11 @@ class PathPiece {
   virtual ContourPieces build(const PlanePoint& from) const = 0;
 };
 
-/// "line", "arc", "bezier", "hermite", "nurbs"; a plain list.
+/// Registers "line", "arc", "bezier", "hermite" and "nurbs".
 void register_path_pieces(Registry<PathPiece>& registry);
 
-/// A path that is open, neither ending on the axis of a half contour nor closed, goes on for ever where its last piece
-/// is a line.
+/// Makes the last piece of an open path continue for ever if it is a line. A path is open unless it ends on the axis
+/// (half contour) or at its own start (full contour).
 void continue_open_end(ContourPieces& pieces, ContourExtent extent);
 
 /// A contour of lines, arcs and curves, piece after piece.

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double smooth_cosine = 0.8660254037844386;  // of 30 degrees
 constexpr double stretched = 4;                       // ratio of neighbours' distances
-constexpr int unknowns = 9;  // of a height over the tangent plane: all cubic polynomials that are 0 at the point
+constexpr int unknowns = 9;                           // of a cubic height over the tangent plane, 0 at the point
 
-/// Solves a x = b, symmetric; false where a is not positive definite by far.
+/// Solves a x = b with a symmetric matrix a; false where it is not clearly positive definite.
 bool solve(double (&a)[unknowns][unknowns], double (&b)[unknowns]) {
   for (int k = 0; k < unknowns; ++k) {
     const double before = a[k][k];
@@ -50,7 +50,7 @@ class NormalFinder {
     }
   }
 
-  /// Weighted by area: long facets, as of shafts, bend least by it.
+  /// Mean normal of the facets, weighted by area: it is least tilted at long facets, as of shafts.
   Point mean(int point) const {
     Point sum{};
     double area = 0;

@@ -16,7 +16,7 @@ double turning_around(const ContourProjection& projection, double r, double size
   // near the axis of a smooth surface both turnings are the same, and n_r / r is a quotient of rounding errors
   if (r <= 1e-7 * size && r * std::abs(projection.turning) < 1e-3 && std::abs(projection.normal[0]) < 1e-3)
     return projection.turning * projection.tangent[0] * projection.tangent[0];
-  // on the axis with the closest point off it: the centre of a circle of nearest points
+  // on the axis with the closest point off it, a whole circle of points is nearest
   return r <= 1e-9 * projection.point[0] ? 0.0 : projection.normal[0] / r;
 }
 
@@ -64,7 +64,7 @@ SurfaceProjection RevolvedSurface::closest(const Point& x) const {
 
 SurfaceTriangles RevolvedSurface::triangles(double chord_error) const {
   std::vector<PlanePoint> line = contour_.sample(0.5 * chord_error);
-  if (!closed()) line.push_back({0, line.back()[1]});  // what goes on for ever is cut off there
+  if (!closed()) line.push_back({0, line.back()[1]});  // an infinite body is cut off there
   double radius = 0;
   for (const PlanePoint& x : line) radius = std::max(radius, x[0]);
   // a chord over the angle 2 a deviates by radius (1 - cos a)

@@ -20,7 +20,7 @@ class RevolvedSurface : public Surface {
   SolidMoments moments() const override;
 
  private:
-  /// The contour ends on the axis at its top too.
+  /// Whether the contour ends on the axis at its top too.
   bool closed() const;
   Contour contour_;
 };

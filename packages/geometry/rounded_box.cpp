@@ -18,7 +18,7 @@ RoundedBox::RoundedBox(const Point& lengths, double fillet_radius) : radius_(fil
 
 SurfaceProjection RoundedBox::closest(const Point& x) const {
   SurfaceProjection result{};
-  Point sign{}, beyond{};  // beyond: from the core to the point where that is outside of it
+  Point sign{}, beyond{};  // beyond: from the core to the point, where this is outside the core
   int nearest = 0;
   double depth = 0;
   for (int i = 0; i < 3; ++i) {
@@ -84,10 +84,11 @@ SurfaceTriangles RoundedBox::triangles(double chord_error) const {
 }
 
 SolidMoments RoundedBox::moments() const {
-  // by the directions in which a point is beyond the core; these make an orthant of a ball of 0 to 3 dimensions
+  // sum over the sets of directions in which a point is beyond the core: each set is an orthant of a ball of 0 to 3
+  // dimensions
   const double r = radius_;
   const double volume[4] = {1, r, pi * r * r / 4, pi * r * r * r / 6};
-  const double mean[4] = {0, r / 2, 4 * r / (3 * pi), 3 * r / 8};  // of a coordinate
+  const double mean[4] = {0, r / 2, 4 * r / (3 * pi), 3 * r / 8};  // mean of a coordinate
   const double mean_square[4] = {0, r * r / 3, r * r / 4, r * r / 5};
   SolidMoments result;
   for (int set = 0; set < 8; ++set) {

@@ -20,7 +20,7 @@ class RoundedBox : public Surface {
   SolidMoments moments() const override;
 
  private:
-  Point core_;  // half lengths of the box that, grown by the fillet radius, makes the body
+  Point core_;  // half lengths of the core: the box that becomes the body when it grows by the fillet radius
   double radius_;
 };
 

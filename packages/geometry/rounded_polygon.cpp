@@ -30,7 +30,7 @@ struct Polygon {
     const PlanePoint in = direction(corner - 1);
     return std::atan2(in[0] * out[1] - in[1] * out[0], in[0] * out[0] + in[1] * out[1]);
   }
-  /// Length of a line that the fillet at its corner takes.
+  /// Length of the line that the fillet at its corner replaces.
   double tangent_length(int corner) const { return radii[corner] * std::tan(0.5 * std::abs(turn(corner))); }
 };
 

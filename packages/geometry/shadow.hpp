@@ -6,8 +6,8 @@
 
 namespace mudline {
 
-/// What a body covers, seen along a direction: the least distance of two parallel lines with all of it between them,
-/// and its extent along those lines [m]. Of a circle both are the diameter; of a plate its two sides.
+/// Size of a body's projection along a direction: the least distance of two parallel lines that enclose it, and its
+/// extent along those lines [m]. For a circle both are the diameter, for a plate its two sides.
 struct Shadow {
   double width = 0, length = 0;
 };

@@ -43,7 +43,7 @@ void add(const Jet& weight, double factor, const Point& x, PatchPoint& sum) {
 
 Point unit(const Point& a) { return 1 / length(a) * a; }
 
-/// A quadratic function of (a, b) from a place in the triangle: its gradient and its matrix there.
+/// A quadratic function of (a, b): its gradient and its matrix at a point of the triangle.
 struct Quadratic {
   double ga, gb, aa, ab, bb;
   double change(double da, double db) const {
@@ -51,7 +51,7 @@ struct Quadratic {
   }
 };
 
-/// Moves (a, b) to the lowest place of the function in the triangle; its matrix is positive definite.
+/// Moves (a, b) to the minimum of the function in the triangle; its matrix is positive definite.
 void descend(const Quadratic& q, double& a, double& b) {
   const double det = q.aa * q.bb - q.ab * q.ab;
   const double da = (q.ab * q.gb - q.bb * q.ga) / det, db = (q.ab * q.ga - q.aa * q.gb) / det;
@@ -106,7 +106,7 @@ void SmoothPatch::set_edge(int edge, const std::array<Point, 3>& corner, const s
   const auto handle = [&](const Point& n) {
     const Point d = chord - dot(chord, n) * n;
     const double cosine = length(d) / size;
-    // so long that the curve between two points of a circle is one, to the sixth order of its angle
+    // its length makes the curve between two points of a circle an arc of it, to the sixth order of the angle
     return 2 / (3 * cosine * (1 + cosine)) * d;
   };
   const Point cubic[4] = {corner[s], corner[s] + handle(normal[s]), corner[t] - handle(normal[t]), corner[t]};
@@ -121,8 +121,9 @@ void SmoothPatch::set_edge(int edge, const std::array<Point, 3>& corner, const s
   }
 }
 
-// The derivative across an edge is, along all of it, a combination of the edge's own derivative and of a vector across
-// that the neighbour has as well. It is known at the ends; this gives the inner control points next to the edge.
+// The derivative across an edge is, along the whole edge, a combination of the edge's own derivative and of a
+// transverse vector that the neighbour shares. It is known at the ends, which gives the inner control points next to
+// the edge.
 void SmoothPatch::set_inside(int edge, const std::array<Point, 3>& normal) {
   const int s = edge, t = (edge + 1) % 3, o = (edge + 2) % 3;
   const auto control = [&](int j, int row) -> Point& {
@@ -157,7 +158,7 @@ void SmoothPatch::set_inside(int edge, const std::array<Point, 3>& normal) {
 }
 
 PatchPoint SmoothPatch::at(double a, double b) const {
-  // de Casteljau's means of the means: the last but one and two levels hold the derivatives
+  // de Casteljau's algorithm: the last level but one gives the first derivatives, the level before it the second ones
   const double value[3] = {1 - a - b, a, b};
   std::array<Point, points> level = control_;
   Point six[6], three[3];
@@ -214,7 +215,7 @@ PatchPoint SmoothPatch::closest(const Point& x) const {
   closest_flat(x, a, b);
   PatchPoint best = closest_from(x, a, b);
   if (bulge_ < 0.05 * std::max(length(edge_a_), length(edge_b_))) return best;
-  // more than one point of a strongly curved patch may be the nearest one around
+  // a strongly curved patch may have more than one local minimum of the distance
   constexpr double start[4][2] = {{1.0 / 3, 1.0 / 3}, {0.1, 0.1}, {0.8, 0.1}, {0.1, 0.8}};
   for (const auto& from : start) {
     const PatchPoint other = closest_from(x, from[0], from[1]);
@@ -230,7 +231,7 @@ PatchPoint SmoothPatch::closest_from(const Point& x, double a, double b) const {
   for (int i = 0; i < 50; ++i) {
     Quadratic q{dot(d, best.da), dot(d, best.db), dot(best.da, best.da), dot(best.da, best.db), dot(best.db, best.db)};
     const double aa = q.aa + dot(d, best.daa), ab = q.ab + dot(d, best.dab), bb = q.bb + dot(d, best.dbb);
-    // far on the hollow side Newton's matrix is not positive definite: that of Gauss and Newton is
+    // far on the hollow side Newton's matrix is not positive definite: the Gauss-Newton matrix is
     if (aa * bb - ab * ab > 1e-6 * (q.aa * q.bb - q.ab * q.ab) && aa + bb > 0) {
       q.aa = aa;
       q.ab = ab;
@@ -256,7 +257,7 @@ PatchPoint SmoothPatch::closest_from(const Point& x, double a, double b) const {
       square = dot(e, e);
       break;
     }
-    if (share * step < 1e-9) break;  // the last step was Newton's: the next one would be of the square of its size
+    if (share * step < 1e-9) break;  // the last step was Newton's: the next one would be about the square of its size
   }
   return best;
 }

@@ -10,9 +10,9 @@ struct PatchPoint {
 };
 
 /// A curved triangle through three points with given normals: the quartic of Walton and Meek (1996), whose inner
-/// control points are blended as Gregory's. Its edges and the normals along them depend on their two ends only, so that
-/// neighbours have the same tangent planes there: together they are a surface without creases. Curvatures jump at
-/// edges.
+/// control points are blended as in Gregory's patch. Its edges and the normals along them depend on their two ends
+/// only, so that neighbours have the same tangent planes there: together they are a surface without creases. Curvatures
+/// jump at edges.
 class SmoothPatch {
  public:
   /// Corners counter-clockwise as seen from where the normals, unit vectors, point, at less than 90 degrees to the
@@ -30,7 +30,7 @@ class SmoothPatch {
 
  private:
   static constexpr int points = 15;
-  /// Of the control point with these exponents of the barycentric coordinates, in all 4.
+  /// Number of the control point with these exponents of the barycentric coordinates, whose sum is 4.
   static int number(const std::array<int, 3>& exponent) {
     const int rest = exponent[1] + exponent[2];
     return rest * (rest + 1) / 2 + exponent[2];
@@ -39,11 +39,11 @@ class SmoothPatch {
   void set_inside(int edge, const std::array<Point, 3>& normal);
   /// Barycentric coordinates of the nearest point of the flat facet; the distance.
   double closest_flat(const Point& x, double& a, double& b) const;
-  /// By Newton's method from these barycentric coordinates.
+  /// Nearest point to x by Newton's method from these barycentric coordinates.
   PatchPoint closest_from(const Point& x, double a, double b) const;
 
   std::array<Point, points> control_{};
-  std::array<Point, 3> twist_{};  // of the inner control point at every corner, by which side one looks from
+  std::array<Point, 3> twist_{};  // difference of the two inner control points at every corner
   Point edge_a_, edge_b_;         // of the flat facet, from the first corner
   Bounds bounds_;
   double bulge_ = 0;

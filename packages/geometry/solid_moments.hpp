@@ -7,7 +7,7 @@
 
 namespace mudline {
 
-/// The volume of a solid and its moments about the origin of its frame; those of solids side by side add up.
+/// The volume of a solid and its moments about the origin of its frame. Those of disjoint solids add up.
 struct SolidMoments {
   double volume = 0;        // [m3]
   Point first{};            // int x dV [m4]
@@ -21,10 +21,10 @@ struct SolidMoments {
   void add(const SolidMoments& other, double factor);
   /// Adds `factor` times a block of these side lengths [m], along the axes, around a centre.
   void add_block(const Point& centre, const Point& lengths, double factor);
-  /// Adds what the divergence theorem makes of a piece of the surface: a point of it and its area vector [m2], which
-  /// points out of the solid.
+  /// Adds the share of a piece of the surface by the divergence theorem: `at` is a point of it, `area` its area vector
+  /// [m2], which points out of the solid.
   void add_side(const Point& at, const Point& area);
-  /// The same solid after it has been turned by `rotation` about the origin and then shifted [m].
+  /// Moments of the solid after it has been rotated by `rotation` about the origin and then shifted [m].
   SolidMoments placed(const Mat<double, 3>& rotation, const Point& shift) const;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t head = 80, count_size = 4, record = 50, normal_size = 12;
 
-/// Closes the facet of the last three points.
+/// Adds the facet of the last three points.
 void add_facet(SurfaceTriangles& result) {
   const int last = static_cast<int>(result.points.size());
   result.facets.push_back({last - 3, last - 2, last - 1});

@@ -12,26 +12,26 @@ class SurfaceShape;
 struct SurfaceRegistries;
 using SurfaceRegistry = Registry<SurfaceShape, const SurfaceRegistries&>;
 
-/// What the shapes of surfaces name in their own sections.
+/// Registries of the shapes that a surface may name in its own section.
 struct SurfaceRegistries {
   const SurfaceRegistry& surfaces;
   const Registry<ContourShape>& contours;
 };
 
 /// A shape that a body's "surface" may name: reads its sizes and makes the surface, in a frame whose z axis points up.
-/// With "position" and "rotation" that frame stands in another one, the body's or that of a union. The origin of the
-/// outermost one is the body's reference point.
+/// "position" and "rotation" place that frame in another one, the body's or that of a union. The origin of the
+/// outermost frame is the body's reference point.
 class SurfaceShape {
  public:
   virtual ~SurfaceShape() = default;
-  /// In the other frame.
+  /// The surface, placed in the other frame.
   std::shared_ptr<const Surface> surface() const;
   PlacedSurface placed() const;
   /// Height [m] in the shape's own frame that separates tip from shaft; 0: all is shaft.
   virtual double tip_height() const { return 0; }
 
  protected:
-  /// Declares and checks what all shapes share.
+  /// Declare and check the parameters that all shapes share.
   void common_parameters(Parameters& p);
   void check_placement(const Section& section) const;
   virtual std::shared_ptr<const Surface> build() const = 0;

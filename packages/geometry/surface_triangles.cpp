@@ -12,8 +12,8 @@ namespace mudline {
 
 namespace {
 
-/// One point for all that are within a tolerance of it. Cells of twice the tolerance: a point's neighbours are in those
-/// that the box around it reaches.
+/// Merges points that are within a tolerance of each other. Points are stored in cells of twice the tolerance: a
+/// point's neighbours are in the cells that the box around it reaches.
 class PointWelder {
  public:
   explicit PointWelder(double tolerance) : tolerance_(tolerance) {}

@@ -15,15 +15,15 @@ struct SurfaceTriangles {
 
   /// Twice the area [m2] times the outer normal.
   Point area_vector(std::size_t facet) const;
-  /// Facets with corners at the same places.
+  /// Adds the facets of another surface together with its points.
   void add(const SurfaceTriangles& other);
 };
 
-/// The same surface with one point where several are within `tolerance` [m] of each other, and without the facets of
-/// which two corners become one.
+/// The surface with one point where several are within `tolerance` [m] of each other, and without the facets of which
+/// two corners become one.
 SurfaceTriangles welded(const SurfaceTriangles& triangles, double tolerance);
 
-/// Two facets side by side, and where the first one's edge goes: from its corner `corner` to the next one.
+/// An edge that two facets share. It runs from the corner `corner` of the first facet to its next corner.
 struct FacetEdge {
   int facet, neighbour, corner;
 };

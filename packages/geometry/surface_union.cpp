@@ -14,7 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int cuts = 18;
 
-/// The distance to the box, a lower bound of the gap; 0 inside.
+/// Distance to a box, which is a lower bound of the gap; 0 inside.
 double distance_to(const Bounds& box, const Point& x) {
   Point beyond{};
   for (int i = 0; i < 3; ++i) beyond[i] = std::max({0.0, box.low[i] - x[i], x[i] - box.high[i]});
@@ -42,7 +42,7 @@ Bounds PlacedSurface::bounds() const {
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) {
       const double r = rotation.matrix[i][k];
-      if (std::abs(r) < 1e-12) continue;  // of right angles; an infinite length would become one across
+      if (std::abs(r) < 1e-12) continue;  // a rounding error: an infinite length would make it infinite
       result.low[i] += std::min(r * own.low[k], r * own.high[k]);
       result.high[i] += std::max(r * own.low[k], r * own.high[k]);
     }
@@ -90,7 +90,7 @@ void SurfaceUnion::add_common(int part, const Block& block, SolidMoments& sum) c
     lengths[i] = block.high[i] - block.low[i];
   }
   const double reach = 0.5 * length(lengths);
-  // the larger gap is that of what two solids have in common, the smaller one that of both together
+  // the larger gap is that of the two solids' intersection, the smaller one that of their union
   SurfaceProjection projection = parts_[part].surface->closest(centre);
   if (projection.gap >= reach) return;
   const Point outside = parts_[part].from_frame(centre);

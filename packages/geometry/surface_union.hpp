@@ -8,7 +8,7 @@
 
 namespace mudline {
 
-/// A surface where it stands in another frame: turned about its own origin, which is then shifted to `position`.
+/// A surface placed in another frame: rotated about its own origin, which is then shifted to `position`.
 struct PlacedSurface {
   std::shared_ptr<const Surface> surface;
   Point position{};  // [m]
@@ -16,7 +16,7 @@ struct PlacedSurface {
 
   Point to_frame(const Point& x) const { return rotation.back(x - position); }
   Point from_frame(const Point& x) const { return position + rotation(x); }
-  /// Of the surface, in the other frame.
+  /// Closest point of the surface; x and the result are in the other frame.
   SurfaceProjection closest(const Point& x) const;
   Bounds bounds() const;
 };
@@ -28,22 +28,22 @@ struct PlacedSurface {
 /// have its closest point within another part: the gap is then smaller than the distance to the surface of the whole.
 class SurfaceUnion : public Surface {
  public:
-  /// At least one.
+  /// At least one part is needed.
   explicit SurfaceUnion(std::vector<PlacedSurface> parts);
   const std::vector<PlacedSurface>& parts() const { return parts_; }
 
   SurfaceProjection closest(const Point& x) const override;
-  /// Those of all parts, also where they run inside of each other.
+  /// Triangles of all parts, also where these lie inside each other.
   SurfaceTriangles triangles(double chord_error) const override;
-  /// Exact but for what parts have in common, which is summed over up to 2e5 blocks to about 1 in 500.
+  /// Exact except for the overlap of parts, which is summed over up to 2e5 blocks to about 1 in 500.
   SolidMoments moments() const override;
 
  private:
   struct Block {
     Point low, high;
-    int cuts;  // of the part's box that it still may be cut
+    int cuts;  // how often the block may still be halved
   };
-  /// Adds what the part has in common with those before it, within the block; all in the part's frame.
+  /// Adds the overlap of the part with those before it, within the block; all in the part's frame.
   void add_common(int part, const Block& block, SolidMoments& sum) const;
   std::vector<PlacedSurface> parts_;
 };

@@ -22,14 +22,14 @@ Bounds bounds_of(const std::vector<Point>& points) {
 double angle_between(const Point& a, const Point& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 double enclosed_volume(const SurfaceTriangles& surface) {
-  // from the first point: less rounding far from the origin
+  // relative to the first point, for less rounding far from the origin
   double sum = 0;
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
     sum += dot(surface.points[surface.facets[f][0]] - surface.points[0], surface.area_vector(f)) / 6;
   return sum;
 }
 
-/// Refuses what a patch cannot be made for.
+/// InputError where a facet is at more than 87 degrees to the normal at one of its points: it can have no patch.
 void check_folds(const SurfaceTriangles& surface, const std::vector<Point>& normals) {
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
     for (const int point : surface.facets[f])
@@ -52,7 +52,7 @@ void differentiate(const PatchPoint& at, SurfaceProjection& projection) {
     for (int j = 0; j < 2; ++j) offset[i][j] = metric[i][j] + projection.gap * bend[i][j];
   const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
   const double offset_det = offset[0][0] * offset[1][1] - offset[0][1] * offset[1][0];
-  if (std::abs(offset_det) <= 1e-9 * det) return;  // the centre of a curvature
+  if (std::abs(offset_det) <= 1e-9 * det) return;  // a centre of curvature
   const Mat<double, 2> inverse = {
       {{metric[1][1] / det, -metric[0][1] / det}, {-metric[1][0] / det, metric[0][0] / det}}};
   const Mat<double, 2> offset_inverse = {{{offset[1][1] / offset_det, -offset[0][1] / offset_det},
@@ -149,7 +149,7 @@ SurfaceTriangles TriangulatedSurface::triangles(double chord_error) const {
 }
 
 SolidMoments TriangulatedSurface::moments() const {
-  // a rule of degree 5
+  // quadrature rule of degree 5
   constexpr double near = 0.1012865073234563, far = 0.4701420641051151;
   constexpr double at[7][3] = {{1.0 / 3, 1.0 / 3, 0.1125},
                                {near, near, 0.0629695902724136},

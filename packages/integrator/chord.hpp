@@ -8,8 +8,8 @@ namespace mudline {
 
 /// Decides whether the Jacobian of an earlier iteration may serve once more (a chord instead of a tangent). A chord
 /// iteration costs a residual and a solve with factors that exist, about a fifth of assembling and factoring; so it
-/// pays when the contraction seen so far promises convergence within two or three. Ratios: residual over its tolerance,
-/// worst field.
+/// pays when the contraction so far promises convergence within two or three iterations. Ratios: residual over its
+/// tolerance, worst field.
 class ChordControl {
  public:
   bool enabled = false;
@@ -20,9 +20,10 @@ class ChordControl {
     key_ = key;
     count_ = 0;
   }
-  /// Another solve within the step.
+  /// Starts another solve within the step.
   void start_solve() { count_ = 0; }
-  /// All that the next step needs, for a checkpoint; and back: takes it off the end. std::logic_error: it is not there.
+  /// save() appends all that the next step needs for a checkpoint; restore() reads it and removes it from the end;
+  /// std::logic_error if it is incomplete.
   void save(std::vector<double>& to) const {
     to.insert(to.end(), key_.begin(), key_.end());
     to.push_back(valid_ ? 1.0 : 0.0);
@@ -45,7 +46,7 @@ class ChordControl {
     first_contraction_ = 1;
   }
   void remeshed() { valid_ = true; }
-  /// The residual of the next iterate and of the one before it, of the same allowed one.
+  /// Residual ratios of the next iterate and of the one before it, relative to the same tolerance.
   void observe(double ratio, double before) {
     if (count_ > 0) contraction_ = ratio / before;
     if (count_ == 1) first_contraction_ = contraction_;
@@ -53,8 +54,8 @@ class ChordControl {
     ++count_;
   }
   bool may_keep() const { return serves(expected_contraction(), last_); }
-  /// Whether a new Jacobian is likely to be wanted at the iterate that is evaluated next: unless the residual, if it
-  /// goes on falling as it did, is then small enough for the end or for the Jacobian at hand, if that is `usable`.
+  /// Whether a new Jacobian is likely to be needed at the next iterate. It is not if the residual, falling at the
+  /// present rate, will then have converged or be small enough for the present Jacobian, if that is `usable`.
   bool expects_remeshing(bool usable) const {
     const double c = expected_contraction();
     if (count_ == 0) return !(usable && serves(c, 1));
@@ -62,7 +63,8 @@ class ChordControl {
   }
 
  private:
-  /// The first iteration of a step is judged by that of the step before: later ones always contract well.
+  /// The first iteration of a step is judged by the first one of the previous step, because later ones always contract
+  /// well.
   double expected_contraction() const { return count_ <= 1 ? first_contraction_ : contraction_; }
   bool serves(double contraction, double ratio) const {
     if (!enabled || !valid_ || !(contraction < 0.1)) return false;

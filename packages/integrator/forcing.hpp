@@ -4,9 +4,9 @@
 
 namespace mudline {
 
-/// How much of the residual of a Newton iterate the linear solve of that iteration may leave, where the linear solver
-/// is iterative (S. C. Eisenstat, H. F. Walker, SIAM J. Sci. Comput. 17, 1996, 16-32, their second choice): as little
-/// as the contraction seen last promises to be of use. Ratios: residual over its tolerance, worst field.
+/// Forcing term of an inexact Newton method: the fraction of the residual that an iterative linear solve may leave (S.
+/// C. Eisenstat, H. F. Walker, SIAM J. Sci. Comput. 17, 1996, 16-32, their second choice). It follows from the last
+/// contraction of the residual. Ratios: residual over its tolerance, worst field.
 class Forcing {
  public:
   double largest = 0.1;  // 0: off
@@ -15,15 +15,16 @@ class Forcing {
     before_ = 0;
     first_ = true;
   }
-  /// Nothing is known of the coming steps.
+  /// Forgets the share learnt from earlier steps.
   void forget() { start_ = 1; }
-  /// The share that may be left at the next iterate; 0 where forcing is off.
+  /// Fraction of the residual that the next linear solve may leave; 0 where forcing is off. ratio: residual ratio of
+  /// the iterate.
   double next(double ratio) {
     if (largest == 0 || !(ratio > 0)) return 0;
     if (before_ > 0) {
       const double contraction = ratio / before_;
-      // What the linear solve did not leave is curvature. Where there is hardly any, the next step solves further at
-      // once instead of linearising again.
+      // The part of the contraction that the linear solve did not leave is due to curvature. If it is small, the next
+      // step starts with a tighter linear solve instead of linearising again.
       if (first_) start_ = contraction > 2 * share_ ? contraction - share_ : square(contraction);
       first_ = false;
       share_ = square(contraction);
@@ -38,7 +39,7 @@ class Forcing {
  private:
   static double square(double contraction) { return 0.9 * contraction * contraction; }
   double before_ = 0, share_ = 0;
-  double start_ = 1;  // share of the first iteration of a step, as learnt from the step before
+  double start_ = 1;  // share of the first iteration of a step, learnt from the previous step
   bool first_ = true;
 };
 

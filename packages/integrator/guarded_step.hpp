@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of newton.cpp: names NOX classes.
+// Included by newton.cpp only, because it names NOX classes.
 
 #include <NOX_LineSearch_Generic.H>
 #include <NOX_LineSearch_UserDefinedFactory.H>
@@ -12,9 +12,9 @@
 namespace mudline {
 
 /// Full Newton steps, halved where the residual cannot be evaluated (a folded element, a soil law that fails) and, if a
-/// largest growth is given, where it grows by more than that while it is large, or goes back and forth near the end.
-/// Residuals may rise on the way through contact and friction, where a search that insists on descent would crawl, so
-/// that the latter is a choice.
+/// largest growth is given, where it grows by more than that while it is large, or oscillates near the end. The growth
+/// limit is optional: residuals may rise in iterations with contact and friction, where a line search that requires
+/// descent would take tiny steps.
 class GuardedStep : public NOX::LineSearch::Generic {
  public:
   GuardedStep(double largest_growth, int halvings) : largest_growth_(largest_growth), halvings_(halvings) {}
@@ -25,7 +25,7 @@ class GuardedStep : public NOX::LineSearch::Generic {
     for (int halving = 0;; ++halving, step *= 0.5) {
       group.computeX(old, direction, step);
       const bool evaluated = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
-      // both measured by what acts at the new place
+      // both norms are relative to what acts at the new iterate
       const double now = evaluated ? group.getNormF() : 0.0, before = old.getNormF();
       const bool cycles = solver.getNumIterations() >= patience_ && now > before;
       const bool tame =
@@ -47,8 +47,8 @@ class GuardedStep : public NOX::LineSearch::Generic {
   };
 
  private:
-  // Times the tolerance: nearer than this single points that open or slide may raise the residual, but not for ever:
-  // after so many iterations they go back and forth, and half a step between their two states is nearer to both.
+  // Residual ratio below which single points that open or slip may raise the residual. After `patience_` iterations
+  // they are taken to oscillate between two states, and half a step is closer to both.
   static constexpr double near_ = 100;
   static constexpr int patience_ = 6;
   double largest_growth_;

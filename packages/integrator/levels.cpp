@@ -6,7 +6,7 @@ namespace mudline {
 
 namespace {
 
-/// One unknown from its change over the step.
+/// Computes the levels of one unknown from its change over the step.
 struct LevelOfDof {
   enum class Order { second, second_at_mean_rate, first, first_over_step };
   Order order;

@@ -6,19 +6,19 @@
 
 namespace mudline {
 
-/// What lies between the two ends of a step: the values, rates and configurations at which terms are evaluated.
-/// Loops are kernels; the committed state is only read.
+/// The alpha levels of a step: values, rates and configurations at which terms are evaluated. Loops are kernels; the
+/// committed state is only read.
 class Levels {
  public:
   explicit Levels(const Space& space);
-  /// Hands its arrays to the terms' view.
+  /// Enters its arrays in the terms' view.
   void show(StepView& view) const;
-  /// From trial.value: rates, accelerations and coordinates of the trial state, and all levels.
+  /// Computes rates, accelerations and coordinates of the trial state and all levels from trial.value.
   void of_step(const TimeScheme& scheme, const StepView& view, const State& old, const State& trial) const;
-  /// Prescribed unknowns whose rates are given have those, and over the step their mean acceleration.
+  /// Sets the given rates of prescribed unknowns in the trial state, and their mean acceleration over the step.
   void given_rates(const Constraints& constraints, const TimeScheme& scheme, double dt, const State& old,
                    const State& trial) const;
-  /// All levels are the committed state: no acceleration, no rates of first order.
+  /// Sets all levels to the committed state, with zero accelerations and first-order rates.
   void at_rest(const State& old, const State& trial) const;
 
  private:

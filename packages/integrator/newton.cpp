@@ -17,7 +17,7 @@ namespace mudline {
 
 namespace {
 
-/// The per-field convergence test of the head comment; also notices a residual that is not finite.
+/// The convergence test per field of newton_solve(); also fails if a residual is not finite.
 class FieldTest : public NOX::StatusTest::Generic {
  public:
   FieldTest(NonlinearProblem& problem, NewtonReport& report, const NewtonOptions& options)
@@ -47,7 +47,7 @@ class FieldTest : public NOX::StatusTest::Generic {
       dx.update(-1.0, NoxVector::of(solver.getPreviousSolutionGroup().getX()), 1.0);
       worst_update = largest(problem_.update_ratios(dx, NoxVector::of(group.getX())));
     }
-    constexpr int idle = 4;  // iterates at rounding that wander without end
+    constexpr int idle = 4;  // iterates at rounding after which the solve has converged
     const bool deep = worst <= 1e-2 || at_rounding_ >= idle;
     if (iteration >= least_ && (deep || (iteration > 0 && worst <= 1 && worst_update <= 1)))
       return finish(NOX::StatusTest::Converged, "");
@@ -78,8 +78,8 @@ class FieldTest : public NOX::StatusTest::Generic {
     std::snprintf(buffer, sizeof buffer, "%.2g times", x);
     return buffer;
   }
-  /// Whether the last two residuals are those of two iterations before, while they are large: full steps then lead from
-  /// one state of the contacts or of yielding to another and back.
+  /// Whether the last two residuals repeat those of two iterations before while they are large: full steps then
+  /// alternate between two states of contact or yielding.
   bool goes_to_and_fro() const {
     constexpr double same = 0.01, large = 100;
     const std::size_t n = worsts_.size();
@@ -106,8 +106,8 @@ class FieldTest : public NOX::StatusTest::Generic {
   NonlinearProblem& problem_;
   NewtonReport& report_;
   int least_, maximum_, at_rounding_ = 0;
-  bool gives_up_;               // where another solve may do better
-  std::vector<double> worsts_;  // of the residual ratios, of every iterate
+  bool gives_up_;               // whether to stop early because a damped retry may follow
+  std::vector<double> worsts_;  // largest residual ratio of every iterate
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
@@ -115,7 +115,7 @@ class FieldTest : public NOX::StatusTest::Generic {
 
 namespace {
 
-/// Of Newton's step: (0, 1].
+/// Fractions of Newton's step: (0, 1].
 Range share() { return {0, 1, true, false}; }
 
 }  // namespace
@@ -198,8 +198,9 @@ NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& option
   const RCP<FieldTest> test = rcp(new FieldTest(problem, report, options));
   const RCP<Teuchos::ParameterList> list = rcp(new Teuchos::ParameterList("NOX"));
   list->set("Nonlinear Solver", "Line Search Based");
-  // The tangents are consistent, so full steps converge fastest; contact and yielding raise the residual on the way,
-  // where a line search would only crawl (measured on the cone deck: no rejected step against 4 % with backtracking).
+  // The tangents are consistent, so full steps converge fastest; contact and yielding raise the residual in between,
+  // where a line search would take tiny steps (measured on the cone deck: no rejected step against 4 % with
+  // backtracking).
   if (options.guarded) {
     const RCP<NOX::LineSearch::UserDefinedFactory> guarded =
         rcp(new GuardedStep::Factory(options.largest_growth, options.halvings));
@@ -208,7 +209,7 @@ NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& option
     list->sublist("Line Search") = options.nox.line_search.list();
   }
   list->sublist("Printing").set("Output Information", 0);
-  // NOX tells of a failed evaluation whatever the level; the step's own message says more
+  // NOX reports a failed evaluation at any print level; the step's own message says more
   static const RCP<std::ostream> nowhere = rcp(new Teuchos::oblackholestream);
   list->sublist("Printing").set("Output Stream", nowhere);
   list->sublist("Printing").set("Error Stream", nowhere);

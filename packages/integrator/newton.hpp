@@ -11,7 +11,7 @@
 
 namespace mudline {
 
-/// A square nonlinear system F(x) = 0 for Newton; x and F on one map.
+/// A square nonlinear system F(x) = 0 for Newton's method; x and F have the same map.
 class NonlinearProblem {
  public:
   virtual ~NonlinearProblem() = default;
@@ -24,17 +24,17 @@ class NonlinearProblem {
   virtual void apply_jacobian(const Vector& v, Vector& jv) = 0;
   /// Solves J dx = f with the current linearisation.
   virtual bool solve(const Vector& f, Vector& dx) = 0;
-  /// Norms per field, already divided by their scales: converged when all are <= 1.
+  /// Norms per field, divided by their tolerances: converged when all are <= 1.
   virtual std::vector<double> residual_ratios(const Vector& f) = 0;
   virtual std::vector<double> update_ratios(const Vector& dx, const Vector& x) = 0;
-  /// Whether the residual whose ratios were asked for last is well within what rounding leaves of it.
+  /// Whether the residual of the last residual_ratios() call is at the level of rounding errors.
   virtual bool at_rounding() const { return false; }
-  /// Told once of every iterate, with the worst of its residual ratios.
+  /// Called once per iterate with the largest of its residual ratios.
   virtual void observe(double worst) {}
 };
 
-/// A line search of NOX in the place of the guarded step, with NOX's names. Those that need a slope are no choice: the
-/// merit here weighs the fields by their tolerances, and NOX's slope does not.
+/// A line search of NOX instead of the guarded step, with NOX's names. Line searches that need a slope are not offered:
+/// the merit function here weighs the fields by their tolerances, and NOX's slope does not.
 struct NoxLineSearch {
   enum class Method { full_step, backtrack };
   struct FullStep {
@@ -42,7 +42,7 @@ struct NoxLineSearch {
     void parameters(Parameters& p);
   };
   struct Backtrack {
-    double first = 1, smallest = 1e-12, recovery = 1, reduction = 0.5;  // [-], shares of the Newton step
+    double first = 1, smallest = 1e-12, recovery = 1, reduction = 0.5;  // [-] fractions of the Newton step
     int evaluations = 100;
     void parameters(Parameters& p);
   };
@@ -50,45 +50,48 @@ struct NoxLineSearch {
   FullStep full_step;
   Backtrack backtrack;
   void parameters(Parameters& p);
-  /// As NOX reads it.
+  /// The parameter list for NOX.
   Teuchos::ParameterList list() const;
 };
 
+/// Options passed on to NOX.
 struct NoxOptions {
   NoxLineSearch line_search;
   void parameters(Parameters& p) { p.section("Line Search", line_search, "how far to go along Newton's direction"); }
 };
 
+/// Options of Newton's method.
 struct NewtonOptions {
   enum class FirstGuess { committed, extrapolated };
   int maximum_iterations = 15;
-  int least_iterations = 0;  // taken even where the first guess has no residual; not a parameter
+  int least_iterations = 0;  // required even if the first guess has no residual; not a parameter
   int halvings = 4;
-  double largest_growth = 0;  // 0: any
-  bool damped_retry = true;   // where full steps do not converge; see damped()
+  double largest_growth = 0;  // [-] of the residual in one iteration; 0: no limit
+  bool damped_retry = true;   // whether to try again with damped() if full steps do not converge
   bool reuse_jacobian = true;
-  double largest_forcing = 0.1;  // share of the residual that a linear solve may leave; 0: none
+  double largest_forcing = 0.1;  // fraction of the residual that a linear solve may leave; 0: forcing is off
   FirstGuess first_guess = FirstGuess::extrapolated;
   bool guarded = true;  // the deck names no line search of NOX
   NoxOptions nox;
   void parameters(Parameters& p);
-  /// Whether a solve that fails with these options is worth another one with those of damped().
+  /// Whether a failed solve with these options may be repeated with damped().
   bool may_be_damped() const { return guarded && damped_retry && largest_growth == 0; }
-  /// With steps that are halved where the residual grows by more than a fifth.
+  /// The same options with steps that are halved where the residual grows by more than a fifth.
   NewtonOptions damped() const;
 };
 
+/// Outcome of a Newton solve.
 struct NewtonReport {
   bool converged = false;
   int iterations = 0;
   int evaluations = 0;
-  std::string reason;                        // why not
+  std::string reason;                        // why it did not converge
   std::vector<std::vector<double>> history;  // residual ratios of every iteration, by field
 };
 
-/// Newton's method by NOX with a test per field: residual below its tolerance and (after the first update) the update
-/// below its tolerance, or the residual far below (1e-2 of) its tolerance, or rounding for some iterations: updates
-/// then mean nothing.
+/// Newton's method by NOX with a convergence test per field: the residual and (after the first update) the update are
+/// below their tolerances, or the residual is below 1e-2 of its tolerance, or it has been at rounding for some
+/// iterations, where updates mean nothing.
 NewtonReport newton_solve(NonlinearProblem& problem, const NewtonOptions& options, Vector& x);
 
 }  // namespace mudline

@@ -27,6 +27,7 @@ NodalView sum_overlap(const DofMap& dofs, const NodalView& overlap);
 /// Two-norms of the owned entries of each field over all ranks. Collective.
 std::vector<double> owned_field_norms(const DofMap& dofs, const Vector& v);
 
+/// Sums, minimum and maximum over all ranks. Collective.
 int sum_over_ranks(const Comm& comm, int value);
 double sum_over_ranks(const Comm& comm, double value);
 std::vector<double> sum_over_ranks(const Comm& comm, const std::vector<double>& values);

@@ -41,11 +41,11 @@ void LocalError::add(double field_ratio, int order) {
 
 double StepControl::after_success(double dt, int iterations, const LocalError& error) const {
   double factor = 1;
-  // after a cut slowly, or every second step would be the size that failed
+  // after a cut the step grows slowly, or every second step would have the size that failed
   if (iterations <= easy_iterations) factor = growth == 1 && dt < initial ? std::min(1.25, initial / dt) : growth;
   if (iterations > hard_iterations) factor = cut;
   if (error_tolerance > 0) {
-    // growth of 1 leaves the step to the error; where that is not known the step stays
+    // with a growth of 1 the error alone controls the step; without an error measure the step stays
     const double most = error.ratio >= 0 ? (growth > 1 ? growth : 2.0) : 1.0;
     const double wanted = std::clamp(error.factor, 0.25, most);
     factor = iterations > hard_iterations ? std::min(factor, wanted) : wanted;

@@ -6,12 +6,12 @@
 
 namespace mudline {
 
-/// Local time error of a step over its tolerance, and what follows from it for the size of the step.
+/// Local time error of a step over its tolerance, and the step size that follows from it.
 struct LocalError {
   double ratio = -1;      // largest over the fields; negative: not measured
-  double factor = 1e300;  // by which the step meets the tolerance in the field that asks for the shortest one
+  double factor = 1e300;  // factor by which the step meets the tolerance in the most demanding field
 
-  /// Takes in a field whose error is ~ dt^(order + 1).
+  /// Adds a field whose error is ~ dt^(order + 1).
   void add(double field_ratio, int order);
 };
 
@@ -33,10 +33,10 @@ struct StepControl {
   void complete(double duration);
   /// Next step after success.
   double after_success(double dt, int iterations, const LocalError& error) const;
-  /// Step that replaces a converged one whose local error is too large; negative: there is none to be replaced. At the
-  /// minimum it is taken as it is: where a load jumps no step is short enough.
+  /// Step that replaces a converged one whose local error is too large; negative if the converged one is to be
+  /// accepted. A step at the minimum is accepted, because no step is short enough where a load jumps.
   double after_error(double dt, const LocalError& error) const;
-  /// Next step after failure; negative when it would be below the minimum.
+  /// Next step after failure; negative if it would be below the minimum.
   double after_failure(double dt) const;
 };
 

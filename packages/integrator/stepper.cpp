@@ -49,7 +49,7 @@ bool equal(const Vector& a, const Vector& b) {
   return differences == 0;
 }
 
-/// x: prescribed values, and for the rest those given.
+/// Fills x with the prescribed values and, for free unknowns, the given values.
 void start_from(const Constraints& constraints, const NodalView& values, Vector& x) {
   const auto data = entries(x, Tpetra::Access::OverwriteAll);
   const Constraints given = constraints;
@@ -59,7 +59,7 @@ void start_from(const Constraints& constraints, const NodalView& values, Vector&
       KOKKOS_LAMBDA(int i) { data(i) = given.mask(i) ? given.value(i) : otherwise(i); });
 }
 
-/// Prescribes the unknowns [begin, end) as they are.
+/// Prescribes the unknowns [begin, end) at their present values.
 void hold(const Constraints& constraints, const NodalView& values, int begin, int end) {
   const Constraints to = constraints;
   const NodalView from = values;
@@ -76,7 +76,7 @@ struct SquaresOfChange {
   }
 };
 
-/// What acts on prescribed unknowns goes over to their reactions.
+/// Moves the forces at prescribed unknowns from the total to the reactions.
 void split_reactions(const Constraints& constraints, const NodalView& total, const NodalView& reaction) {
   const Kokkos::View<char*> prescribed = constraints.mask;
   Kokkos::parallel_for(
@@ -210,7 +210,7 @@ void Stepper::constrain(const StepRequest& request) {
   Kokkos::deep_copy(constraints_.moves, char(0));
   Kokkos::deep_copy(constraints_.value, store_.committed().value);
   request.prescribe(view_.time_old, view_.time_end, store_.committed(), constraints_);
-  if (!scheme_.flow)  // geostatic: what is not mechanical is given
+  if (!scheme_.flow)  // geostatic: fields of first order stay as they are
     for (int f = 0; f < space_.num_fields(); ++f)
       if (space_.field(f).time_order == 1)
         for (const auto& [begin, end] : overlap_ranges(*space_.dofs(), f))
@@ -262,7 +262,7 @@ bool Stepper::residual(const Vector& x, Vector& f) { return evaluate(x, chord_.e
 
 bool Stepper::evaluate(const Vector& x, bool remeshes, Vector& f) {
   const Stopwatch watch(times_.residual);
-  if (stands_at(x)) {  // the first guess was tried, and Newton's method starts there
+  if (stands_at(x)) {  // the first guess is already evaluated, and Newton's method starts there
     Tpetra::deep_copy(f, balance_);
     return true;
   }
@@ -368,7 +368,7 @@ std::vector<double> Stepper::allowed(const std::vector<double>& least) const {
 
 std::vector<double> Stepper::residual_ratios(const Vector& f) {
   norms_ = owned_field_norms(*space_.dofs(), f);
-  // what the step sets out of balance acts in it, also where nothing has answered yet
+  // the initial imbalance of the step acts in it, also where no term has responded yet
   const bool first = first_norms_.empty();
   if (first) first_norms_ = norms_;
   limits_ = allowed(norms_ == first_norms_ ? norms_ : std::vector<double>(norms_.size(), 0.0));
@@ -378,21 +378,21 @@ std::vector<double> Stepper::residual_ratios(const Vector& f) {
 }
 
 bool Stepper::at_rounding() const {
-  constexpr double share = 0.1;  // of the bound, which rounding seldom reaches
+  constexpr double share = 0.1;  // fraction of the bound, which rounding seldom reaches
   for (std::size_t i = 0; i < norms_.size(); ++i)
     if (!(norms_[i] <= share * rounding_[i])) return false;
   return true;
 }
 
 void Stepper::observe(double worst) {
-  // the contraction is that of the residual, not of a ratio whose reference has grown meanwhile
+  // the contraction is measured on the residual, not on a ratio whose reference has grown meanwhile
   double before = 0;
   if (!observed_norms_.empty()) {
     const std::vector<double> limits = allowed(std::vector<double>(norms_.size(), 0.0));
     for (std::size_t i = 0; i < limits.size(); ++i) before = std::max(before, observed_norms_[i] / limits[i]);
   }
   chord_.observe(worst, before);
-  // by field, so that none is solved further than the worst one needs
+  // by field, so that no field is solved further than the worst one needs
   const double share = solver_.iterative() ? forcing_.next(worst) : 0.0;
   enough_.clear();
   if (share > 0)
@@ -407,7 +407,7 @@ std::vector<double> Stepper::update_ratios(const Vector& dx, const Vector& x) {
              size = owned_field_norms(*space_.dofs(), x);
   std::vector<double> ratios;
   for (std::size_t i = 0; i < update.size(); ++i) {
-    // coordinates carry the rounding of the mesh's size into every displacement; pressures that of the largest so far
+    // displacements have the rounding of the coordinates, pressures that of the largest value so far
     const bool moves = space_.field(static_cast<int>(i)).time_order == 2;
     const double rounding = 1e-14 * std::max(size[i], std::max(measures_.values[i], moves ? coordinate_norm_ : 0.0));
     const double allowed = tolerances_.update * step[i] + rounding;
@@ -441,14 +441,14 @@ bool Stepper::predict(Vector& x) {
   const bool predicted = predict_linear(x, asked);
   for (Unilateral* term : unilateral_) term->predicting(false);
   if (!asked) return predicted;
-  // nothing of the more linear step may enter the iteration: no state, no Jacobian
+  // neither state nor Jacobian of the linearised prediction may enter the iteration
   stands_ = false;
   chord_.forget();
   return predicted;
 }
 
 bool Stepper::rests() const {
-  double sums[2] = {0, 0};  // squares of F at rest less F_n, and of F_n: this rank's
+  double sums[2] = {0, 0};  // squares of F at rest minus F_n, and of F_n, on this rank
   for (int k = 0; k < static_cast<int>(active_.size()); ++k) {
     const int slot = history_slot(k);
     if (slot < 0 || !history_[slot]->may_relax()) continue;
@@ -473,7 +473,7 @@ bool Stepper::predict_linear(Vector& x, bool always) {
   part.update(fraction, moved, 1);
   if (moves && !evaluate(part, false, shifted)) return false;
   if (!residual(old, f) || !rests()) return false;
-  chord_.forget();  // its rate of convergence is not known here
+  chord_.forget();  // the rate of convergence of an old Jacobian is not known here
   if (!jacobian(old)) return false;
   if (moves) f.update(1 / fraction, shifted, 1 - 1 / fraction);
   if (!solve(f, correction)) return false;
@@ -487,7 +487,7 @@ bool Stepper::extrapolate(Vector& x) {
   Vector change(guess, Teuchos::Copy), f(map());
   change.update(-1, x, 1);
   if (change.norm2() == 0) return false;
-  // What stops, or presses against something stiff, is further from the solution after a step at its old rate.
+  // A body that stops or presses against something stiff is further from the solution after a step at its old rate.
   const bool here = evaluate(x, false, f);
   const std::vector<double> norms = owned_field_norms(*space_.dofs(), f), reference = reference_;
   if (!residual(guess, f)) return false;

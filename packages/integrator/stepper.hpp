@@ -18,24 +18,26 @@ namespace mudline {
 
 /// Tolerances of one step.
 struct StepTolerances {
-  double residual = 1e-6;  // of the size of what acts in the step, before it cancels, per field
-  double update = 1e-4;    // of the increment of the step, per field
+  double residual = 1e-6;  // relative to the size of what acts in the step, before cancellation, per field
+  double update = 1e-4;    // relative to the increment of the step, per field
   double linear = 1e-8;
   void parameters(Parameters& p);
 };
 
+/// Definition of one step.
 struct StepRequest {
-  double dt;
+  double dt;  // [s]
   TimeScheme scheme;
   /// Prescribed unknowns at the end of the step.
   std::function<void(double t_old, double t_end, const State& committed, Constraints&)> prescribe;
 };
 
+/// Outcome of an attempted step.
 struct StepReport {
   bool converged = false;
-  bool refused = false;       // by a term, though Newton's method converged
+  bool refused = false;       // a term refused the step, though Newton's method converged
   int newton_iterations = 0;  // over all solves of the step
-  int hardest_solve = 0;      // iterations of the solve that took most
+  int hardest_solve = 0;      // largest number of iterations of one solve
   int augmentations = 0;      // solves after the first, for terms that augment
   int linear_iterations = 0;
   int factorisations = 0;
@@ -47,22 +49,23 @@ struct StepTimes {
   double residual = 0, jacobian = 0, linear = 0;
 };
 
-/// What the coming steps are measured against, by field.
+/// Reference sizes for the convergence tests of the coming steps, by field.
 struct StepMeasures {
-  /// Of the largest reference of the stage: late in a stage, when all rates have died out, what is left need not be
-  /// followed for ever.
+  /// Floor of the reference as a fraction of its largest value in the stage: late in a stage, when all rates have
+  /// decayed, tiny changes need not be resolved.
   static constexpr double floor_share = 1e-6;
-  /// Largest size of what acted in a step of the stage so far, or of rounding: a millionth of it is the floor of the
-  /// reference.
+  /// Largest size of what acted in a step of the stage so far, or of its rounding; floor_share of it is the floor of
+  /// the reference.
   std::vector<double> acting;
   std::vector<double> values;  // largest norm of the field so far, for its rounding
-  std::vector<double> matrix;  // size of that of the last step of the stage which built one; 0: none yet
+  std::vector<double> matrix;  // size of the last matrix of the stage; 0: none yet
 
   explicit StepMeasures(int fields = 0) : acting(fields, 0), values(fields, 0), matrix(fields, 0) {}
   void begin_stage() {
     for (auto* sizes : {&acting, &matrix}) std::fill(sizes->begin(), sizes->end(), 0.0);
   }
-  /// A step has converged: what acted in it, its rounding, and the relative tolerance; norms of its end; its matrix.
+  /// Updates the sizes after a converged step: sizes of what acted and of its rounding, relative tolerance, norms of
+  /// the values at the end, sizes of the matrix (0 where none was built).
   void take(const std::vector<double>& acted, const std::vector<double>& rounding, double tolerance,
             const std::vector<double>& norms, const std::vector<double>& matrix_sizes) {
     for (std::size_t i = 0; i < acting.size(); ++i) {
@@ -71,9 +74,9 @@ struct StepMeasures {
       if (matrix_sizes[i] > 0) matrix[i] = matrix_sizes[i] * limit_matrix(i, matrix_sizes[i]);
     }
   }
-  /// The share of a matrix of this size that counts: a millionfold of the last one at most (a step a thousand times
-  /// shorter). At an iterate far from a solution the tangent of a law may be beyond all bounds, and so would the
-  /// rounding that excuses a residual.
+  /// Factor that limits a matrix size to a million times the last one (that of a step a thousand times shorter). At an
+  /// iterate far from a solution the tangent of a law may be huge, and the rounding estimate from it would accept any
+  /// residual.
   double limit_matrix(std::size_t i, double size) const {
     return matrix[i] > 0 ? std::min(1.0, 1e6 * matrix[i] / size) : 1.0;
   }
@@ -87,28 +90,29 @@ class Stepper : public NonlinearProblem {
   Stepper(const Space& space, StateStore& store, std::vector<Term*> terms, LinearSolver& solver,
           std::function<BlockData(const StepView&)> block_data);
 
-  /// Terms that act in the present stage, a subset of the constructor's; F_n is evaluated anew.
+  /// Sets the terms that act in the present stage, a subset of the constructor's. refresh_history() must follow before
+  /// a step.
   void activate(const std::vector<Term*>& active);
-  /// F_n of all active history terms at the committed state. Returns false if it cannot be evaluated.
+  /// Evaluates F_n of all active history terms at the committed state. Returns false if it cannot be evaluated.
   bool refresh_history();
   /// Residual of the committed state under static loads (no inertia, no flow), by overlap dof, summed over ranks.
   NodalView static_residual();
-  /// What the active terms say of the last evaluation where it failed, "; ..." each; "" where nothing. Collective.
+  /// Messages of the active terms about a failed last evaluation, "; ..." each; "" if there are none. Collective.
   std::string hints() const;
   /// Accelerations and first-order rates that satisfy the equations of motion at the committed state (start of a
   /// dynamic stage). Fields whose rate matrix is singular (incompressible constituents) keep the rate zero.
   bool initialise_rates(const StepRequest& request, double linear_tolerance);
 
-  /// Whether the committed rates go on in a stage: the imbalance, relative to what acts, with which they end a step
-  /// without inertia under its loads and motions, over that of staying where everything is. Small where something
-  /// moves and they are its velocities; infinite where nothing moves, so that they are only what earlier loads left
-  /// behind; 1 where it cannot be told. Collective.
+  /// Measures whether the committed rates continue into a stage: the ratio of two relative imbalances at the end of a
+  /// step without inertia under its loads and motions, one with the committed rates and one at rest. It is small where
+  /// something moves and the rates are its velocities, infinite where nothing moves and the rates are remnants of
+  /// earlier loads, and 1 where it cannot be evaluated. Collective.
   double misfit_of_rates(const StepRequest& request, const StepTolerances& tolerances);
 
-  /// Lets the linear solver take up what LinearSolver::memory() gave in the run that is continued.
+  /// Restores the linear solver from solver_memory() of the run that is continued.
   void restore_solver(const std::vector<double>& memory);
-  /// What restore_solver takes: the solver's memory and which Jacobian may serve on. The run goes on as a restarted one
-  /// would.
+  /// Data for restore_solver(): the solver's memory and the state of the chord control. Afterwards this run continues
+  /// exactly as a restarted one would.
   std::vector<double> solver_memory();
 
   /// First half of an attempt: predictor, prescribed unknowns, the terms' begin. Afterwards residual() and jacobian()
@@ -119,10 +123,10 @@ class Stepper : public NonlinearProblem {
   /// ones; on success the trial state is complete. The committed state is untouched.
   StepReport attempt(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
 
-  /// The step that the last attempt found is not made: it leaves nothing behind that later ones are measured against.
+  /// Rejects the step of the last attempt: restores the reference sizes from before it.
   void reject() { measures_ = measures_before_; }
 
-  // What the balances read after a successful attempt, before or after acceptance.
+  // Results for the balances after a successful attempt, before or after acceptance.
   const StepView& view() const { return view_; }
   const std::vector<Term*>& active() const { return active_; }
   const std::vector<Transferred*>& transferred() const { return transferred_; }
@@ -131,7 +135,7 @@ class Stepper : public NonlinearProblem {
   double step_limit(double dt) const;
   /// Alpha-level contribution of active term k (history terms: interpolated), this rank's part, by overlap dof.
   NodalView term_force(int k) const { return force_[k]; }
-  /// Index of active term k's F_n among State::history_forces; -1 where it has none.
+  /// Index of the F_n of active term k in State::history_forces; -1 where it has none.
   int history_slot(int k) const;
   /// Sum over the terms at constrained dofs: the reaction, this rank's part; zero elsewhere.
   NodalView reaction() const { return reaction_; }
@@ -155,56 +159,58 @@ class Stepper : public NonlinearProblem {
   void observe(double worst) override;
 
  private:
-  /// Where prescribed unknowns move, replaces the guess `x` (the others left behind, which folds or yields the elements
-  /// in between when the motion is large) by the linear answer of the committed state to it; also where a term asks for
-  /// that. False where it leaves x alone.
+  /// Linear prediction: where prescribed unknowns move or a term asks for it, replaces the guess `x` by the linear
+  /// response of the committed state. Otherwise all other unknowns would stay behind, and a large motion would fold or
+  /// yield the elements in between. Returns false where it leaves x unchanged.
   bool predict(Vector& x);
   bool predict_linear(Vector& x, bool always);
-  /// Moves the guess on with the committed rates; false, and x left alone, where nothing moves, where the terms cannot
-  /// be evaluated there, or where it leaves more out of balance.
+  /// Extrapolates the guess with the committed rates. Returns false, with x unchanged, where nothing moves, where the
+  /// terms cannot be evaluated there, or where the imbalance is larger.
   bool extrapolate(Vector& x);
-  /// x after the step at the committed rates, but for what is prescribed.
+  /// x after a step at the committed rates; prescribed unknowns stay as they are.
   Vector moved_on(const Vector& x) const;
-  /// Whether the forces of the committed state, evaluated without any motion (the last evaluation), are those it was
-  /// left with. A soil whose strength depends on the strain rate relaxes at rest: its answer there says nothing of a
-  /// moving one.
+  /// Whether the forces of the committed state at rest (the last evaluation) equal its stored F_n. Soil whose strength
+  /// depends on the strain rate relaxes at rest; its response there does not apply to a motion.
   bool rests() const;
-  /// Forgets the Jacobian at hand if the coming step has another step size, scheme or set of free unknowns.
+  /// Discards the present Jacobian if the coming step has another step size, scheme or set of free unknowns.
   void check_chord();
   /// Whether the trial state was last evaluated at exactly x. Collective.
   bool stands_at(const Vector& x) const;
-  /// attempt() with these options and no others.
+  /// One attempt with these Newton options only, without a damped retry.
   StepReport try_step(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
-  /// Solves from x, again where terms augment; on convergence the trial state stands at x, bit for bit.
+  /// Solves from x, repeatedly where terms augment; on convergence the trial state belongs to x, bit for bit.
   void solve_step(const NewtonOptions& newton, Vector& x, StepReport& report);
-  /// Asks all active terms. Collective.
+  /// Augmentation of all active terms. Collective.
   Augmentation augment(int count);
   void prepare_view(const StepRequest& request, StepView::Kind kind);
   void set_sensitivities();
   void constrain(const StepRequest& request);
   /// Fills the level views and the trial's nodal part from x.
   void levels(const Vector& x);
-  /// All levels are the committed state: no acceleration, no rates of first order; sensitivities to those alone.
+  /// Sets all levels to the committed state, with zero accelerations and first-order rates; sensitivities are to these
+  /// only.
   void levels_at_rest();
-  /// The matrix of inertia and storage, by the terms that are no history.
+  /// Assembles the matrix of inertia and storage from the terms that are not history terms.
   void add_rate_matrices();
-  /// Prescribes the fields whose rate matrix has a row of zeros: it cannot be solved for. Whether there are any.
+  /// Prescribes the fields whose rate matrix has a zero row, so that it is singular. Returns whether there are any.
   bool hold_fields_without_rates();
-  /// residual(); `remeshes`: whether a Jacobian at x is likely to be asked for next.
+  /// Does the work of residual(). `remeshes`: whether a new Jacobian at x is likely to follow.
   bool evaluate(const Vector& x, bool remeshes, Vector& f);
   int evaluate_terms();
-  /// Term::residual into `force`, behind `to`; one that throws, or gives what is not finite, counts as failed.
+  /// Evaluates Term::residual into `force` through `to`; a term that throws or returns a non-finite value counts as
+  /// failed.
   int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
-  /// Sizes of what acts and of rounding at the last evaluation.
+  /// Computes the sizes of what acts and of rounding at the last evaluation.
   void measure();
-  /// Rounding of the residual that the unknowns' own rounding makes through the matrix.
+  /// Computes the rounding of the residual that the rounding of the unknowns causes through the matrix.
   void measure_rounding(const Vector& x);
   /// Residual allowed per field, whose reference is at least `least`.
   std::vector<double> allowed(const std::vector<double>& least) const;
-  /// False, and failure_ says why, where a term throws on some rank. Collective.
+  /// Assembles the matrices of all active terms. Returns false, with the reason in failure_, where a term throws on
+  /// some rank. Collective.
   bool add_matrices();
 
-  /// Rounding of a sum of contributions of size 1 that have some of their own.
+  /// Relative rounding error of a sum of contributions, with that of the contributions themselves.
   static constexpr double rounding_unit = 1e-14;
 
   const Space& space_;
@@ -212,7 +218,7 @@ class Stepper : public NonlinearProblem {
   std::vector<Term*> terms_, active_;
   std::vector<int> history_slot_;        // by term: index of its F_n, -1
   std::vector<History*> history_;        // by slot
-  std::vector<Unilateral*> unilateral_;  // of the active terms, as the other faces
+  std::vector<Unilateral*> unilateral_;  // faces of the active terms, like the next three
   std::vector<Foresees*> foresees_;
   std::vector<Transferred*> transferred_;
   std::vector<Reports*> reports_;
@@ -226,21 +232,21 @@ class Stepper : public NonlinearProblem {
   Levels levels_;
   NodalView reaction_, total_, acting_, whole_;
   std::vector<NodalView> force_;
-  // By field: what acts at the last evaluation, rounding of residual and matrix, size of the matrix, norms of the
-  // residual of the first and of the last iterate that was measured, what is allowed for the latter, and norms of the
-  // one observed before.
+  // By field: size of what acts at the last evaluation, rounding of residual and matrix, size of the matrix, residual
+  // norms of the first and of the last measured iterate, the allowed norm of the latter, and norms of the previously
+  // observed iterate.
   std::vector<double> reference_, rounding_, matrix_rounding_, matrix_sizes_, first_norms_, norms_, limits_,
       observed_norms_;
-  StepMeasures measures_, measures_before_;  // before: the last attempt that converged
+  StepMeasures measures_, measures_before_;  // now; before the last converged attempt
   double coordinate_norm_ = 0;
   std::string failure_;
   int linear_iterations_ = 0, factorisations_ = 0;
   StepTimes times_;
   ChordControl chord_;
   Forcing forcing_;
-  std::vector<double> enough_;  // of the coming linear solve, see LinearTolerance
-  Vector evaluated_, balance_;  // where the trial state stands, and the residual there,
-  bool stands_ = false;         // unless it has been moved since
+  std::vector<double> enough_;  // tolerances of the next linear solve, see LinearTolerance
+  Vector evaluated_, balance_;  // unknowns of the trial state and their residual
+  bool stands_ = false;         // whether the trial state still belongs to evaluated_
 };
 
 }  // namespace mudline

@@ -1,4 +1,4 @@
-// What happens to a committed state outside of steps: F_n, static residual, rates and initial accelerations.
+// Evaluations of a committed state outside of steps: F_n, static residual, rates and initial accelerations.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,14 +54,14 @@ double Stepper::misfit_of_rates(const StepRequest& request, const StepTolerances
     if (moves) x = moved_on(x);
     return evaluate(x, false, f);
   };
-  // what jumps as the stage starts, a load that is put on at once, is no motion
+  // a jump at the start of the stage, such as a sudden load, is no motion and is subtracted
   Vector jump(map()), resting(map()), moving(map());
   if (!imbalance(instant, false, jump) || !imbalance(slow, false, resting)) return 1;
   const std::vector<double> acting = reference_;
   if (!imbalance(slow, true, moving)) return 1;
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).time_order == 2) continue;
-    const auto data = entries(jump, Tpetra::Access::ReadWrite);  // a flux of the instant is one of the step, too
+    const auto data = entries(jump, Tpetra::Access::ReadWrite);  // a flux at the start is a flux in the step, too
     for (int i = space_.dofs()->owned_begin(f); i < space_.dofs()->owned_end(f); ++i) data(i) = 0;
   }
   for (Vector* f : {&resting, &moving}) f->update(-1, jump, 1);

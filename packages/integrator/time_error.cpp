@@ -12,7 +12,7 @@ namespace {
 
 /// Coefficients of the leading terms of a first-order field's error.
 struct FirstOrderError {
-  double second, third;  // of dt^2 x'' and dt^3 x'''
+  double second, third;  // coefficients of dt^2 x'' and dt^3 x'''
 
   explicit FirstOrderError(const TimeScheme& t) {
     if (t.incremental) {
@@ -20,7 +20,7 @@ struct FirstOrderError {
       third = std::abs(0.5 * t.theta - 1.0 / 6);
       return;
     }
-    // the algorithm's rates are those of instants s dt later, but for a share of dt^2 x''' by which the interpolations
+    // the algorithm's rates belong to instants s dt later, except for a share of dt^2 x''' by which the interpolations
     // of values and rates differ
     const double af = t.flow_alpha_f, am = t.flow_alpha_m, s = af - am;
     const double interpolation = 0.5 * (af * (1 - af) - am * (1 - am));

@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-/// Time error that one step adds, estimated from the change of the rates over it. What a field's values x lose in a
+/// Local time error of a step, estimated from the change of the rates over it. The error of a field's values x in a
 /// step of length dt is
 ///   second order with inertia, from the accelerations a:  dt^2 (|1/6 - s/2 - beta| + |gamma + s - 1/2|) |a_{n+1} -
 ///   a_n| (Zienkiewicz and Xie 1991; s = alpha_m - alpha_f, by which the algorithm's accelerations run ahead; ~ dt^3),
@@ -16,11 +16,11 @@ namespace mudline {
 class TimeError {
  public:
   explicit TimeError(const Space& space) : space_(space) {}
-  /// Of the step that `view` shows at its solution, before it is accepted, in units of `tolerance` relative to `sizes`,
-  /// the largest norms of the fields' values so far. `dt_old` [s]: length of the step before; `step`: number within the
-  /// stage, from 0: the first steps tell nothing (a load that jumps at the start of the stage is in their rates).
-  /// Writes the second derivatives of first-order fields to the trial accelerations, where the next step finds them.
-  /// Prescribed unknowns have no error. Collective.
+  /// Error of the step that `view` holds at its solution, before it is accepted, in units of `tolerance` relative to
+  /// `sizes`, the largest norms of the fields' values so far. `dt_old` [s]: length of the previous step; `step`: number
+  /// within the stage, from 0. The first steps are not measured, because a load that jumps at the start of the stage
+  /// affects their rates. Stores the second derivatives of first-order fields in the trial accelerations for the next
+  /// step. Prescribed unknowns have no error. Collective.
   LocalError measure(const StepView& view, const TimeScheme& scheme, double dt_old, int step,
                      const std::vector<double>& sizes, double tolerance) const;
   /// Whether a step of this scheme integrates any field of the model in time.

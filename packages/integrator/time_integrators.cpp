@@ -9,7 +9,7 @@ namespace {
 
 enum class PressureIntegration { generalised_alpha, theta };
 
-/// How the pore pressure is integrated beside the displacements.
+/// Time integration of the pore pressure together with the displacements.
 struct PressureOptions {
   PressureIntegration kind = PressureIntegration::generalised_alpha;
   double theta = 1.0;
@@ -69,7 +69,7 @@ class Newmark : public TimeIntegrator {
     TimeScheme s;
     s.beta = beta_;
     s.gamma = gamma_;
-    s.theta = gamma_;  // the pore pressure the same way: balance at n+1, trapezoid with gamma
+    s.theta = gamma_;  // the same for the pore pressure: balance at n+1, trapezoidal rule with gamma
     pressure_.apply(s);
     return s;
   }

@@ -11,8 +11,8 @@ namespace mudline {
 ///     KOKKOS_FUNCTION bool update(const SkeletonPoint& in, const T* strain, const double* state_old, T* stress,
 ///                                 double* state) const;
 /// where `strain` is the increment (in.strain as independent variables) and `state` holds a copy of the old state; the
-/// rest is that of pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>. A point that fails shows
-/// its old stress.
+/// other members are as in pointwise.hpp. Register it as PointwiseSkeleton<AutomaticTangent<MyLaw>>. A point that fails
+/// gets its old stress.
 template <class Law>
 struct AutomaticTangent : Law {
   AutomaticTangent() = default;
@@ -55,7 +55,7 @@ KOKKOS_INLINE_FUNCTION bool integrate_plasticity_by(const Model& model, const In
   return true;
 }
 
-/// The same by the method of the options.
+/// Moves `stress` and `h` over one increment by the method of the options.
 template <class T, class Model>
 KOKKOS_INLINE_FUNCTION bool integrate_plasticity(const Model& model, const IntegrationOptions& options, const T* strain,
                                                  T* stress, T* h) {
@@ -64,7 +64,7 @@ KOKKOS_INLINE_FUNCTION bool integrate_plasticity(const Model& model, const Integ
              : integrate_plasticity_by<Substepping<T, Model>>(model, options, strain, stress, h);
 }
 
-/// The update of a law with one hardening variable, from h_old to h_new.
+/// Update of a law with one hardening variable from h_old to h_new.
 template <class T, class Model>
 KOKKOS_INLINE_FUNCTION bool integrate_point(const Model& model, const IntegrationOptions& options,
                                             const SkeletonPoint& in, const T* strain, double h_old, T* stress,

@@ -21,13 +21,13 @@ struct ConeGradient {
   }
 };
 
-/// What all cones need of a stress: p', s, J2, J3 and the Lode measure.
+/// Invariants of a stress for all cones: p', s, J2, J3 and the Lode measure.
 template <class T>
 struct ConeStress {
   T s[6], p, j2, j3, lode;
   bool has_lode;
 
-  /// Where J2 is below `negligible` squared [Pa] the deviator has no direction, and K plays no role.
+  /// Where sqrt(J2) is below `negligible` [Pa] the deviator has no direction, and K is not needed.
   KOKKOS_INLINE_FUNCTION ConeStress(const T* stress, double negligible) {
     p = sym6::deviator(stress, s);
     j2 = 0.5 * sym6::norm_squared(s);
@@ -82,8 +82,9 @@ struct ConeStress {
   }
 };
 
-/// Largest of two numbers, rounded where they differ by less than `width`: twice continuously differentiable, convex,
-/// and exact beyond. `difference` = first - second; returns what is to be added to the second, and its derivative.
+/// Smooth maximum of two numbers, rounded where they differ by less than `width` and exact elsewhere; twice
+/// continuously differentiable and convex. `difference` = first - second; returns the amount to be added to the second,
+/// and its derivative in `weight`.
 template <class T>
 KOKKOS_INLINE_FUNCTION T smooth_excess(const T& difference, double width, T& weight) {
   const T x = difference / width;

@@ -19,7 +19,7 @@ struct ElasticConstants {
   }
 };
 
-/// A strength that grows linearly with the depth of a point where it starts; the point then carries it along.
+/// A strength that grows linearly with the initial depth of a point; the point keeps it while it moves.
 struct StrengthProfile {
   double value = 0.0;      // [Pa] at the reference elevation and above
   double gradient = 0.0;   // [Pa/m] growth with depth below it
@@ -34,10 +34,10 @@ struct StrengthProfile {
   double at(double height) const { return value + gradient * ::fmax(0.0, elevation - height); }
 };
 
-/// How the tip of a cone is closed; part of the laws that have one.
+/// Parameters for closing the tip of a cone; base of the laws that have one.
 struct ConeTip {
   double tensile = 1e12;  // [Pa] largest principal stress
-  double apex = 0.05;     // [-] part of the distance from the origin to the tip that the hyperbola cuts off
+  double apex = 0.05;     // [-] fraction of the distance from the origin to the tip that the hyperbola cuts off
 
   void parameters(Parameters& p) {
     p.add(
@@ -49,15 +49,15 @@ struct ConeTip {
   }
 };
 
-/// Perfectly plastic frictional soil: a shear cone with its own potential, and a tension cut-off, as integration sees
-/// it.
+/// Model of perfectly plastic frictional soil for stress integration: a shear cone with its own potential, and a
+/// tension cut-off.
 ///     f_s = sqrt(J2 K^2 + m^2) - eta p' - k               shear, K of the law's shape, potential with eta and K of
 ///     dilation f_t = sqrt(J2 K_R^2 + m^2) - p' - t                 rounded Rankine: largest principal stress at most
 ///     t; associated
-/// joined where they differ by less than m by a twice continuously differentiable maximum; the flow directions are
-/// weighted as the gradients are. So stress, normal and flow are smooth everywhere, and there is a way back from any
-/// tension also when the dilation is zero.
-/// h = (plastic shear strain), sqrt(2/3 e:e) of the plastic deviatoric strain; it only reports.
+/// joined by a twice continuously differentiable maximum where they differ by less than m; the flow directions have the
+/// same weights as the gradients. So stress, normal and flow are smooth everywhere, and the stress can return from any
+/// tension even with zero dilation. h = (plastic shear strain), sqrt(2/3 e:e) of the plastic deviatoric strain; it is
+/// for output only.
 struct FrictionalModel : ConstantElasticity {
   static constexpr int hardening = 1;
   static constexpr bool associated = false;
@@ -88,7 +88,7 @@ struct FrictionalModel : ConstantElasticity {
     const ConeStress<T> at(stress, 1e-9 * apex);
     const LodeAngle angle(value(at.lode), tension_shape.edge);
     const double apart = difference(at, angle);
-    ConeGradient<T> a, b;  // of yield function and potential
+    ConeGradient<T> a, b;  // gradients of yield function and potential
     if (apart >= apex) {
       at.evaluate(angle, yield_shape, slope, strength, apex, a);
       at.evaluate(angle, potential_shape, dilation, 0.0, potential_apex, b);
@@ -117,7 +117,7 @@ struct FrictionalModel : ConstantElasticity {
   }
 
  private:
-  /// f_s - f_t, the value only: it tells which of the two is needed.
+  /// Value of f_s - f_t, which tells which of the two is needed.
   template <class T>
   KOKKOS_INLINE_FUNCTION double difference(const ConeStress<T>& at, const LodeAngle& angle) const {
     const double j2 = value(at.j2), p = value(at.p);
@@ -125,7 +125,7 @@ struct FrictionalModel : ConstantElasticity {
     return ::sqrt(j2 * shear * shear + apex * apex) - slope * p - strength -
            (::sqrt(j2 * tension * tension + apex * apex) - p - tensile);
   }
-  /// weight * first + (1 - weight) * second
+  /// weight * first + (1 - weight) * second.
   template <class T>
   KOKKOS_INLINE_FUNCTION ConeGradient<T> mix(const ConeGradient<T>& first, const ConeGradient<T>& second,
                                              const T& weight) const {

@@ -18,7 +18,7 @@ bool finite(const double* values, std::size_t count) {
   return sum == 0.0;
 }
 
-/// "" or what is not finite in the answer for one point.
+/// "" or the quantity that is not finite in the result for one point.
 std::string not_finite(const SkeletonWorkset& w, int i) {
   const std::size_t n = w.state.extent(1);
   if (!finite(w.stress.data() + 6 * i, 6)) return "it returns a stress that is not finite";

@@ -6,32 +6,32 @@
 
 namespace mudline {
 
-// Skeleton laws as the rest of the program calls them: a law may be a plugin's or a UMAT, which throw, return numbers
-// that are not finite, or describe themselves wrongly.
+// Guarded calls of skeleton laws. A law may be a plugin or a UMAT that throws, returns non-finite numbers or describes
+// itself wrongly.
 
-/// "" or what is wrong with the law's description of its state: names, components.
+/// "" or the error in the law's description of its state: names, components.
 std::string state_problem(const Skeleton& law);
 
-/// Skeleton::k0, and "" or the problem: it throws or is not finite.
+/// Calls Skeleton::k0. Returns "" or the problem: it throws or is not finite.
 std::string guarded_k0(const Skeleton& law, double overconsolidation_ratio, double& k0);
 
-/// Skeleton::initialise. Returns "" or why the law cannot start: its own reason, what it throws, a state that is not
-/// finite, moduli that are not positive.
+/// Calls Skeleton::initialise. Returns "" or why the law cannot start: its own reason, an exception, a state that is
+/// not finite, or moduli that are not positive.
 std::string start_guarded(const Skeleton& law, const InitialPoint& point, double* state);
 
-/// The first point of a batch at which a law gave no answer.
+/// The first point of a batch at which a law failed.
 struct LawFailure {
   int point = -1;       // none
   std::string reason;   // "it refuses the increment", "it returns a stress that is not finite", "it throws: ..."
-  bool refused = true;  // the law said so itself, which is its right
+  bool refused = true;  // the law itself refused the increment, which is allowed
 };
 
-/// Skeleton::evaluate. Points with a stress, state or wanted tangent that is not finite count as failed, and all do
-/// when the law throws; they show their old state and no stiffness. Returns the number of failed points. `first`: set
-/// where there are any.
+/// Calls Skeleton::evaluate. Points with a non-finite stress, state or wanted tangent count as failed; if the law
+/// throws, all points do. Failed points get their old state and zero stiffness. Returns the number of failed points and
+/// sets `first` if there are any.
 int evaluate_guarded(const Skeleton& law, const SkeletonWorkset& workset, LawFailure& first);
 
-/// "effective stress xx yy zz yz xz xy = ... Pa, strain increment ..." of one increment, tension positive.
+/// Text "effective stress xx yy zz yz xz xy = ... Pa, strain increment ..." for one increment, tension positive.
 std::string increment_text(const double* stress, const double* strain);
 
 }  // namespace mudline

@@ -6,16 +6,15 @@
 namespace mudline {
 
 /// Backward Euler ("closest point projection"; Simo & Hughes 1998, Computational Inelasticity, ch. 3) for the models of
-/// plastic_path.hpp. Unknown are the stress, the hardening variables and the multiplier of the end:
+/// plastic_path.hpp. The unknowns are stress, hardening variables and multiplier at the end:
 ///     sigma = E(sigma_old, deps - dlambda b(sigma, h)),  h = h_old + dlambda B(sigma, h),  f(sigma, h) = 0
-/// with the model's elastic law E. A model that is `trapezoidal` takes instead of b and B the mean of those of start
-/// and end where the start lies on the surface, which makes the error one of second order (Ortiz & Popov 1985, IJNME
-/// 21:1561), and may harden by a law of its own (exponentially, for instance). Newton with the derivative of these
-/// equations by dual numbers, so a model gives first derivatives only; each iterate must lower the residual. Where it
-/// does not converge the increment is subdivided, as fine as `maximum_substeps` allows.
-///
-/// With T = Dual the solution is differentiated implicitly: one more evaluation with the strain (and what the model
-/// has of it) as independent variables, and a solution with the last matrix for each of them.
+/// with the model's elastic law E. Where the start lies on the surface, a model that is `trapezoidal` uses the mean of
+/// b and B at start and end, which makes the integration second-order accurate (Ortiz & Popov 1985, IJNME 21:1561). It
+/// may have its own (for instance exponential) hardening law. Newton's method takes the derivatives of these equations
+/// by dual numbers, so a model gives first derivatives only; each iterate must lower the residual. If it does not
+/// converge, the increment is subdivided, within `maximum_substeps` attempts.
+/// With T = Dual the solution is differentiated implicitly: one more evaluation with the strain as independent
+/// variable, and one linear solve with the last matrix for each derivative index.
 template <class T, class Model>
 class ImplicitReturn : public PlasticPath<T, Model> {
  public:
@@ -54,12 +53,12 @@ class ImplicitReturn : public PlasticPath<T, Model> {
 
   static constexpr int unknowns = N + H + 1;
 
-  /// What stays fixed during one subincrement.
+  /// Data that are constant during one subincrement.
   template <class X>
   struct Start {
     X stress[N], h[H], strain[N], middle_volume, end_volume;
-    X flow[N], hardening[H];  // half of b and of the rates of the start; zero in backward Euler
-    double weight;            // of those of the end
+    X flow[N], hardening[H];  // half of b and of the hardening rates at the start; zero in backward Euler
+    double weight;            // weight of flow and hardening at the end
   };
   struct Scales {
     double stress, h[H];
@@ -113,8 +112,8 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     return true;
   }
 
-  /// The part that the start has in the flow. From inside the surface it has none: that is one increment, so its error
-  /// of first order does not add up.
+  /// Sets the contribution of the start to the flow. A start inside the surface does not contribute; the first-order
+  /// error of that single increment does not accumulate.
   KOKKOS_INLINE_FUNCTION void begin_flow(Start<T>& start, const T& volume) const {
     constexpr double on_surface = 1e-7;
     start.weight = 1.0;
@@ -132,7 +131,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     }
   }
 
-  /// The equations, scaled to order one.
+  /// Residual of the equations, scaled to order one.
   template <class X, class S>
   KOKKOS_INLINE_FUNCTION void residual(const X* x, const Start<S>& start, const Scales& scales, X* r) const {
     typename PlasticPath<T, Model>::template Flow<X> flow;
@@ -172,8 +171,8 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     return ::sqrt(sum) < (1.0 - 1e-3 * fraction) * size;
   }
 
-  /// From the trial stress towards the surface by cutting planes (Simo & Ortiz 1985, CMAME 49:221), each as cheap as an
-  /// explicit substep: a first guess for Newton. False where it is of no use.
+  /// Cutting plane algorithm (Simo & Ortiz 1985, CMAME 49:221) from the trial stress towards the surface: a first guess
+  /// for Newton's method, each plane as cheap as an explicit substep. False where it fails.
   KOKKOS_INLINE_FUNCTION bool cutting_planes(const Start<double>& start, double* x) const {
     constexpr int planes = 8;
     constexpr double near = 1e-2;
@@ -198,7 +197,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     return false;
   }
 
-  /// Newton; `matrix` is the factorised derivative at the solution, but for the last, tiny, correction.
+  /// Newton's method. `matrix` returns the factorised derivative at the solution, up to the last tiny correction.
   KOKKOS_INLINE_FUNCTION bool iterate(const Start<double>& start, double* x, SmallLu<unknowns>& matrix,
                                       const Scales& scales) const {
     Dual<unknowns> r[unknowns];
@@ -212,7 +211,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
       }
       if (!matrix.factorise()) return false;
       matrix.solve(step);
-      if (size < 1e-9) {  // the last correction brings it down to rounding
+      if (size < 1e-9) {  // the last correction reduces it to rounding
         for (int i = 0; i < unknowns; ++i) x[i] += step[i];
         return x[unknowns - 1] >= 0.0 && model_.admissible(x, x + N);
       }
@@ -232,9 +231,9 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     return false;
   }
 
-  /// Where Newton fails from the trial stress: the same return for growing parts of the strain increment, each starting
-  /// from the solution of the one before. It ends at the same solution, so the answer does not jump from this way to
-  /// the other.
+  /// Continuation method where Newton's method fails from the trial stress: solves for growing parts of the strain
+  /// increment, each starting from the solution of the one before. It ends at the same solution as iterate(), so the
+  /// result does not jump between the two methods.
   KOKKOS_INLINE_FUNCTION bool follow(const Start<double>& start, double* x, SmallLu<unknowns>& matrix,
                                      const Scales& scales) const {
     Start<double> part = start;
@@ -270,7 +269,7 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     for (int i = 0; i < n; ++i) to[i] = from[i];
   }
 
-  /// Takes over the solution, with derivatives where T has them: (dR/dx) dx = -dR/d(strain).
+  /// Stores the solution, with derivatives where T has them: (dR/dx) dx = -dR/d(strain).
   KOKKOS_INLINE_FUNCTION void write(const Start<T>& start, const double* x, const SmallLu<unknowns>& matrix,
                                     const Scales& scales) {
     T y[unknowns];

@@ -4,16 +4,16 @@
 
 namespace mudline {
 
-/// How plastic laws integrate their rate equations over one increment; one block of parameters for all of them.
+/// Options for the stress integration of plastic laws over one increment; all of them use the same parameters.
 struct IntegrationOptions {
   enum class Method { modified_euler, dormand_prince, implicit };
 
-  double stress_tolerance = 1e-4;  // relative local error that an explicit substep may have
-  double yield_tolerance = 1e-9;   // on the model's dimensionless yield function
+  double stress_tolerance = 1e-4;  // largest relative local error of an explicit substep
+  double yield_tolerance = 1e-9;   // for the model's dimensionless yield function
   int maximum_substeps = 1000;     // attempts per increment
   Method method = Method::dormand_prince;
 
-  /// For laws with constant elasticity, where one backward Euler step is cheap and seldom fails.
+  /// Defaults for laws with constant elasticity, where one backward Euler step is cheap and seldom fails.
   static IntegrationOptions implicit() {
     IntegrationOptions r;
     r.method = Method::implicit;
@@ -22,7 +22,7 @@ struct IntegrationOptions {
 
   /// `yield_scale` completes "Distance from the yield surface, relative to ..., that counts as on it".
   void parameters(Parameters& p, const std::string& yield_scale);
-  /// Refuses what the chosen method would ignore.
+  /// InputError for options that the chosen method would ignore.
   void check(const Section& section) const;
 };
 

@@ -41,7 +41,7 @@ struct LodeValue {
   double k = 1.0, slope = 0.0, curvature = 0.0;
 };
 
-/// The Lode angle of one stress, ready for shapes of the same transition angle.
+/// The Lode angle of one stress, for evaluating shapes with the same transition angle.
 struct LodeAngle {
   double sine3;                  // sin 3theta = -S
   double sine, cosine, cosine3;  // of theta and 3theta, between the transitions

@@ -5,7 +5,7 @@
 
 namespace mudline {
 
-/// All that the plastic rate equations need of a model at one state. Gradients with respect to stress are strains of N
+/// Data of a model at one state for the plastic rate equations. Gradients with respect to stress are strains of N
 /// numbers (stress_space.hpp), H is the number of hardening variables.
 template <class T, int H, int N = 6>
 struct PlasticFlow {
@@ -16,14 +16,14 @@ struct PlasticFlow {
   T hardening_rate[H];      // B in dh = dlambda B
 };
 
-/// One increment of one material point, with what explicit and implicit integration have in common. The models are
-/// those of rate-independent plasticity with isotropic tangential elasticity:
+/// One increment of one material point: the common part of explicit and implicit integration. Models have
+/// rate-independent plasticity with isotropic tangential elasticity:
 ///     dsigma = D (deps - dlambda b),  dh = dlambda B,  f(sigma, h) <= 0
 ///
 /// A Model provides (KOKKOS_INLINE_FUNCTION, tension positive):
 ///     static constexpr int hardening;                       number of hardening variables, at least 1
 ///     static constexpr bool associated;                     b = a
-///     space                                                 how stresses are written down (stress_space.hpp)
+///     space                                                 representation of stresses (stress_space.hpp)
 ///     T yield(const T* stress, const T* h) const;           dimensionless, negative inside, of order 1 outside
 ///     void flow(const T* stress, const T* h, const T& volume_strain, PlasticFlow<T, hardening>&) const;
 ///     void elastic(const T* stress, const T* strain, T* out) const;    exact, from the start of the increment
@@ -31,8 +31,8 @@ struct PlasticFlow {
 ///                                                           the same from any state, with the density that belongs to
 ///                                                           the volume strain; for implicit integration
 ///     bool admissible(const double* stress, const double* h) const;    where all of the above are defined
-///     bool exhausted(const double* stress) const;           stop here: the model deals with such states itself
-///     double hardening_scale(int i, double h) const;        what the error of variable i is measured by
+///     bool exhausted(const double* stress) const;           whether to stop: the model handles such states
+///     double hardening_scale(int i, double h) const;        reference for the error of variable i
 ///     static constexpr bool trapezoidal;                    implicit: mean flow of start and end; for smooth surfaces
 ///     T hardening_measure(int i, const T& h) const;         implicit: h changes by `hardened` of B over this,
 ///     T hardened(int i, const S& h, const T& x) const;      h + x with a measure of 1, h exp(x) with h
@@ -65,14 +65,15 @@ class PlasticPath {
     return model_.admissible(s, x);
   }
 
-  /// The state from which the increment starts: admissible, and on or inside the surface. A remapped state may lie
-  /// outside, and so does one whose strength has just fallen.
+  /// Makes the state at the start of the increment admissible, on or inside the surface. A transferred state, or one
+  /// whose strength has just decreased, may lie outside. False where that fails.
   KOKKOS_INLINE_FUNCTION bool prepare() {
     if (!admissible(stress, h)) return false;
     return value(model_.yield(stress, h)) <= options_.yield_tolerance || correct_drift(T(0.0));
   }
 
-  /// D b and a.D b - df/dh.B; false where the latter is not positive (softening faster than elastic unloading).
+  /// Computes D b and a.D b - df/dh.B; false where the latter is not positive (softening faster than elastic
+  /// unloading).
   KOKKOS_INLINE_FUNCTION bool plastic_modulus(const Flow<T>& flow, T* db, T& modulus) const {
     const T* b = Model::associated ? flow.yield_gradient : flow.flow_direction;
     model_.space.isotropic(flow.bulk, flow.shear, b, db);
@@ -81,8 +82,8 @@ class PlasticPath {
     return value(modulus) > 0.0;
   }
 
-  /// Returns to the surface at fixed strain: dlambda = f/(a.D b - df/dh.B), or normal to it where that goes away from
-  /// it.
+  /// Returns the stress to the surface at fixed strain with dlambda = f/(a.D b - df/dh.B), or along the normal of the
+  /// surface where that step is not possible or does not reduce |f|.
   KOKKOS_INLINE_FUNCTION bool correct_drift(const T& time) {
     T f = model_.yield(stress, h);
     for (int iteration = 0; iteration < 30; ++iteration) {
@@ -142,22 +143,22 @@ struct ConstantElasticity {
   }
   KOKKOS_INLINE_FUNCTION bool admissible(const double*, const double*) const { return true; }
   KOKKOS_INLINE_FUNCTION bool exhausted(const double*) const { return false; }
-  KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }  // hardening is by a plastic strain
+  KOKKOS_INLINE_FUNCTION double hardening_scale(int, double) const { return 1.0; }  // h is a plastic strain
 };
 
-/// Which component of strain direction k of N stands for: all six, or the four of a plane problem (no yz and xz).
+/// Strain component of derivative index k of N: all six, or the four of a plane problem (no yz and xz).
 template <int N>
 KOKKOS_INLINE_FUNCTION constexpr int strain_component(int k) {
   static_assert(N == 4 || N == 6, "the directions of a plane problem or all");
   return N == 4 && k == 3 ? 5 : k;
 }
-/// The strain increment with those components as independent variables.
+/// Makes a dual strain increment with those components as independent variables.
 template <int N>
 KOKKOS_INLINE_FUNCTION void make_variable(const double* strain, Dual<N>* variable) {
   for (int i = 0; i < 6; ++i) variable[i] = Dual<N>(strain[i]);
   for (int k = 0; k < N; ++k) variable[strain_component<N>(k)].d[k] = 1.0;
 }
-/// d stress_i / d strain_j, row-major, from a stress that was computed with such a strain; 0 by the other components.
+/// Writes d stress_i / d strain_j, row-major, from a stress computed with such a strain; zero for the other components.
 template <int N>
 KOKKOS_INLINE_FUNCTION void write_tangent(const Dual<N>* stress, double* tangent) {
   for (int i = 0; i < 36; ++i) tangent[i] = 0.0;

@@ -8,16 +8,17 @@
 
 namespace mudline {
 
-/// One material point, seen by a law's point function. Signs and order as in SkeletonWorkset.
+/// Input of a law's point function. Signs and order as in SkeletonWorkset.
 struct SkeletonPoint {
   double stress[6];   // [Pa] committed, rotated
   double strain[6];   // [-] increment
   double void_ratio;  // [-] committed
   double time, dt;    // [s]
   bool want_tangent;
-  bool plane = false;  // no shear yz and xz: the tangent's rows and columns of these are not read
+  bool plane = false;  // no shear yz and xz: their rows and columns of the tangent are not read
 };
 
+/// Output of a law's point function.
 struct SkeletonResponse {
   double stress[6];    // [Pa]
   double tangent[36];  // [Pa] row-major, written when want_tangent
@@ -38,7 +39,7 @@ struct SkeletonResponse {
 ///     double void_ratio(const InitialPoint&) const;
 ///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
 ///     EarthPressures earth_pressures(double vertical, double height) const;
-/// Where the operator returns false, the point has failed; the step is then cut.
+/// If the operator returns false, the point has failed; the step is then cut.
 // clang-format on
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
@@ -102,7 +103,7 @@ class PointwiseSkeleton : public Skeleton {
           const double* state_old = w.state_old.data() + i * w.state_old.extent(1);
           double* state = w.state.data() + i * w.state.extent(1);
           const bool ok = CaughtInKernel::run(caught, [&] { return law(in, state_old, state, out); });
-          if (!ok) {  // a failed point shows its old state, so that nothing undefined gets about
+          if (!ok) {  // a failed point gets its old state, so that nothing undefined spreads
             for (int c = 0; c < 6; ++c) out.stress[c] = in.stress[c];
             for (int c = 0; c < 36; ++c) out.tangent[c] = 0.0;
             for (std::size_t c = 0; c < w.state.extent(1); ++c) state[c] = state_old[c];

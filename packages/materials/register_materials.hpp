@@ -7,7 +7,7 @@
 
 namespace mudline {
 
-/// The laws that come with mudline; a plain list.
+/// Registers the built-in laws.
 void register_materials(Registry<Skeleton>& skeletons, Registry<Fluid>& fluids, Registry<Permeability>& permeabilities);
 
 }  // namespace mudline

@@ -12,47 +12,48 @@
 
 namespace mudline {
 
-/// How ALE and output treat one named state variable.
+/// Treatment of a state variable in a transfer to another mesh.
 enum class RemapRule { value, mass, tensor };
 
+/// A named state variable of a law, for transfer and output.
 struct StateVariable {
   std::string name;
   int components;  // 1, or 6 for a symmetric tensor (xx yy zz yz xz xy) that rotates with the material
   std::string unit;
   RemapRule remap = RemapRule::value;
   double low = -1e300, high = 1e300;  // physical bounds
-  bool in_fixed_axes = false;         // a component along fixed axes: turned input gives another value
+  bool in_fixed_axes = false;         // a component along fixed axes, which is not invariant under rotation
 };
 
 /// Point data: one row per quadrature point. Rows are contiguous on the host.
 using PointView = Kokkos::View<double**, Kokkos::LayoutRight>;
 using ConstPointView = Kokkos::View<const double**, Kokkos::LayoutRight>;
 
-/// The increment that leads on from a state, as laws of other programs count.
+/// The next increment from a state, with the counters of other programs' laws.
 struct Increment {
   int stage = 1, number = 1;  // both from 1; the number within its stage
   double stage_start = 0;     // [s]
 };
 
-/// Columns of SkeletonWorkset::surroundings: what a point is told beside its strain where its law asks for it. What is
-/// not known is not a number.
+/// Columns of SkeletonWorkset::surroundings: data of a point besides its strain, for laws that ask for them. Unknown
+/// values are NaN.
 struct Surroundings {
   static constexpr int place = 0,  // [m] x, y, z at the end of the step; 0 out of the plane
-      deformation = 3,             // [-] row-major 3 x 3: places of the end by places of the step's start
-      rotation = deformation + 9,  // [-] row-major 3 x 3: by which stress and tensors of the state have been turned
+      deformation = 3,             // [-] row-major 3 x 3: deformation gradient of the step
+      rotation = deformation + 9,  // [-] row-major 3 x 3: rotation that was applied to stress and state tensors
       temperature = rotation + 9,  // [degC] at the start of the step, and its change
-      length = temperature + 2,    // [m] of the element: root of its area, cube root of its volume, over the order
+      length = temperature + 2,    // [m] element length: root of its area or cube root of its volume, over the order
       element = length + 1,        // number from 1, the same on any number of ranks
       point = element + 1,         // number from 1 within the element
       size = point + 1;
 };
 
-/// What a skeleton law sees at a batch of points. Stress and strain: tension positive, order xx yy zz yz xz xy,
-/// engineering shear strain. Plane strain: zz out of plane. Axisymmetric: xx = rr, yy = axial, zz = hoop.
+/// Input and output of a skeleton law for a batch of points. Stress and strain: tension positive, order xx yy zz yz xz
+/// xy, engineering shear strain. Plane strain: zz out of plane. Axisymmetric: xx = rr, yy = axial, zz = hoop.
 struct SkeletonWorkset {
   int points;
   double time;  // [s] end of the step
-  double dt;    // [s] 0 in a geostatic stage or after a remap
+  double dt;    // [s] 0 in a geostatic stage or after a transfer to another mesh
   bool want_tangent;
   ConstPointView stress_old;  // (points, 6) [Pa] committed effective stress, already rotated into the new configuration
   ConstPointView strain;      // (points, 6) [-] objective strain increment of the step
@@ -62,9 +63,9 @@ struct SkeletonWorkset {
   PointView state;                // (points, n) out
   PointView tangent;              // (points, 36) [Pa] out, row-major d stress_i / d strain_j, if want_tangent
   Kokkos::View<int*> failed;      // (points) out: 1 where the law found no admissible state
-  bool plane = false;             // no shear yz and xz: the tangent's rows and columns of these are not read
+  bool plane = false;             // no shear yz and xz: their rows and columns of the tangent are not read
   Increment increment = {};
-  ConstPointView surroundings = {};  // (points, Surroundings::size), where Skeleton::wants_surroundings; else empty
+  ConstPointView surroundings = {};  // (points, Surroundings::size) if Skeleton::wants_surroundings(), else empty
 };
 
 /// Bulk and shear modulus [Pa] of the elastic response: wave speeds, penalties, preconditioners.
@@ -72,7 +73,7 @@ struct ElasticModuli {
   double bulk, shear;
 };
 
-/// What a law says of a point in the terms of soil mechanics; empty where it has no such thing.
+/// State of a point in terms of soil mechanics; empty where the law has no such quantity.
 struct SoilState {
   std::optional<double> undrained_strength;  // s_u [Pa]: half the largest stress difference, or the shear stress in
                                              // simple shear of a law that has one strength in all directions
@@ -84,7 +85,7 @@ struct EarthPressures {
   double active, passive;
 };
 
-/// What is known where a material point starts. Geotechnical quantities, compression positive.
+/// Initial data of a material point.
 struct InitialPoint {
   Point position;                        // [m]
   std::array<double, 6> stress;          // [Pa] effective, tension positive
@@ -114,8 +115,8 @@ class Skeleton {
   /// Earth pressure coefficient at rest that the law itself implies for this overconsolidation ratio; negative: none.
   virtual double k0(double overconsolidation_ratio) const { return -1.0; }
   virtual SoilState soil_state(const double* stress, double void_ratio, const double* state) const { return {}; }
-  /// Beside a vertical effective stress [Pa] (compression positive), the same in all horizontal directions; empty for a
-  /// law without strength.
+  /// Earth pressures at a vertical effective stress [Pa] (compression positive), the same in all horizontal directions;
+  /// empty for a law without strength.
   virtual std::optional<EarthPressures> earth_pressures(double vertical, double height) const { return {}; }
   /// Void ratio [-] that the law itself implies for a start with this stress and overconsolidation ratio (the point's
   /// void ratio is not read), or `no_void_ratio`.

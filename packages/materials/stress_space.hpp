@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// How the integration of a plastic law writes stresses and strains down, and the products that it needs of them.
+/// Representations of stresses and strains in the integration of a plastic law, with the products that it needs.
 /// `stress` and `strain` are `size` numbers each; sums and multiples are those of the numbers.
 
 /// All six components of sym6.
@@ -37,19 +37,19 @@ struct SixComponents {
   KOKKOS_INLINE_FUNCTION void isotropic(const Modulus& bulk, const Modulus& shear, const T* strain, T* stress) const {
     sym6::isotropic(bulk, shear, strain, stress);
   }
-  /// The strain volume/3 1 + factor s of a stress deviator s.
+  /// The strain volume/3 1 + factor s, for a stress deviator s.
   template <class T>
   KOKKOS_INLINE_FUNCTION void strain_along(const T& volume, const T& factor, const T* s, T* strain) const {
     const T third = volume * (1.0 / 3.0);
     for (int i = 0; i < 3; ++i) strain[i] = factor * s[i] + third;
     for (int i = 3; i < 6; ++i) strain[i] = 2.0 * factor * s[i];
   }
-  /// The tensor of a strain, written as a stress.
+  /// A strain as a tensor in the representation of a stress.
   template <class T>
   KOKKOS_INLINE_FUNCTION void as_stress(const T* strain, T* stress) const {
     for (int i = 0; i < 6; ++i) stress[i] = strain[i] * (i < 3 ? 1.0 : 0.5);
   }
-  /// Largest component, and what a number of a stress must be divided by to be as large as a component.
+  /// largest(): largest component of a stress; unit(): magnitude of number i of a stress relative to a component.
   KOKKOS_INLINE_FUNCTION double largest(const double* stress) const {
     double most = 0.0;
     for (int i = 0; i < 6; ++i) most = ::fmax(most, ::fabs(stress[i]));
@@ -58,11 +58,11 @@ struct SixComponents {
   KOKKOS_INLINE_FUNCTION double unit(int) const { return 1.0; }
 };
 
-/// A law that knows a stress by p' and q alone keeps it, in one increment, in the space of the unit tensor, of the
-/// deviator S that the stress had at the start, and of the deviator E of the strain increment:
+/// The stress of a law that depends on p' and q only stays, within one increment, in the space of the unit tensor, the
+/// deviator S of the stress at the start and the deviator E of the strain increment:
 ///     stress = mean 1 + a S + b E (three numbers, tension positive),  strain = volume/3 1 + a S + b E
 /// The products need S:S, S:E and E:E only. With T a dual number these carry derivatives; the independent variables are
-/// the volume strain, S:E and E:E, so that three directions do for all strains.
+/// the volume strain, S:E and E:E, so that three derivative indices are enough for all strains.
 template <class T>
 struct TwoDeviators {
   static constexpr int size = 3;
@@ -127,11 +127,11 @@ struct TwoDeviators {
   }
 };
 
-/// One increment in that space, from and to six components.
+/// One increment in that space, with conversion from and to six components.
 template <class T>
 struct IncrementOfTwoDeviators {
-  static constexpr int directions = 3;  // of T, where it is a dual number
-  double old[6], s[6], e[6], mean;      // stress at the start with its S and its mean, E as a tensor
+  static constexpr int directions = 3;  // number of derivative indices of T
+  double old[6], s[6], e[6], mean;      // stress at the start, its deviator S, E as a tensor, mean stress at the start
   TwoDeviators<T> space;
   T strain[3];
 
@@ -155,16 +155,16 @@ struct IncrementOfTwoDeviators {
     stress[1] = T(1.0);
     stress[2] = T(0.0);
   }
-  /// As a change of the old stress, so that no strain changes not a bit of it.
+  /// Writes the stress as a change of the old one, so that a zero strain leaves it unchanged bit for bit.
   KOKKOS_INLINE_FUNCTION void write(const T* stress, double* out) const {
     const double m = value(stress[0]) - mean, a = value(stress[1]) - 1.0, b = value(stress[2]);
     for (int i = 0; i < 6; ++i) out[i] = old[i] + ((i < 3 ? m : 0.0) + a * s[i] + b * e[i]);
   }
   /// d stress / d strain, row-major, engineering shear.
   KOKKOS_INLINE_FUNCTION void write_tangent(const T* stress, double* tangent) const {
-    // the independent variables' own derivatives by the strain: 1, S, 2 E
+    // derivatives of the independent variables with respect to the strain: 1, S, 2 E
     const double b = value(stress[2]);
-    double by[3][6];  // of the three numbers of the stress
+    double by[3][6];  // derivatives of the three numbers of the stress
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 6; ++j)
         by[k][j] = (j < 3 ? stress[k].d[0] : 0.0) + stress[k].d[1] * s[j] + 2.0 * stress[k].d[2] * e[j];

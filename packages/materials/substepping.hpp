@@ -34,7 +34,7 @@ class Substepping : public PlasticPath<T, Model> {
     T trial[N];
     model_.elastic(stress, strain_, trial);
     const double f = value(model_.yield(trial, h));
-    if (!(::fabs(f) < 1e200)) return false;  // also not a number
+    if (!(::fabs(f) < 1e200)) return false;  // also rejects NaN
     if (f <= options_.yield_tolerance) {
       copy(trial, stress, N);
       return admissible(stress, h);
@@ -121,7 +121,7 @@ class Substepping : public PlasticPath<T, Model> {
     return f_high <= 0.0 ? high : low;
   }
 
-  /// Moves stress elastically to the crossing; returns the crossing with its derivative from f(t, strain) = 0.
+  /// Moves the stress elastically to the crossing; returns the crossing with its derivative from f(t, strain) = 0.
   KOKKOS_INLINE_FUNCTION T advance_to_yield(double crossing) {
     T part[N], at[N];
     for (int i = 0; i < N; ++i) part[i] = strain_[i] * crossing;
@@ -130,7 +130,7 @@ class Substepping : public PlasticPath<T, Model> {
     double size;
     const double rate = elastic_yield_rate(at, crossing, size);
     T fraction(crossing);
-    // A Newton step: it polishes the root and gives it its derivative. A grazing path has none.
+    // One Newton step improves the root and gives its derivative. A path that grazes the surface has no derivative.
     if (rate > 1e-10 * size) fraction -= f / rate;
     for (int i = 0; i < N; ++i) part[i] = strain_[i] * fraction;
     model_.elastic(stress, part, at);
@@ -194,7 +194,7 @@ class Substepping : public PlasticPath<T, Model> {
                : modified_euler(time, step, new_stress, new_h, error_squared);
   }
 
-  /// One substep; false where the rates are undefined on the way.
+  /// One substep; false where the rates are undefined within it.
   KOKKOS_INLINE_FUNCTION bool modified_euler(const T& time, const T& step, T* new_stress, T* new_h,
                                              T& error_squared) const {
     T s1[N], h1[H], s2[N], h2[H];

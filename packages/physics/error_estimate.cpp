@@ -36,7 +36,7 @@ double side_length(CellShape shape, double content) {
   return std::sqrt(is_simplex(shape) ? 4 / std::sqrt(3.0) * content : content);
 }
 
-/// Shapes at a cell's quadrature points of its linear partner: (point, corner).
+/// Shape functions of a cell's linear partner at the cell's quadrature points: (point, corner).
 std::vector<double> linear_shapes(const FieldBlock& b) {
   const int corners = num_corners(b.shape);
   std::vector<double> N(static_cast<std::size_t>(b.points) * corners);
@@ -50,8 +50,8 @@ std::vector<double> linear_shapes(const FieldBlock& b) {
   return N;
 }
 
-/// (sample, point): each sample is the value at a reduced quadrature point of the linear function nearest to the
-/// values at the quadrature points; of a linear cell their mean.
+/// Matrix (sample, point) that turns values at the quadrature points into samples. A sample is the value of their
+/// linear least squares fit at a reduced quadrature point; in a linear cell it is their mean.
 template <int corners>
 std::vector<double> quadratic_sampler(const FieldBlock& b, const std::vector<double>& N) {
   const QuadratureRule reduced = cell_quadrature(b.shape, is_simplex(b.shape) ? 2 : 3);
@@ -98,11 +98,11 @@ struct ErrorEstimator::BlockTables {
   std::vector<double> N, sampler;  // (point, corner), (sample, point)
   // rows: (element, point)
   std::vector<Point> places;
-  std::vector<double> values;           // (row, stress change and strain rate)
-  std::vector<double> volume, area;     // [m3], [m2] or [m3]: without the length out of the plane
-  std::vector<double> pressure;         // [Pa] excess
-  std::vector<Point> slope;             // [Pa/m] of that
-  FieldBlock fine;                      // with points enough for the square of a quadratic
+  std::vector<double> values;           // (row, components of stress change and strain rate)
+  std::vector<double> volume, area;     // [m3]; [m2] or [m3] without the length out of the plane
+  std::vector<double> pressure;         // [Pa] excess pore pressure
+  std::vector<Point> slope;             // [Pa/m] gradient of that
+  FieldBlock fine;                      // with enough points for the square of a quadratic
   std::vector<double> fine_N;           // (fine point, corner)
   std::vector<double> corner_pressure;  // (element, corner)
   std::vector<Point> corner_places;
@@ -136,7 +136,7 @@ void ErrorEstimator::start(const State& state) const {
 
 namespace {
 
-/// Place, gradients of the shapes and volume at a point of an element.
+/// Position, map and shape gradients at a quadrature point; false where the element is folded.
 template <int Dim>
 bool map_point(const FieldBlock& b, int e, int q, const ConstCoordinateView& x, CellMap<Dim>& map, Point& place) {
   double nodes[most_nodes][Dim] = {};
@@ -219,7 +219,7 @@ ErrorEstimator::BlockTables ErrorEstimator::tabulate_block(int k, const State& s
         CellMap<C::dim> map;
         double* values = &t.values[static_cast<std::size_t>(row) * recovered];
         for (int i = 0; i < tensor; ++i) values[i] = stress(row, i) - start(row, i);
-        // a folded point counts for nothing
+        // a folded point has no weight
         if (!map_point(b, e, q, state.coordinates, map, t.places[row])) continue;
         t.area[row] = b.u.weights(q) * map.det;
         t.volume[row] = t.area[row] * C::measure(t.places[row].data());
@@ -262,7 +262,7 @@ void ErrorEstimator::add_samples(const BlockTables& t, PatchRecovery& to) const 
   for (int e = 0; e < t.block.elements; ++e) {
     to.begin_element(&t.block.nodes(e, 0), t.corners);
     for (int s = 0; s < samples; ++s) {
-      // place and values alike, so that a field that is linear in space stays so
+      // positions and values are treated alike, so that a field that is linear in space stays linear
       Point place{};
       double values[recovered] = {};
       for (int q = 0; q < points; ++q) {
@@ -364,7 +364,7 @@ ErrorEstimate ErrorEstimator::estimate(const State& state, const NodalView& exce
                          local.flow,  local.power,  local.elements};
   double sum[7];
   Teuchos::reduceAll(*mesh_.comm(), Teuchos::REDUCE_SUM, 7, mine, sum);
-  // a change that is rounding of the stress itself is none
+  // a change at the level of the stress's rounding counts as zero
   const double whole = sum[1] > 1e-16 * sum[2] ? sum[0] + sum[1] : 0.0;
   if (whole > 0) to.stress_share = std::sqrt(sum[0] / whole);
   if (sum[3] + sum[4] > 0) to.flow_share = std::sqrt(sum[3] / (sum[3] + sum[4]));
@@ -373,7 +373,7 @@ ErrorEstimate ErrorEstimator::estimate(const State& state, const NodalView& exce
   std::size_t i = 0;
   for (const BlockTables& t : tables)
     for (int e = 0; e < t.block.elements; ++e, ++i) {
-      // an error of order p in the stress; beyond a factor of ten the order says nothing
+      // the stress error is of order p in the size; the size changes by a factor of ten at most
       const double ratio = energy[i] > 0 && whole > 0 ? std::pow(share / energy[i], 0.5 / order(t.block.shape)) : 10.0;
       to.wanted.push_back(to.size[i] * (whole > 0 ? std::clamp(ratio, 0.1, 10.0) : 1.0));
     }

@@ -10,43 +10,44 @@
 
 namespace mudline {
 
-/// What recovered fields say of the discretisation error of a state.
+/// Discretisation error of a state as estimated from recovered fields.
 struct ErrorEstimate {
-  // By element of this rank, block after block.
-  std::vector<double> stress;    // [Pa] root mean square over the element of the error of the effective stress
-  std::vector<double> pressure;  // [Pa] the same of the pore pressure; empty without pore fluid
-  std::vector<double> size;      // [m] of the side of an equilateral or square element as large
-  std::vector<double> wanted;    // [m] with which each element would have an equal share of the target
+  // The vectors are by element of this rank, block after block.
+  std::vector<double> stress;    // [Pa] root mean square error of the effective stress in the element
+  std::vector<double> pressure;  // [Pa] root mean square error of the pore pressure; empty without pore fluid
+  std::vector<double> size;      // [m] side of the equilateral or square element of the same size
+  std::vector<double> wanted;    // [m] size with which each element would have an equal share of the target
   double stress_share = 0;       // [-] energy norm of the stress's error over that of its change since the start
-  double flow_share = 0;         // [-] the same of the gradient of the excess pore pressure, in the norm of Darcy's law
-  double power = 0;              // [W] of the stress's error on that of the strain rate, by elements in absolute value
+  double flow_share = 0;  // [-] the same ratio for the gradient of the excess pore pressure, in the norm of Darcy's law
+  double power = 0;  // [W] power of the stress error on the strain rate error, sum of absolute values of the elements
 };
 
 /// Estimates the discretisation error after Zienkiewicz & Zhu (1992): the change of the effective stress since the
-/// start is recovered as a continuous field, and what differs from it is the error. The same of the rate of strain and
-/// of the pore pressure. A region has its own recovered fields: they jump where the soil changes.
+/// start is recovered as a continuous field, and the difference from it is the error. Strain rate and pore pressure are
+/// treated alike. Each region has its own recovered fields, because they jump where the soil changes.
 class ErrorEstimator {
  public:
   /// Declares the stress at the start in `store`. Collective.
   ErrorEstimator(const Soil& soil, StateStore& store);
-  /// The present effective stress is the start from which its change is counted.
+  /// Stores the present effective stress as the reference of later changes.
   void start(const State& state) const;
-  /// excess: excess pore pressure by overlap dof; not looked at without pore fluid. target: wanted stress_share.
+  /// excess: excess pore pressure [Pa] by overlap dof, unused without pore fluid; target: wanted stress_share [-].
   /// Collective.
   ErrorEstimate estimate(const State& state, const NodalView& excess, double target) const;
 
  private:
-  /// What a block has at its quadrature points, and its samples for the recovery.
+  /// Values at the quadrature points of a block, and its samples for the recovery.
   struct BlockTables;
   struct Sums;
-  /// Blocks of one region, by their place in the soil.
+  /// Blocks of one region, as indices into Soil::blocks.
   using Region = std::vector<int>;
   BlockTables tabulate_block(int block, const State& state, const NodalView& excess) const;
-  /// Samples of stress and strain rate, where they are most exact; of the pore pressure at the corners.
+  /// Add samples of stress and strain rate at the points where they are most accurate, and of the pore pressure at the
+  /// corners.
   void add_samples(const BlockTables& tables, PatchRecovery& stress) const;
   void add_corners(const BlockTables& tables, PatchRecovery& pressure) const;
-  /// [Pa] Root mean square over an element of the error of the pore pressure. It is integrated by a rule of its own: in
-  /// cells whose pressures satisfy Laplace's equation the error vanishes at two points per direction.
+  /// Root mean square error of the pore pressure in an element [Pa]. It has its own quadrature rule because in cells
+  /// whose pressures satisfy Laplace's equation the error vanishes at two points per direction.
   double pressure_error(const BlockTables& tables, int element, const State& state,
                         const PatchRecovery& pressure) const;
   void measure_block(const BlockTables& tables, const State& state, const PatchRecovery& stress,

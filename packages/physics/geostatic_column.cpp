@@ -11,9 +11,9 @@ namespace mudline {
 
 namespace {
 
-constexpr int parts = 400;  // of a layer whose density depends on the stress
+constexpr int parts = 400;  // integration steps in a layer whose density depends on the stress
 
-/// Heights between which the materials of a region lie, from the top; empty where some top is not horizontal.
+/// Height ranges of the materials of a region, from the top; empty if some top is not horizontal.
 std::vector<std::pair<const SoilMaterial*, std::array<double, 2>>> slices(const Soil& soil, const SoilBlock& b,
                                                                           const std::array<double, 2>& range) {
   std::vector<std::pair<const SoilMaterial*, std::array<double, 2>>> result;
@@ -78,7 +78,7 @@ GeostaticColumn::GeostaticColumn(const Soil& soil, double gravity, std::optional
     const bool by_law = here.material->void_ratio_from_law || above.material->void_ratio_from_law;
     if (!by_law && std::abs(here.constant_density() - above.constant_density()) < 1e-9 &&
         here.fluid_density == above.fluid_density)
-      continue;  // side by side, one weight
+      continue;  // regions of the same weight side by side
     section.fail(
         "the mesh regions are not horizontal layers; use a stage of type 'geostatic' from a uniform state, or one "
         "density of soil and pore fluid",
@@ -115,7 +115,7 @@ double GeostaticColumn::fluid_weight(double y) const {
   double weight = 0, from = layers_.back().bottom;
   for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
     const bool lowest = layer == layers_.rbegin(), highest = layer + 1 == layers_.rend();
-    // the lowest and the uppermost layer go on below and above
+    // the lowest layer extends downwards and the uppermost one upwards without end
     const double to = highest ? y : lowest ? std::min(y, layer->top) : std::max(from, std::min(y, layer->top));
     weight += layer->fluid_density * gravity_ * (to - from);
     from = to;

@@ -58,7 +58,7 @@ void InitialState::check(const Section& section) const {
 
 namespace {
 
-/// "" or why the strength of the law does not allow this earth pressure at rest.
+/// "" or the reason why the strength of the law does not allow this earth pressure at rest.
 std::string beyond_strength(const SoilMaterial& material, double k0, double vertical, const InitialPoint& point) {
   const auto allowed = material.skeleton->earth_pressures(vertical, point.height);
   const double rounding = 1e-6;
@@ -104,7 +104,8 @@ std::string InitialState::at_rest(InitialPoint& point, double vertical, const Po
 GeostaticColumn InitialState::column(const Soil& soil, double g, const Section& section) const {
   const Bounds& bounds = soil.space->mesh().bounds();
   GeostaticColumn column(soil, g, has_water_ ? std::optional<double>(water_level_) : std::nullopt, section);
-  // The density where the law decides, in the middle of the mesh's width: layers have one weight at one depth.
+  // Density of a law that determines the void ratio, in the middle of the mesh's width: a layer has one weight at each
+  // depth.
   const auto density = [&](const SoilMaterial& material, double y, double total) {
     InitialPoint point{};
     for (int i = 0; i < 3; ++i) point.position[i] = 0.5 * (bounds.low[i] + bounds.high[i]);
@@ -175,7 +176,7 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
                     place_text(point.position, soil.space->mesh().dimension()) + ": " + reason;
       }
   }
-  // any rank may see the problem
+  // any rank may have found the problem
   agree(*soil.space->dofs()->comm(), [&] {
     if (!problem.empty()) section.fail(problem);
   });

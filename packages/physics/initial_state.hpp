@@ -21,10 +21,11 @@ class InitialState {
  private:
   enum class Kind { stress_free, uniform, geostatic };
   void check(const Section& section) const;
-  /// Overconsolidation ratio and stress of a geostatic point under this vertical effective stress; "" or the problem.
+  /// Sets overconsolidation ratio and stress of a geostatic point under a vertical effective stress [Pa]; returns "" or
+  /// the problem.
   std::string at_rest(InitialPoint& point, double vertical, const Point& up, const SoilMaterial& material) const;
   GeostaticColumn column(const Soil& soil, double g, const Section& section) const;
-  /// Pore pressures of the start, by height.
+  /// Sets the pore pressures at the start as a function of height.
   void set_pressure(const Soil& soil, StateStore& store, const std::function<double(double height)>& at) const;
 
   Kind kind_ = Kind::stress_free;

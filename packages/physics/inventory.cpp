@@ -10,7 +10,7 @@
 namespace mudline {
 
 Inventory take_inventory(const Soil& soil, const State& state) {
-  constexpr int shared = 8;  // momentum (3), then the others of an Inventory in their order; then grains by material
+  constexpr int shared = 8;  // momentum (3) and the other members of Inventory in their order; then grains by material
   std::vector<double> local(shared + soil.materials.size(), 0.0), total(local);
   LoopLevel level;
   level.x = state.coordinates;
@@ -22,7 +22,7 @@ Inventory take_inventory(const Soil& soil, const State& state) {
     const PointView void_ratio = state.arrays[b.void_ratio];
     const std::size_t made_of = b.made_of.size();
     std::vector<Point> starts(b.points, Point{});
-    std::vector<double> shares(b.points, 1.0);  // (point, material): of one element
+    std::vector<double> shares(b.points, 1.0);  // (point, material) of one element
     with_element(soil.geometry, b, [&](auto coordinates, auto shapes) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, level};

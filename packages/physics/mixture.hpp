@@ -8,23 +8,23 @@
 
 namespace mudline {
 
-/// Place of a field of the model among the scalar fields of a block; -1 where it is not among them. What stands at a
-/// place is known by its field alone: behind the pore pressure may be a temperature or a plugin's own field.
+/// Index of a field of the model among the scalar fields of a block; -1 where it is not among them. The index is found
+/// by field because the pore pressure may be followed by a temperature or by a plugin's own field.
 inline int place_of_scalar(const FieldBlock& block, int field) {
   for (int k = 0; k < block.scalars; ++k)
     if (field >= 0 && block.scalar[k] == field) return k;
   return -1;
 }
 
-/// The soil's mixture at a point as laws of balance see it: porosity, density and storage follow the deformation of the
-/// step. T: double or a dual number.
+/// The mixture of grains and fluid at a point for balance laws: porosity, density and storage follow the deformation of
+/// the step. T: double or a dual number.
 struct Mixture {
   double alpha, grain_density, fluid_density, fluid_compliance, grain_compliance, grain_expansion, fluid_expansion,
       reference;                     // [degC]
-  const Permeability* permeability;  // of saturated soil
-  double unit_weight;                // of its fluid [N/m3]
-  bool viscosity_follows;            // the temperature
-  int pressure, temperature;         // places among the scalar fields of the block that is looped over; -1: no such one
+  const Permeability* permeability;  // of saturated soil, else null
+  double unit_weight;                // unit weight of its fluid [N/m3]
+  bool viscosity_follows;            // whether the viscosity of the water depends on the temperature
+  int pressure, temperature;         // indices among the scalar fields of the block that is looped over; -1: absent
 
   Mixture() = default;
   /// `fields`: the block that is looped over, the soil's own or another one of the same elements.
@@ -44,8 +44,8 @@ struct Mixture {
         pressure(place_of_scalar(fields, soil.pressure)),
         temperature(place_of_scalar(fields, soil.temperature)) {}
 
-  /// After the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step. `warmer`:
-  /// the change of a temperature that is not among the scalar fields [K].
+  /// Porosity after the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step.
+  /// `warmer`: change of a temperature that is not among the scalar fields [K].
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION T porosity(double void_ratio, const PointFields<C, S, T>& at, double warmer = 0) const {
     T grains = -warmer * grain_expansion;
@@ -55,7 +55,7 @@ struct Mixture {
     }
     return porosity_after<T>(alpha, void_ratio / (1 + void_ratio), logarithm(at.volume_ratio), grains);
   }
-  /// At a temperature; that of water whatever its pressure.
+  /// Densities [kg/m3] at a temperature [degC]; the density of water here does not depend on pressure.
   template <class T>
   KOKKOS_INLINE_FUNCTION T grain_density_at(const T& temperature) const {
     return grain_density * exponential(-grain_expansion * (temperature - reference));
@@ -85,9 +85,9 @@ struct Mixture {
   }
 };
 
-/// That of every point of a block.
+/// The mixture of every point of a block.
 struct Mixtures {
-  Kokkos::View<Mixture*> of;  // by number of the material
+  Kokkos::View<Mixture*> of;  // by material number
   PointView which;
 
   Mixtures(const Soil& soil, const SoilBlock& b, const State& state) : Mixtures(soil, b, state, b) {}

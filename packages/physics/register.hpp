@@ -5,13 +5,14 @@
 
 namespace mudline {
 
-// Plain lists of what comes with mudline.
+// Plain lists of the built-in types.
 
-/// "biot", "solid", "thermo-hydro-mechanical".
+/// Registers "biot", "solid" and "thermo-hydro-mechanical".
 void register_physics(Registry<Physics>& registry);
-/// "heat".
+/// Registers "heat".
 void register_properties(Registry<Properties>& registry);
-/// displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux, absorbing.
+/// Registers displacement, velocity, fixed, pore pressure, hydrostatic pressure, value, traction, pressure, flux and
+/// absorbing.
 void register_conditions(Registry<Condition>& registry);
 
 }  // namespace mudline

@@ -61,7 +61,7 @@ void SoilMaterial::parameters(Parameters& p) {
 
 namespace {
 
-/// What a fluid and a permeability of a plugin's say must be usable.
+/// Checks that the values of a fluid and a permeability, which may be plugins, are usable.
 void check_fluid(const SoilMaterial& material, const Section& section) {
   const Section fluid = section.section("fluid"), permeability = section.section("permeability");
   const auto check = [](const Section& where, const std::string& what, double value, bool allowed) {
@@ -170,7 +170,7 @@ void Soil::declare_state(StateStore& store) {
          b.block,
          b.points},
         rows);
-    // laws of one block begin in the same columns
+    // the states of all laws of a block begin in the same column
     const auto widest = std::max_element(b.made_of.begin(), b.made_of.end(), [&](int one, int two) {
       return materials[one]->skeleton->state_size() < materials[two]->skeleton->state_size();
     });
@@ -194,9 +194,9 @@ bool Soil::layered() const {
 
 namespace {
 
-constexpr double ramp = 1.4;  // with it what an interface cuts off of an element is right to 2 to 4 % of it (rms)
+constexpr double ramp = 1.4;  // with it the cut-off volume of an element is accurate to 2 to 4 % of the element (rms)
 
-/// Height to which a material reaches at a place of the start [m].
+/// Height [m] of the top of a material at a position of the start.
 double top_of(const SoilMaterial& material, const Point& start) {
   return material.has_top ? material.top(0, start) : 1e300;
 }
@@ -220,7 +220,7 @@ int Soil::material_at(const SoilBlock& b, const Point& start) const {
 std::vector<double> Soil::layer_shares(const SoilBlock& b, const std::vector<Point>& starts) const {
   const std::size_t count = b.made_of.size(), points = starts.size();
   const auto top = [&](std::size_t k, const Point& start) { return top_of(*materials[b.made_of[k]], start); };
-  std::vector<std::size_t> order(count);  // from the uppermost down
+  std::vector<std::size_t> order(count);  // order of the materials from the top down
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t k) { return top(i, starts.front()) > top(k, starts.front()); });
@@ -278,15 +278,15 @@ Field pore_pressure_field() { return {"pore pressure", "Pa", "m3/s", 1, Support:
 
 namespace {
 
-/// Enough for what the strains of a cell can be: three points of a tri3, four of a tet4 or tet10, two per direction of
-/// a quad4 or hex8, three of a quad9 or hex27, six of a tri6.
+/// Sufficient degree for the strains of a cell: three points in a tri3, four in a tet4 or tet10, two per direction in a
+/// quad4 or hex8, three per direction in a quad9 or hex27, six in a tri6.
 int default_degree(CellShape shape) {
   if (shape == CellShape::tet10) return 2;
   if (order(shape) == 1) return is_simplex(shape) ? 2 : 3;
   return 4;
 }
 
-/// Whether a material fits the fields of the physics.
+/// InputError if a material does not fit the fields of the physics.
 void check_phases(const SoilMaterial& material, bool porous, const Section& where) {
   if (!material.skeleton) where.section(material.name).fail("required section 'skeleton' is missing");
   if (porous && !material.porous())
@@ -300,7 +300,7 @@ void check_phases(const SoilMaterial& material, bool porous, const Section& wher
                material.name);
 }
 
-/// Whether the materials of one region can be its layers.
+/// InputError if the materials of a region cannot be its layers.
 void check_layers(const std::vector<std::shared_ptr<const SoilMaterial>>& layers, const std::string& region,
                   const Section& where) {
   for (std::size_t k = 1; k < layers.size(); ++k)
@@ -358,7 +358,7 @@ std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, 
                                            soil->materials.begin()));
     const int own = degree > 0 ? degree : default_degree(elements.shape);
     static_cast<FieldBlock&>(b) = FieldBlock(space, b.block, soil->displacement, fields, own);
-    const int products = 2 * order(elements.shape);  // of two shapes
+    const int products = 2 * order(elements.shape);  // degree of the product of two shape functions
     b.mass = own < products ? b.with_quadrature(products) : b;
     soil->blocks.push_back(b);
   }

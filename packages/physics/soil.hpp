@@ -37,15 +37,14 @@ class SoilMaterial : public Material {
   double biot_coefficient = 1;    // alpha [-]
   double grain_bulk_modulus = 0;  // K_s [Pa]; 0: incompressible
   std::shared_ptr<Skeleton> skeleton;
-  std::string law;                             // type of the skeleton
+  std::string law;                             // registered type of the skeleton
   std::shared_ptr<Fluid> fluid;                // null: single phase (total stress)
   std::shared_ptr<Permeability> permeability;  // null: single phase
   bool porous() const { return fluid != nullptr; }
-  bool has_top =
-      false;  // the soil of its regions lies below the height `top` [m], a function of the place at the start
+  bool has_top = false;  // the soil lies below the height `top` [m], a function of the position at the start
   Function top;
 
-  /// The void ratio of a start with this stress and overconsolidation ratio goes into `point`; "" or the problem.
+  /// Sets the void ratio of `point` from its stress and overconsolidation ratio; returns "" or the problem.
   std::string find_void_ratio(InitialPoint& point) const;
   double initial_porosity() const { return initial_void_ratio / (1 + initial_void_ratio); }
   /// rho = n rho_f + (1-n) rho_s [kg/m3]; the void space is empty in a single-phase soil.
@@ -54,17 +53,17 @@ class SoilMaterial : public Material {
   double storage(double porosity) const;
 };
 
-/// The elements of one mesh block with their soil and its state; shared by the terms of a physics. Every point has a
-/// material of its own: soil of one region may be made of layers, whose boundaries are no mesh lines.
+/// The elements of one mesh block with their soil and its state; shared by the terms of a physics. Every point has its
+/// own material: one region may have layers whose boundaries are no mesh lines.
 struct SoilBlock : FieldBlock {
   int block;
-  std::vector<int> made_of;  // numbers of its materials in Soil::materials
-  PointView start;           // that of each point at the start
-  int origin = -1;  // state handle: (number of the material, where the soil was at the start); -1: no region has layers
+  std::vector<int> made_of;  // indices of its materials in Soil::materials
+  PointView start;           // index of the material of each point at the start
+  int origin = -1;  // state handle: (material index, position of the soil at the start); -1: no region has layers
   double grain_expansion = 0;                  // [1/K] volumetric, of grains and drained skeleton
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
   bool porous() const { return scalars > 0; }
-  FieldBlock mass;  // the same elements, with points enough for a mass matrix that no motion escapes
+  FieldBlock mass;  // the same elements with enough points for a mass matrix of full rank
 };
 
 /// All soil of a model.
@@ -75,39 +74,38 @@ struct Soil {
   std::vector<std::shared_ptr<const SoilMaterial>> materials;
   std::vector<SoilBlock> blocks;
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
-  bool viscosity_follows = false;                         // that of the water the temperature
-  bool excess = false;  // pore pressures are those in excess of water at rest, weights those under water
+  bool viscosity_follows = false;                         // the viscosity of the water depends on the temperature
+  bool excess = false;  // pore pressures are in excess of water at rest, weights are submerged weights
   /// Unit vector against gravity, along which heights are counted; without gravity the mesh's last direction.
   Point up{};
   double height(const Point& x) const { return x[0] * up[0] + x[1] * up[1] + x[2] * up[2]; }
   std::function<Point(double time)> gravity = [](double) { return Point{}; };  // [m/s2]
-  /// Gravity [m/s2] at a time, as far as pore pressures hold the water up; zero without pore fluid and where they are
-  /// in excess of water at rest.
+  /// Gravity [m/s2] at a time in the balance of the pore water; zero without pore fluid and where pore pressures are in
+  /// excess of water at rest.
   std::function<Point(double time)> water_gravity = [](double) { return Point{}; };
 
-  /// Number of the material of each point of a block: (point, 0). Convected with the soil, constant within a step.
+  /// Material index of each point of a block: (point, 0). It moves with the soil and is constant within a step.
   PointView which(const SoilBlock& b, const State& state) const {
     return b.origin >= 0 ? state.arrays[b.origin] : b.start;
   }
-  /// Of soil of a block that was at this place at the start: the material with the lowest top above it, or the
-  /// uppermost.
+  /// Material of soil that was at this position at the start: the one with the lowest top above it, or the uppermost.
   int material_at(const SoilBlock& b, const Point& start) const;
-  /// What each material of a block has of the points of one element, (point, place in made_of), by where their soil was
-  /// at the start. Shares of a point add up to 1. An interface is a ramp about as high as a point's part of the
-  /// element, so that what a layer holds does not jump where a point passes the interface.
+  /// Share of each material of a block in the points of one element: (point, index in made_of), from the positions of
+  /// the soil at the start. The shares of a point add up to 1. An interface is a ramp about as high as a point's part
+  /// of the element, so that the content of a layer does not jump when a point passes the interface.
   std::vector<double> layer_shares(const SoilBlock& b, const std::vector<Point>& starts) const;
   /// Whether some region has more than one material.
   bool layered() const;
-  /// What the materials of a block have in common: the pore fluid.
+  /// Any material of a block, for properties that all have in common (the pore fluid).
   const SoilMaterial& any_of(const SoilBlock& b) const { return *materials[b.made_of.front()]; }
   /// Fills SoilBlock::start. InputError through `section`, the deck's "materials", where soil lies above the tops of
-  /// all materials or a material is nowhere. Collective.
+  /// all materials or a material has no points. Collective.
   void place_materials(const Section& section);
 
-  /// Weight of the pore water of a block [N/m3] under that.
+  /// Weight vector of the pore water of a block [N/m3] under water_gravity.
   Point water_weight(int block, double time) const;
 
-  /// Density of the water whose weight a soil does not feel, alpha rho_f [kg/m3]; zero where pore pressures are total.
+  /// Density of the water in the uplift, alpha rho_f [kg/m3]; zero where pore pressures are total.
   double uplift(const SoilMaterial& material) const;
   void declare_state(StateStore& store);
   void sparsity(Assembler& assembler);
@@ -115,12 +113,12 @@ struct Soil {
 
 /// Pairs every element block with the materials that name its region. `scalars`: the fields beside the displacement:
 /// none, the pore pressure, or pore pressure and temperature. InputError when no material names a region, when several
-/// do that are no layers, or when one does not fit (with pore pressure: fluid and permeability required; otherwise
-/// refused). quadrature_degree: 0: by the cell.
+/// name it that are no layers, or when one does not fit (with pore pressure: fluid and permeability required; otherwise
+/// refused). quadrature_degree: 0 stands for the default of the cell.
 std::shared_ptr<Soil> make_soil(const Space& space, const Materials& materials, const std::vector<std::string>& scalars,
                                 int quadrature_degree, const Section& where);
 
-/// The fields of soil, declared alike by every physics that has them.
+/// The fields of soil, with the same declaration in every physics.
 Field displacement_field();
 Field pore_pressure_field();
 

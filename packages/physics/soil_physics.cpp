@@ -65,8 +65,8 @@ void SoilPhysics::require_quadratic_cells(const Mesh& mesh, const Section& secti
                    "type");
 }
 
-/// Water at rest, from which excess pressures are counted, has one density: between two an interface would move with
-/// the soil, and its pressure with it.
+/// Water at rest, the reference of excess pressures, must have one density: an interface between two fluids would move
+/// with the soil and change the reference pressure.
 void SoilPhysics::require_one_fluid_density(const Section& materials, const std::string& why) const {
   const SoilMaterial& first = soil_->any_of(soil_->blocks.front());
   for (const SoilBlock& b : soil_->blocks) {
@@ -78,9 +78,9 @@ void SoilPhysics::require_one_fluid_density(const Section& materials, const std:
   }
 }
 
-/// Nine-node cells that must keep their volume at 3 x 3 points have too few ways left to yield: collapse loads come
-/// out some per cent high (docs/materials.md, section 9). In saturated soil the pore pressure keeps the volume
-/// instead.
+/// Nine-node cells that are incompressible at 3 x 3 points have too few deformation modes left (volumetric locking):
+/// collapse loads are some per cent too high (docs/materials.md, section 9). In saturated soil the pore pressure
+/// enforces constant volume instead.
 void SoilPhysics::warn_of_locking(const State& state) const {
   for (const SoilBlock& b : soil_->blocks) {
     const SoilPoints points(*soil_, b, state);

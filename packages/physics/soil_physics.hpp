@@ -7,7 +7,7 @@
 
 namespace mudline {
 
-/// What the physics of soils share: displacement, stresses, inertia, gravity, damping and the initial state.
+/// Common base of the physics of soils: displacement, stresses, inertia, gravity, damping and the initial state.
 class SoilPhysics : public Physics {
  public:
   void build(PhysicsContext& context, const Section& section) override;
@@ -16,15 +16,15 @@ class SoilPhysics : public Physics {
  protected:
   /// The scalar fields beside the displacement: none, the pore pressure, or the pore pressure and the temperature.
   virtual std::vector<std::string> scalar_fields() const { return {}; }
-  /// Terms of a physics' own, and what its soil has beyond that of others. Once the soil is made. InputError.
+  /// Adds the terms and soil data that are specific to a physics; called once the soil exists. InputError.
   virtual void add_terms(PhysicsContext&) {}
   void common_parameters(Parameters& p);
-  /// Of saturated soil.
+  /// Parameters of saturated soil.
   void pore_water_parameters(Parameters& p);
-  /// Fails for linear cells, on which displacement and pore pressure are no stable pair; `otherwise`: what would help,
+  /// InputError for linear cells, on which displacement and pore pressure are no stable pair; `otherwise`: advice
   /// besides quadratic cells.
   static void require_quadratic_cells(const Mesh& mesh, const Section& section, const std::string& otherwise = "");
-  /// Fails where pore fluids have several densities; `why`: "with ...".
+  /// InputError where pore fluids have several densities; `why`: "with ...".
   void require_one_fluid_density(const Section& materials, const std::string& why) const;
 
   std::shared_ptr<Soil> soil_;

@@ -6,16 +6,16 @@
 
 namespace mudline {
 
-/// What waves and pore pressures find at a point of soil.
+/// Properties of a soil point that matter for waves and consolidation.
 struct SoilFigures {
   double shear, modulus;  // [Pa] G, drained constrained modulus
-  double wave;            // [m/s] of a wave of pressure, undrained; infinite without density
+  double wave;            // [m/s] speed of the undrained compression wave; infinite without density
   double density;         // [kg/m3]
-  double conductivity;    // [m/s]; 0 without pore fluid, as the next
+  double conductivity;    // [m/s] hydraulic; 0 without pore fluid, like `consolidation`
   double consolidation;   // [m2/s] c_v
 };
 
-/// The points of one block in one state, each with its own material; for what runs on the host.
+/// The points of one block in one state, each with its own material; for host code.
 class SoilPoints {
  public:
   SoilPoints(const Soil& soil, const SoilBlock& block, const State& state)
@@ -34,7 +34,7 @@ class SoilPoints {
   double* law(int row) const { return law_.data() + row * law_.extent(1); }
 
   ElasticModuli moduli(int row) const { return material(row).skeleton->moduli(stress(row), void_ratio(row), law(row)); }
-  /// Drained, without strain across [Pa].
+  /// Drained constrained modulus [Pa].
   double constrained_modulus(int row) const { return constrained(moduli(row)); }
   SoilFigures figures(int row) const {
     const ElasticModuli m = moduli(row);
@@ -51,7 +51,7 @@ class SoilPoints {
   }
   double density(int row) const { return material(row).density(porosity(row)); }  // [kg/m3]
   double storage(int row) const { return material(row).storage(porosity(row)); }  // 1/Q [1/Pa]
-  /// [m/s] of saturated soil
+  /// Hydraulic conductivity of saturated soil [m/s].
   double conductivity(int row) const {
     return material(row).permeability->conductivity(void_ratio(row), void_ratio_(row, 1)).k;
   }

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-/// By which the values at points are weighted in that of their linear fit at a place.
+/// Weights of the values at points in the value of their linear least squares fit at a position.
 std::vector<double> fit_weights(const std::vector<Point>& points, int dimension, const Point& at) {
   const double count = static_cast<double>(points.size());
   std::vector<double> weights(points.size(), 1 / count);
@@ -31,7 +31,7 @@ std::vector<double> fit_weights(const std::vector<Point>& points, int dimension,
     if (i >= dimension) lu.a[i][i] = 1;
     slope[i] = i < dimension ? (at[i] - mean[i]) / size : 0.0;
   }
-  constexpr double flat = 1e-8;  // pivots of points that lie in a plane or on a line
+  constexpr double flat = 1e-8;  // relative pivot below which points count as lying in a plane or on a line
   if (!lu.factorise()) return weights;
   for (int i = 0; i < 3; ++i)
     if (std::abs(lu.a[i][i]) < flat) return weights;

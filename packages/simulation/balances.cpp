@@ -14,7 +14,7 @@ bool does_work(const Term& term) {
   return term.role() == Role::force || term.role() == Role::inertia || term.role() == Role::contact;
 }
 
-/// Whether what the term adds to a scalar's balance comes from outside.
+/// Whether the term adds to a scalar's balance from outside.
 bool exchanges(const Term& term) { return term.role() == Role::exchange || term.role() == Role::contact; }
 
 }  // namespace
@@ -49,7 +49,7 @@ int Balances::row_of(const Term* term) const {
 Inventory Balances::inventory(const State& state) const {
   if (!model_.soil()) return {};
   Inventory result = take_inventory(*model_.soil(), state);
-  std::vector<double> bodies(axis_names.size() + 1, 0.0);  // momentum, kinetic energy: this rank's
+  std::vector<double> bodies(axis_names.size() + 1, 0.0);  // momentum and kinetic energy of this rank's bodies
   for (const auto& [name, body] : model_.bodies()) {
     if (body->unknowns().count == 0 || !body->unknowns().owned) continue;
     const BodyMomentum now = mudline::momentum(*body, state);
@@ -92,7 +92,8 @@ void Balances::add_step() {
   // this rank's shares: work by term, reaction work, outflow, excess work, force without inertia by direction
   const int by_reaction = terms, flown = terms + 1, excess = terms + 2, pushed = terms + 3;
   std::vector<double> local(pushed + axis_names.size(), 0.0);
-  // Internal forces are interpolated for the step; above the trapezium their work is the integrator's dissipation.
+  // Internal forces are interpolated within the step; their work beyond the trapezoidal rule is the integrator's
+  // dissipation.
   std::vector<std::pair<NodalView, NodalView>> ends(terms);
   for (int k = 0; k < terms; ++k) {
     const int slot = stepper.active()[k]->role() == Role::contact ? -1 : stepper.history_slot(k);
@@ -153,7 +154,7 @@ void Balances::add_conserved(const PointView& rows) {
         flow(own(node)) += what.transferred * outflow_at(transfer(node)) * (view.value(own(node)) - what.reference);
     }
     const NodalView everywhere = sum_overlap(*space.dofs(), flow);
-    std::vector<double> sums(2, 0.0);  // net, and of absolute values: this rank's nodes
+    std::vector<double> sums(2, 0.0);  // net sum and sum of absolute values over this rank's nodes
     for (int node = 0; node < space.mesh().num_owned_nodes(); ++node)
       if (own(node) >= 0) {
         sums[0] += everywhere(own(node));
@@ -199,7 +200,7 @@ void Balances::add_remap(const MeshReceipt& receipt) {
       rows(row_of_unresolved(k), 0) += receipt.unresolved_grains[k];
     }
   }
-  // the steps' own balances go on from here, with what the points hold
+  // the balances of the steps go on from the content that the points hold now
   rows(water_start, 0) += after.water + receipt.unresolved_volume - before.water;
 }
 
@@ -214,7 +215,7 @@ std::vector<HistoryValue> Balances::values() const {
     const double content = what.content(state), change = content - rows(row, 0);
     result.push_back({"balance/" + what.name + "/change", what.unit, change});
     result.push_back({"balance/" + what.name + "/outflow", what.unit, rows(row + 1, 0)});
-    // against what there is and what has passed through the boundary
+    // the error is relative to the content and the total flow through the boundary
     const double size = std::max({std::abs(content), rows(row + 2, 0), 1e-300});
     result.push_back({"balance/" + what.name + "/error", "-", (change + rows(row + 1, 0)) / size});
     if (model_.ale()) result.push_back({"mesh motion/change of " + what.name, what.unit, rows(row + 3, 0)});
@@ -245,7 +246,7 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
   const State& state = model_.store().committed();
   const PointView rows = state.arrays[handle_];
   const Inventory now = inventory(state);
-  // Energy supplied by prescribed motion goes into the terms' works (kinetic energy among them): they add up to it.
+  // The works of all terms, kinetic energy among them, add up to the energy supplied by prescribed motion.
   double works = 0, inertia = 0;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const double work = rows(first_term + static_cast<int>(k), 0);
@@ -256,8 +257,8 @@ void Balances::add_soil(std::vector<HistoryValue>& result) const {
   }
   const double kinetic = now.kinetic - rows(kinetic_start, 0);
   result.push_back({"balance/energy/kinetic", "J", kinetic});
-  // the integrator's share: what inertia took and the velocities do not show, and what internal forces took and did not
-  // store
+  // the integrator's share: work of inertia that is not in the velocities, and work of internal forces that they did
+  // not store
   result.push_back({"balance/energy/numerical dissipation", "J", inertia - kinetic + rows(excess_work, 0)});
   result.push_back({"balance/energy/supplied by prescribed motion", "J", rows(reaction_work, 0)});
   result.push_back({"balance/energy/error", "J", works - rows(reaction_work, 0)});

@@ -13,22 +13,24 @@ namespace mudline {
 /// checkpoint.
 class Balances {
  public:
-  /// Declares its array. Before the first step.
+  /// Declares the state array "balance". To be called before the first step.
   explicit Balances(Model& model);
-  /// After a successful attempt, before acceptance: adds the step to the trial state. Collective.
+  /// Adds a step to the trial state; to be called after a successful attempt, before acceptance. Collective.
   void add_step();
-  /// After a relocation of the mesh: what it changed is kept apart from the balances of the steps.
+  /// Adds what a mesh motion or a remeshing changed; this is kept apart from the balances of the steps.
   void add_remap(const MeshReceipt& receipt);
-  /// The same of what scalar fields conserve: `before`, conserved() as it was. Collective.
+  /// Adds what a mesh motion or a remeshing changed in the conserved contents. `before`: conserved() as it was before.
+  /// Collective.
   void add_remap_of_conserved(const std::vector<double>& before);
-  /// Contents of the committed state, as the model lists what is conserved. Collective.
+  /// Contents of the conserved quantities in the committed state, in the order of Model::conserved(). Collective.
   std::vector<double> conserved() const;
   /// Columns of the history file for the committed state. Collective.
   std::vector<HistoryValue> values() const;
-  /// A change of the committed velocities that no step makes (a body is set free with a velocity): the start moves
-  /// along. Collective.
+  /// Makes a change of the committed velocities that no step makes (a body is set free with a velocity), and adds it to
+  /// the momentum and kinetic energy at the start. Collective.
   void jump(const std::function<void()>& change);
-  /// Takes the present water content and momentum as the start. Collective; when the run begins (not at a restart).
+  /// Takes the committed state as the start of all balances; to be called when the run begins, not at a restart.
+  /// Collective.
   void start();
 
  private:
@@ -38,7 +40,7 @@ class Balances {
     reaction_work,
     excess_work,
     outflow,
-    impulse,  // a row per direction, as those of momentum below
+    impulse,  // a row per direction, as for momentum below
     momentum = impulse + directions,
     water_start = momentum + directions,
     kinetic_start,
@@ -52,19 +54,21 @@ class Balances {
   Inventory inventory(const State& state) const;
   int dimension() const { return model_.mesh().dimension(); }
   int row_of(const Term* term) const;
-  /// Rows: content at the start, outflow, its sum over absolute values, change by mesh motion.
+  /// First of four rows of a conserved quantity: content at the start, outflow, sum of absolute outflows, change by
+  /// mesh motion.
   int row_of_conserved(std::size_t c) const { return first_conserved_ + 4 * static_cast<int>(c); }
-  /// Of a material's grains [kg]: what transfers put back, and what points of cut elements do not resolve.
+  /// Rows of a material's grains [kg]: those that transfers restored, and those that points of cut elements do not
+  /// resolve.
   int row_of_restored(std::size_t material) const { return first_layer_ + 2 + static_cast<int>(material); }
   int row_of_unresolved(std::size_t material) const {
     return row_of_restored(material) + static_cast<int>(model_.soil()->materials.size());
   }
-  /// What leaves through the boundary at a dof of a scalar field: this rank's contributions.
+  /// Outflow through the boundary at a dof of a scalar field: this rank's contributions.
   double outflow_at(int dof) const;
   void add_conserved(const PointView& rows);
-  /// Values of work, momentum, water and mesh motion.
+  /// Adds the values of work, momentum, water and mesh motion.
   void add_soil(std::vector<HistoryValue>& result) const;
-  /// The grains of each material, and what the mesh motions did to them, summed up.
+  /// Adds the grains of each material, and the sums of what mesh motions changed in them.
   void add_layers(const Inventory& now, std::vector<HistoryValue>& result) const;
 
   Model& model_;

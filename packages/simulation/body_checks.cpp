@@ -1,4 +1,4 @@
-// What is unusual of rigid bodies: their size and place, mass and water, and motion.
+// Plausibility checks of rigid bodies: their size and place, mass and water, and motion.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ double largest_of(const Section& section, const std::string& name) {
   return largest;
 }
 
-/// Load on a released body at a place and a time [N], with another mass or its own.
+/// Load [N] on a released body of the given mass [kg] at its place at the start and a time [s].
 Point load_at(const BodySetup& of, const ReleasedMotion& motion, double mass, double time) {
   BodyProperties properties = of.body.properties();
   properties.mass = mass;
@@ -28,7 +28,7 @@ Point load_at(const BodySetup& of, const ReleasedMotion& motion, double mass, do
   return {load.force[0].v, load.force[1].v, load.force[2].v};
 }
 
-/// The acceleration by which a released body has its weight [m/s2].
+/// The gravity [m/s2] from which a released body has its weight.
 Point gravity_of(const BodySetup& of, const ReleasedMotion& motion) {
   const double mass = of.body.properties().mass;
   return 1 / mass * (load_at(of, motion, mass, 0) - load_at(of, motion, 0, 0));
@@ -49,7 +49,7 @@ void over_mesh(const BodySetup& of, const Judge& judge) {
     half = of.length_of(i) / 2;
     most = half / room;
   }
-  // a plate over a column of soil is wider on purpose; so much wider it is in mm
+  // a plate over a column of soil is wider on purpose; a ratio above this one points to lengths in mm
   constexpr double plate = 25;
   const bool round = of.body.of_revolution() || (of.dim == 3 && of.model.soil()->pressure >= 0);
   if (of.surfaces.sides > 0 && (round || most > plate))
@@ -81,7 +81,7 @@ void fit(const BodySetup& of, const Judge& judge) {
           "give mesh and body the same lengths (tip, diameter, position)");
 }
 
-/// Whether two ends of a contour are one point, and whether a half contour ends on its axis.
+/// Whether the two ends of a contour are one point, or a half contour ends on its axis.
 bool is_closed(const Contour& contour) {
   const ContourPiece &first = *contour.pieces().front(), &last = *contour.pieces().back();
   const PlanePoint from = first.point(0), to = last.point(last.length());
@@ -90,8 +90,8 @@ bool is_closed(const Contour& contour) {
   return apart <= 1e-9 * contour.length();
 }
 
-/// Lines at the ends of an open contour run on for ever. They do so upwards, or to both sides; otherwise a side is
-/// missing.
+/// Lines at the ends of an open contour extend to infinity. Where they extend neither upwards nor to both sides, a side
+/// is missing.
 void open_contour(const BodySetup& of, const Judge& judge) {
   if (of.dim == 3 || of.body.contour().extent() == ContourExtent::half || is_closed(of.body.contour())) return;
   const auto& pieces = of.body.contour().pieces();
@@ -105,7 +105,7 @@ void open_contour(const BodySetup& of, const Judge& judge) {
         "close the contour: its last point is its first one (in a box of four corners give five points)");
 }
 
-/// An end that is no line does not run on: beyond it the body has no side.
+/// An end that is no line is not extended: beyond it the body has no side.
 void contour_end(const BodySetup& of, const Judge& judge) {
   if (of.dim == 3 || is_closed(of.body.contour())) return;
   const auto& pieces = of.body.contour().pieces();
@@ -117,7 +117,7 @@ void contour_end(const BodySetup& of, const Judge& judge) {
              : "let the last piece end where the first one starts, or end it by straight lines, which run on for ever");
 }
 
-/// Whether a stage prescribes a way or a turn.
+/// Whether a stage prescribes a displacement or a rotation.
 bool driven(const BodySetup& of) {
   for (const auto& motion : of.motions) {
     if (motion.law->turns()) return true;
@@ -256,7 +256,7 @@ void prescribed_speed(const BodySetup& of, const Judge& judge) {
     judge(fastest, of.called() + ": its prescribed speed", "give it in m/s (mm/s and km/h are larger numbers)");
 }
 
-/// Calls f(velocity, spin, what it begins in) for every stage that gives the body a start of its own.
+/// Calls f(velocity, spin, text that names the stage) for every stage that gives the body an initial velocity.
 template <class F>
 void for_each_start(const BodySetup& of, F&& f) {
   for (const auto& motion : of.motions) {
@@ -339,7 +339,7 @@ void leaves_in_space(const BodySetup& of, const Judge& judge) {
   const bool prescribed = of.places.size() > 1;
   if (of.dim == 3 && prescribed && way >= 0) rise = of.places.back().displacement[of.up];
   if (of.dim == 3 && !prescribed && of.free() && of.release->initial_velocity(velocity, spin)) rise = velocity[of.up];
-  if (of.box.low[of.up] > of.surfaces.box.high[of.up] - 1e-6 * of.size)  // below it a body is pulled out
+  if (of.box.low[of.up] > of.surfaces.box.high[of.up] - 1e-6 * of.size)  // a body below the top is pulled out
     judge(rise, of.called() + ": how it moves away from the soil, m or m/s upwards,", "down is negative");
 }
 
@@ -350,7 +350,7 @@ void soil_gravity(const BodySetup& of, const Judge& judge) {
     const ReleasedMotion* released = motion.law->released();
     if (!released) continue;
     const Point own = gravity_of(of, *released);
-    // soil in total stresses may have the weight under water by a smaller gravity
+    // in total stresses a smaller gravity may stand for the submerged weight of the soil
     const double scale = of.model.soil()->pressure >= 0 ? 1.0 : length(own) / length(soil);
     if (length(own) > 0)
       judge(length(own - scale * soil) / length(own),
@@ -396,7 +396,8 @@ void speed_gain(const BodySetup& of, const Judge& judge) {
       -load_at(of, motion, of.body.properties().mass, 0)[of.up] / (of.body.properties().mass + more.mass[of.up]);
   if (!(fall > 0) || of.surfaces.gap >= any_size) return;
   const double then = std::sqrt(velocity[of.up] * velocity[of.up] + 2 * fall * of.surfaces.gap);
-  // from a small push nothing follows; from a fall's own height the initial velocity is counted twice
+  // an initial velocity that is small against the speed of the fall is no doubt; one of about that speed was probably
+  // counted twice
   if (then > -2 * velocity[of.up]) return;
   judge(then / -velocity[of.up],
         of.called() + ": the speed at the soil, " + told(then) + " m/s after a fall of " + told(of.surfaces.gap) +

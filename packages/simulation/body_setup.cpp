@@ -14,7 +14,7 @@ namespace {
 
 constexpr int parts_of_a_stage = 100;
 
-/// A side of the mesh, as the source has it.
+/// A side of the mesh in its reference coordinates.
 struct SideFigures {
   std::vector<Point> corners;
   Point middle{}, normal{};  // outward, unit
@@ -46,7 +46,7 @@ SideFigures figures(const Mesh& mesh, const Side& side) {
 std::pair<double, Point> nearest(const RigidBody& body, const Point& x) {
   const BodyPlacement placement = body.initial_placement();
   if (body.dimension() == 3) {
-    const SurfaceProjection projection = body.point(placement, x);
+    const SurfaceProjection projection = body.projection(placement, x);
     return {projection.gap, projection.normal};
   }
   const ContourProjection projection = body.closest(placement, {x[0], x[1]});
@@ -134,7 +134,7 @@ void BodySetup::find_surfaces() {
     s.box.high[i] = max_over_ranks(comm, s.box.high[i]);
   }
   if (s.sides == 0) return;
-  // the sides nearest to the body look at it; those of a hole in which it lies are as far from it as they fit
+  // the sides nearest to the body should face it, and the sides of a hole in which it lies should touch it
   const bool touches = s.gap < 0.5 * s.shortest;
   for (const SideFigures& side : sides) {
     const auto [gap, normal] = nearest(body, side.middle);
@@ -144,7 +144,7 @@ void BodySetup::find_surfaces() {
     const bool in_hole = side.middle[up] < top - 2 * side.longest && away < 0.75 * shadow.length && facing > 0.5 &&
                          side.middle[up] < box.high[up];
     if (!touches || !in_hole) continue;
-    // of a curved shape the mid-side nodes of sides are off by the arc's height, but no corner is
+    // on a curved shape the middles of sides are off by the arc's height, but corners are not
     double corners = 0;
     for (const Point& x : side.corners) corners = std::max(corners, std::abs(nearest(body, x).first));
     const double misfit = std::min(std::abs(gap), corners);

@@ -9,10 +9,11 @@
 
 namespace mudline {
 
-/// Values of a quantity that a check found: the value, what it is of, and what to change where it is unusual.
+/// Takes a value that a check found, the text that says what the value is, and the advice where it is unusual.
 using Judge = std::function<void(double value, const std::string& what, const std::string& advice)>;
 
-/// A body before the first step, in the plane or in space: where it is, what it may touch, how its stages move it.
+/// A body before the first step, in the plane or in space: its place, the surfaces that it may touch, and its motions
+/// in the stages.
 struct BodySetup {
   /// Collective.
   BodySetup(const Setup& setup, const RigidBody& body);
@@ -24,18 +25,18 @@ struct BodySetup {
     std::shared_ptr<const BodyMotion> law;
     Section entry;
   };
-  /// Where prescribed motion takes it, up to the first stage that releases it.
+  /// A place to which prescribed motion brings the body, up to the first stage that releases it.
   struct Place {
     double time;         // [s]
     Point displacement;  // [m]
-    double angle;        // [rad] turned so far
+    double angle;        // [rad] rotation so far
   };
-  /// What its contacts' surfaces are like; over all ranks.
+  /// The surfaces of the body's contacts, over all ranks.
   struct Surfaces {
-    int sides = 0, under = 0;  // all, and those whose middle is below or above the body's box
-    double gap = any_size, shortest = any_size, longest = 0;  // [m] nearest middle or corner; edges
-    double facing = -1;              // cosine between the sides nearest to the body and its surface there
-    double misfit = 0, reach = 0;    // [m] in a hole that the body lies in: distance, and the side's length
+    int sides = 0, under = 0;  // number of all sides, and of those whose middle lies below or above the body's box
+    double gap = any_size, shortest = any_size, longest = 0;  // [m] gap of the nearest middle or corner; edges
+    double facing = -1;              // largest cosine between a side near the body and the body's surface opposite
+    double misfit = 0, reach = 0;    // [m] of a side of a hole around the body: largest distance, and the side's length
     Bounds box = Bounds::nothing();  // [m]
   };
   std::string called() const { return "body '" + body.name() + "'"; }
@@ -46,14 +47,14 @@ struct BodySetup {
   const RigidBody& body;
   Section entry;
   int dim, up;
-  Bounds box = Bounds::nothing();  // [m] of the body as it is drawn, at its place at the start
-  Shadow shadow;                   // [m] along the vertical axis
-  double width = 0, size = 0;      // [m] that of the shadow, and the largest extent along any axis
+  Bounds box = Bounds::nothing();  // [m] box of the body at the start
+  Shadow shadow;                   // shadow along the vertical axis
+  double width = 0, size = 0;      // [m] width of the shadow, and largest extent along any axis
   std::vector<Motion> motions;
   std::vector<Place> places;
-  const ReleasedMotion* release = nullptr;  // the first
+  const ReleasedMotion* release = nullptr;  // the first release; null: none
   Surfaces surfaces;
-  Point soil_gravity{};  // [m/s2] of the deck's physics; 0: none
+  Point soil_gravity{};  // [m/s2] gravity of the deck's physics; 0: none
 
  private:
   void find_box();
@@ -61,7 +62,7 @@ struct BodySetup {
   void find_surfaces();
 };
 
-/// One way in which a body may be meant otherwise than it is written. Its quantity's name is that of the doubt.
+/// One check of whether a body's entries may be mistaken. Its quantity's name is that of the doubt.
 struct BodyCheck {
   Usual quantity;
   void (*look)(const BodySetup& body, const Judge& judge);
@@ -69,7 +70,7 @@ struct BodyCheck {
 
 /// The soil behind a surface of the mesh, over all ranks.
 struct SoilBehind {
-  double side = 0, stiffness = 0;  // means over the sides: [m] edges, [Pa/m] constrained modulus over height
+  double side = 0, stiffness = 0;  // means over the sides: length of edges [m], constrained modulus over height [Pa/m]
   double strength = 0;             // [Pa] largest undrained strength; 0: unknown
 };
 /// Collective.
@@ -86,7 +87,7 @@ struct ContactSetup {
   Section entry, deck;
   SoilBehind soil;
 };
-/// As BodyCheck, of a contact.
+/// One check of whether a contact's entries may be mistaken; see BodyCheck.
 struct ContactCheck {
   Usual quantity;
   void (*look)(const ContactSetup& contact, const Judge& judge);
@@ -99,7 +100,7 @@ double number_in(const Section& section, const std::string& name, double fallbac
 std::vector<BodyCheck> body_checks();
 std::vector<ContactCheck> contact_checks();
 
-/// Declares their quantities, and keeps what they doubt. Collective.
+/// Declare the quantities of these checks; make the checks and keep their doubts. Collective.
 void declare_body_checks(Doubts& doubts);
 void look_at_bodies(const Setup& setup, Doubts& doubts);
 

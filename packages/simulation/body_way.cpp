@@ -68,10 +68,11 @@ void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
   surface_.assign(nodes.begin(), nodes.end());
 }
 
-/// A side set that is a part of the surface ends where the mesh was made for the body's edge.
+/// Finds the corner at which the mesh was made for the body's edge: the end of a side set that is a part of the
+/// surface.
 void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
   std::map<std::string, std::vector<const GhostedMesh::BoundarySide*>> parts;
-  std::set<std::string> others;  // sets that are more than parts
+  std::set<std::string> others;  // sets that reach beyond the surface
   for (const auto& side : mesh.boundary())
     for (const std::string& name : side.sets) {
       parts[name].push_back(&side);
@@ -80,7 +81,7 @@ void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
   const std::size_t whole = parts.at(surface).size();
   for (const auto& [name, sides] : parts) {
     if (others.count(name) > 0 || sides.size() == whole) continue;
-    std::map<int, int> met;  // sides at a corner node
+    std::map<int, int> met;  // number of sides at a corner node
     for (const auto* side : sides) {
       ++met[side->nodes[0]];
       ++met[side->nodes[1]];
@@ -90,13 +91,14 @@ void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
       if (count != 1 || r < 1e-9 * reach_ || r > reach_ * (1 - 1e-9)) continue;
       const ContourProjection projection = projection_at({0, 0}, in_plane(positions_[node]));
       const bool on_flank = std::abs(projection.gap) < 0.02 * radius_ && std::abs(projection.normal[0]) > 0.3;
-      if (on_flank) r = radius_;  // a mould that fits
+      if (on_flank) r = radius_;  // a hole that fits the body
       if (corner_ == 0 || std::abs(std::log(r / radius_)) < std::abs(std::log(corner_ / radius_))) corner_ = r;
     }
   }
 }
 
-/// Where the soil changes, or where the mesh moves and regions keep their common nodes.
+/// Finds the boundaries between regions: where the soil changes, or all of them where the mesh moves and regions keep
+/// their common nodes.
 void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   if (surface_.empty()) return;
   const auto& blocks = model.mesh().blocks();
@@ -192,7 +194,7 @@ std::string BodyWay::crossing() const {
       const double step = distance(now, before);
       left -= step;
       if (left > inside || step == 0) continue;
-      // a boundary along the way is pushed aside with the soil on both of its sides
+      // a boundary parallel to the path is pushed aside with the soil on both of its sides
       const double across =
           std::abs((now[0] - before[0]) * boundary.along[1] - (now[1] - before[1]) * boundary.along[0]);
       left = gap_at(now, boundary.at);

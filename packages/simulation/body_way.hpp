@@ -10,15 +10,15 @@
 
 namespace mudline {
 
-/// Where a body stands, where the deck sends it, and what it meets there, as far as that is known before the run: the
-/// prescribed motions of its stages, up to the first in which it is released.
+/// The prescribed path of a body in the plane, as it is known before the run: from its place at the start through the
+/// stages, up to the first in which it is released, and the surfaces and region boundaries that it meets.
 class BodyWay {
  public:
   struct Place {
     double time;                  // [s]
     Vec<double, 2> displacement;  // [m]
   };
-  /// Collective for the caller's `mesh` only.
+  /// Not collective, but making `mesh` is.
   BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions);
 
   const RigidBody& body() const { return body_; }
@@ -28,28 +28,30 @@ class BodyWay {
   bool touches_anything() const { return !surface_.empty(); }
   /// Distance to the surfaces of its contacts [m] where it starts.
   double first_gap() const { return gap({0, 0}); }
-  /// Prescribed places, the start first.
+  /// Places to which prescribed motion brings the body, the start first.
   const std::vector<Place>& places() const { return places_; }
-  /// The law of motion of the first stage that releases it, null: none does, and how long it then is free [s].
+  /// The law of motion of the first stage that releases the body (null: none does), and the time for which it is free
+  /// [s].
   const ReleasedMotion* release() const { return release_ ? release_->released() : nullptr; }
   double free_time() const { return free_time_; }
-  /// Place where it first touches; empty: it does not by prescribed motion.
+  /// Index of the place at which the body first touches the soil; empty: prescribed motion does not bring it there.
   std::optional<std::size_t> arrival() const;
-  /// Whether its motion takes it away from the soil only.
+  /// Whether the prescribed motion only takes the body away from the soil.
   bool leaves() const;
-  /// The greatest speed between neighbouring places [m/s].
+  /// The largest speed between consecutive places [m/s].
   double largest_speed() const;
-  /// A point of a region's boundary within the soil that the body would have to pass, with the regions on both sides;
-  /// "": none. `below`: that far below the released body [m].
+  /// Names of the two regions whose common boundary the body would have to cross; "": none. `below`: distance [m] below
+  /// the released body within which such a boundary counts.
   std::string crossing() const;
   std::string crossing_below(double below) const;
-  /// How a released body starts: velocity and acceleration in y [m/s, m/s2].
+  /// Initial velocity [m/s] and acceleration [m/s2] of a released body in y.
   Vec<double, 2> start_of_fall() const;
-  /// Sides of the surfaces under the body, of the caller's mesh, and the radius of the surface's corner that fits it
-  /// best (0: it has none).
+  /// Sides of the caller's mesh under the body on its contacts' surfaces, and the radius [m] of the surface's corner
+  /// that fits the body best (0: there is none).
   const std::vector<const GhostedMesh::BoundarySide*>& sides_under() const { return under_; }
   double surface_corner() const { return corner_; }
-  /// Heights [m]: the top of those surfaces, and the lowest that the body may come to, for a released one the mesh's.
+  /// Heights [m]: the top of those surfaces, and the lowest point that the body may reach; for a released body that of
+  /// the mesh.
   double surface_top() const { return top_; }
   double lowest() const;
 

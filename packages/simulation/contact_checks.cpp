@@ -1,4 +1,4 @@
-// What is unusual of contacts: penalties, friction, and what acts beside them.
+// Plausibility checks of contacts: penalties, friction, and loads beside them.
 #include <algorithm>
 #include <cmath>
 
@@ -8,10 +8,11 @@ namespace mudline {
 
 namespace {
 
-/// What lies in the soil's surface presses with some ten times the strength.
+/// Bearing pressure of a body at the soil's surface over the undrained strength, some ten.
 constexpr double bearing_factor = 10;
 
-/// A given penalty over what the soil behind it bears, where the contact is enforced this way.
+/// Judges a given penalty over the stiffness of the soil behind it, where the contact is enforced with (`augmented`) or
+/// without multipliers.
 void judge_penalty(const ContactSetup& of, bool augmented, const std::string& advice, const Judge& judge) {
   const double given = number_in(of.entry, "penalty", 0);
   const bool is_augmented = of.entry.has_parameter("enforcement") && of.entry.text("enforcement") != "penalty";
@@ -31,7 +32,7 @@ void penalty(const ContactSetup& of, const Judge& judge) {
                 judge);
 }
 
-/// Multipliers make up for a soft penalty, but the softer it is the more often a step is solved.
+/// Multipliers make up for a soft penalty, but a softer one takes more augmentations.
 void augmented_penalty(const ContactSetup& of, const Judge& judge) {
   judge_penalty(
       of, true,
@@ -89,7 +90,8 @@ void tangential(const ContactSetup& of, const Judge& judge) {
           "what sticks should move by little against what slides");
 }
 
-/// The load acts on what the body covers, too: the traction that friction sees is less by it.
+/// The load also acts on the part of the surface that the body covers, and reduces the contact pressure from which
+/// friction follows.
 void surcharge(const ContactSetup& of, const Judge& judge) {
   const Section conditions = of.deck.section("boundary conditions");
   if (of.partners.body == nullptr || !(number_in(friction_of(of), "coefficient", 0) > 0)) return;

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-/// A motion slower than this share of its stage's fastest says nothing of the error: what remains is vibration.
+/// Share of a motion's largest speed in the stage below which it gives no new error: the rest is vibration.
 constexpr double slow = 0.01;
 
 Point reaction_of(const std::string& column, const Report& terms) {
@@ -73,7 +73,7 @@ DiscretisationError::Resisted DiscretisationError::resisted(const Motion& motion
     for (const std::string& column : motion.reactions) result.power += dot(reaction_of(column, terms), velocity);
     return {std::abs(result.power), length(velocity)};
   }
-  // the sum over its nodes of reaction times rate, in the way in which it sums its reactions
+  // reaction times rate, summed over nodes as the condition sums its reactions
   const NodalView& reaction = model_.stepper().reaction();
   NodalView power("power", reaction.extent(0));
   for (std::size_t i = 0; i < power.extent(0); ++i) power(i) = reaction(i) * state.rate(i);
@@ -92,7 +92,7 @@ std::vector<HistoryValue> DiscretisationError::values(const Report& terms) {
     double &of_force = kept(m * rows + share, 0), &most = kept(m * rows + fastest, 0);
     const Resisted now = resisted(motions_[m], terms);
     most = std::max(most, now.speed);
-    // an error as large as the resistance says that nothing is known of it
+    // an error as large as the resistance means that the resistance is unknown
     if (now.speed > 0 && now.speed >= slow * most && now.power > 0)
       of_force = std::min(1.0, estimate_.power / now.power);
     for (const std::string& column : motions_[m].reactions)

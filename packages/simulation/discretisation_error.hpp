@@ -11,40 +11,42 @@
 
 namespace mudline {
 
-/// What the output says of the discretisation error: fields, global shares, and an error beside every resistance. The
-/// mesh resists a motion by too much power; its error is that of the recovered stress on the recovered strain rate.
+/// The discretisation error in the output: fields, global shares, and an error beside every resistance. A coarse mesh
+/// resists a motion with too much power; the error of this power is the power of the error of the recovered stress on
+/// the error of the recovered strain rate.
 class DiscretisationError {
  public:
-  /// Declares its arrays. Before the first step. `target`: wanted share of the error of the stress. Collective.
+  /// Declares its state array; to be called before the first step. `target`: wanted relative error of the stress [-].
+  /// Collective.
   DiscretisationError(Model& model, double target);
-  /// The committed stress is the start from which changes are counted.
+  /// Takes the committed stress as the one from which changes are counted.
   void start();
-  /// When a stage begins: how fast its motions are is not known.
+  /// Forgets the largest speeds of the motions; to be called when a stage begins.
   void begin_stage();
-  /// Estimates that of the committed state. excess: pore pressure by overlap dof. Collective.
+  /// Estimates the error of the committed state. `excess`: excess pore pressure [Pa] by overlap dof. Collective.
   void evaluate(const NodalView& excess);
 
-  /// By cell, of the last evaluation.
+  /// Fields by cell, of the last evaluation.
   std::vector<OutputField> fields() const;
-  /// Columns of the history, of the last evaluation. `terms`: what the terms say of the last step; the errors of
-  /// resistances are noted in the committed state. Collective.
+  /// Columns of the history, of the last evaluation. `terms`: report of the terms on the last step; the errors of
+  /// resistances are stored in the committed state. Collective.
   std::vector<HistoryValue> values(const Report& terms);
-  /// [m] by element of this rank, block after block.
+  /// Wanted size [m] of each element of this rank, block after block.
   const std::vector<double>& wanted_sizes() const { return estimate_.wanted; }
-  /// [Pa] by element of this rank, block after block; empty without pore fluid.
+  /// Error of the pore pressure [Pa] of each element of this rank, block after block; empty without pore fluid.
   const std::vector<double>& pressure() const { return estimate_.pressure; }
 
  private:
-  /// What moves and is resisted: a body with its contacts, or a condition.
+  /// A motion that the soil resists: that of a body with its contacts, or of a condition.
   struct Motion {
     std::string name;
     const RigidBody* body = nullptr;
     const Condition* condition = nullptr;
     std::vector<std::string> reactions;  // columns, without the axis
   };
-  /// Of each motion, in the state.
+  /// Rows of each motion in the state array: relative error of the resistance, largest speed in the stage.
   enum Row { share, fastest, rows };
-  /// Power [W] and speed [m/s] of what resists a motion. Collective.
+  /// Power [W] of the resistance to a motion, and the motion's speed [m/s].
   struct Resisted {
     double power = 0, speed = 0;
   };

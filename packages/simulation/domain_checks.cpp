@@ -18,9 +18,9 @@ using Findings = std::vector<Finding>;
 struct Patch {
   std::string name;   // of the condition
   double half = 0;    // [m] half width
-  double reach = 1;   // of its collapse, over that of a strip
+  double reach = 1;   // reach of its collapse mechanism over that of a strip
   double beside = 0;  // [m] from its edge to the nearest side of the mesh that is no plane of symmetry
-  double cells = 0;   // over the half width; those of quadratic cells count twice
+  double cells = 0;   // number over the half width; quadratic cells count twice
   std::array<Span, 3> box;
 };
 
@@ -47,7 +47,8 @@ bool goes_on(const Setup& setup, const std::array<Span, 3>& box) {
   return sum_over_ranks(*setup.mesh().comm(), outside) > 0;
 }
 
-/// Along each horizontal axis in turn a patch must end somewhere; the axis in which it is narrowest counts.
+/// Loaded or pressed parts of the upper surface that end within the mesh along a horizontal axis; the axis in which
+/// they are narrowest counts.
 std::vector<Patch> patches(const Setup& setup) {
   std::vector<Patch> found;
   const int up = setup.vertical();

@@ -9,10 +9,11 @@
 
 namespace mudline {
 
-/// Larger than any quantity: "so much or more" is usual.
+/// Larger than any quantity; as the upper end of a range it means that there is none.
 constexpr double any_size = 1e300;
 
-/// A quantity by which a model is doubted. Its name is that of the entry of "plausibility" that changes what is usual.
+/// A quantity that plausibility checks judge, with its usual range. Its name is that of the entry of "plausibility"
+/// that changes the range.
 struct Usual {
   const char* name;
   const char* unit;
@@ -20,13 +21,13 @@ struct Usual {
   const char* meaning;
 };
 
-/// What is usual of the quantities of some groups of checks, as the deck may have changed it, and the doubts so far.
+/// The usual ranges of quantities, as the deck may have changed them, and the doubts found so far.
 class Doubts {
  public:
-  /// std::logic_error for a name that is there already.
+  /// Declares a quantity. Throws std::logic_error for a name that is declared already.
   void declare(const Usual& quantity);
   void parameters(Parameters& p);
-  /// Whether a value is within what is usual of the quantity.
+  /// Whether a value lies within the usual range of the quantity.
   bool usual(const std::string& name, double value) const;
   /// " Pa", or "" for a quantity without a unit.
   std::string unit_behind(const std::string& name) const;
@@ -37,7 +38,7 @@ class Doubts {
                    const std::string& advice = "") const;
   /// Keeps that line, if there is one.
   void judge(const std::string& name, double value, const std::string& what, const std::string& advice = "");
-  /// Keeps a doubt that is no matter of a quantity.
+  /// Keeps a doubt that belongs to no quantity.
   void tell(const std::string& line) { lines_.push_back(line); }
   const std::vector<std::string>& lines() const { return lines_; }
 
@@ -49,7 +50,7 @@ class Doubts {
   std::vector<std::string> lines_;
 };
 
-/// Numbers in a text, "%.3g" by default.
+/// A number as text, "%.3g" by default.
 std::string told(double value, const char* pattern = "%.3g");
 
 }  // namespace mudline

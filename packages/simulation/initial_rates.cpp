@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-/// Share of the imbalance at rest, below which rates go on.
+/// Rates are kept where their imbalance is below this share of the imbalance at rest.
 constexpr double fits = 0.5;
 
 }  // namespace

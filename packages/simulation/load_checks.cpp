@@ -24,7 +24,7 @@ std::vector<std::string> components(const Condition& condition) {
   return {"x", "y", "z"};
 }
 
-/// Of its values over the stages in which the condition acts, on its set, or anywhere in the mesh.
+/// Range of a component's values over the stages in which the condition acts, on its set, or anywhere in the mesh.
 Span over_stages(const Setup& setup, const Condition& condition, const std::string& component, bool anywhere = false) {
   Span all;
   const auto& stages = setup.model().stages();
@@ -39,7 +39,7 @@ Span over_stages(const Setup& setup, const Condition& condition, const std::stri
   return all;
 }
 
-/// Largest size over its components, and whether any is given.
+/// Largest absolute value over the condition's components, and whether any is given.
 std::pair<double, bool> largest(const Setup& setup, const Condition& condition) {
   double size = 0;
   bool given = false;
@@ -69,7 +69,7 @@ Findings load_at_all(const Setup& setup) {
   for (const Condition& condition : setup.conditions()) {
     if (!is_load(condition) && condition.type != "flux" && condition.type != "velocity") continue;
     const auto [size, given] = largest(setup, condition);
-    // a zero that the deck writes as a number is meant, and one of a function of the place that is another elsewhere
+    // a zero is meant where the deck writes it as a number, or as a function that is not zero elsewhere
     bool written = false, elsewhere = false;
     for (const std::string& component : components(condition)) {
       const auto value = setup.function(condition.entry, component);
@@ -99,7 +99,7 @@ Findings load_over_stiffness(const Setup& setup) {
   return found;
 }
 
-/// Into the soil positive, over the largest size; for soil that bears by friction or is saturated.
+/// Largest load into the soil over its largest size, for soil that bears by friction or is saturated.
 Findings load_direction(const Setup& setup) {
   Findings found;
   bool loose = setup.porous();
@@ -108,8 +108,8 @@ Findings load_direction(const Setup& setup) {
   for (const Condition& condition : setup.conditions()) {
     if (!is_load(condition) || !loose) continue;
     const Setup::SetFigures& set = setup.set(condition.set);
-    if (length(set.normal) < 0.9) continue;  // it bends
-    double most = 0;                         // into the soil
+    if (length(set.normal) < 0.9) continue;  // the set is no plane
+    double most = 0;                         // largest load into the soil
     double size = 0;
     for (const std::string& component : components(condition)) {
       const Span span = over_stages(setup, condition, component);
@@ -127,7 +127,7 @@ Findings load_direction(const Setup& setup) {
   return found;
 }
 
-/// The moments at which a stage's steps end when all are easy.
+/// Times [s] from the stage's start at which its steps end when none is cut.
 std::vector<double> step_ends(const Stage& stage) {
   std::vector<double> ends{0};
   double dt = stage.control.initial;
@@ -154,9 +154,8 @@ bool jumps(const Function& f, const Point& x, double from, double to, double cha
   return std::abs(last - first) > 0.5 * change;
 }
 
-/// The largest way of a function, sampled within each step, from the straight line between the step's ends, over its
-/// range in the stage. Without inertia a load that rises early or late in a step does no harm: there it counts how far
-/// it goes beyond both ends.
+/// Largest deviation of a function from the straight line between a step's ends, over its range in the stage; sampled
+/// within each step. Without inertia a load may rise early or late in a step, so only values beyond both ends count.
 double unresolved(const Function& f, const Point& x, double begin, const std::vector<double>& ends, bool inertia) {
   constexpr int parts = 8;
   Span range;
@@ -223,7 +222,7 @@ Findings wave_step(const Setup& setup) {
   return found;
 }
 
-/// Displacements that are prescribed, at a velocity too, over the largest extent of the mesh.
+/// Prescribed displacements, those from velocities too, over the largest extent of the mesh.
 Findings prescribed_displacement(const Setup& setup) {
   Findings found;
   const double longest = setup.longest_extent();
@@ -249,7 +248,7 @@ Findings prescribed_displacement(const Setup& setup) {
   return found;
 }
 
-/// Values of the pore pressure that are prescribed, where they are not zero.
+/// Prescribed pore pressures that are not zero.
 Findings prescribed_pressure(const Setup& setup) {
   if (setup.scales()) return {};
   Findings found;
@@ -284,7 +283,7 @@ Findings hydrostatic_weight(const Setup& setup) {
   return found;
 }
 
-/// Discharge over the conductivity: the gradient that it needs.
+/// Discharge over the conductivity: the hydraulic gradient that it needs.
 Findings flux_gradient(const Setup& setup) {
   Findings found;
   for (const Condition& condition : setup.conditions()) {
@@ -298,7 +297,7 @@ Findings flux_gradient(const Setup& setup) {
   return found;
 }
 
-/// Pore pressures that a condition brings to a start that was at rest under gravity.
+/// Largest jump of the pore pressure that a condition makes at a geostatic start.
 Findings drawdown(const Setup& setup) {
   const Soil& soil = *setup.model().soil();
   if (!setup.porous() || soil.excess || setup.gravity() == 0) return {};
@@ -348,7 +347,7 @@ int drained_nodes(const Setup& setup, const Stage& stage, double begin) {
   return sum_over_ranks(*setup.mesh().comm(), count);
 }
 
-/// Longest way [m] of the water to a drained boundary: from corners and middle of the mesh's box to boxes of sets.
+/// Longest drainage path [m]: from the corners and the middle of the mesh's box to the nearest box of a drained set.
 double drainage_path(const Setup& setup, const Stage& stage) {
   const Bounds& box = setup.mesh().bounds();
   const int n = setup.dimension();

@@ -16,7 +16,7 @@ std::string material(const Section& entry) { return "material '" + entry.name() 
 
 std::string law(const Section& entry) { return Setup::word(entry.section("skeleton"), "type"); }
 
-/// Of the start, by the deck's entry or, where the law decides, its mean over the mesh.
+/// Void ratio at the start, the mean over the material's points.
 double void_ratio(const Setup& setup, const Section& entry) { return setup.soils().at(entry.name()).void_ratio; }
 
 double number(const Setup& setup, const Section& section, const std::string& name, double fallback) {
@@ -69,19 +69,19 @@ Findings gravity_size(const Setup& setup) {
            "give m/s2, as 9.81 (981 is cm/s2, 9810 mm/s2, 1 a multiple of g)"}};
 }
 
-/// Between the lowest and the highest place of the mesh, over that of water at rest.
+/// Growth of the pore pressure with depth, over that of water at rest.
 Findings water_at_rest(const Setup& setup) {
   const Soil& soil = *setup.model().soil();
   const int up = setup.vertical();
   if (!setup.porous() || soil.excess || setup.gravity() == 0 || soil.up[up] < 0.99) return {};
   const Stage& first = *setup.model().stages().front();
   const Span factor = setup.given(*setup.gravity_entry(), "gravity factor", 0, 0);
-  if (factor.known() && factor.high == 0) return {};  // it comes later
-  if (first.type == Stage::Type::dynamic) return {};  // what moves is looked at, often without weight of its own
+  if (factor.known() && factor.high == 0) return {};  // gravity is applied later
+  if (first.type == Stage::Type::dynamic) return {};  // a dynamic run may leave out the soil's own weight
   const State& state = setup.model().store().committed();
   const Mesh& mesh = setup.mesh();
   const auto& dof = soil.space->node_dof(soil.pressure);
-  std::vector<double> sums(5, 0.0);  // of one, y, p, y y, y p: the mean slope
+  std::vector<double> sums(5, 0.0);  // sums of 1, y, p, y y, y p for the slope of a least-squares line
   for (int node = 0; node < mesh.num_owned_nodes(); ++node) {
     if (dof(node) < 0) continue;
     const double y = mesh.place(node)[up] - mesh.bounds().low[up], p = state.value(dof(node));
@@ -98,7 +98,7 @@ Findings water_at_rest(const Setup& setup) {
            "excess); otherwise the water flows down from the start"}};
 }
 
-/// Of water above the level of a geostatic start that is sucked up.
+/// Largest suction at the start, of water above the water level.
 Findings suction(const Setup& setup) {
   const Soil& soil = *setup.model().soil();
   if (!setup.porous() || soil.excess) return {};
@@ -196,7 +196,8 @@ Findings permeability_index(const Setup& setup) {
   return found;
 }
 
-/// A clay's conductivity grows with its void ratio and falls with its plasticity, as its compression slope grows.
+/// A clay's conductivity grows with its void ratio and falls with its plasticity, for which its compression slope
+/// stands.
 Findings clay_conductivity(const Setup& setup) {
   Findings found;
   for (const Section& entry : setup.materials()) {

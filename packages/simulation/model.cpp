@@ -42,7 +42,7 @@ std::vector<Section> collection(const Section& section) {
   return result;
 }
 
-/// What the deck's contacts ask of the mesh.
+/// The sets of the mesh that the deck's contacts need.
 ContactSets contact_sets(const Section& deck) {
   ContactSets sets;
   const Section contacts = deck.section("contacts");
@@ -56,7 +56,7 @@ ContactSets contact_sets(const Section& deck) {
   return sets;
 }
 
-/// What a physics throws is an error of its section, where it may be a plugin's.
+/// Errors that a physics, maybe of a plugin, throws are reported as errors of its section.
 template <class Action>
 void call_physics(const Section& entry, Action&& action) {
   guarded(entry, "type", "the physics cannot be used", [&] { action(entry); });
@@ -280,7 +280,8 @@ void Model::read_solver(const Section& deck, const Registries& registries) {
       "with more than 5000 unknowns, and in two with more than 20000 on several ranks");
   p.section("newton", newton_, "nonlinear iterations");
   p.finish();
-  // Unknowns up to which a factorisation is as good. In the plane it is on one rank; of several the others wait for it.
+  // Number of unknowns up to which a direct solver is as good. In the plane it factorises on one rank, for which the
+  // others wait.
   const bool space = mesh_->dimension() == 3, alone = mesh_->comm()->getSize() == 1;
   const Tpetra::global_size_t small = space ? 5000 : 20000;
   const Section given = section.section("linear solver");
@@ -320,7 +321,7 @@ void Model::activate(const Stage& stage, bool fresh) {
   for (const auto& condition : conditions_)
     if (names.count(condition->name) && condition->term()) loads.push_back(condition->term());
   if (fresh) {
-    // What stood on the newly active conditions' sets is the residual of everything that stays.
+    // The forces on the newly active conditions' sets are the residual of all terms that stay active.
     std::vector<Term*> staying = active;
     for (const auto& condition : conditions_)
       if (condition->term() && names.count(condition->name) && active_conditions_.count(condition->name))
@@ -343,8 +344,8 @@ void Model::activate(const Stage& stage, bool fresh) {
 std::shared_ptr<const BodyMotion> Model::motion_in(const Stage& stage, const std::string& name) const {
   const RigidBody& body = *bodies_.at(name);
   if (stage.type == Stage::Type::geostatic) return nullptr;
-  // A body whose motion is always prescribed moves in the stages in which some contact acts; without any nobody would
-  // feel it.
+  // A body whose motion is always prescribed moves only in stages in which some contact acts; otherwise its motion has
+  // no effect.
   if (stage.contacts.empty() && body.unknowns().count == 0) return nullptr;
   const auto other = stage_motions_.find({stage.name, name});
   return other == stage_motions_.end() ? body.own_motion() : other->second;
@@ -354,7 +355,7 @@ void Model::start_bodies(const Stage& stage) {
   if (stage.type != Stage::Type::dynamic) return;
   const auto starts = [&](const RigidBody& body) {
     if (!body.released()) return false;
-    bool still = true;  // also what the stage before left without accelerations
+    bool still = true;  // true also where the stage before left no accelerations
     for (int k = 0; k < body.unknowns().count; ++k)
       still = still && store_->committed().acceleration(body.unknowns().dof[k]) == 0;
     return still || moved_anew_.count(body.name()) > 0;
@@ -428,7 +429,7 @@ void Model::check_supports(const Section& deck, const MeshParts& parts) {
 
 void Model::check_unused(const Section& deck) const {
   const Section conditions = deck.section("boundary conditions"), contacts = deck.section("contacts");
-  // A list of an overlay or of the command line leaves out what it leaves out.
+  // A list that an overlay or the command line replaces may leave out names on purpose.
   const auto listed = [&](const char* list, std::vector<std::string> Stage::*names, const std::string& name,
                           const std::string& source) {
     return std::any_of(stages_.begin(), stages_.end(), [&](const auto& stage) {
@@ -467,7 +468,7 @@ void Model::check_parts(const Section& deck, const MeshParts& parts) const {
   if (parts.places.size() < 2) return;
   std::vector<std::string> holding;
   for (const auto& condition : conditions_) {
-    if (condition->may_hold()) return;  // nobody knows where
+    if (condition->may_hold()) return;  // it may hold any part
     if (!condition->holds().empty()) holding.push_back(condition->holds());
   }
   for (const Section& contact : collection(deck.section("contacts")))
@@ -501,7 +502,7 @@ void Model::prescribe(const Stage& stage, double t_old, double t_end, const Stat
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   ClosedSides closed;
-  // without flow the pore pressure is given everywhere: nothing is released
+  // without flow the pore pressure is prescribed everywhere, and closed sides release nothing
   if (stage.type != Stage::Type::geostatic)
     for (const auto& [name, contact] : sealing_)
       if (named(stage.contacts, name)) contact->close(committed, closed);

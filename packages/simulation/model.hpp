@@ -16,21 +16,21 @@
 
 namespace mudline {
 
-/// Where a model's mesh comes from, where it is not made by its deck.
+/// The source of a model's mesh where that is not the deck's section "mesh".
 struct MeshOrigin {
   std::string parts_file = {};                             // file of `mudline split`
-  std::shared_ptr<const RemeshedMesh> remeshed = nullptr;  // made on the way, and the state comes from elsewhere, too
+  std::shared_ptr<const RemeshedMesh> remeshed = nullptr;  // mesh of a remeshing, whose state is transferred or read
 };
 
 /// The deck turned into objects: mesh, fields, terms, conditions, bodies, contacts, stages, solver; ready to step.
 class Model {
  public:
-  /// Builds and validates everything; on a remeshed mesh what can be validated there, and the initial state is left
-  /// out. InputError on every rank alike. Collective.
+  /// Builds and validates everything; a remeshed mesh gets only those checks that apply to it, and no initial state.
+  /// InputError on every rank alike. Collective.
   Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin = {});
 
   const Mesh& mesh() const { return *mesh_; }
-  /// The mesh as it was made on the way; null: it is the deck's.
+  /// The mesh of the last remeshing; null: the mesh is the deck's.
   const RemeshedMesh* remeshed() const { return remeshed_.get(); }
   const Space& space() const { return *space_; }
   StateStore& store() { return *store_; }
@@ -44,24 +44,24 @@ class Model {
   const std::vector<std::unique_ptr<Condition>>& conditions() const { return conditions_; }
   /// Every term of the model, active or not, in a fixed order.
   std::vector<const Term*> all_terms() const;
-  /// Mesh motion; null: the mesh goes with the soil.
+  /// Mesh motion; null: the mesh moves with the soil.
   const Ale* ale() const { return ale_.get(); }
   const StepTolerances& tolerances() const { return tolerances_; }
   const NewtonOptions& newton() const { return newton_; }
 
-  /// Terms, conditions and bodies of a stage become the active ones. `fresh`: the stage starts (not a restart within
-  /// it): newly active absorbing boundaries take over the present reactions.
+  /// Makes the terms, conditions and bodies of a stage the active ones. `fresh`: the stage starts (not a restart within
+  /// it); newly active absorbing boundaries then hold the present reactions.
   void activate(const Stage& stage, bool fresh);
-  /// When a stage starts, after its initial rates: velocities and accelerations of the bodies whose motion changes.
-  /// Collective.
+  /// Sets velocities and accelerations of the bodies whose motion changes; to be called when a stage starts, after its
+  /// initial rates. Collective.
   void start_bodies(const Stage& stage);
-  /// Unknowns (by overlap dof) of bodies which the stage before left free.
+  /// Overlap dofs of the bodies' unknowns that were released in the stage before.
   const std::vector<int>& released_before() const { return released_before_; }
   /// Drained constrained modulus of an element of soil [Pa], the mean over its points in the committed state.
   double constrained_modulus(int block, int element) const;
   /// The motion of a body in a stage; null: it rests.
   std::shared_ptr<const BodyMotion> motion_in(const Stage& stage, const std::string& body) const;
-  /// Prescribed unknowns of a stage.
+  /// Adds the prescribed unknowns of a stage for a step from `t_old` to `t_end` [s].
   void prescribe(const Stage& stage, double t_old, double t_end, const State& committed, Constraints& to) const;
 
  private:
@@ -78,11 +78,11 @@ class Model {
   void check_contradictions(const Section& deck) const;
   void check_motions(const Section& deck) const;
   void check_supports(const Section& deck, const MeshParts& parts);
-  /// Conditions and contacts that no stage lists, bodies that nothing uses.
+  /// Refuses conditions and contacts that no stage lists, and bodies that nothing uses.
   void check_unused(const Section& deck) const;
-  /// Every part of a mesh in several parts has a condition or a contact that could hold it, in whatever stage.
+  /// Refuses a mesh in several parts of which one has no condition or contact that could hold it in any stage.
   void check_parts(const Section& deck, const MeshParts& parts) const;
-  /// Of the physics, with what contacts press.
+  /// Data of the physics for the linear solver, with the nodes at which contacts press.
   BlockData block_data(const StepView& view) const;
 
   std::shared_ptr<const RemeshedMesh> remeshed_;
@@ -91,7 +91,7 @@ class Model {
   Materials materials_;
   std::vector<std::unique_ptr<Physics>> physics_;
   std::vector<Conserved> conserved_;
-  Shared shared_;  // what the physics offer
+  Shared shared_;  // objects that the physics share
   std::shared_ptr<Soil> soil_;
   std::function<BlockData(const StepView&)> block_data_;
   std::vector<std::unique_ptr<Term>> terms_;  // of the physics
@@ -99,7 +99,7 @@ class Model {
   std::vector<HoldsOnOpenSides*> on_open_sides_;  // of the conditions
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const BodyMotion>> stage_motions_;  // by stage and body
-  std::set<std::string> moved_anew_;  // bodies whose motion in this stage is another than before
+  std::set<std::string> moved_anew_;  // bodies whose motion changes in this stage
   std::vector<int> released_before_;
   std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
   std::vector<std::pair<std::string, const ClosesSides*>> sealing_;  // of the contacts
@@ -113,7 +113,7 @@ class Model {
   std::set<std::string> active_conditions_;  // of the stage before
 };
 
-/// How the deck's mesh is made. InputError on whatever rank the entries are wrong.
+/// The recipe of the deck's mesh. InputError on any rank where the entries are wrong.
 MeshRecipe mesh_recipe(const Section& deck, const Registries& registries);
 
 /// The deck's top-level sections.

@@ -16,19 +16,19 @@ bool begins_with(const std::string& text, const std::string& head) { return text
 /// Arrays that hold nodal forces of a condition.
 constexpr const char* held_forces = "absorbing/";
 
-/// How an array that is no point data goes over.
+/// How an array that is no point data is transferred.
 enum class Way { common, summed, at_nodes, along_surface, unknown };
 
 Way way_of(const ArrayInfo& info, bool of_contact) {
   if (of_contact) return Way::along_surface;
   if (begins_with(info.name, held_forces)) return Way::at_nodes;
   if (info.shares) return Way::summed;
-  // rows that are the same on every rank, though they have ids
+  // these arrays have ids, but their rows are the same on every rank
   const bool named = info.name == "balance" || info.name == "discretisation error";
   return info.ids.empty() || named ? Way::common : Way::unknown;
 }
 
-/// Handles of the arrays that contacts take along their surfaces.
+/// Handles of the arrays that contacts keep along their surfaces.
 std::set<int> arrays_of_contacts(const Model& model) {
   std::set<int> handles;
   for (const auto& [name, contact] : model.contacts())
@@ -37,7 +37,7 @@ std::set<int> arrays_of_contacts(const Model& model) {
   return handles;
 }
 
-/// By local dof, of a rank's rows that stand for dofs.
+/// Local dofs of this rank's rows of an array whose rows stand for dofs.
 std::vector<int> dofs_of(const Model& model, const ArrayInfo& info) {
   std::unordered_map<long long, int> local;
   const std::vector<long long> ids = dof_ids(*model.space().dofs());
@@ -47,7 +47,7 @@ std::vector<int> dofs_of(const Model& model, const ArrayInfo& info) {
   return result;
 }
 
-/// Why nodes that hold forces do not stay.
+/// Error text where nodes that hold forces would move; "": none would.
 std::string moving_forces(const Model& model, const ArrayInfo& info) {
   const int u = model.soil()->displacement;
   NodalView held("held", model.space().dofs()->num_overlap_dofs());
@@ -75,8 +75,8 @@ void copy_bodies(Model& from, Model& to) {
   }
 }
 
-/// Arrays that do not depend on where anything is: the same on every rank, or shares of a sum. The name of one that
-/// does all the same, or "".
+/// Copies arrays that do not depend on the mesh: the same on every rank, or shares of a sum. Returns the name of one
+/// whose number of rows differs all the same, or "".
 std::string copy_common(Model& from, Model& to) {
   const std::set<int> of_contacts = arrays_of_contacts(to);
   for (int handle = 0; handle < to.store().num_arrays(); ++handle) {

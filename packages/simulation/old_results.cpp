@@ -27,12 +27,12 @@ std::vector<DeckChange> changes_between(const std::string& was, const std::strin
   return deck_changes(old.list(), present.list());
 }
 
-/// The same content, wherever its output goes.
+/// Whether two decks have the same content, apart from the place of their output.
 bool alike(const std::vector<DeckChange>& changes) {
   return std::all_of(changes.begin(), changes.end(), [](const auto& change) { return lies_in(change.path, "output"); });
 }
 
-/// Rank 0. Returns why the results must stay, or "".
+/// Removes old results, on rank 0. Returns why they must stay, or "".
 std::string replace(const std::string& stem, const Origin& origin, bool overwrite) {
   const auto metadata = metadata_of(stem);
   const bool others = exists(stem + ".csv") || exists(stem + ".restart");
@@ -70,7 +70,7 @@ void make_room(const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const std::st
   const std::string error = agreed_message(raw_communicator(*comm), root ? replace(stem, origin, overwrite) : "");
   if (!error.empty()) throw InputError(error);
   std::error_code ignored;
-  // the fields go when the new ones begin
+  // the fields are removed when the new ones begin
   for (const char* ending : {".csv", ".restart"})
     if (root) std::filesystem::remove(stem + ending, ignored);
 }

@@ -15,9 +15,10 @@ void moving_probe(Parameters& p, ProbeSettings& probe) {
   p.required("moves with", probe.moves_with, "a body, whose point it is; or nothing: it stays where it is");
 }
 
-/// Files that stay in the folder, and that an .xdmf can refer to: it writes "file:dataset", without quotes.
+/// Refuses names whose files would not lie in the folder, or to which an .xdmf file cannot refer: it writes
+/// "file:dataset" without quotes.
 void check_name(const Section& section, const std::string& name) {
-  constexpr std::size_t longest = 200;  // [bytes] file systems take 255, endings among them
+  constexpr std::size_t longest = 200;  // [bytes] file systems allow 255, with endings
   const std::string end =
       section.has_parameter("name") ? "" : "; it is the deck's own name, as none is given here for the results";
   const auto refuse = [&](const std::string& why) {

@@ -13,20 +13,20 @@ namespace mudline {
 /// The deck's section "output".
 class OutputSettings {
  public:
-  /// `deck_name`: stem of the deck's file, the default name of the results; `bodies`: what a probe may move with.
-  /// InputError.
+  /// `deck_name`: stem of the deck's file, the default name of the results; `bodies`: names of the bodies that a probe
+  /// may move with. InputError.
   static OutputSettings read(const Section& section, const std::string& deck_name,
                              const std::vector<std::string>& bodies);
   void parameters(Parameters& p);
 
   std::string folder = "results";
   std::string name;
-  double field_interval = 0;  // [s] 0: every stage's end only
-  int field_steps = 0;        // every so many steps; 0: off
+  double field_interval = 0;  // [s] 0: only at the end of stages
+  int field_steps = 0;        // number of steps between fields; 0: off
   int history_steps = 1;
   int checkpoint_steps = 100;   // 0: only at the end of stages
-  bool error_estimate = false;  // of the discretisation, in fields and histories
-  double target_error = 0.05;   // [-] of the stress, for the wanted size of elements
+  bool error_estimate = false;  // estimate of the discretisation error, in fields and histories
+  double target_error = 0.05;   // [-] relative error of the stress for which wanted element sizes are computed
   std::vector<ProbeSettings> probes;
 
   /// Makes the folder for the results. `section`: the deck's "output". InputError.

@@ -8,7 +8,7 @@ namespace {
 struct ParameterCheck {
   Usual quantity;
   const char* collection;  // "materials" or "physics"
-  const char* section;     // of its entries; "": the entry itself
+  const char* section;     // sublist of its entries; "": the entry itself
   const char* parameter;
   bool zero_is_usual;  // for example no cohesion
   const char* advice;

@@ -13,9 +13,9 @@ namespace mudline {
 
 namespace {
 
-/// By how many sides a penetration must differ from that at the start of the way before it is compared with the way.
-/// Within a stage: as long as a round body touches less than a side, it moves nothing but the contact's spring, and
-/// before a plastic soil yields the spring is often the softer one. At a stage's end that is no excuse.
+/// Change of the penetration, in lengths of a side, above which it is compared with the displacement: during a stage,
+/// and at its end. While a round body touches less than a side, its displacement only compresses the penalty spring,
+/// and before a plastic soil yields the spring is often softer than the soil; at a stage's end that does not count.
 constexpr double least_of_side = 0.25, least_at_end = 0.05;
 
 const char* const of_way = "penetration of way";

@@ -9,41 +9,42 @@
 
 namespace mudline {
 
-/// Watches how deep surfaces that should only touch lie in each other. A penalty gives way: of the way that a body has
-/// come since it touched, what the contact gives way is no deformation of the soil, and a geometry that overlaps by a
-/// good part of a side is another one. Warns once per contact and stage, and at the run's end.
+/// Watches the penetration of contacts. Penetration into a soft penalty is a part of the body's displacement that does
+/// not deform the soil, and an overlap of a good part of a side changes the geometry. Warns once per contact and stage,
+/// and at the run's end.
 ///
-/// The way is that of the body's surface (or of the nodes of both surfaces) since the stage began or, where it does not
-/// touch then, since it last did not. A restart within a stage counts from the restart.
+/// Penetrations are compared with the displacement of the body's surface (or of the nodes of both surfaces) since the
+/// stage began or, where they do not touch then, since they last did not. After a restart within a stage it is counted
+/// from the restart.
 class PenetrationWatch {
  public:
-  /// Its quantities, of the section "plausibility".
+  /// Declares its quantities, which belong to the section "plausibility".
   static void declare(Doubts& doubts);
   explicit PenetrationWatch(const Doubts& doubts) : doubts_(doubts) {}
-  /// `report`: of the contacts in the committed state. Collective, as look().
+  /// `report`: the contacts' report in the committed state. Collective, as are look() and end_stage().
   void begin_stage(const Model& model, const Report& report);
   void look(const Model& model, const Report& report);
   void end_stage(const Model& model, const Report& report);
-  /// The greatest that was warned of.
+  /// Warns once more of the largest penetration of every contact that a warning named.
   void tell_end() const;
 
  private:
   struct Record {
     BodyPlacement placement;    // of the body
-    std::vector<Point> places;  // of the nodes of both surfaces
-    double depth = 0;           // [m] when they were there
-    double way = 0;             // [m] greatest since
-    bool told = false;          // in this stage: there was a warning
-    // of the last warning: the quantity, the side's length [m], and the greatest since
+    std::vector<Point> places;  // [m] positions of the nodes of both surfaces
+    double depth = 0;           // [m] penetration at that placement
+    double way = 0;             // [m] largest displacement since
+    bool told = false;          // there was a warning in this stage
+    // the last warning: its quantity, the side's length [m], and the largest values since
     std::string quantity, over;
     double side = 0, worst = 0, worst_depth = 0, worst_time = 0;
     void keep(double depth, double share, double time);
   };
-  /// What the sides are like where the contact presses.
+  /// Means over the sides on which the contact presses.
   struct Pressed {
-    double side = 0, penalty = 0, stiffness = 0;  // means: [m] edges, [Pa/m], [Pa/m] M/h of the elements behind
+    double side = 0, penalty = 0, stiffness = 0;  // [m] edges, [Pa/m], [Pa/m] M/h of the elements behind
   };
-  /// `least`: penetration over the side below which it is not compared with the way.
+  /// `least`: change of the penetration over the side's length below which it is not compared with the displacement.
   void look(const Model& model, const Report& report, double least);
   void look_at(const Model& model, const std::string& name, const Contact& contact, double depth, double least,
                Record& record);

@@ -18,7 +18,7 @@ namespace mudline {
 
 namespace {
 
-/// The quantities of the checks in this file. Of what varies over a mesh the largest value counts.
+/// The quantities of the checks in this file. Where a quantity varies over the mesh, its largest value counts.
 const Usual own_quantities[] = {
     {"undrained strength", "Pa", {200, 2e6}, "of a material, its largest: soft seabed to weak rock"},
     {"shear modulus", "Pa", {2e4, 2e11}, "of a material, its largest"},
@@ -58,12 +58,12 @@ Doubts all_quantities() {
   for (const Usual& quantity : own_quantities) result.declare(quantity);
   PenetrationWatch::declare(result);
   for (const SetupCheck& check : setup_checks())
-    if (*check.quantity.meaning) result.declare(check.quantity);  // one without is another's
+    if (*check.quantity.meaning) result.declare(check.quantity);  // one without is declared by another check
   declare_body_checks(result);
   return result;
 }
 
-/// Steps that a stage takes when each is an easy one.
+/// Number of steps of a stage when none is cut.
 double expected_steps(const Stage& stage) {
   const StepControl& control = stage.control;
   double time = 0, dt = control.initial, steps = 0;
@@ -77,7 +77,7 @@ double expected_steps(const Stage& stage) {
 
 }  // namespace
 
-/// What an element of soil is like, as means over its points.
+/// Figures of an element of soil, as means over its points.
 struct Plausibility::Element {
   const SoilBlock& block;
   const SoilPoints& points;
@@ -85,7 +85,7 @@ struct Plausibility::Element {
   double shortest, longest;  // [m] edges
   double height;             // [m] area over the longest side; in space volume over the largest face
   double shear, modulus;     // [Pa] G, drained constrained modulus
-  double wave;               // [m/s] fastest
+  double wave;               // [m/s] fastest wave
   double consolidation;      // [m2/s] c_v; 0 without pore fluid
 };
 
@@ -119,7 +119,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), u
   p.finish();
   if (!model.soil()) return;
   if (!model.bodies().empty() && model.mesh().dimension() == 2) {
-    const GhostedMesh mesh(model.mesh(), 1);  // a layer tells where regions end
+    const GhostedMesh mesh(model.mesh(), 1);  // one layer of ghosts shows where regions end
     const Positions positions = mesh.gather(model.mesh().coordinates());
     for (const auto& [name, body] : model.bodies()) {
       const BodyWay way(model, *body, mesh, positions);
@@ -156,11 +156,11 @@ void Plausibility::tell_materials() {
                                        "overconsolidation ratio",  "void ratio",    "hydraulic conductivity",
                                        "consolidation coefficient"};
   const char* const symbol[count] = {"s_u", "G", "p'", "OCR", "e", "k", "c_v"};
-  std::map<std::string, std::array<Span, count>> found;  // by material, the same names on every rank
+  std::map<std::string, std::array<Span, count>> found;  // by material; every rank has the same names
   for (const auto& material : model_.soil()->materials) found[material->name];
   for_each_element([&](const Element& at) {
     const int first = at.number * at.block.points;
-    bool one = true;  // material
+    bool one = true;  // there is one material only
     for (int q = 1; q < at.block.points; ++q) one = one && &at.points.material(first + q) == &at.points.material(first);
     for (int q = 0; q < at.block.points; ++q) {
       const int row = first + q;
@@ -278,12 +278,12 @@ void Plausibility::doubt_shape(const BodyWay& way, const std::string& name) {
                  name + ": the number of sides of the surface that it covers");
 }
 
-/// A surface that is held at a pore pressure is held there in the hole that a body opens, too.
+/// A pore pressure prescribed on a surface is also prescribed in the hole that a body opens.
 void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, const Section& deck) {
   const Soil& soil = *model_.soil();
   if (soil.pressure < 0 || soil.excess || !way.touches_anything()) return;
   const double lowest = way.lowest(), depth = way.surface_top() - lowest;
-  double water = -1e300;  // at the start, down to there
+  double water = -1e300;  // [Pa] largest pore pressure at the start above `lowest`
   const auto& dof = soil.space->node_dof(soil.pressure);
   for (int node = 0; node < model_.mesh().num_nodes(); ++node)
     if (dof(node) >= 0 && model_.mesh().place(node)[1] >= lowest)
@@ -316,9 +316,9 @@ void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, co
 struct Plausibility::Load {
   std::string set;
   std::vector<Function> components;
-  bool anew;              // it did not act before
-  double time, duration;  // [s] begin of the stage, and of the stage
-  /// Whether the first step brings more than a tenth of what the stage does.
+  bool anew;              // it did not act in the stage before
+  double time, duration;  // [s] begin and duration of the stage
+  /// Whether the first step brings more than a tenth of the load's change in the stage.
   bool sudden(double dt, const Point& x) const {
     for (const Function& f : components) {
       const double before = anew ? 0.0 : f(time, x), first = std::abs(f(time + dt, x) - before);

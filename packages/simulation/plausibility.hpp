@@ -9,17 +9,17 @@
 
 namespace mudline {
 
-/// Tells the physics of a model in a dozen lines, and doubts what is unusual: slips of units and signs that a deck
-/// cannot be refused for. Reads the state before the first step.
+/// Summarises the physics of a model in a dozen lines, and warns of what is unusual: likely mistakes in units and signs
+/// for which a deck cannot be refused. Reads the state before the first step.
 class Plausibility {
  public:
-  /// Reads "plausibility". InputError, also for bodies whose prescribed way crosses a boundary of regions. Collective.
+  /// Reads "plausibility". InputError, also for bodies whose prescribed path crosses a boundary of regions. Collective.
   Plausibility(Model& model, const Section& deck);
   static void document(Parameters& p);
   const std::vector<std::string>& doubts() const { return usual_.lines(); }
-  /// What is usual of the quantities that checks look at, those during a run among them.
+  /// The usual ranges of all quantities that checks judge, those during a run among them.
   const Doubts& usual() const { return usual_; }
-  /// Facts as information, doubts as warnings.
+  /// Prints the facts as information and the doubts as warnings.
   void print() const;
 
  private:
@@ -41,7 +41,7 @@ class Plausibility {
   Model& model_;
   Doubts usual_;
   double shortest_wave_ = 1e300;  // [s]
-  bool stressed_ = false;         // the soil, at the start
+  bool stressed_ = false;         // the soil has stresses at the start
   std::vector<std::string> facts_;
 };
 

@@ -13,7 +13,7 @@ void declare(Parameters& p, std::vector<std::string>& files) {
   p.add("files", files, "shared libraries to load before the deck is read further; relative to the deck's folder");
 }
 
-/// What the plugin says that it was built for. Throws what is wrong with that.
+/// The text with which a plugin says for what it was built (see MUDLINE_ABI). Throws where there is none.
 std::string signature_of(const ForeignLibrary& library) {
   const auto signature = reinterpret_cast<const char* (*)()>(library.function("mudline_plugin_abi"));
   if (const char* text = signature()) return text;

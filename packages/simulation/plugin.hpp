@@ -14,7 +14,8 @@
 #define MUDLINE_BUILD_KIND "debug"
 #endif
 
-/// What must be equal in a plugin and in the program that loads it: interface version, compiler, Trilinos, build kind.
+/// Text that must be equal in a plugin and in the program that loads it: interface version, compiler, Trilinos, build
+/// kind.
 #define MUDLINE_ABI \
   "interface 11; gcc " MUDLINE_STRINGIFY(__GNUC__) "; Trilinos " TRILINOS_VERSION_STRING "; " MUDLINE_BUILD_KIND
 

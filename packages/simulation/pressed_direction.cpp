@@ -6,7 +6,7 @@
 namespace mudline {
 
 Point pressed_direction(const Model& model, const Contact& contact) {
-  constexpr double least = 1e-6;  // [-] of the sum without directions, below which the pressures cancel
+  constexpr double least = 1e-6;  // [-] share of the sum of sizes below which the pressures cancel
   const Mesh& mesh = model.mesh();
   const State& state = model.store().committed();
   const int axes = mesh.dimension();
@@ -17,7 +17,7 @@ Point pressed_direction(const Model& model, const Contact& contact) {
                                      (body != nullptr && body->contour().extent() == ContourExtent::half));
   if (upright) return vertical;
   const std::vector<double> pressure = contact.nodal_pressure(state);
-  std::vector<double> sum(4, 0.0);  // resultant, and sum of sizes [N]
+  std::vector<double> sum(4, 0.0);  // resultant and sum of sizes [N]
   for (const Side& side : mesh.side_sets().at(contact.partners().surface)) {
     const ElementBlock& block = mesh.blocks()[side.block];
     const std::vector<int> local = side_nodes(block.shape, side.side);

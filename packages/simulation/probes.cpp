@@ -12,7 +12,7 @@ namespace mudline {
 
 namespace {
 
-/// Reference coordinates moved into the cell.
+/// Moves reference coordinates to the nearest ones within the cell.
 void into_cell(CellShape shape, double (&xi)[3]) {
   if (!is_simplex(shape)) {
     for (double& c : xi) c = std::clamp(c, -1.0, 1.0);
@@ -37,7 +37,8 @@ Probes::Probes(const Model& model, const std::vector<ProbeSettings>& settings)
     else
       moving_.push_back(probe);
   }
-  if (!moving_.empty()) mesh_ = std::make_unique<GhostedMesh>(model.mesh(), 1);  // a layer tells where the soil ends
+  // one layer of ghosts shows where the soil ends
+  if (!moving_.empty()) mesh_ = std::make_unique<GhostedMesh>(model.mesh(), 1);
 }
 
 Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
@@ -56,7 +57,7 @@ Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
         dof = space.node_dof(f)(node);
       }
     }
-    // the owner of the nearest node keeps the dof; the others add nothing to the sum over ranks
+    // only the owner of the nearest node keeps the dof, so that the others add nothing to the sum over ranks
     const double nearest = min_over_ranks(comm, best);
     const int mine = best == nearest ? comm.getRank() : comm.getSize();
     int owner = 0;
@@ -112,7 +113,7 @@ MeshPlace Probes::place_in_soil(const Point& at, const PointLocator& locator, co
   double least = 1e300;
   for (int e = 0; e < static_cast<int>(mesh_->elements().size()); ++e) {
     const auto& element = mesh_->elements()[e];
-    bool near = true;  // a curved element stays within its nodes' box, half as large again on each side
+    bool near = true;  // a curved element lies within the box of its nodes, enlarged by half its size on each side
     for (int i = 0; i < mesh_->dimension(); ++i) {
       double low = 1e300, high = -1e300;
       for (int a = 0; a < num_nodes(element.shape); ++a) {

@@ -15,7 +15,7 @@
 
 namespace mudline {
 
-/// Everything a deck's "type" may name: the whole world of a plugin.
+/// All types that a deck's "type" may name; a plugin adds its own.
 struct Registries {
   Registry<MeshSource> mesh_sources{"mesh"};
   Registry<Skeleton> skeletons{"skeleton"};
@@ -37,7 +37,7 @@ struct Registries {
   Registry<PointTest> point_tests{"test"};
 };
 
-/// Fills the registries with what comes with mudline.
+/// Fills the registries with mudline's own types.
 void register_all(Registries& registries);
 
 /// Documentation of every registered type and of the deck's fixed sections, in deck order.

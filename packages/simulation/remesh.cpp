@@ -1,4 +1,4 @@
-// The run goes on with a model on a mesh made anew: a restart on another mesh, and a transaction.
+// Remeshing: the run goes on with a model on a new mesh, or with the old one where that fails.
 #include "core/log.hpp"
 #include "core/run_error.hpp"
 #include "core/text.hpp"
@@ -61,7 +61,7 @@ std::string Run::hand_over(std::unique_ptr<Model> next) {
                              {results_->field_steps(), time, false, results_->field_marks(), true}};
   const long long elements = model_->mesh().num_global_elements();
   results_.reset();
-  error_estimate_ = std::move(error);  // it looks at the old model
+  error_estimate_ = std::move(error);  // the old one refers to the old model
   model_ = std::move(next);
   balances_ = std::move(balances);
   results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), files);

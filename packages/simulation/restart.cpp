@@ -1,4 +1,4 @@
-// The checkpoint of a run: the committed state, whole, where the run stands, and the deck that it is the state of.
+// The checkpoint of a run: the whole committed state, the progress of the run, and its deck.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -23,12 +23,12 @@ namespace {
 /// Sections of the deck that may change between a run and its continuation.
 const char* const free_sections[] = {"stages", "solver", "output"};
 
-/// What walls() knows of the start of the stage, in the checkpoint: pressure and place by contact.
+/// Name in the checkpoint of WallDissipation::start(): pressure and place by contact.
 const char* const walls_at_start = "wall at the start/";
-/// Names and fingerprints of the files of the fields, a line each.
+/// Name in the checkpoint of the names and fingerprints of the files of the fields, a line each.
 const char* const field_marks = "field files";
 
-/// The mesh that was made on the way, in the checkpoint: bytes in whole numbers, behind how many they are.
+/// Name in the checkpoint of the mesh of the last remeshing: the number of bytes, and the bytes packed into integers.
 const char* const remeshed_mesh = "remeshed mesh";
 
 std::vector<long long> packed(const std::vector<char>& bytes) {
@@ -43,18 +43,18 @@ std::vector<char> unpacked(const std::vector<long long>& numbers) {
   return {first, first + numbers[0]};
 }
 
-/// With the beginnings of their names in the checkpoint; the field's number follows.
+/// The measures with the beginnings of their names in the checkpoint, which the field's number follows.
 std::vector<std::pair<std::string, std::vector<double>*>> by_name(StepMeasures& measures) {
   return {
       {"reference floor ", &measures.acting}, {"size floor ", &measures.values}, {"matrix size ", &measures.matrix}};
 }
 
-/// The rows of an array of the state: what they are called on any number of ranks.
+/// The rows of an array of the state, with ids that do not depend on the number of ranks.
 struct Rows {
-  std::string name;            // of the ids in the checkpoint, "ids/dof"
+  std::string name;            // name of the ids in the checkpoint, such as "ids/dof"
   std::vector<long long> ids;  // by row; empty: the rows are the same on every rank
   bool shares = false;         // the ranks' rows of one id add up
-  int receivers = 0;           // shares: the sum goes to the first rows, so many, on the rank that has any
+  int receivers = 0;           // for shares: the number of first rows on this rank that receive the sums
 };
 
 /// An array of the state with its place in memory, row by row.
@@ -117,11 +117,11 @@ const std::vector<T>& find(const std::map<std::string, std::vector<T>>& arrays, 
   return found->second;
 }
 
-/// From the parts of all ranks, row by row.
+/// Fills this rank's rows from the parts of all ranks.
 void redistribute(const std::vector<double>& from, const std::vector<long long>& ids, const StateArray& to) {
   const std::size_t rows = to.rows.ids.size(), columns = ids.empty() ? 0 : from.size() / ids.size();
   if (from.size() != columns * ids.size() || (rows > 0 && to.size != columns * rows)) does_not_fit(to.name);
-  std::unordered_map<long long, std::size_t> first;  // row of each id in the sums, or the first one
+  std::unordered_map<long long, std::size_t> first;  // first row of each id
   std::vector<double> sums(to.rows.shares ? from.size() : 0, 0.0);
   for (std::size_t row = 0; row < ids.size(); ++row) {
     const std::size_t place = first.emplace(ids[row], row).first->second;
@@ -138,7 +138,7 @@ void redistribute(const std::vector<double>& from, const std::vector<long long>&
   }
 }
 
-/// Rows without ids from the parts of all ranks: alike everywhere, or shares that add up.
+/// Fills rows without ids from the parts of all ranks: they are the same on every rank, or shares that add up.
 void take_common(const std::vector<double>& from, int ranks, const StateArray& to) {
   if (from.size() != to.size * ranks) does_not_fit(to.name);
   for (std::size_t i = 0; i < to.size; ++i) {
@@ -181,7 +181,7 @@ std::string text_of(const FieldMarks& marks) {
   return text;
 }
 
-/// Nothing where the checkpoint is of a version that kept none.
+/// The fingerprints of the files of the fields; empty where the checkpoint is of a version that kept none.
 FieldMarks field_marks_of(const CheckpointData& from) {
   FieldMarks marks;
   const auto found = from.texts.find(field_marks);
@@ -210,7 +210,7 @@ std::vector<std::string> stage_names(const Teuchos::ParameterList& deck) {
 void Run::save_checkpoint() {
   const State& state = model_->store().committed();
   CheckpointData data;
-  // first, as a solver that cannot tell forgets what it keeps: the arrays take its room
+  // this comes first, because a solver may free memory here that the arrays then use
   data.arrays["linear solver"] = model_->stepper().solver_memory();
   for (const StateArray& array : arrays_of(*model_, results_->initial_pressure())) {
     data.arrays[array.name].assign(array.values, array.values + array.size);
@@ -348,13 +348,13 @@ void Run::restore_progress() {
   progress_.stage_start = scalar(data, "stage start");
   progress_.next_dt = scalar(data, "next dt");
   progress_.last_dt = scalar(data, "last dt");
-  // the interval may be another now
+  // the interval may have changed
   progress_.next_field_time =
       std::min(scalar(data, "next field time"), next_field_time(model_->store().committed().time));
   progress_.stage_open = counter(data, "stage open", 1) == 1;
   std::map<std::string, WallDissipation::Start> walls;
   for (const auto& [name, wall] : data.arrays)
-    if (name.rfind(walls_at_start, 0) == 0 && wall.size() >= 4)  // alike on all ranks
+    if (name.rfind(walls_at_start, 0) == 0 && wall.size() >= 4)  // the same on all ranks
       walls[name.substr(std::strlen(walls_at_start))] = {wall[0], {wall[1], wall[2], wall[3]}};
   walls_.resume(std::move(walls));
   if (data.scalars.count("remesh tried")) progress_.remesh_tried = counter(data, "remesh tried", 2e9);
@@ -372,7 +372,7 @@ void Run::restore_progress() {
 }
 
 void Run::restore_arrays() {
-  // the initial pressure has its place in the results, which are opened after this
+  // the results, which keep the initial pressure, are opened later: a placeholder stands for it here
   const NodalView room("initial pressure", model_->store().committed().value.extent(0));
   for (const StateArray& array : arrays_of(*model_, room)) restore(checkpoint_, array);
 }
@@ -393,7 +393,7 @@ ResultsRestart Run::results_restart() const {
 
 void Run::restore_solver() {
   const auto found = checkpoint_.arrays.find("linear solver");
-  // its numbers belong to the ranks' parts of the matrix
+  // the numbers belong to the ranks' parts of the matrix, so they need the same partition
   if (checkpoint_.ranks == 0 && found != checkpoint_.arrays.end()) model_->stepper().restore_solver(found->second);
 }
 

@@ -12,7 +12,7 @@ namespace mudline {
 
 namespace {
 
-/// The same on every mesh of a run.
+/// Outline of a body in its initial position, as it is drawn; it does not depend on the mesh.
 BodyOutline outline_of(const RigidBody& body) {
   BodyOutline outline;
   if (body.surface()) {
@@ -95,7 +95,7 @@ NodalView Results::deeper_by() const {
   for (int node = 0; node < model_.mesh().num_nodes(); ++node) {
     const int dof = model_.space().node_dof(field)(node);
     if (dof < 0) continue;
-    // a node that has moved, with the soil or with the mesh, is compared with the water at rest where it is now
+    // a node that has moved with the soil or the mesh is compared with water at rest at its present place
     double deeper = 0;
     for (int i = 0; i < model_.mesh().dimension(); ++i)
       deeper += gravity[i] * (state.coordinates(node, i) - start(node, i));

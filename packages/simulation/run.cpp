@@ -48,7 +48,7 @@ void catch_signals() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::signal(SIGUSR1, on_signal);
-  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // of nohup
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as under nohup
 }
 
 Run::Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettings& settings, const Origin& origin,
@@ -139,7 +139,8 @@ bool Run::run_geostatic(const Stage& stage) {
   };
   const double time = model_->store().committed().time;
   model_->store().committed().time = time - now.dt;
-  // a balance that is checked is solved for: the displacement tells of an imbalance that the residual's tolerance hides
+  // a balance that is checked is always solved for: the displacement shows an imbalance that the residual's tolerance
+  // would hide
   NewtonOptions newton = model_->newton();
   newton.least_iterations = stage.balance_tolerance > 0 ? 1 : 0;
   const StepReport report = model_->stepper().attempt(now, model_->tolerances(), newton);
@@ -242,7 +243,7 @@ Report Run::report_terms() {
 
 Report Run::report_contacts() {
   Report report;
-  StepView view = model_->stepper().view();  // after a restart it is of no step yet
+  StepView view = model_->stepper().view();  // after a restart it belongs to no step yet
   view.committed = &model_->store().committed();
   for (const auto& [name, contact] : model_->contacts()) contact->histories(view, report);
   return report;
@@ -328,7 +329,7 @@ std::string Run::relocate_mesh() {
   const std::vector<double> conserved = balances_->conserved();
   MeshReceipt receipt = model_->ale()->relocate(store, model_->stepper().constraints());
   if (!receipt.moved) return receipt.veto;
-  // the trial state still has the mesh as it was
+  // the trial state still has the old mesh
   for (Transferred* term : model_->stepper().transferred())
     term->relocate(store.trial().coordinates, store.committed());
   if (!model_->stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_->stepper().hints();
@@ -405,7 +406,7 @@ double Run::next_field_time(double time) const {
   const double interval = settings_.field_interval;
   if (interval <= 0) return time;
   const double passed = std::floor((time - progress_.stage_start) / interval * (1 + 1e-12));
-  // of an interval that is nothing against the time, every moment is a multiple
+  // an interval below the resolution of the time counts as reached at every moment
   return passed < 1e12 ? progress_.stage_start + (passed + 1) * interval : time;
 }
 
@@ -414,8 +415,8 @@ void Run::after_step(const Stage& stage, double dt, const StepReport& report) {
   ++progress_.step_in_stage;
   ++steps_here_;
   progress_.last_dt = dt;
-  // the step that was shortened to meet the end of a stage or a contact's limit says nothing of the size Newton can
-  // take
+  // a step that was shortened to meet the end of a stage or a contact's limit does not show how large a step Newton's
+  // method can take
   const double next = stage.control.after_success(dt, report.hardest_solve, error_);
   progress_.next_dt =
       dt < progress_.next_dt * (1 - 1e-9) && next >= dt ? std::max(next, std::min(progress_.next_dt, next * 2)) : next;
@@ -487,7 +488,7 @@ ExitCode Run::execute() {
   if (!options_.restart) results_->write_fields(0, "start");
   look_at_mesh();
   const int stages = static_cast<int>(model_->stages().size());
-  // a restart between two stages: what was active in the one before is not newly activated in the next
+  // after a restart between two stages the terms of the stage before are active already and do not start anew
   if (options_.restart && !progress_.stage_open && progress_.stage > 0)
     model_->activate(*model_->stages()[progress_.stage - 1], false);
   for (; progress_.stage < stages; ++progress_.stage) {
@@ -501,7 +502,7 @@ ExitCode Run::execute() {
       results_->write_fields(progress_.step, stage.name);
     } else {
       const double duration = stage.duration;
-      const ExitCode exit = run_stage();  // on a mesh made anew stages are others of the same name
+      const ExitCode exit = run_stage();  // remeshing replaces the stages by others of the same names
       const bool complete = model_->store().committed().time >= progress_.stage_start + duration * (1 - 2e-9);
       if (exit != ExitCode::done || !complete) return exit;
       penetration_.end_stage(*model_, report_);
@@ -509,7 +510,8 @@ ExitCode Run::execute() {
       if (this->stage().reset_displacements) reset_displacements();
     }
     const bool last = progress_.stage + 1 == stages;
-    if (last) break;  // its checkpoint is written below: it stays open, so that a restart may prolong it
+    // the checkpoint of the last stage is written below with the stage open, so that a restart may prolong it
+    if (last) break;
     progress_.stage_open = false;
     ++progress_.stage;
     save_checkpoint();

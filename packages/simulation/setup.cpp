@@ -12,13 +12,14 @@ namespace mudline {
 
 namespace {
 
-/// The entry's value as type T, unmarked, so that what nobody reads is still found; null: of another type.
+/// The entry's value as type T, without marking it as read, so that unread entries are still found; null: it has
+/// another type.
 template <class T>
 const T* value_of(const Teuchos::ParameterEntry& entry) {
   return entry.isType<T>() ? &Teuchos::any_cast<T>(entry.getAny(false)) : nullptr;
 }
 
-constexpr int moments = 200;  // of a run at which a function of time is looked at
+constexpr int moments = 200;  // number of times in a run at which a function of time is sampled
 
 }  // namespace
 
@@ -81,7 +82,7 @@ std::optional<Function> Setup::function(const Section& section, const std::strin
   try {
     return section.functions().resolve(*text);
   } catch (const InputError&) {
-    return {};  // a word
+    return {};  // a word, not a number
   }
 }
 
@@ -110,7 +111,7 @@ Span Setup::given(const Section& section, const std::string& name, double from, 
         box.high[i] = where->box[i].high;
       }
   const int corners = value->is_constant() ? 0 : 1 << dimension(), times = value->steady() ? 0 : moments;
-  for (int corner = 0; corner <= corners; ++corner) {  // the last: the middle
+  for (int corner = 0; corner <= corners; ++corner) {  // the last one is the middle
     Point x{};
     for (int i = 0; i < dimension(); ++i)
       x[i] = corner == corners ? 0.5 * (box.low[i] + box.high[i]) : corner >> i & 1 ? box.high[i] : box.low[i];
@@ -174,7 +175,7 @@ const Setup::SetFigures& Setup::set(const std::string& name) const {
   if (!fresh || !mesh().has_set(name)) return figures;
   for (int node : mesh().nodes_of_set(name))
     for (int i = 0; i < dimension(); ++i) figures.box[i].add(mesh().place(node)[i]);
-  std::vector<double> sums(8, 0.0);  // sides, their normals, their size, their lengths along the axes
+  std::vector<double> sums(8, 0.0);  // sums over sides: number, normals, size, lengths along the axes
   int order = 1;
   if (mesh().has_side_set(name))
     for (const Side& side : mesh().side_sets().at(name)) {

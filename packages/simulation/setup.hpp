@@ -17,36 +17,35 @@ struct Span {
   void add(double value);
   bool known() const { return high >= low; }
   double length() const { return known() ? high - low : 0; }
-  /// Both values, or the one that they are, or none.
+  /// Both values; one where they are equal, none where nothing is known.
   std::vector<double> ends() const;
   /// The value that is farther from zero.
   double largest() const { return -low > high ? low : high; }
 };
 
-/// What a model is before its first step, for checks that doubt how a deck is meant: entries as the deck gives them,
-/// and means over the mesh.
+/// A model before its first step, for plausibility checks: entries as the deck gives them, and means over the mesh.
 class Setup {
  public:
   /// Collective.
   Setup(Model& model, const Section& deck);
 
-  /// Of one material at the start, means over its points; zero where it has none.
+  /// Figures of one material at the start, means over its points; zero where it has none.
   struct SoilMeans {
     double points = 0;
     double shear = 0, modulus = 0;  // [Pa] G, drained constrained modulus
-    double wave = 0;                // [m/s] of pressure, undrained
+    double wave = 0;                // [m/s] undrained pressure wave
     double density = 0;             // [kg/m3]
     double void_ratio = 0;          // [-]
     double conductivity = 0;        // [m/s]
     double consolidation = 0;       // [m2/s] c_v; 0 without pore fluid
   };
-  /// Where a set of the mesh is.
+  /// Place and shape of a set of the mesh.
   struct SetFigures {
     std::array<Span, 3> box;  // [m]
-    int sides = 0;            // 0: a set of nodes
-    Point side{};             // [m] of one of them along each axis, mean
-    int order = 1;            // of the cells at its sides
-    Point normal{};           // outward, of length 1 where the sides are one plane; shorter where they turn
+    int sides = 0;            // number of sides; 0: a set of nodes
+    Point side{};             // [m] mean extent of a side along each axis
+    int order = 1;            // of the cells at its sides: 1 linear, 2 quadratic
+    Point normal{};  // mean outward normal, of length 1 where the sides lie in a plane; shorter where they do not
   };
   /// One entry of "boundary conditions".
   struct ConditionEntry {
@@ -61,7 +60,7 @@ class Setup {
   /// Number of the vertical axis: the last one.
   int vertical() const { return dimension() - 1; }
   double extent(int axis) const { return mesh().bounds().high[axis] - mesh().bounds().low[axis]; }
-  /// [m] along any axis
+  /// Largest extent [m] along any axis.
   double longest_extent() const;
   bool porous() const { return model_.soil()->pressure >= 0; }
 
@@ -71,12 +70,12 @@ class Setup {
   std::vector<ConditionEntry> conditions(const Stage& stage) const;
   /// Whether a condition acts in a stage.
   static bool acts(const std::string& condition, const Stage& stage);
-  /// [s] when a stage begins, and when the run ends.
+  /// Times [s] at which a stage begins and the run ends.
   double begin(std::size_t stage) const { return begins_[stage]; }
   double end() const { return begins_.back(); }
 
   /// The values of an entry that the deck gives, as a number, a list, or a function over the box of a set, or of the
-  /// mesh, and the time from `from` to `to`; not known where it gives none.
+  /// mesh, and the time from `from` to `to`; not known() where it gives none.
   Span given(const Section& section, const std::string& name, double from, double to,
              const SetFigures* where = nullptr) const;
   Span given(const Section& section, const std::string& name) const { return given(section, name, 0, end()); }
@@ -87,11 +86,11 @@ class Setup {
 
   /// Whether stresses and loads in another unit would only scale the answer: no weight, no law with a strength.
   bool scales() const;
-  /// By material.
+  /// Means by name of the material.
   const std::map<std::string, SoilMeans>& soils() const { return soils_; }
-  /// Of all soil.
+  /// Means over all soil.
   const SoilMeans& soil() const { return all_; }
-  /// [m/s2] largest over the run, with its factor.
+  /// Largest size of gravity [m/s2] over the run, with its factor.
   double gravity() const { return gravity_; }
   const Point& gravity_vector() const { return gravity_vector_; }
   /// The deck's entry that gives gravity; empty: none.
@@ -116,13 +115,13 @@ class Setup {
   mutable std::map<std::string, SetFigures> sets_;
 };
 
-/// A value that a check has found: what it is of, and what to change where it is unusual.
+/// A value that a check has found, what it is, and what to change where it is unusual.
 struct Finding {
   double value;
   std::string what, advice;
 };
 
-/// One way in which a deck may be meant otherwise than it is written. Its quantity's name is that of the doubt.
+/// One check of whether a deck's entries may be mistaken. Its quantity's name is that of the doubt.
 struct SetupCheck {
   Usual quantity;
   /// Collective: the same findings on every rank.
@@ -134,7 +133,7 @@ std::vector<SetupCheck> material_checks();
 std::vector<SetupCheck> parameter_checks();
 std::vector<SetupCheck> load_checks();
 std::vector<SetupCheck> domain_checks();
-/// All of them, in the order in which they doubt.
+/// The checks of all groups, in the order of their doubts.
 std::vector<SetupCheck> setup_checks();
 
 }  // namespace mudline

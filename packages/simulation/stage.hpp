@@ -16,25 +16,25 @@ class Stage {
   enum class Type { geostatic, quasi_static, dynamic };
   enum class InitialRates { automatic, consistent, zero, keep };
 
-  /// Reads and validates. `conditions` and `contacts`: the names the deck defines. InputError.
+  /// Reads and validates a stage. `conditions` and `contacts`: the names that the deck defines. InputError.
   static std::unique_ptr<Stage> read(const Section& section, const Registry<TimeIntegrator>& integrators,
                                      const std::vector<std::string>& conditions,
                                      const std::vector<std::string>& contacts);
   static void document(Parameters& p) { Stage().parameters(p); }
 
-  /// Coefficients of a step; step counts from 0 in the stage.
+  /// Coefficients of the time integration in a step; `step` counts from 0 in the stage.
   TimeScheme scheme(int step) const;
 
   std::string name;
   Type type = Type::quasi_static;
   double duration = 1;  // [s]
   StepControl control;
-  std::vector<std::string> conditions;  // active ones, in deck order
+  std::vector<std::string> conditions;  // names of the active ones, in deck order
   std::vector<std::string> contacts;
   InitialRates initial_rates = InitialRates::automatic;
   bool mesh_motion = true;           // where the deck has mesh motion
   bool allow_folded = false;         // the run goes on with folded elements
-  bool reset_displacements = false;  // at the end
+  bool reset_displacements = false;  // at the end of the stage
   double balance_tolerance = 0;  // geostatic: largest displacement [m] before the start counts as unbalanced; 0: off
 
  private:

@@ -37,10 +37,9 @@ class Supports::Gram {
       if (row[i] != 0)
         for (int j = 0; j < size_; ++j) entries_[i * size_ + j] += row[i] * row[j];
   }
-  /// Adds up what the ranks have.
+  /// Sums the entries over the ranks.
   void sum(const Comm& comm) { entries_ = sum_over_ranks(comm, entries_); }
-  /// A free motion in the chosen amplitudes only: the largest of its amplitudes is that of the returned index; -1:
-  /// none.
+  /// Index of the largest amplitude of a free motion in the chosen amplitudes; -1: none is free.
   int free(const std::vector<int>& chosen) const;
 
  private:
@@ -74,7 +73,7 @@ Supports::Supports(Model& model, const MeshParts& parts) : model_(model), mesh_p
 void Supports::find_parts() {
   const Mesh& mesh = model_.mesh();
   const std::size_t count = mesh_parts_.places.size();
-  std::vector<double> here(6 * count, -1e300), box(here);  // of each: minus the lowest, the highest coordinates
+  std::vector<double> here(6 * count, -1e300), box(here);  // of each part: minus the lowest and the highest coordinates
   for (int node = 0; node < mesh.num_nodes(); ++node) {
     const Point x = mesh.place(node);
     double* mine = &here[6 * mesh_parts_.of_node[node]];
@@ -129,7 +128,7 @@ class Supports::Collector {
   void add_prescribed(double time);
   void add_contact(const ContactPartners& contact, bool pressed_in);
   void add_body_springs(double time);
-  /// What is free to move; "": nothing. Collective.
+  /// Text on what is free to move; "": nothing. Collective.
   std::string free();
 
  private:

@@ -25,7 +25,8 @@ Kind kind_of(const std::string& unit) {
   return sum ? Kind::total : Kind::linear;
 }
 
-/// Values given at ascending places s, taken to other ascending places of a path of some length.
+/// Values given at ascending places `s` of a path, transferred to the ascending places `to`; `length`: that of the path
+/// [m].
 std::vector<double> transferred(Kind kind, const std::vector<double>& s, const std::vector<double>& values,
                                 const std::vector<double>& to, double length) {
   const auto between = [](const std::vector<double>& at, const std::vector<double>& of, double place) {
@@ -35,7 +36,7 @@ std::vector<double> transferred(Kind kind, const std::vector<double>& s, const s
     const double t = (place - at[after - 1]) / (at[after] - at[after - 1]);
     return (1 - t) * of[after - 1] + t * of[after];
   };
-  /// Limits between the parts of the path that belong to the rows.
+  /// Ends of the parts of the path that belong to the rows.
   const auto limits = [&](const std::vector<double>& at) {
     std::vector<double> result{0};
     for (std::size_t i = 1; i < at.size(); ++i) result.push_back(0.5 * (at[i - 1] + at[i]));
@@ -142,8 +143,8 @@ void SurfaceTransfer::transfer(const ArrayInfo& info, const PointView& old, cons
 
 namespace {
 
-/// Weights of values at places of a face for the linear function that fits them best, at another place of it: those of
-/// the mean where they do not determine one.
+/// Weights of the values at places of a face that give the value of their least-squares linear function at another
+/// place; weights of the mean where the places do not determine a function.
 std::vector<double> fit_weights(const std::vector<FacePlace>& places, const FacePlace& at) {
   const std::size_t count = places.size();
   FacePlace mean{};
@@ -235,7 +236,7 @@ void SurfaceTransfer::transfer_in_space(const ArrayInfo& info, const PointView& 
       if (kind == Kind::total) {
         const auto sum = [&] { return sum_over_ranks(comm_, std::accumulate(made.begin(), made.end(), 0.0)); };
         for (std::size_t row = 0; row < made.size(); ++row) made[row] *= new_rows.areas[row];
-        if (sum() == 0) made = new_rows.areas;  // spread evenly
+        if (sum() == 0) made = new_rows.areas;  // a density of zero is spread evenly
         scale = total / sum();
       }
       for (std::size_t row = 0; row < made.size(); ++row) now(row, column) = scale * made[row];

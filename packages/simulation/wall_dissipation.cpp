@@ -14,8 +14,8 @@ namespace mudline {
 
 namespace {
 
-/// Largest thickness of an element at the wall over the body's half width, and over the way that pore pressures
-/// diffuse: with linear pressures the curvature of a profile as wide costs some per cent.
+/// Largest thickness of an element at the wall over the smaller of the body's half width and the diffusion length of
+/// the pore pressure. At this thickness linear pressures miss the curvature of the profile by some per cent.
 constexpr double finest = 0.5;
 
 /// Area of the side and volume of its element [m2, m3], both without the length out of the plane.
@@ -104,7 +104,7 @@ std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, cons
     const RigidBody& body = *contact->partners().body;
     const double width = pressed_half_width(model, *contact);
     const Wall now = look(model, *contact, excess);
-    // the set-up of a body that rests
+    // only a body at rest is judged
     const bool rested = length(body.position(model.store().committed()) - start->second.position) < 0.01 * width;
     if (!rested || !(now.area > 0) || !(start->second.pressure > 0) || now.pressure >= start->second.pressure) continue;
     char text[300];

@@ -8,22 +8,22 @@
 
 namespace mudline {
 
-/// Forward dual number: a value and its derivatives in N directions, exact to rounding.
-/// A law written as a template on its number type gives its tangent when evaluated with Dual<6> strain:
+/// Forward dual number: a value and N derivatives, exact to rounding. A law written as a template on its number type
+/// gives its tangent when evaluated with Dual<6> strain:
 ///     (v, d) o (w, e) = (v o w, (do/dv) d + (do/dw) e)
-/// Comparisons look at the value only, so branches are those of the plain evaluation.
-/// Derivatives come first and aligned, so that copies move the same pairs of numbers that arithmetic stores; a load
-/// that straddles two recent stores stalls the processor, and costs more than the arithmetic itself.
+/// Comparisons look at the value only, so branches are those of the plain evaluation. Derivatives come first and are
+/// aligned, so that copies move the same pairs of numbers that arithmetic stores; a load across two recent stores
+/// stalls the processor and costs more than the arithmetic itself.
 template <int N>
 struct alignas(16) Dual {
   double d[N];
   double v;
 
-  Dual() = default;                                       // undefined, as a double is
+  Dual() = default;                                       // uninitialised, like a double
   KOKKOS_INLINE_FUNCTION Dual(double value) : v(value) {  // NOLINT: a number is a constant dual
     for (int i = 0; i < N; ++i) d[i] = 0.0;
   }
-  /// The independent variable number `direction`.
+  /// The independent variable with this derivative index.
   KOKKOS_INLINE_FUNCTION Dual(double value, int direction) : Dual(value) { d[direction] = 1.0; }
 
   KOKKOS_INLINE_FUNCTION Dual& operator+=(const Dual& b) { return *this = *this + b; }
@@ -59,7 +59,8 @@ struct alignas(16) Dual {
     r.v = a.v * b.v;
     return r;
   }
-  /// The value is the plain quotient, not a product with the reciprocal, so that it has the bits of the double version.
+  /// The value is the plain quotient, not a product with the reciprocal, so that its bits equal those of the double
+  /// version.
   friend KOKKOS_INLINE_FUNCTION Dual operator/(const Dual& a, const Dual& b) {
     Dual r;
     const double reciprocal = 1.0 / b.v;
@@ -93,7 +94,7 @@ KOKKOS_INLINE_FUNCTION double value(const Dual<N>& a) {
   return a.v;
 }
 
-/// A function of one variable of which value and slope at a are known.
+/// A function of one variable, given by its value f and slope at a.
 KOKKOS_INLINE_FUNCTION double chain(double, double f, double) { return f; }
 template <int N>
 KOKKOS_INLINE_FUNCTION Dual<N> chain(const Dual<N>& a, double f, double slope) {

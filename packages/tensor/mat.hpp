@@ -11,7 +11,7 @@ struct Mat {
   using Row = T[N];
   KOKKOS_INLINE_FUNCTION constexpr Row& operator[](int i) { return at[i]; }
   KOKKOS_INLINE_FUNCTION constexpr const Row& operator[](int i) const { return at[i]; }
-  /// The components row after row.
+  /// The components in row-major order.
   KOKKOS_INLINE_FUNCTION constexpr T* data() { return at[0]; }
   KOKKOS_INLINE_FUNCTION constexpr const T* data() const { return at[0]; }
 
@@ -62,7 +62,7 @@ KOKKOS_INLINE_FUNCTION T second_invariant(const Mat<T, N>& a) {
   return sum;
 }
 
-/// The inverse of a matrix whose determinant, not zero, is known.
+/// The inverse of a matrix with the given non-zero determinant.
 template <class T, int N>
 KOKKOS_INLINE_FUNCTION void invert(const Mat<T, N>& a, const T& det, Mat<T, N>& out) {
   static_assert(N >= 1 && N <= 3);

@@ -9,23 +9,22 @@
 
 namespace mudline {
 
-/// Place of the tensor component (i, j) among the six xx yy zz yz xz xy.
+/// Index of the tensor component (i, j) among the six xx yy zz yz xz xy.
 KOKKOS_FORCEINLINE_FUNCTION constexpr int six(int i, int j) { return i == j ? i : 6 - i - j; }
 
-/// Objective increment of a motion (Hughes and Winget 1980) from its gradient on the midpoint configuration,
-/// H = d(Delta u)/d x_{n+1/2}, and the hoop strain Delta u_r/r_{n+1/2} of axial symmetry: strain = sym H, rotation by
-/// (1 - W/2)^-1 (1 + W/2) with the spin W = skew H. A pure rotation gives no strain. The trace of the strain increment
-/// is replaced by ln J, so that the skeleton's volume strain is the one that the void ratio and the pore water see,
-/// whatever the size of the step. sym H has the axes of the midpoint: it is turned on by half the rotation to those of
-/// the end, where stress and state are. Without that the stress would be of first order only in the step where strain
-/// and rotation come together.
-///
-/// Dim: 2, in the plane, with the third direction apart as the hoop; 3 in space, where the hoop is 0 and stays out.
+/// Objective increment of a motion (Hughes and Winget 1980) from its gradient on the midpoint configuration, H =
+/// d(Delta u)/d x_{n+1/2}, and the hoop strain Delta u_r/r_{n+1/2} of axial symmetry: strain = sym H, rotation by (1 -
+/// W/2)^-1 (1 + W/2) with the spin W = skew H. A pure rotation gives no strain. The trace of the strain increment is
+/// replaced by ln J, so that the skeleton's volume strain is the one that the void ratio and the pore water see,
+/// whatever the size of the step. sym H refers to the axes of the midpoint; it is rotated by half the rotation to those
+/// of the end, where stress and state are. Otherwise the stress would only be first-order accurate in a step with both
+/// strain and rotation.
+/// Dim: 2 in the plane, with a separate hoop component for the third direction; 3 in space, without hoop component.
 template <int Dim>
 struct MidpointRule {
-  static constexpr int spins = Dim == 3 ? 3 : 1;       // rotations that the space has; in the plane about z
-  static constexpr int components = Dim == 3 ? 6 : 4;  // of a strain that are not always 0
-  /// Place of component k among the six.
+  static constexpr int spins = Dim == 3 ? 3 : 1;       // number of rotation components; in the plane about z only
+  static constexpr int components = Dim == 3 ? 6 : 4;  // number of strain components that are not always 0
+  /// Index of component k among the six.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int place(int k) { return Dim == 2 && k == 3 ? 5 : k; }
 
   Mat<double, Dim> gradient;
@@ -33,7 +32,7 @@ struct MidpointRule {
   double spin[spins];    // axial vector of skew H [-]
   Mat<double, Dim> rotation, half;
   Mat<double, Dim> strain;
-  double hoop;        // increment, tensor components, axes of the end
+  double hoop;        // strain increment in tensor components, axes of the end
   double log_volume;  // ln J, J = dv_{n+1} / dv_n
 
   /// `valid`: the configurations are not inverted; otherwise ln J is 0 and the increment means nothing.
@@ -84,9 +83,9 @@ struct MidpointRule {
     }
   }
 
-  /// Change of the increment, less what the turning of its own axes adds, for a further displacement with the gradient
-  /// d(u_j)/d(x_m) = 1 in the configuration of the end: six numbers with engineering shear, by which an isotropic law
-  /// answers. `turn`: the rotation [-] of that displacement.
+  /// Change of the increment for a further displacement with the gradient d(u_j)/d(x_m) = 1 in the configuration of the
+  /// end, without the part due to the rotation of its own axes: six numbers with engineering shear, the input of an
+  /// isotropic tangent. `turn`: the rotation [-] of that displacement.
   KOKKOS_FORCEINLINE_FUNCTION void variation(int j, int m, double* e, double (&turn)[spins]) const {
     // dH = (1 - H/2) G (1 + H/2), exactly: the midpoint moves with half the displacement
     Mat<double, Dim> dH;
@@ -95,7 +94,7 @@ struct MidpointRule {
         dH[i][l] = ((i == j ? 1.0 : 0.0) - 0.5 * gradient[i][j]) * ((m == l ? 1.0 : 0.0) + 0.5 * gradient[m][l]);
     vary(dH, 0.0, j == m ? 1.0 : 0.0, e, turn);
   }
-  /// The same for a unit of u_r / r.
+  /// Change of the increment and rotation for a further displacement with u_r / r = 1.
   KOKKOS_FORCEINLINE_FUNCTION void hoop_variation(double* e, double (&turn)[spins]) const {
     const Mat<double, Dim> dH = {};
     vary(dH, (1 - 0.5 * hoop_gradient) * (1 + 0.5 * hoop_gradient), 1.0, e, turn);
@@ -134,7 +133,7 @@ struct MidpointRule {
       out[2][1] = w[0];
     }
   }
-  /// The rotation of the quaternion (s, v), whose length is free; square = v.v.
+  /// Rotation matrix of the quaternion (s, v), which need not be normalised; square = v.v.
   KOKKOS_FORCEINLINE_FUNCTION static void turn_by(double s, const double (&v)[spins], double square,
                                                   Mat<double, Dim>& out) {
     Mat<double, Dim> V;
@@ -165,7 +164,7 @@ struct MidpointRule {
     for (int i = 0; i < Dim; ++i) e[i][i] += shift;
     out_of_plane += shift;
   }
-  /// From the axes of the midpoint to those of the end.
+  /// Rotates a tensor from the axes of the midpoint to those of the end.
   KOKKOS_FORCEINLINE_FUNCTION void turn_half(Mat<double, Dim>& e) const {
     Mat<double, Dim> left;
     for (int i = 0; i < Dim; ++i)

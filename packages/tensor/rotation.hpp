@@ -6,11 +6,11 @@
 
 namespace mudline {
 
-/// A rotation of space by its matrix.
+/// A rotation in space, stored as a matrix.
 struct Rotation {
   Mat<double, 3> matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-  /// About the direction of the vector, right-handed, by its length [rad].
+  /// Right-handed rotation about the direction of the vector by its length [rad].
   static Rotation by(const Point& vector) {
     const double angle = length(vector);
     const Point n = angle > 0 ? 1 / angle * vector : Point{0, 0, 1};
@@ -22,28 +22,29 @@ struct Rotation {
     return result;
   }
 
-  /// About the direction of the vector by twice the arc tangent of half its length: Cayley's map. Over a step the mean
-  /// of the spins at its ends, along the body's axes, is this vector over the step's length (Simo and Wong 1991).
+  /// Rotation about the direction of the vector by twice the arc tangent of half its length (Cayley's map). The vector
+  /// over the step's length is the mean of the angular velocities at both ends of a step, in the body frame (Simo and
+  /// Wong 1991).
   static Rotation by_increment(const Point& vector) {
     const double half = 0.5 * length(vector);
     return by(half > 0 ? std::atan(half) / half * vector : vector);
   }
 
-  /// x turned, and turned back.
+  /// Rotates x; back() applies the inverse rotation.
   KOKKOS_INLINE_FUNCTION Point operator()(const Point& x) const { return matrix * x; }
   KOKKOS_INLINE_FUNCTION Point back(const Point& x) const { return transposed(matrix) * x; }
 
-  /// This rotation after `first`.
+  /// Applies `first`, then this rotation.
   KOKKOS_INLINE_FUNCTION Rotation operator*(const Rotation& first) const { return {matrix * first.matrix}; }
   KOKKOS_INLINE_FUNCTION Rotation inverse() const { return {transposed(matrix)}; }
 
-  /// What by() makes this rotation of, at most pi long.
+  /// The vector from which by() makes this rotation; its length is at most pi.
   Point vector() const {
     Point axis;
     const double cosine = half_angle(axis), sine = length(axis);
     return sine > 0 ? 2 * std::atan2(sine, cosine) / sine * axis : Point{};
   }
-  /// What by_increment() makes this rotation of; infinite of half a turn.
+  /// The vector from which by_increment() makes this rotation; infinite for a rotation by pi.
   Point increment() const {
     Point axis;
     const double cosine = half_angle(axis);
@@ -51,11 +52,11 @@ struct Rotation {
   }
 
  private:
-  /// The rotation's quaternion, up to a positive factor: what goes with the cosine of half the angle, and with its sine
-  /// times the axis.
+  /// The rotation's quaternion up to a positive factor: returns the part of the cosine of half the angle and sets
+  /// `axis` to its sine times the unit axis.
   double half_angle(Point& axis) const {
     const auto& m = matrix;
-    // the quaternion's largest component first: it is never small
+    // start from the quaternion's largest component, which is never small
     double q[4] = {1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2],
                    1 - m[0][0] - m[1][1] + m[2][2]};
     int largest = 0;

@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-/// Dense N x N factorisation with partial pivoting, in place.
+/// Dense N x N LU factorisation with partial pivoting, in place.
 template <int N>
 struct SmallLu {
   double a[N][N];

@@ -115,7 +115,7 @@ KOKKOS_INLINE_FUNCTION void isotropic(const Modulus& bulk, const Modulus& shear,
   for (int i = 3; i < 6; ++i) stress[i] = shear * strain[i];
 }
 
-/// The same as a row-major 6x6 matrix.
+/// The isotropic elastic stiffness as a row-major 6x6 matrix.
 KOKKOS_INLINE_FUNCTION void isotropic_stiffness(double bulk, double shear, double* d) {
   for (int i = 0; i < 36; ++i) d[i] = 0.0;
   for (int i = 0; i < 3; ++i)

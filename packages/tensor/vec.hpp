@@ -61,7 +61,7 @@ struct Vec {
     return true;
   }
   friend constexpr bool operator!=(const Vec& a, const Vec& b) { return !(a == b); }
-  /// The order of a dictionary, for sorted containers.
+  /// Lexicographic order, for sorted containers.
   friend constexpr bool operator<(const Vec& a, const Vec& b) {
     for (int i = 0; i < D; ++i) {
       if (a[i] < b[i]) return true;

@@ -18,7 +18,7 @@ MeshSize{:} = 0.15;
 ISLAND = SQUARE + "Rectangle(2) = {0.5, 0, 0, 0.1, 0.1};\n" + SETS % ""
 FORGOTTEN = SQUARE + "Rectangle(2) = {0.3, 0, 0, 0.1, 0.3};\n" + SETS % ""  # Coherence
 INNER = SQUARE + "Point(9) = {0.1, 0.1, 0};\nPoint(10) = {0.2, 0.1, 0};\nLine(9) = {9, 10};\nCurve{9} In Surface{1};\n" + SETS % ", 9"
-# a square whose middle node lies beside a corner
+# a square whose mid-side node lies beside a corner
 FOLDED = """$MeshFormat
 2.2 0 8
 $EndMeshFormat

@@ -27,8 +27,8 @@ inline std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Lets `read` take an input in; returns the fault that it names, or that of what it throws: only an InputError of one
-/// line is none. "" without a fault.
+/// Calls `read` on an input and returns its fault, or "": the fault that `read` names, or an exception other than an
+/// InputError of one line.
 template <class Read>
 std::string fault_of(Read&& read) {
   try {
@@ -42,7 +42,7 @@ std::string fault_of(Read&& read) {
   return "";
 }
 
-/// The input at hand, and where it is kept when the reader crashes, hangs or errs.
+/// The current input, and the file in which it is saved when the reader crashes, hangs or fails.
 struct Current {
   static std::string& input() {
     static std::string text;
@@ -66,7 +66,8 @@ struct Current {
   }
 };
 
-/// One to four edits: a bit flipped, a byte replaced, a piece left out, doubled or moved, a word of `words` put in.
+/// Makes one to four edits: flips a bit, replaces a byte, removes, doubles or moves a piece, or inserts a word of
+/// `words`.
 inline std::string mutated(std::string text, const std::vector<std::string>& words, std::mt19937_64& rng) {
   const auto below = [&](std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(rng() % n); };
   for (std::size_t edits = 1 + below(4); edits > 0 && !text.empty(); --edits) {
@@ -95,8 +96,8 @@ inline std::string mutated(std::string text, const std::vector<std::string>& wor
   return text;
 }
 
-/// Feeds mutations of the seeds to `read` for so many seconds. `read` returns what is wrong, or "". A crash, a hang of
-/// 20 s or a wrong answer leaves the input in the file `kept`. Returns the exit code.
+/// Feeds mutations of the seeds to `read` for `seconds` seconds. `read` returns its fault, or "". A crash, a hang of 20
+/// s or a wrong answer saves the input in the file `kept`. Returns the exit code.
 inline int run(const std::vector<std::string>& seeds, const std::vector<std::string>& words, double seconds,
                std::uint64_t seed, const char* kept, const std::function<std::string(const std::string&)>& read) {
   Current::file() = kept;
@@ -119,8 +120,8 @@ inline int run(const std::vector<std::string>& seeds, const std::vector<std::str
   return 0;
 }
 
-/// main() of a fuzzer called `name` whose arguments are SECONDS SEED and files, the seeds. The input that fails is kept
-/// as fuzz_failure with the `ending` of such files.
+/// The main() of a fuzzer called `name` with the arguments SECONDS SEED and files, which are the seeds. An input that
+/// fails is saved as fuzz_failure with the file name's `ending`.
 inline int run_on_files(int argc, char** argv, const std::string& name, const std::string& ending,
                         const std::vector<std::string>& words,
                         const std::function<std::string(const std::string&)>& read) {

@@ -1,4 +1,4 @@
-// fuzz_checkpoint SECONDS SEED: damaged checkpoints are refused in one line, or hold what the whole one holds.
+// fuzz_checkpoint SECONDS SEED: damaged checkpoints are refused in one line, or have the content of the undamaged one.
 #include <Tpetra_Core.hpp>
 
 #include <cstdio>

@@ -1,4 +1,5 @@
-// fuzz_deck SECONDS SEED deck.xml...: mutated decks either read, and read again as written, or are refused in one line.
+// fuzz_deck SECONDS SEED deck.xml...: mutated decks are either read, and read back the same after they are written, or
+// are refused in one line.
 #include "core/deck.hpp"
 #include "core/errors.hpp"
 #include "fuzz.hpp"

@@ -333,7 +333,7 @@ class Plugins(MudlineCase):
     # point data of a plugin's own
     def test_point_data_are_carried_by_the_mesh_motion(self):
         """The height from which a point of the soil comes, painted on it: under the pile the mesh moves against the soil, and the paint
-        goes with the soil. Written to the fields, carried through a restart."""
+        goes with the soil. Written to the fields, kept through a restart."""
         source = os.path.join(SCRATCH, "tag")
         os.makedirs(source, exist_ok=True)
         with open(os.path.join(source, "CMakeLists.txt"), "w") as file:

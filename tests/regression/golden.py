@@ -5,7 +5,7 @@
 
 NAME is a deck's path below inputs/ without ".xml", say pile/clay. The program is that of the environment variable MUDLINE.
 A refactoring keeps them to 1e-9. A change of a default that changes answers is compared with the old setting by --set, and
-the decks are recorded anew with a note of the figure.
+the decks are recorded again with a note of the figure.
 
 A deck runs for as many steps as about five seconds allow, decided when it is first recorded and kept in the file's first line, also
 when it is recorded again, on a busier machine say (`--anew` decides again); at
@@ -68,7 +68,7 @@ def path_of(name):
 
 
 def rounding(files, steps, history):
-    """Largest difference of each column on two ranks; None where the steps go another way."""
+    """Largest difference of each column on two ranks; None where the steps differ."""
     with tempfile.TemporaryDirectory() as folder:
         try:
             other, _ = run(files, steps, folder, ranks=2)

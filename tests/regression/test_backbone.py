@@ -13,7 +13,7 @@ UNDRAINED, DRAINED = 2e-2, 2e-7  # [m/s]
 
 # converged with the mesh, docs/benchmarks/mesh_convergence.md
 RESISTANCE = {UNDRAINED: 169.2e3, DRAINED: 351e3}  # [Pa] net
-EXCESS_PRESSURE = 158.9e3  # [Pa] 4 mm beside the middle of the undrained cone's face
+EXCESS_PRESSURE = 158.9e3  # [Pa] 4 mm beside the centre of the undrained cone's face
 
 
 class Backbone(MudlineCase):

@@ -37,7 +37,7 @@ int recursion(volatile int* depth) {
   return recursion(here) + here[0];
 }
 
-/// Faults that end the program in some way, wherever they are asked for.
+/// Faults that end the program, at the place that PLUGIN_FAULT names.
 void end(const std::string& where) {
   const auto is = [&](const char* how) { return fault((where + " " + how).c_str()); };
   if (is("throws a number")) throw 1;

@@ -3,7 +3,7 @@
 
     reliability.py [--full] [--only CATEGORY] [--seed N] [--write docs/reliability.md]
 
-With --only, --write renews the rows of these categories in the document and keeps the others, as the run before left them.
+With --only, --write replaces the rows of these categories in the document and keeps the others, as the run before left them.
 
 Without --full each category runs a sample that takes seconds. The environment variable MUDLINE names the program.
 A category is a module of this folder with TITLE (what was tried), FULL and SAMPLE (how many faults), and

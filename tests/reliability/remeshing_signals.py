@@ -1,4 +1,4 @@
-"""Signals while Gmsh meshes the region anew, to the run, to Gmsh's process and to both; and that process killed."""
+"""Signals while Gmsh remeshes the region, to the run, to Gmsh's process and to both; and that process killed."""
 
 import os
 import random

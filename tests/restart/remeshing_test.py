@@ -16,7 +16,7 @@ from remeshed_ball import FOCUS, WALL, ball, remeshing  # noqa: E402
 
 
 class Remeshing(RestartCase):
-    """Signals while Gmsh makes a mesh anew, in a process of its own, change no answer."""
+    """Signals while Gmsh makes a new mesh, in a process of its own, change no answer."""
 
     def setUp(self):
         super().setUp()

@@ -1,4 +1,4 @@
-"""What a restart accepts and refuses; restarts on another number of ranks; results of other runs in the way; signals."""
+"""What a restart accepts and refuses; restarts on another number of ranks; results of other runs in the folder; signals."""
 import os
 import shutil
 import signal

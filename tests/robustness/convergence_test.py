@@ -47,7 +47,7 @@ class SuddenLoad(Convergence):
             for load in loads:
                 with self.subTest(load=load, cell=cell):
                     history, _ = self.take("column", self.column(load, cell), 6)
-                    # water that cannot leave carries the load
+                    # water that cannot leave bears the load
                     self.assertAlmostEqual(history["probe/base/pore pressure"][-1] / load, 1, delta=0.03)
 
     def test_the_answer_is_that_of_damped_steps(self):

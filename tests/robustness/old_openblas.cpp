@@ -1,5 +1,5 @@
-// An OpenBLAS that does not know the processor: loaded before the program, it names the kernels of 2004 unless the
-// environment had others when it was loaded.
+// Imitates an OpenBLAS that does not know the processor. Loaded before the program, it names the kernels of 2004 unless
+// the environment chose others when it was loaded.
 #include <cstdlib>
 #include <string>
 

@@ -24,7 +24,7 @@ class Endings(MudlineCase):
         return os.path.join(self.folder, "results", name + ending)
 
     def test_no_convergence(self):
-        """A load that no soil carries: the step is cut down to the minimum, then the last state is saved."""
+        """A load that no soil bears: the step is cut down to the minimum, then the last state is saved."""
         done = program(["run", "-q", TERZAGHI, "--set", "boundary conditions/load/y=-1e12", "--set", "mesh/cells={1, 4}",
                         "--set", "stages/consolidation/time step/minimum=1e-3"], folder=self.folder)
         self.assertEqual(done.returncode, 3, done.stderr)
@@ -98,7 +98,7 @@ class Endings(MudlineCase):
         self.assertEqual(more.returncode, 0, more.stderr)
 
     def test_a_body_that_is_not_borne(self):
-        """A ball pressed into clay by a contact that gives way: the run goes on, and says once in a stage, and at its end, that it means little."""
+        """A ball pressed into clay by a contact that is too soft: the run goes on, and says once in a stage, and at its end, that it means little."""
         push = ["run", "-q", BALL, "--overwrite", "--set", "stages/push/duration=0.01"]
 
         def warnings(*settings, ranks=1):

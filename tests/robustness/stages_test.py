@@ -1,4 +1,4 @@
-"""What a dynamic stage takes over from a stage without inertia: the velocities of what moves, and nothing of what loads left behind."""
+"""What a dynamic stage starts with after a stage without inertia: the velocities of what moves, and nothing of what loads left behind."""
 import os
 import unittest
 

@@ -31,7 +31,7 @@ class Response:
         return np.interp(self.time, history.time, history[name])
 
     def spectrum(self, values):
-        """Amplitude by frequency, without the slow change along the way (a cubic); Hann's window."""
+        """Amplitude by frequency, without the slow change along the path (a cubic); Hann's window."""
         window = np.hanning(len(self.time))
         rest = values - np.polyval(np.polyfit(self.time, values, 3), self.time)
         return 2 * np.abs(np.fft.rfft(rest * window)) / window.sum()

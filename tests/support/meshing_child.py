@@ -1,4 +1,4 @@
-"""The process in which a run lets Gmsh mesh the region anew: caught while it works, so that signals can be sent just then."""
+"""The process in which a run lets Gmsh remesh the region: caught while it works, so that signals can be sent just then."""
 import os
 import signal
 import time

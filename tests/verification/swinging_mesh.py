@@ -1,4 +1,4 @@
-"""A mesh whose vertices inside swing, by the plugin swinging_mesh.cpp: what its remap carries must not notice."""
+"""A mesh whose vertices inside swing, by the plugin swinging_mesh.cpp: the transferred state must not depend on it."""
 import os
 
 from mudline_case import PROGRAM

@@ -17,7 +17,7 @@ struct HeatParameters {
   double conductivity = 0, capacity = 0, initial = 0;
 };
 
-/// The balance at a point: C dT/dt is stored, -lambda grad T flows.
+/// The balance at a point: the storage is C dT/dt, the flux -lambda grad T.
 struct Heat : PointLaw {
   static constexpr int fields = 1;
   static constexpr bool storages = true, fluxes = true, gradients = true, motion = false;

@@ -1,4 +1,4 @@
-// A skeleton law of one's own: hypoelastic, with stiffnesses that grow with the square root of the mean effective
+// A user-defined skeleton law: hypoelastic, with stiffnesses that grow with the square root of the mean effective
 // stress,
 //
 //     K = K_ref sqrt(p'/p_ref),   G = K 3 (1 - 2 nu) / (2 (1 + nu)),
@@ -24,7 +24,7 @@ struct MyClay {
     p.add("reference stress", reference_stress, "Pa", mudline::positive(),
           "Mean effective stress at which the bulk modulus was measured");
   }
-  static std::vector<mudline::StateVariable> state() { return {}; }  // stress and void ratio are kept anyway
+  static std::vector<mudline::StateVariable> state() { return {}; }  // stress and void ratio are stored anyway
 
   std::string initialise(const mudline::InitialPoint& point, double*) const {
     return mean(point.stress.data()) > 0 ? "" : "my clay needs a compressive initial stress";
@@ -34,7 +34,8 @@ struct MyClay {
     return {bulk, bulk * shear_ratio()};
   }
 
-  /// Tension positive, order xx yy zz yz xz xy, engineering shear strains. False makes the step fail, and it is cut.
+  /// Tension positive, order xx yy zz yz xz xy, engineering shear strains. Returning false makes the step fail, and it
+  /// is cut.
   KOKKOS_FUNCTION bool operator()(const mudline::SkeletonPoint& in, const double*, double*,
                                   mudline::SkeletonResponse& out) const {
     const double p_old = mean(in.stress), compression = -(in.strain[0] + in.strain[1] + in.strain[2]);
@@ -44,7 +45,7 @@ struct MyClay {
     if (root <= 0) return false;
     const double p = root * root;
     const double two_g = shear_ratio() * 2 * slope * (root_old + root);  // twice the mean shear modulus of the step
-    double deviator[6];                                                  // of the strain, tensor shear components
+    double deviator[6];                                                  // deviatoric strain, tensor shear components
     for (int i = 0; i < 6; ++i) {
       const bool normal = i < 3;
       deviator[i] = normal ? in.strain[i] + compression / 3 : 0.5 * in.strain[i];

@@ -1,4 +1,4 @@
-// Friction that weakens with the path slid, from a peak to a residual coefficient:
+// Friction that weakens with the accumulated slip, from a peak to a residual coefficient:
 //     strength = (residual + (peak - residual) exp(-slip / length)) <normal>.
 #include <cmath>
 
@@ -16,13 +16,14 @@ class WeakeningInterface : public mudline::Friction {
                "Friction coefficient after a long way");
     p.required("weakening length", length_, "m", mudline::positive(),
                "Path over which the strength falls by a factor of e");
-    interface_parameters(p);  // those that all laws share
+    interface_parameters(p);  // the parameters that all laws share
   }
   void check(const mudline::Section& section) const {
     if (residual_ > peak_) section.fail("must not be above the peak coefficient", "residual coefficient");
   }
   bool reads_slip() const override { return true; }
-  // Pure. `at.slip` is the path at the start of the step: within a step the coefficient is constant, the slope exact.
+  // A pure function. `at.slip` is the accumulated slip at the start of the step: within a step the coefficient is
+  // constant and the slope exact.
   mudline::ShearStrength strength(const mudline::FrictionPoint& at) const override {
     const double coefficient = residual_ + (peak_ - residual_) * std::exp(-at.slip / length_);
     if (at.normal <= 0) return {0, 0};

@@ -1,9 +1,9 @@
-// A solute in the pore water of a saturated soil: it goes with the water and diffuses in it.
+// A solute in the pore water of a saturated soil: it flows with the water and diffuses in it.
 //
 //     n R (c_{n+1} - c_n) + dt (w . grad c - div(D grad c)) = 0
 //
 // c: mass per volume of water [kg/m3], n: porosity, R: retardation, w: Darcy's discharge, D: effective diffusivity. The
-// properties are those of the regions' materials, the discharge is that of the physics of the pore water.
+// materials of the regions give the properties, the physics of the pore water gives the discharge.
 #include <memory>
 
 #include "framework/element_loop.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace mudline;
 
-/// Section "solute" of a material.
+/// The section "solute" of a material.
 class SoluteProperties : public Properties {
  public:
   void parameters(Parameters& p) {
@@ -25,9 +25,9 @@ class SoluteProperties : public Properties {
   double diffusivity = 0, retardation = 1;
 };
 
-constexpr int concentration = 1;  // of the scalar fields; the first is the pore pressure
+constexpr int concentration = 1;  // index among the scalar fields; the first is the pore pressure
 
-/// What is stored, at the end of the step: with the water that is there, between those of start and end.
+/// The storage term at the end of the step, with the water content between those of the step's start and end.
 struct Stored : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, rates = false;
@@ -42,7 +42,7 @@ struct Stored : PointLaw {
   }
 };
 
-/// What flows, at the level of balances.
+/// The transport terms, at the time level of the balances.
 struct Transferred : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;

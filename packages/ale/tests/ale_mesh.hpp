@@ -13,7 +13,7 @@
 
 namespace mudline::testing {
 
-/// Leaves out the nodes that no element of the only block has.
+/// Removes the nodes that no element of the only block has.
 inline void drop_unused_nodes(GlobalMesh& mesh) {
   std::vector<long long> number(mesh.coordinates.size(), -1);
   for (long long node : mesh.blocks[0].nodes) number[node] = 0;
@@ -59,7 +59,7 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
     global.side_sets["top"].push_back(
         {0, ((n - 1) * n + k) * per_cell + per_cell - 1, shape == CellShape::quad9 ? 2 : 1});
   }
-  // middle nodes between their ends, centres between all
+  // mid-side nodes halfway between their ends, centres in the mean of the corners
   const int nodes = num_nodes(shape), corners = num_corners(shape);
   if (order(shape) == 2)
     for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
@@ -81,7 +81,7 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
   return std::make_unique<Mesh>(std::move(comm), Geometry::plane_strain, std::move(global));
 }
 
-/// A box, one metre high and `width` wide, of n by n by n cells, or of the six tetrahedra of each, with inner vertices
+/// A box, one metre high and `width` wide, of n by n by n cells, or of six tetrahedra in each cell, with inner vertices
 /// scattered.
 inline std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion = 0.15, double width = 1.0) {
   Deck deck;
@@ -103,7 +103,7 @@ inline std::unique_ptr<Mesh> cube(CellShape shape, int n, double distortion = 0.
   return make_mesh(Tpetra::getDefaultComm(), sources, deck.root().section("mesh"));
 }
 
-/// What the remap needs of a soil block: quadrature and place in the mesh.
+/// The part of a soil block that a remap needs: quadrature and place in the mesh.
 inline SoilBlock points_of(const Mesh& mesh, int degree = 2) {
   SoilBlock block;
   block.block = 0;

@@ -1,4 +1,4 @@
-// What two ranks make of a mesh in two parts is what one rank makes of the whole, to the last bit.
+// Two ranks with a mesh in two parts give the results of one rank with the whole mesh, to the last bit.
 #include "ale/ghosted_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testing::points_of;
 
 constexpr int n = 12;
 
-/// A box, by this rank alone or by all together.
+/// A box mesh, on this rank alone or distributed over all ranks.
 struct Part {
   Part(CellShape shape, bool alone, int layers)
       : mesh(box(shape, n, 0.2, 1.0,
@@ -60,7 +60,7 @@ struct Part {
 
 struct Both {
   explicit Both(CellShape shape, int layers = 2) : whole(shape, true, GhostedMesh::whole), part(shape, false, layers) {}
-  /// The number in the whole mesh.
+  /// The node's number in the whole mesh.
   int in_whole(int node) const { return static_cast<int>(part.ghosted.node_id(node)); }
   Part whole, part;
 };
@@ -198,7 +198,7 @@ TEST(GhostedMesh, PointsAndNodesAreCarriedAsOnOneRank) {
   }
 }
 
-/// Another mesh of the same box, and what of `part` lies where this rank has elements of it.
+/// Another mesh of the same box, with the elements of `part` that lie where this rank has elements of it.
 struct Remeshed {
   Remeshed(const Part& part, bool alone)
       : mesh(box(CellShape::tri6, 9, 0.2, 1.0, part.mesh->comm())),

@@ -1,4 +1,4 @@
-// Layers whose boundary is no mesh line, carried over to a moved mesh: each keeps its own fields and its grains.
+// Transfer of layers whose interface is no mesh line to a moved mesh: each layer keeps its own fields and grains.
 #include "ale/layer_remap.hpp"
 
 #include <gtest/gtest.h>
@@ -14,9 +14,9 @@ using testing::box;
 using testing::cube;
 using testing::points_of;
 
-constexpr double interface = 0.47;  // no mesh line of what follows
+constexpr double interface = 0.47;  // [m] height, not a mesh line of the meshes below
 
-/// As its state it has the height of where it started.
+/// A law whose state is the height at which it started.
 class Remembers : public Skeleton {
  public:
   const std::vector<StateVariable>& state_variables() const override { return variables_; }
@@ -102,7 +102,7 @@ struct Layers {
   SoilTable table{0, 0, 6, 8, 9, {}};
 };
 
-/// Inner vertices moved up and down by a share of an element; the sides stay.
+/// Positions with the inner nodes moved up and down; the boundary stays.
 Positions swung(const Layers& layers, double size) {
   const double pi = std::acos(-1.0);
   Positions result = layers.start;
@@ -113,7 +113,7 @@ Positions swung(const Layers& layers, double size) {
 }
 
 TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
-  // flat elements too, as layers are meshed: 15 times as wide as high
+  // A width of 15 gives flat elements, as layers are meshed.
   for (const auto& [shape, width] :
        {std::pair{CellShape::tri6, 1.0}, std::pair{CellShape::quad9, 1.0}, std::pair{CellShape::tet10, 1.0},
         std::pair{CellShape::hex27, 1.0}, std::pair{CellShape::tri6, 15.0}, std::pair{CellShape::quad9, 15.0},
@@ -140,7 +140,7 @@ TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
     }
 }
 
-/// Volumes of the grains of each layer, by the shares of each point, written out independently.
+/// Volumes of the grains of each layer by the shares of each point, computed independently of the code under test.
 Vec<double, 2> grains_of(const Layers& layers, const std::vector<double>& rows, const Positions& x) {
   Vec<double, 2> sum{};
   for (int e : layers.whole.block_elements(0)) {
@@ -167,7 +167,7 @@ Vec<double, 2> grains_of(const Layers& layers, const std::vector<double>& rows, 
   return sum;
 }
 
-/// What only the points of cut elements seem to lose changes no void ratio, and is told.
+/// The loss by the shares of cut elements' points alone changes no void ratio, and is reported.
 TEST(LayerRemap, TheGrainsOfALayerComeBackToTheLastDigitsAndNoneForAPointThatJumps) {
   const Layers layers(CellShape::tri6, 8);
   std::vector<double> old = layers.at(layers.start);
@@ -185,7 +185,7 @@ TEST(LayerRemap, TheGrainsOfALayerComeBackToTheLastDigitsAndNoneForAPointThatJum
     for (int k : {0, 1}) {
       EXPECT_NEAR(restored[k].before, before[k], 1e-14);
       EXPECT_NEAR((after[k] + restored[k].unresolved) / before[k], 1, 1e-14);
-      // at most what a row of the cut elements' points holds: 0.0625 (1/1.6 - 1/2.4)
+      // The bound is the content of a row of the cut elements' points: 0.0625 (1/1.6 - 1/2.4).
       EXPECT_LT(std::abs(restored[k].unresolved), 0.5 * 0.0625 * 0.21);
     }
     EXPECT_LT(std::abs(before[0] - transferred[0]), 0.02 * before[0]);
@@ -200,7 +200,8 @@ TEST(LayerRemap, TheGrainsOfALayerComeBackToTheLastDigitsAndNoneForAPointThatJum
   }
 }
 
-/// Upside down: points become what is nowhere near. The law starts where the soil began, and says where it cannot.
+/// The layers are upside down at first, so that points become a material that is nowhere near. The law starts from the
+/// place of the soil at the start, and reports where it cannot.
 TEST(LayerRemap, ALawStartsAnewWhereNoSoilOfItsMaterialIsNear) {
   Layers layers(CellShape::tri6, 8);
   std::vector<double> old = layers.at(layers.start);

@@ -41,7 +41,7 @@ TEST(CurveMeasure, PlaceInvertsAt) {
   const PathCurve curve(points);
   const CurveMeasure measure(curve, [](const Point& x) { return 0.1 + 0.4 * x[0]; });
   for (double s : {0.0, 0.4, 1.7, 3.3, curve.length()}) EXPECT_NEAR(measure.place(measure.at(s)), s, 1e-13);
-  // sides of the wanted size: int ds / size over [0, 5], nearly straight
+  // number of sides of the wanted size: int ds / size over [0, 5], nearly straight
   EXPECT_NEAR(measure.total(), std::log(2.1 / 0.1) / 0.4, 0.01);
 }
 
@@ -60,7 +60,7 @@ TEST(MeshPaths, ABodyUnderTheBoundaryMakesNoCorner) {
         (middle < 0 || std::abs(x[node][0] - 0.5) < std::abs(x[middle][0] - 0.5)))
       middle = static_cast<int>(node);
   }
-  x[middle][1] -= 0.2;  // turns by 77 degrees there
+  x[middle][1] -= 0.2;  // the top turns by 77 degrees there
   EXPECT_GT(find_paths(whole, x, {}, 0.5).size(), 4u);
   EXPECT_EQ(find_paths(whole, x, {}, 0.5, [&](int node) { return on_body[node]; }).size(),
             4u);  // the ends of the top stay corners: the walls are not on the body
@@ -77,7 +77,7 @@ TEST(MeshPaths, ABoxHasFourSidesAndClosedByCorners) {
     EXPECT_EQ(path.num_vertices(), 5);
     EXPECT_EQ(path.nodes.size(), 9u);
     named += static_cast<int>(path.sets.size());
-    for (std::size_t i = 1; i + 1 < path.nodes.size(); i += 2)  // middle nodes between their ends
+    for (std::size_t i = 1; i + 1 < path.nodes.size(); i += 2)  // mid-side nodes halfway between their ends
       for (int d = 0; d < 2; ++d)
         EXPECT_NEAR(x[path.nodes[i]][d], 0.5 * (x[path.nodes[i - 1]][d] + x[path.nodes[i + 1]][d]), 1e-15);
   }
@@ -95,7 +95,7 @@ TEST(Quality, IsOneForTheIdealShapes) {
               1e-14);
 }
 
-/// The box with its top pushed in by a quarter: interior left behind.
+/// The box with its top pushed in; the interior has not followed yet.
 struct PushedBox {
   explicit PushedBox(CellShape shape)
       : mesh(box(shape, 8)),
@@ -111,7 +111,7 @@ struct PushedBox {
     colours = vertex_colours(whole, movable);
     pushed = source;
     for (const MeshPath& path : paths)
-      for (int node : path.nodes)  // no more than the first row of elements survives
+      for (int node : path.nodes)  // as far as the first row of elements can survive
         pushed[node][1] *= 1 - 0.09 * std::pow(std::sin(std::acos(-1.0) * source[node][0]), 2) * source[node][1];
     corners.add_tangents(pushed, pushed);
   }

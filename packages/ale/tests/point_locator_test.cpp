@@ -19,7 +19,7 @@ Point position(const GhostedMesh& mesh, const Positions& x, const MeshPlace& at)
   return result;
 }
 
-/// A box whose lines of constant height are waves of this size and wave number.
+/// A box whose horizontal lines are bent to waves of this size and wave number.
 class EveryCell : public ::testing::TestWithParam<CellShape> {
  protected:
   void bend(double size, double wave) {

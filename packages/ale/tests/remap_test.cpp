@@ -63,7 +63,7 @@ TEST(ConvectionRemap, LinearFieldsSurviveArbitraryMotion) {
   for (CellShape shape : {CellShape::tri6, CellShape::quad9}) {
     const auto mesh = box(shape, 6);
     const Points points(*mesh);
-    // curved elements too: every node moves by itself
+    // elements become curved too: every node moves independently
     const Positions from = swirled(points.start, 0.05, 0.3), to = swirled(points.start, 0.07, 2.0);
     EXPECT_GT(worst(points.values(linear, from), points.values(linear, to)), 0.1);
     EXPECT_LT(worst(points.transferred(points.values(linear, from), from, to), points.values(linear, to)), 1e-12);
@@ -111,8 +111,8 @@ TEST(ConvectionRemap, BoundsHoldAndAStepMakesNoNewExtremum) {
   }
 }
 
-/// Scatter of this size about a field goes in steps by a thousandth of the box; returns what is left of it, and how far
-/// the field itself is off, both rms.
+/// Moves the mesh in steps of a thousandth of the box, with scatter of this size about a field; returns the share of
+/// the scatter that is left and the error of the field itself, both rms.
 std::pair<double, double> left_of_scatter(Field field, double size) {
   const auto mesh = box(CellShape::tri6, 8, 0.2);
   const Points points(*mesh);
@@ -136,15 +136,15 @@ std::pair<double, double> left_of_scatter(Field field, double size) {
 
 TEST(ConvectionRemap, ScatterAboutAUniformFieldGoesLongBeforePointsCrossTheirElement) {
   const auto uniform = left_of_scatter([](double, double) { return 1.2; }, 0.01);
-  EXPECT_LT(uniform.first, 0.7);  // by the distance moved alone: 0.9
+  EXPECT_LT(uniform.first, 0.7);  // upwinding alone would leave 0.9
   EXPECT_LT(uniform.second, 1e-15);
-  // of a field that changes over the elements it is told apart by its size, and the field stays what it is
+  // About a field that changes over the elements only large scatter is removed, and the field itself survives.
   EXPECT_LT(left_of_scatter(smooth, 0.5).first, 0.8);
   EXPECT_GT(left_of_scatter(smooth, 1e-3).first, 0.6);
   EXPECT_LT(left_of_scatter(smooth, 1e-3).second, 2e-3);
 }
 
-/// There and back again in steps that move by a fixed share of an element: what the convection of a field costs.
+/// The rms error after a motion there and back in steps of a fixed share of an element.
 double journey(ConvectionRemap remap, Field field, int n) {
   const auto mesh = box(CellShape::tri6, n);
   Points points(*mesh);
@@ -163,7 +163,7 @@ double journey(ConvectionRemap remap, Field field, int n) {
   return std::sqrt(sum);
 }
 
-/// What is recovered on the wall x = 0, away from its corners, at the nodes.
+/// Recovered values at the nodes of the wall x = 0, away from its corners.
 std::vector<std::pair<double, double>> at_the_wall(Field field) {
   const auto mesh = box(CellShape::tri6, 8);
   const Points points(*mesh);
@@ -189,7 +189,7 @@ TEST(Recovery, IsQuadraticAtAWallWhereTheFieldIsSmoothAndLinearWhereItIsSteep) {
   EXPECT_GT(bent.size(), 5u);
   for (const auto& [y, value] : bent) EXPECT_NEAR(value, 3 + 2 * y, 1e-12);
   for (const auto& [y, value] : at_the_wall([](double x, double) { return x * x; })) {
-    EXPECT_LT(value, -1e-4);  // a line through points beside the wall
+    EXPECT_LT(value, -1e-4);  // as a linear fit through points beside the wall gives
     EXPECT_GT(value, -1e-2);
   }
 }
@@ -220,7 +220,7 @@ TEST(ConvectionRemap, IsOfSecondOrderForSmoothFields) {
   }
 }
 
-/// A front three elements thick, carried over six times between two meshes: a single recovery wears it down.
+/// A front three elements thick is transferred six times between two meshes: a single recovery smooths it away.
 TEST(RecoveryRemap, AFrontOfThreeElementsSurvivesOtherMeshes) {
   const auto front = [](double x, double y) { return std::exp(-8 * (1 - y)) * (1 + 0.1 * x); };
   const auto one = box(CellShape::tri6, 8), other = box(CellShape::tri6, 9, 0.3);
@@ -270,7 +270,7 @@ TEST(Conservation, TheGrainsComeBackToTheLastDigitsAndPointsAtRestKeepTheirs) {
     std::vector<double> now = points.transferred(old, points.start, to);
     const auto transported = now;
     const auto grains = [&](const std::vector<double>& values, const Positions& x) {
-      double sum = 0;  // by the points' own volumes, written out independently
+      double sum = 0;  // by the points' own volumes, computed independently
       for (int e : points.whole.block_elements(0)) {
         const auto& nodes = points.whole.elements()[e].nodes;
         for (int q = 0; q < points.block.points; ++q) {
@@ -327,7 +327,7 @@ TEST(Conservation, TheFreeBoundaryKnowsWhatVolumeItMoves) {
     int tops = 0;
     for (std::size_t node = 0; node < x.size(); ++node) {
       if (points.start[node][1] < 1 - 1e-12 || std::abs(points.start[node][0] - 0.5) > 0.49) continue;  // ends rest
-      free[node] = points.start[node][0] < 0.3 ? 0.5 : 1.0;                                             // half as free
+      free[node] = points.start[node][0] < 0.3 ? 0.5 : 1.0;  // half the freedom on the left
       if (points.start[node][0] > 0.5) held[2 * node] = 1;
       if (points.start[node][0] > 0.7) held[2 * node + 1] = 1;
       tops += points.start[node][0] <= 0.7;
@@ -388,7 +388,7 @@ TEST(NodalRemap, AFieldThatJumpsKeepsItsRangeWhenLimited) {
     free = remap.apply(free, 1, Support::all_nodes);
     limited = remap.apply(limited, 1, Support::all_nodes, true);
   }
-  EXPECT_GT(*std::max_element(free.begin(), free.end()), 0.5);  // what the limit is for
+  EXPECT_GT(*std::max_element(free.begin(), free.end()), 0.5);  // the overshoot that the limit prevents
   EXPECT_EQ(*std::max_element(limited.begin(), limited.end()), 0.0);
   EXPECT_EQ(*std::min_element(limited.begin(), limited.end()), -8.0);
   EXPECT_LT(worst(remap.apply(linear, 1, Support::all_nodes, true), there), 1e-12);

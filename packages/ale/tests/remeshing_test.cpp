@@ -17,7 +17,7 @@ using testing::box;
 using testing::grains;
 using testing::points_of;
 
-/// A mesh of triangles with all that makes it anew.
+/// A mesh of triangles with the objects that remesh it.
 struct Remeshed {
   explicit Remeshed(CellShape shape, const std::string& entries = "", int n = 6) : mesh(box(shape, n)), whole(*mesh) {
     deck.overlay("<ParameterList name=\"deck\">" + entries + "</ParameterList>", "deck.xml");
@@ -44,7 +44,7 @@ double area(const GhostedMesh& mesh, const Positions& x, const SoilBlock& block)
   return soil_volume(mesh, soil, x);
 }
 
-/// Without inner distortion, the box drawn out to three times its height, its top curved.
+/// The box drawn out to three times its height, with a curved top.
 Positions drawn_out(Positions x) {
   for (auto& p : x) p = {p[0], 3 * p[1] + 0.2 * p[1] * std::sin(3 * p[0])};
   return x;
@@ -75,7 +75,7 @@ TEST(Remesher, DrawnOutSidesAreDividedAndEverythingKeepsItsName) {
     EXPECT_EQ(mesh->blocks()[0].region, "soil");
     for (const auto& side : whole.side_sets().at("bottom"))
       EXPECT_EQ(now[whole.elements()[side.element].nodes[side.side]][1], 0.0);
-    // the same region, within what its curved top is approximated by
+    // The region is the same within the approximation of its curved top.
     EXPECT_NEAR(area(whole, now, points_of(*mesh)), area(was.whole, x, points_of(*was.mesh)),
                 shape == CellShape::tri6 ? 1e-3 : 1e-2);
     EXPECT_EQ(RemeshedMesh::from_bytes(made.bytes()).bytes(), made.bytes());
@@ -165,7 +165,7 @@ TEST(Remesher, LinearFieldsSurviveAtNodesAndPointsAndQuadraticOnesAtNodes) {
   EXPECT_NEAR(grains(whole, block, now, soil.geometry, there, 2) / before, 1, 1e-14);
 }
 
-/// A cube of tetrahedra whose top is curved, with all that makes it anew.
+/// A cube of tetrahedra whose top is curved, with the objects that remesh it.
 struct RemeshedCube {
   explicit RemeshedCube(CellShape shape, double height = 0.8, const std::string& entries = "", double roof = 0)
       : mesh(testing::cube(shape, 3)), whole(*mesh) {
@@ -183,7 +183,7 @@ struct RemeshedCube {
     for (auto& p : x) p = {1.3 * p[0] + 0.2 * p[1], 1.1 * p[1], height * p[2] + 0.1 * p[2] * std::sin(3 * p[0]) * p[1]};
     for (std::size_t node = 0; node < x.size(); ++node)
       x[node][2] *= 1 + roof * (0.5 - std::abs(source[node][0] - 0.5));
-    // straight inside
+    // inner edges are straight
     for (const auto& element : whole.elements())
       for (int a = num_corners(shape); a < num_nodes(shape); ++a) {
         const auto [from, to] = edge_corners(shape, a - num_corners(shape));
@@ -235,7 +235,7 @@ TEST(RemesherInSpace, TheBoundaryIsMeshedAnewAndEverythingKeepsItsName) {
       }
     EXPECT_NEAR(area["bottom"], 1.3 * 1.1, 1e-12);
     EXPECT_EQ(RemeshedMesh::from_bytes(cube.made.bytes()).bytes(), cube.made.bytes());
-    // surfaces and curves are those of the first mesh
+    // Surfaces and curves are those of the first mesh.
     const MeshSurfaces &old = cube.boundary.surfaces().surfaces(), &now = cube.after.surfaces().surfaces();
     ASSERT_EQ(now.patches.size(), old.patches.size());
     for (std::size_t p = 0; p < old.patches.size(); ++p) EXPECT_EQ(now.patches[p].sets, old.patches[p].sets);
@@ -271,7 +271,7 @@ TEST(RemesherInSpace, DrawnOutFacesAreDividedAndMaterialSidesStay) {
   EXPECT_EQ(before, after);
 }
 
-/// A roof on the cube, whose ridge is in the middle of edges: elements on it would be folded.
+/// The cube has a roof whose ridge crosses edges in their middle, where elements would fold.
 TEST(RemesherInSpace, ElementsOnARidgeAreSound) {
   RemeshedCube cube(CellShape::tet10, 0.8, "", 2.0);
   EXPECT_GT(lowest_quality(*cube.anew, cube.now), 0.15);
@@ -295,7 +295,8 @@ TEST(RemesherInSpace, ElementsOnARidgeAreSound) {
   EXPECT_GT(limited, 0);
 }
 
-/// Elements that have two faces on the roof, where all those are taken off that are not nearly perfect.
+/// Counts elements that have two faces on the roof, without peeling and with peeling of all that are not nearly
+/// perfect.
 TEST(RemesherInSpace, FlatElementsAreTakenOffTheOutside) {
   RemeshedCube cube(CellShape::tet10, 0.8, "", 2.0);
   std::map<double, int> flat;
@@ -317,7 +318,7 @@ TEST(RemesherInSpace, FlatElementsAreTakenOffTheOutside) {
 TEST(RemesherInSpace, LinearFieldsSurviveAtNodesAndPoints) {
   RemeshedCube cube(CellShape::tet10);
   const auto linear = [](const Point& p) { return 3 - 2 * p[0] + 5 * p[1] + p[2]; };
-  std::vector<double> at_nodes;  // and what is prescribed on the boundary
+  std::vector<double> at_nodes;  // a linear field, and one that is constant on the boundary
   for (int node = 0; node < cube.whole.num_nodes(); ++node) {
     at_nodes.push_back(linear(cube.x[node]));
     at_nodes.push_back(cube.whole.on_boundary(node) ? 7 : 100);
@@ -327,7 +328,7 @@ TEST(RemesherInSpace, LinearFieldsSurviveAtNodesAndPoints) {
   const auto there = nodal.apply(at_nodes, 2, Support::all_nodes);
   int inside = 0;
   for (int node = 0; node < cube.anew->num_nodes(); ++node) {
-    // new nodes of curves are on a smooth curve through the old ones, beside the old faces
+    // New nodes of curves are on a smooth curve through the old nodes, slightly off the old faces.
     EXPECT_NEAR(there[2 * node], linear(cube.now[node]), cube.anew->on_boundary(node) ? 2e-4 : 1e-12);
     if (cube.anew->on_boundary(node)) {
       EXPECT_NEAR(there[2 * node + 1], 7, 1e-12);

@@ -144,7 +144,7 @@ TEST_P(EveryCellOfSpace, NearestOnTheBoundaryBeatsEveryOtherPointOfIt) {
           }
       }
     EXPECT_LE(found, least + 1e-12);
-    EXPECT_GE(found, least - 1e-2);  // how far apart the places are
+    EXPECT_GE(found, least - 1e-2);  // the sampled places are this far apart
   }
 }
 
@@ -166,7 +166,7 @@ TEST_P(EveryCellOfSpace, TheSimplicesOfTheElementsFillThemAndTheirIdealsAreAtRes
   }
 }
 
-/// The top pushed in until it nearly meets the vertices inside.
+/// The top is pushed in until it nearly meets the inner vertices.
 TEST_P(EveryCellOfSpace, TheInsideFollowsThePushedBoundaryAndNothingFolds) {
   const double pi = std::acos(-1.0);
   Positions source = start, pushed = start;
@@ -195,7 +195,8 @@ TEST_P(EveryCellOfSpace, TheInsideFollowsThePushedBoundaryAndNothingFolds) {
   }
 }
 
-/// Every vertex pulled far off: the objective is lowered from wherever nothing is folded, and nothing folds on the way.
+/// Every inner vertex starts far off its optimum, in a mesh without folded elements; none folds during the
+/// optimisation.
 TEST_P(EveryCellOfSpace, OptimisationBringsTheMeshBack) {
   Positions source = start, x = start;
   for (int node = 0; node < whole.num_nodes(); ++node)
@@ -265,19 +266,19 @@ TEST_P(EveryCellOfSpace, TheGrainsComeBackToTheLastDigits) {
 }
 
 TEST_P(EveryCellOfSpace, NodalFieldsOfTheElementsOrderSurvive) {
-  Positions to = start;  // vertices and mid-side nodes inside alike: the old mesh has straight edges
+  Positions to = start;  // inner vertices and mid-side nodes move alike: the old mesh has straight edges
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (!whole.on_boundary(node))
       for (int d = 0; d < 3; ++d) to[node][d] += 0.03 * std::sin(1.7 * node + d);
   const NodalRemap remap(whole, {}, start, to);
   const auto field = order(GetParam()) == 2 ? quadratic : linear;
-  // the map of a distorted hexahedron is no polynomial's inverse: there only linear fields are exact
+  // In a distorted hexahedron only linear fields are exact: the inverse of its map is no polynomial.
   const bool exact = is_simplex(GetParam());
   const auto chosen = exact ? field : linear;
   EXPECT_LT(worst(remap.apply(at_nodes(chosen, start), 1, Support::all_nodes), at_nodes(chosen, to)), 1e-12);
 }
 
-/// A linear function continued from the rows of one half to those of the other.
+/// A linear function is continued from the rows of one half to those of the other.
 TEST_P(EveryCellOfSpace, RowsAreContinuedLinearly) {
   std::vector<double> table = at_points(linear, start);
   const std::vector<double> exact = table;
@@ -297,7 +298,7 @@ TEST_P(EveryCellOfSpace, RowsAreContinuedLinearly) {
   EXPECT_GT(continued, static_cast<int>(table.size()) / 4);
 }
 
-/// Boundary vertices slid back along plane faces, and what their nodes carry.
+/// Boundary vertices slide back along plane faces; their values are transferred.
 TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTheFaces) {
   const MeshSurfaces surfaces = split_surfaces(boundary_faces(whole), start, {}, 0.5, [](int) { return false; });
   ASSERT_EQ(surfaces.patches.size(), 6u);
@@ -309,7 +310,7 @@ TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTh
     EXPECT_EQ(surfaces.patch_of[node] >= 0, sides == 1);
   }
   const SurfaceMotion motion(surfaces, start, std::vector<char>(6, 1), 0.4);
-  // vertices inside the faces are off along them; mid-side nodes, and nodes inside, follow
+  // Vertices inside the faces start displaced along them; mid-side nodes and inner nodes follow.
   Positions x_old = start;
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (whole.is_vertex(node) && surfaces.patch_of[node] >= 0)
@@ -340,7 +341,7 @@ TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTh
   EXPECT_GT(moved, 0.01);
   const NodalRemap remap(whole, surfaces.curves, x_old, x, &motion);
   EXPECT_LT(worst(remap.apply(at_nodes(linear, x_old), 1, Support::all_nodes), at_nodes(linear, x)), 1e-12);
-  // what is prescribed on a face stays as it is: the values inside do not come in
+  // Values prescribed on a face do not change: inner values have no influence.
   std::vector<double> held = at_nodes([](const Point&) { return 100.0; }, x);
   for (int node = 0; node < whole.num_nodes(); ++node)
     if (whole.on_boundary(node)) held[node] = 7;

@@ -29,7 +29,7 @@ struct Grid {
   }
   int id(int i, int j) const { return j * columns + i; }
   void add(std::array<int, 9> nodes) { faces.push_back({shape, nodes, {"wall"}}); }
-  /// Nodes at map(u, v), the vertices inside moved by `skew` of a cell, mid-side nodes between them in u and v.
+  /// Nodes at map(u, v), the inner vertices moved by `skew` of a cell, mid-side nodes halfway between them in u and v.
   Places places(const Map& map, double skew) const {
     std::vector<Vec<double, 2>> uv(columns * rows);
     const double cell[2] = {2.0 / (columns - 1), 2.0 / (rows - 1)};
@@ -80,7 +80,7 @@ double distance_from(const Places& x, const Places& y) {
   return largest;
 }
 
-/// Of all corners of the faces against an outward direction: none is folded.
+/// Whether no corner of the faces is folded against the outward direction.
 bool sound(const Grid& grid, const Places& x, const std::function<Point(const Point&)>& outward) {
   for (const SurfaceFace& face : grid.faces) {
     const int corners = num_corners(face.shape);
@@ -108,7 +108,7 @@ TEST(MeshSurfaces, ABoxHasSixPatchesTwelveCurvesAndMaterialCorners) {
   EXPECT_EQ(box.patches.size(), 6u);
   EXPECT_EQ(box.curves.size(), 12u);
   for (int node : box.patch_of) EXPECT_EQ(node, -1);
-  // on a body its edges do not count, but where the set changes
+  // Edges on a body divide patches only where the side set changes.
   const auto on = [](int) { return true; };
   const MeshSurfaces smooth = split_surfaces(faces, corner, {}, pi / 6, on);
   EXPECT_EQ(smooth.patches.size(), 2u);
@@ -116,7 +116,7 @@ TEST(MeshSurfaces, ABoxHasSixPatchesTwelveCurvesAndMaterialCorners) {
   EXPECT_EQ(smooth.curves[0].nodes.size(), 5u);
   EXPECT_EQ(smooth.curves[0].nodes.front(), smooth.curves[0].nodes.back());
   EXPECT_EQ(std::count(smooth.patch_of.begin(), smooth.patch_of.end(), -1), 4);
-  // a named corner ends it where it is told
+  // A named corner determines where it ends.
   const MeshSurfaces named = split_surfaces(faces, corner, {faces[5].nodes[2]}, pi / 6, on);
   ASSERT_EQ(named.curves.size(), 1u);
   EXPECT_EQ(named.curves[0].nodes.front(), faces[5].nodes[2]);
@@ -183,7 +183,7 @@ TEST(SurfaceMotion, SkewedVerticesSlideBackOnTheCylinder) {
         EXPECT_TRUE(sound(grid, x, [](const Point& at) { return Point{at[0], at[1], 0}; }));
         for (std::size_t node = 0; node < x.size(); ++node) {
           if (!grid.inside(static_cast<int>(node))) {
-            EXPECT_EQ(x[node], source[node]);  // the curves are where they were put
+            EXPECT_EQ(x[node], source[node]);  // nodes of curves stay where they were put
           }
           off[level] = std::max(off[level], std::abs(std::hypot(x[node][0], x[node][1]) - 1));
         }
@@ -191,13 +191,13 @@ TEST(SurfaceMotion, SkewedVerticesSlideBackOnTheCylinder) {
       EXPECT_LT(distance_from(x, source), 0.1 * distance_from(skewed, source));
     }
     EXPECT_LT(off[0], 2e-3);
-    EXPECT_GT(std::log2(off[0] / off[1]), 2.7);  // curved faces: the third order
+    EXPECT_GT(std::log2(off[0] / off[1]), 2.7);  // curved faces give third order
   }
 }
 
 TEST(SurfaceMotion, MiddlesOfEdgesThatBulgeFarDoNotSwing) {
   const Map wrapped = [](double u,
-                         double v) {  // an edge along u goes round 120 degrees: it bulges by 0.29 of its chord
+                         double v) {  // an edge along u spans 120 degrees: it bulges by 0.29 of its chord
     const double angle = 4.0 / 3 * pi * (u - 0.5);
     return Point{std::cos(angle), std::sin(angle), 2 * v};
   };
@@ -219,7 +219,7 @@ TEST(SurfaceMotion, MiddlesOfEdgesThatBulgeFarDoNotSwing) {
 }
 
 TEST(SurfaceMotion, VerticesGiveWayToATetrahedronWithoutAVertexInside) {
-  // it stands on a vertex of a plane, with an upright wall of three nodes beside it, which is then moved against it
+  // The tetrahedron has one node in a plane and three on an upright wall beside it, which is then moved.
   const Grid grid(CellShape::quad9, 4, 4);
   const auto wall = [&](double at) {
     Places x = grid.places(flat, 0);
@@ -244,7 +244,7 @@ TEST(SurfaceMotion, VerticesGiveWayToATetrahedronWithoutAVertexInside) {
   EXPECT_LT(way(wall(1.55)), -0.05);
   EXPECT_LT(way(wall(1.7)), 0);
   EXPECT_GT(way(wall(1.9)), 0);
-  EXPECT_EQ(way(wall(1.4)), 0);  // folded before: not a matter of the surface
+  EXPECT_EQ(way(wall(1.4)), 0);  // the tetrahedron was folded before: it does not count
 }
 
 TEST(SurfaceMotion, ASlideIsBounded) {
@@ -315,7 +315,7 @@ TEST(SurfaceMotion, NodesOnABodyKeepTheGapOfTheirPlace) {
   motion.move(x_old, body, x);
   EXPECT_GT(distance_from(x, x_old), 0.02);
   for (std::size_t node = 0; node < x.size(); ++node)
-    EXPECT_NEAR(body(x[node])->gap, gap(x[node][2]), 2e-7) << node;  // of 3e-4, where the faces are 1e-3 off
+    EXPECT_NEAR(body(x[node])->gap, gap(x[node][2]), 2e-7) << node;  // gaps reach 3e-4, faces are 1e-3 off the cylinder
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Surfaces meshed anew, without a mesh inside.
+// Remeshing of surfaces, without a mesh inside.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::cube;
 
-/// The surface of a cube of ten-node tetrahedra that has become something else.
+/// The surface of a cube of ten-node tetrahedra, mapped to another shape.
 struct Surface {
   explicit Surface(const std::function<Point(const Point&)>& map, int n = 4)
       : mesh(cube(CellShape::tet10, n, 0)), whole(*mesh) {
@@ -37,7 +37,7 @@ struct Surface {
   std::vector<char> keeps_patch, keeps_curve;
 };
 
-/// A round bar of radius 1, three long: squares become circles.
+/// Maps the cube to a round bar of radius 1 and length 3: squares become circles.
 Point bar(const Point& p) {
   const double a = 2 * p[0] - 1, b = 2 * p[1] - 1, far = std::max(std::abs(a), std::abs(b)), r = std::hypot(a, b);
   return r > 0 ? Point{a * far / r, b * far / r, 3 * p[2]} : Point{0, 0, 3 * p[2]};
@@ -61,7 +61,7 @@ Measures measures(const RemeshedSurface& made) {
   return result;
 }
 
-/// Every edge has one face on either side.
+/// Whether every edge has one face on either side.
 bool closed(const RemeshedSurface& made) {
   std::map<std::pair<int, int>, int> directed;
   for (const auto& face : made.faces)
@@ -122,7 +122,7 @@ TEST(SurfaceRemesher, CurvesAndPatchesStayWhereTheyAre) {
     const double exact = was.source[old.front()][2] != was.source[old.back()][2] ? 3 : 0.5 * pi;
     EXPECT_NEAR(long_way, exact, 0.01 * exact);
   }
-  // what is flat stays, to the last bit
+  // Flat patches stay flat, to the last bit.
   std::map<int, double> areas;
   for (const auto& face : made.faces)
     for (int v : face.vertices) {

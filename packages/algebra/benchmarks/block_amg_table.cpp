@@ -1,7 +1,7 @@
 // Iterations, set-up and solve time of the "block amg" solver on the model problem over mesh, permeability and time
 // step, with the direct solver for comparison; prints markdown. `block_amg_table small` leaves out the finest mesh.
-// `block_amg_table reuse` instead solves a sequence of matrices with a growing soft zone, as a Newton iteration under a
-// footing meets them, with fresh and with kept factors and preconditioners.
+// `block_amg_table reuse` instead solves a sequence of matrices with a growing soft zone, as in a Newton iteration
+// under a footing, with fresh and with reused factors and preconditioners.
 
 #include <Tpetra_Core.hpp>
 

@@ -19,7 +19,7 @@ TEST(Assembler, ConstrainedDofsWithoutStiffnessGetAOne) {
   const int group = assembler.add_group(elements);
   assembler.finalise();
   Kokkos::View<char*> constrained("constrained", 4);
-  constrained(1) = constrained(3) = 1;  // one with stiffness, one that no element touches
+  constrained(1) = constrained(3) = 1;  // one dof with stiffness, and one that no element touches
   for (int repeat = 0; repeat < 2; ++repeat) {
     assembler.begin(constrained);
     {

@@ -22,7 +22,7 @@ TEST(BlasKernels, ThoseThatSuitStay) {
 
 TEST(BlasKernels, ThoseBeyondAvx2StayOnlyWhereTheirResultsAreRight) {
   EXPECT_EQ(better_kernels("SkylakeX", true, wrong), "Haswell");
-  EXPECT_EQ(better_kernels("Haswell", true, wrong), "");  // there is nothing to go back to
+  EXPECT_EQ(better_kernels("Haswell", true, wrong), "");  // there is nothing to fall back to
 }
 
 TEST(BlasKernels, AnotherBlasIsLeftAlone) { EXPECT_EQ(better_kernels("", true, right), ""); }

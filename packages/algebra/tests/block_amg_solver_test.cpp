@@ -12,7 +12,7 @@ namespace {
 
 using cases::at;
 
-// Counts measured when this was written, with a margin of a tenth: a rise is a defect of the preconditioner.
+// The limits are measured counts with a margin of a tenth: a rise is a defect of the preconditioner.
 TEST(BlockAmg, CountsOnTheModelProblem) {
   EXPECT_LE(cases::check_block_amg(at(1e-1)), 30);
   EXPECT_LE(cases::check_block_amg(at(1e-3)), 18);

@@ -49,7 +49,7 @@ inline Vector rough_load(const model::Problem& problem) {
   return b;
 }
 
-/// The matrix assembled by FECrsMatrix against a plain summation over all elements into dense rows.
+/// Compares the assembled FECrsMatrix with a plain sum over all elements in dense rows.
 inline void check_assembly() {
   const auto comm = Tpetra::getDefaultComm();
   model::Settings settings;

@@ -18,7 +18,7 @@ class ProblemInSpace {
  public:
   using ElementMatrix = std::array<std::array<double, 34>, 34>;
 
-  /// Settings::stiffness and permeability are taken at (x, z). `height`: of the box, as a factor of its size.
+  /// Settings::stiffness and permeability are taken at (x, z). `height`: height of the box, as a factor of its size.
   explicit ProblemInSpace(const Settings& settings, RCP<const Comm> comm, double height = 1)
       : settings_(settings), comm_(comm), height_(height) {
     number();
@@ -32,7 +32,8 @@ class ProblemInSpace {
   int num_elements() const { return static_cast<int>(elements_.size()); }
   Kokkos::View<const char*> constrained() const { return constrained_; }
 
-  /// Stiffness per area of inclined walls that stand against the top of the box, with friction that slides [Pa/m].
+  /// Stiffness per area of inclined walls against the top of the box [Pa/m], and the friction coefficient of the
+  /// sliding contact.
   double contact = 0, friction = 0.3;
 
   RCP<const CrsMatrix> assemble() {
@@ -56,7 +57,7 @@ class ProblemInSpace {
     {
       const auto values = overlap.getLocalViewHost(Tpetra::Access::ReadWrite);
       for (int e = 0; e < num_elements(); ++e)
-        for (int a = 4; a < 10; ++a) {  // of the quadratic functions those of the corners carry -1/20, the others 1/5
+        for (int a = 4; a < 10; ++a) {  // corners carry -1/20 of the load each, mid-side nodes 1/5
           const int dof = element_dofs_(e, 3 * a + 2);
           if (!constrained_(dof)) values(dof, 0) -= 9.81 * settings_.density * volume() / 5;
         }
@@ -142,7 +143,8 @@ class ProblemInSpace {
     }
     return dN;
   }
-  /// The corners follow the cube's edges in some order of the directions, so that each coordinate changes once.
+  /// Gradients of the barycentric coordinates [1/m]. The corners follow the cube's edges in some order of the
+  /// directions, so that each coordinate changes once.
   Gradients barycentric_gradients(int e) const {
     Gradients dl{};
     for (int c = 0; c < 3; ++c)
@@ -157,7 +159,7 @@ class ProblemInSpace {
   ElementMatrix element_matrix(int e) const;
   void add_contact(int e, ElementMatrix& J) const;
   void pressure_matrices(BlockData& data) const;
-  /// Layers of cells are dealt out; the rank below owns the nodes on its upper face.
+  /// Distributes layers of cells over the ranks; the lower rank owns the nodes of a common face.
   void number();
   FieldLayout layout(const char* name, int components, int first, int first_owned, int last,
                      std::vector<int>& local) const;
@@ -305,7 +307,7 @@ inline void ProblemInSpace::number() {
           settings_.soil_held || at[2] == 0 || (d < 2 && (at[d] == 0 || at[d] == end));
     if (static_cast<int>(a) >= fields[0].num_owned) continue;
     for (int d = 0; d < 3; ++d) coordinates_.push_back(half_step(d) * at[d]);
-    // Every edge runs from its end of smaller coordinates to that of the larger ones.
+    // Every edge runs from its end with smaller coordinates to that with larger ones.
     const int odd[3] = {at[0] % 2, at[1] % 2, at[2] % 2};
     parents_.emplace_back();
     if (odd[0] + odd[1] + odd[2] > 0)

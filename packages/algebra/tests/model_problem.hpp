@@ -22,7 +22,7 @@ struct Settings {
   double size = 10;           // [m]
   double young = 10e6;        // [Pa]
   double poisson = 0.3;       // [-]
-  double density = 2000;      // of the mixture [kg/m3]
+  double density = 2000;      // density of the mixture [kg/m3]
   double porosity = 0.4;      // [-]
   double fluid_bulk = 2.2e9;  // [Pa]
   double mobility = 1e-8;     // k/gamma_w [m2/(Pa s)]
@@ -53,7 +53,7 @@ inline Rule six_points() {
   return rule;
 }
 
-/// Node of an element: grid position on the grid of half cells.
+/// Position of an element's node on the grid of half cells.
 using GridPoint = std::array<int, 2>;
 
 class Problem {
@@ -186,7 +186,7 @@ class Problem {
     data.pressure_laplacian = laplacian;
   }
 
-  /// Rows of cells are dealt out in strips; the strip below owns the nodes on its upper edge.
+  /// Distributes rows of cells over the ranks in strips; the lower strip owns the nodes of a common edge.
   void number();
   void number_field(bool vertices_only, FieldLayout& field, std::vector<int>& local, int first_line, int last_line,
                     int first_owned) const;

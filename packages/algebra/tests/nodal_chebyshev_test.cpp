@@ -16,8 +16,8 @@ namespace {
 
 constexpr int nodes = 60;
 
-/// A chain of nodes, each joined to its neighbours by the same unsymmetric block: the eigenvalues of D^-1 A are
-/// 1 - cos(k pi/(nodes + 1)), those of the chain, whatever the block.
+/// A chain of nodes, each joined to its neighbours by the same unsymmetric block: for any block, the eigenvalues of
+/// D^-1 A are those of the chain, 1 - cos(k pi/(nodes + 1)).
 RCP<CrsMatrix> chain(int n) {
   const Mat<double, 3> block = {{{5e6, 2e6, -1e6}, {-3e6, 4, 1}, {1e6, 0, 2e3}}};
   const auto matrix = rcp(new CrsMatrix(make_dense_map(nodes * n, Tpetra::getDefaultComm()), 3 * n));
@@ -33,7 +33,7 @@ RCP<CrsMatrix> chain(int n) {
   return matrix;
 }
 
-/// Share of the k-th mode of the chain that is left of an error after one smoothing.
+/// Fraction of an error in the k-th mode of the chain that one smoothing leaves.
 double left_of_mode(const NodalChebyshev& smoother, const CrsMatrix& matrix, int n, int k) {
   Vector error(matrix.getRowMap()), right(matrix.getRowMap()), correction(matrix.getRowMap());
   for (int a = 0; a < nodes; ++a)
@@ -84,7 +84,7 @@ TEST(NodalChebyshev, JoinedNodesAreSolvedTogether) {
   for (int row = 0; row < n * nodes / 2; ++row) right.replaceLocalValue(row, 1 + row % 7);
   smoother.apply(right, solution);
   matrix->apply(solution, product);
-  product.scale(0.5 * smoother.largest_eigenvalue() * (1.1 + 1 / once.ratio));  // the centre of what is smoothed
+  product.scale(0.5 * smoother.largest_eigenvalue() * (1.1 + 1 / once.ratio));  // the centre of the smoothed interval
   const auto given = right.getLocalViewHost(Tpetra::Access::ReadOnly),
              found = product.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (int row = 0; row < n * nodes / 2; ++row) EXPECT_NEAR(found(row, 0), given(row, 0), 1e-2) << row;

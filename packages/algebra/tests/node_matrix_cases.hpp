@@ -16,7 +16,7 @@ namespace mudline::cases {
 
 constexpr int chain_nodes = 21;
 
-/// A chain of nodes whose neighbours, up to the second, are joined by blocks without pattern.
+/// A chain of nodes that are joined to their first and second neighbours by blocks of pseudo-random numbers.
 inline RCP<CrsMatrix> rough_chain(int n) {
   const RCP<const Map> rows = make_map(
       [&] {  // the first nine nodes on the first rank of two
@@ -40,7 +40,7 @@ inline RCP<CrsMatrix> rough_chain(int n) {
   return matrix;
 }
 
-/// From every other node to all; the second component of node 4 is held.
+/// A prolongator from every other node to all nodes; the second component of node 4 is fixed.
 inline RCP<CrsMatrix> chain_prolongator(const RCP<const Map>& rows, int n) {
   std::vector<GlobalOrdinal> coarse;
   for (const GlobalOrdinal row : local_ids(*rows))
@@ -63,7 +63,7 @@ inline RCP<CrsMatrix> chain_prolongator(const RCP<const Map>& rows, int n) {
   return prolongator;
 }
 
-/// All entries, on every rank.
+/// All entries of a matrix in dense form, on every rank.
 inline std::vector<double> dense(const CrsMatrix& matrix) {
   const std::size_t width = matrix.getDomainMap()->getGlobalNumElements();
   std::vector<double> here(matrix.getGlobalNumRows() * width, 0.0), all(here.size());

@@ -42,7 +42,7 @@ TEST(RowLists, HoldEveryEntryOnceInTheOrderOfElements) {
   EXPECT_EQ(RowLists(dofs, 0).batch, 0);
 }
 
-/// What runs on an element: adds some columns of its matrix, or nothing.
+/// The kernel on an element: it adds some columns of its matrix, or nothing.
 struct Kernel {
   MatrixScatter to;
   KOKKOS_FUNCTION void operator()(int e) const {

@@ -20,14 +20,14 @@ void configure(Solver& solver, Teuchos::ParameterList& list) {
   p.finish();
 }
 
-/// "direct", factored by one process or by all.
+/// Configures "direct" to factor by one process or by all.
 inline void configure_direct(MumpsSolver& solver, bool reproducible) {
   Teuchos::ParameterList list;
   list.set("reproducible", reproducible);
   configure(solver, list);
 }
 
-/// Fresh factors for a new matrix each time, one graph.
+/// Checks new factors for a sequence of matrices with one graph.
 inline void check_direct(bool reproducible = true) {
   model::Settings settings;
   settings.cells = 12;
@@ -49,8 +49,8 @@ inline void check_direct(bool reproducible = true) {
   }
 }
 
-/// Old factors precondition slightly different matrices; a very different one is factored anew. The answer is that of
-/// the current matrix throughout.
+/// Old factors precondition slightly different matrices; a very different one is factored again. The solution is always
+/// that of the current matrix.
 inline void check_reuse() {
   model::Settings settings;
   settings.cells = 12;
@@ -144,7 +144,7 @@ int check_block_amg_under(const Vector& b, Problem& problem, double tolerance = 
   return report.iterations;
 }
 
-/// The same of the gravity problem.
+/// One solve of the gravity problem, compared with the direct solution. Returns the iterations.
 template <class Problem>
 int check_block_amg_on(Problem&& problem, double tolerance = 1e-8) {
   return check_block_amg_under(problem.load(), problem, tolerance);
@@ -188,7 +188,7 @@ void check_prescribed_fields(model::Settings settings) {
   }
 }
 
-/// The same on a small box in space.
+/// Settings of a small box in space at a time step.
 inline model::Settings in_space_at(double dt, double mobility = 1e-8) {
   model::Settings settings = at(dt, mobility);
   settings.cells = 5;

@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-/// A deck in memory with one body; a real deck would hold the same text.
+/// A deck in memory with one body.
 struct BodyDeck {
   explicit BodyDeck(const std::string& bodies) {
     deck.overlay("<ParameterList name=\"deck\">\n" + bodies + "</ParameterList>\n", "deck.xml");

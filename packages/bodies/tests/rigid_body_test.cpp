@@ -18,7 +18,7 @@ std::unique_ptr<BodyMotion> motion(const std::string& parameters) {
 TEST(BodyMotion, RampedVelocityIsIntegratedExactly) {
   const auto push = motion(text_parameter("type", "prescribed velocity") + number_parameter("velocity y", -2.0) +
                            number_parameter("ramp time", 0.5));
-  // the second step straddles the end of the ramp: half of the ramp time is lost altogether
+  // the second step straddles the end of the ramp: half of the ramp time is lost in total
   BodyState state = push->advance({}, 10.0, 10.3);
   const double s = 0.3 / 0.5;
   EXPECT_NEAR(state.displacement[1], -2 * 0.5 * (s * s * s - 0.5 * s * s * s * s), 1e-15);
@@ -107,7 +107,7 @@ TEST(RigidBody, TurnedAtTheStartItIsTheBodyThatIsDrawnTurned) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(a.centre[i], b.centre[i], 1e-14);
   for (const Point& x : {Point{1.7, 2.3, 3.4}, Point{1.1, 1.7, 3.05}, Point{0.3, 2, 2.9}}) {
     EXPECT_NEAR(turned->gap(a, x), drawn->gap(b, x), 1e-12);
-    const SurfaceProjection here = turned->point(a, x), there = drawn->point(b, x);
+    const SurfaceProjection here = turned->projection(a, x), there = drawn->projection(b, x);
     for (int i = 0; i < 3; ++i) {
       EXPECT_NEAR(here.normal[i], there.normal[i], 1e-9);
       EXPECT_NEAR(here.point[i], there.point[i], 1e-9);

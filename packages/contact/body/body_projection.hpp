@@ -5,8 +5,8 @@
 
 namespace mudline {
 
-/// A contact point as numbers of kind T, with their derivatives by the point's own unknowns: its place, the area that
-/// it stands for, the pore pressure there, and those of the body.
+/// A contact point as numbers of type T, with their derivatives by the point's own unknowns: its position, the area
+/// that it stands for, the pore pressure there, and the unknowns of the body.
 template <class T, int D>
 struct PointNumbers {
   static constexpr int rotations = D == 2 ? 1 : 3;
@@ -36,7 +36,7 @@ struct PointNumbers {
     }
   }
   Vec<T, D> arm;          // [m] from the body's centre
-  T turn[rotations];      // [rad] of the body beyond its placement: 0, with derivatives
+  T turn[rotations];      // [rad] rotation of the body beyond its placement: 0, with derivatives
   T area, pore_pressure;  // [m2], [Pa]
 };
 
@@ -45,14 +45,14 @@ Vec<T, 3> numbers(const Point& x) {
   return {T(x[0]), T(x[1]), T(x[2])};
 }
 
-/// Where a point is beside the body, and what the motion over a step means along its surface.
+/// Position of a point relative to the body, and its motion along the body's surface in a step.
 template <class T, int D>
 struct BodyProjection;
 
 template <class T>
 struct BodyProjection<T, 2> {
   BodyProjection(const BodyPlace& at, const PointNumbers<T, 2>& x) {
-    // how the point moves past the material of the body: 0, with derivatives
+    // displacement of the point relative to the material of the body: 0, with derivatives
     const Vec<T, 2> way{x.arm[0] - value(x.arm[0]) + x.turn[0] * value(x.arm[1]),
                         x.arm[1] - value(x.arm[1]) - x.turn[0] * value(x.arm[0])};
     const Vec<T, 2> n = constant<T>(at.normal), m{T(-at.normal[1]), T(at.normal[0])};
@@ -63,20 +63,20 @@ struct BodyProjection<T, 2> {
     tangent = m - n * turned;
   }
 
-  /// Travel and old shear stress along the surface, from the closest point at the start of the step.
+  /// Sets the travel since the closest point at the start of the step, and the old shear stress along the surface.
   void start(const BodyInStep&, const ContactStart& start, ContactMotion<T, 2>& motion) const {
     motion.travel = advance + start.travelled;
     motion.shear_old = T(start.shear.shear[0]);
   }
-  /// The point's way past the body along its surface: 0, with derivatives.
+  /// Displacement of the point relative to the body along its surface: 0, with derivatives.
   const T& sliding() const { return advance; }
   Vec<T, 2> traction(const T& shear) const { return tangent * shear; }
-  /// A moment as the body's rotation feels it, and one of the start of the step.
+  /// Moment conjugate to the body's rotation; felt_before(): that of the start of the step.
   static const T& felt(const T& moment, const BodyPlacement&) { return moment; }
   static T felt_before(const Point& moment, const BodyPlacement&) { return T(moment[2]); }
   static Point plain_shear(const T& shear) { return {value(shear), 0, 0}; }
 
-  T gap, advance;  // [m]; of the closest point along the contour: 0, with derivatives
+  T gap, advance;  // [m]; advance: of the closest point along the contour, 0 with derivatives
   Vec<T, 2> normal, tangent;
 };
 
@@ -95,8 +95,8 @@ struct BodyProjection<T, 3> {
     projection = x.arm - normal * gap;
   }
 
-  /// The travel is the way of the closest point over the body, as a vector of the tangent plane at its end; the old
-  /// shear stress turns with the body and then with the normal.
+  /// The travel is the path of the closest point over the body, as a vector in the tangent plane at its end. The old
+  /// shear stress rotates with the body and then with the normal.
   void start(const BodyInStep& body, const ContactStart& start, ContactMotion<T, 3>& motion) const {
     const Rotation turned = body.now.turn * body.old.turn.inverse();
     const Vector from = turned_on(turned(start.before.normal));
@@ -107,7 +107,8 @@ struct BodyProjection<T, 3> {
   }
   Vector sliding() const { return way - normal * dot(normal, way); }
   const Vector& traction(const Vector& shear) const { return shear; }
-  /// A moment along the body's axes, which its rotations are about, and one of the start of the step.
+  /// Moment in the body frame, about whose axes the body's unknowns rotate it; felt_before(): that of the start of the
+  /// step.
   Vector felt(const Vector& moment, const BodyPlacement& placement) const {
     Vector result;
     for (int i = 0; i < 3; ++i) {
@@ -126,17 +127,17 @@ struct BodyProjection<T, 3> {
   Vector normal, projection;  // [-]; [m] from the body's centre
 
  private:
-  /// A vector fixed to the body, with the derivatives of its turning.
+  /// A vector fixed to the body, with its derivatives by the body's rotation.
   Vector turned_on(const Point& x) const { return numbers<T>(x) + cross(turn, numbers<T>(x)); }
-  /// A vector of the plane across `from` after the rotation that takes `from` to the normal.
+  /// A vector perpendicular to `from` after the smallest rotation that takes `from` to the normal.
   Vector transported(const Vector& v, const Vector& from) const {
     const T both = 1.0 + dot(from, normal);
-    constexpr double opposite = 1e-6;  // the point has gone round the body: there is no such rotation
+    constexpr double opposite = 1e-6;  // the point has gone round the body: the rotation is not unique
     if (value(both) < opposite) return v - normal * dot(v, normal);
     return v - (from + normal) * (dot(v, normal) / both);
   }
   Vector turn;  // [rad] 0, with derivatives
-  Vector way;   // [m] of the point past the material of the body: 0, with derivatives
+  Vector way;   // [m] of the point relative to the material of the body: 0, with derivatives
 };
 
 }  // namespace mudline

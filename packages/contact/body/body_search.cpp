@@ -39,9 +39,9 @@ void search(const RigidBody& body, const BodyInStep& step, const ContactTables& 
   const Point at = rule.place(point, side.x);
   start.height = body.height(step.now, at);
   if (body.surface()) {
-    start.now = place_of_projection(body.point(step.now, at));
+    start.now = place_of_projection(body.projection(step.now, at));
     if (looks_back(side, start.shift, start.now.gap - start.offset))
-      start.before = place_of_projection(body.point(step.old, rule.place(point, side.x_old)));
+      start.before = place_of_projection(body.projection(step.old, rule.place(point, side.x_old)));
     return;
   }
   const ContourProjection now = body.closest(step.now, in_plane(at));

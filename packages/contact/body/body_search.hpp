@@ -4,11 +4,11 @@
 
 namespace mudline {
 
-/// A body at the ends of a step, as the loops over the sides see it.
+/// Placements of a body at both ends of a step, for the loops over the sides.
 BodyInStep body_in_step(const RigidBody& body, const BodyPlacement& old, const BodyPlacement& now);
 
-/// Seeks the places of a contact point on the body, on the host: contours and surfaces are virtual. `point`: number on
-/// the side; what else is known of it is in `start` already.
+/// Finds the closest points of the body to a contact point at both ends of a step. It runs on the host, since contours
+/// and surfaces are virtual. `point`: number on the side; `start` holds its other data already.
 void search(const RigidBody& body, const BodyInStep& step, const ContactTables& rule, const SideContact& side,
             int point, ContactStart& start);
 

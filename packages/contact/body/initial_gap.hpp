@@ -8,16 +8,15 @@
 
 namespace mudline {
 
-/// From where a contact counts its gaps: what the deck says of it, and what the state remembers, a row per point in the
-/// array "<prefix>initial gap" (offset [m], by which the counted gap is smaller than that of the geometry). Without an
-/// adjustment there is no array.
+/// Initial gaps of a contact: the deck entries, and the state array "<prefix>initial gap" with a row per point (offset
+/// [m], by which the counted gap is smaller than the geometric one). Without an adjustment there is no array.
 class InitialGap {
  public:
   void parameters(Parameters& p);
   /// InputError for entries that have no meaning here.
   void check(const Section& section) const;
   bool adjusts() const { return start_ != Start::as_placed; }
-  /// The points start pressed by the soil's stress.
+  /// Whether the points start pressed by the soil's stress.
   bool presses() const { return start_ == Start::in_situ_stress; }
   /// Farthest distance [m] of a point of a side with this longest edge [m] that is adjusted.
   double reach(double edge) const { return distance_ > 0 ? distance_ : 0.1 * edge; }
@@ -25,7 +24,7 @@ class InitialGap {
   void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids);
   double offset(const State& state, int row) const { return array_ < 0 ? 0.0 : state.arrays[array_](row, 0); }
   void set_offset(const State& state, int row, double offset) const { state.arrays[array_](row, 0) = offset; }
-  /// -1: there is none.
+  /// Handle of the array; -1: there is none.
   int array() const { return array_; }
 
  private:
@@ -35,18 +34,18 @@ class InitialGap {
   int array_ = -1;
 };
 
-/// What became of the points of a contact in the state in which it first acts.
+/// Statistics of a contact's points in the state in which it first acts.
 struct FirstTouch {
   double points = 0, closed = 0;  // counts
-  double deep = 0;                // of those that lie farther in the body than the closing distance
-  double pulled = 0, beyond = 0;  // where the soil's stress is tension; is more than the normal law gives
+  double deep = 0;                // points that lie deeper in the body than the closing distance
+  double pulled = 0, beyond = 0;  // where the soil's stress is tension; where it is more than the normal law gives
   double least_gap = 0, largest_gap = 0, deepest = 0;   // [m] of those closed; of those deep
   double reach = 0;                                     // [m] the largest closing distance
   double least_pressure = 1e300, largest_pressure = 0;  // [Pa] of those closed
   void close(double gap, double pressure);
-  /// Over all ranks. Collective.
+  /// The statistics over all ranks. Collective.
   FirstTouch everywhere(const Comm& comm) const;
-  /// To the log.
+  /// Writes them to the log.
   void tell(const std::string& contact, bool pressed) const;
 };
 

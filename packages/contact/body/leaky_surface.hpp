@@ -18,14 +18,14 @@ class LeakySurface {
   LeakySurface(const Space& space, const ContactSurface& surface, double conductance, const Function& outside);
 
   void sparsity(Assembler& assembler);
-  /// Which sides leak in the coming step: nonzero flags, by side.
+  /// Sets which sides leak in the coming step: nonzero flags, by side.
   void open(const std::vector<char>& flags);
-  /// Adds to the residual, by overlap dof.
+  /// Adds the flow of the leaking sides to the residual, by overlap dof.
   void add(const StepView& view, const ResidualView& f) const;
   void jacobian(const StepView& view, Assembler& assembler) const;
 
  private:
-  /// The sides of one shape, by their rows in the surface.
+  /// The sides of one shape, by their row in the surface's dof table.
   struct Part {
     SideBlock block;
     PointView outside;  // [Pa] at the points

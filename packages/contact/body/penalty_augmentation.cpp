@@ -1,4 +1,4 @@
-// What follows a solve of a step: the multipliers of the augmented Lagrangian by Uzawa's method.
+// Update of the augmented Lagrangian's multipliers after a solve of a step, by Uzawa's method.
 #include <algorithm>
 
 #include "contact/body/penalty_contact.hpp"
@@ -18,7 +18,8 @@ void PenaltyContact::check_enforcement(const Section& section) const {
 }
 
 Point PenaltyContact::initial_shear_multiplier(const State& committed, int row) const {
-  // what slides or is off the body is not stretched; what sticks, by as much as its multiplier differs from its stress
+  // a point that slides or is off the body starts unstretched; one that sticks is stretched by the difference of its
+  // stress and its multiplier
   return rows_.sticks(committed, row) ? rows_.shear_multiplier(committed, row) : rows_.shear(committed, row).shear;
 }
 

@@ -117,7 +117,7 @@ SideContact PenaltyContact::side_contact(const StepView& view, const Positions& 
   contact.x = side_coordinates(at, positions.x_end);
   contact.law = law(view, side);
   contact.reach = touch_;
-  // how far away the touch is in terms of forces is not known: every guess moves the body ten times as far
+  // the force that moves the body until it touches is not known: every linearisation lets it move ten times as far
   contact.reach_share = std::pow(0.1, view.linearisation);
   if (deck_.has_film()) {
     const Point weight = context_.water_weight ? context_.water_weight(at.block, view.time_end) : Point{};
@@ -167,7 +167,7 @@ void PenaltyContact::book_damping(const State& trial) const {
 
 namespace {
 
-// What runs on every side, and on every point.
+// Kernels over the sides, and over the points.
 struct AddLater {
   PointView later;
   VectorScatter to;
@@ -285,8 +285,8 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
 }
 
 bool PenaltyContact::covered(std::size_t side, const State& committed, const BodyPlacement& placement) const {
-  // By distance: pressure alone would not do, since along a stretched side single points come off by micrometres, and a
-  // vertex that is drained for a step loses its pore pressure.
+  // The criterion is the distance: with the pressure alone single points along a stretched side would lift off by
+  // micrometres, and a vertex that is drained for a step loses its pore pressure.
   const SideCoordinates x = side_coordinates(surface_->sides()[side], committed.coordinates);
   const double near = deck_.sealing_gap * edges(surface_->sides()[side], committed.coordinates).second;
   if (least_gap(side, committed.coordinates, placement) >= near) return false;
@@ -321,7 +321,7 @@ double PenaltyContact::step_limit(const State& committed, double dt) const {
   for (std::size_t s = 0; s < candidate_.size(); ++s)
     nearest = std::min(nearest, least_gap(s, committed.coordinates, placement));
   Teuchos::reduceAll(*context_.space.mesh().comm(), Teuchos::REDUCE_MIN, nearest, Teuchos::outArg(everywhere));
-  // a body that is still far away may come half the way
+  // a body that is still far away may cover half the distance
   return speed > 0 ? std::max(deck_.advance_limit * edge, 0.5 * everywhere) / speed : 1e300;
 }
 
@@ -331,7 +331,7 @@ std::string PenaltyContact::hint(const StepView& view) const {
          "' and has no inertia in a quasi-static stage: hold it, or release it in a dynamic stage";
 }
 
-/// What a history tells, added up over the points of all ranks.
+/// Sums of a history over the points of all ranks.
 struct PenaltyContact::Sums {
   enum : int {
     reaction,
@@ -362,7 +362,7 @@ PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
     local[Sums::reaction + i] = -force.force[i];
     local[Sums::damping + i] = -done(0, 2 + i);
   }
-  // the points tell it about the centre of mass
+  // the points' moments are about the centre of mass
   const Point arm = body_->placement(state).centre - body_->position(state);
   const Point moment = force.moment + cross(arm, force.force);
   for (int i = 0; i < 3; ++i) local[Sums::moment + i] = -moment[i];
@@ -458,7 +458,7 @@ std::vector<double> PenaltyContact::nodal_shear(const State& state) const {
 }
 
 void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid, multipliers and
+  // gaps and pressures are evaluated again at the new positions; the shear stress, the path slid, multipliers and
   // initial gaps are history and are convected along the side, see SideShifts
   std::vector<std::pair<int, int>> convected;  // (array, column)
   if (laws_.friction())

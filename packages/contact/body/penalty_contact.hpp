@@ -17,7 +17,7 @@
 
 namespace mudline {
 
-/// What the deck says of a penalty contact, besides friction.
+/// Deck entries of a penalty contact, besides friction.
 struct PenaltyParameters : EnforcementParameters {
   PenaltyParameters() : EnforcementParameters{Enforcement::penalty} {}
   enum class Drainage { sealed, drained, leaky, film };
@@ -46,15 +46,14 @@ struct PenaltyParameters : EnforcementParameters {
 ///
 /// Augmented Lagrangian: t = <lambda - penalty gap>, and the stick spring of friction starts from a multiplier
 /// likewise. After each solve of a step lambda grows by t - lambda (Uzawa) as far as that is in the space of the sides'
-/// shapes: a side has more contact points than nodes, and cannot follow a body at all of them. Until the gap weighted
-/// by the shapes, and the stretch of what sticks, are within the gap tolerance at all nodes.
+/// shapes: a side has more contact points than nodes, and cannot follow a body at all of them. This ends when the gap
+/// weighted by the shapes, and the stretch of the stick springs, are within the gap tolerance at all nodes.
 ///
 /// Initial gap: a point's gap may be counted from that of the state in which the contact first acts (see InitialGap).
 ///
 /// State arrays: those of the points (see PointRows), "contact/<name>/penalty" (a row per side, frozen when the contact
-/// first starts a step), "contact/<name>/work" (this rank's share of the
-/// work done on the soil, trapezoidal in the body's motion; of damping the heat so far and its force on the soil in
-/// the last step).
+/// first starts a step), "contact/<name>/work" (this rank's share of the work done on the soil, trapezoidal in the
+/// body's motion; heat of damping so far; force of damping on the soil in the last step).
 ///
 /// Drainage: a side is closed to the pore water (what conditions prescribe on it is off) while more than half of its
 /// points are at the body in the committed state: lagged by one step, so that Newton sees a fixed set. Leaky: these
@@ -108,7 +107,8 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   void add_heat(const StepView& view, const ResidualView& f) const;
   /// Adds the damping of the points to the sums of the trial state.
   void book_damping(const State& trial) const;
-  /// What is known of a point of a side; the multiplier of its shear stress counts by what it has changed in this step.
+  /// Data of a point of a side before it is evaluated. The multiplier of its shear stress counts by its change in this
+  /// step.
   ContactStart point_start(const StepView& view, std::size_t side, int row) const;
   ContactPointLaw law(const StepView& view, std::size_t side) const;
   void check_enforcement(const Section& section) const;
@@ -116,7 +116,7 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   Point initial_shear_multiplier(const State& committed, int row) const;
   void start_multipliers(const StepView& view) const;
   Misfit misfit(const State& state) const;
-  /// What is known of the sides at the linearisation point.
+  /// Data of the sides at the linearisation point.
   std::vector<ContactSides> look(const StepView& view, const Positions& at) const;
   SideContact side_contact(const StepView& view, const Positions& at, std::size_t side) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
@@ -124,34 +124,34 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   void look_for_touch(const StepView& view);
   struct Sums;
   Sums sums(const State& state) const;
-  /// By local node, of a quantity of the rows.
+  /// Mean of a quantity of the rows, by local node.
   std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
-  /// Closes the initial gaps of one side's points, and presses them.
+  /// Closes the initial gaps of one side's points, and sets their pressures.
   void touch_first(std::size_t side, const State& committed, const BodyPlacement& placement, FirstTouch& found) const;
-  /// What presses at a point of a side that touches the body with this normal [Pa]: the soil's stress on its surface.
+  /// Pressure [Pa] of the soil's stress at a point of a side that touches the body with this normal.
   double standing_pressure(std::size_t side, int point, const State& committed, const Point& at, const Point& outward,
                            const Point& normal) const;
-  /// Penetration [m] at which a point presses so.
+  /// Penetration [m] at which a point has this pressure [Pa].
   double standing_depth(std::size_t side, int point, const State& committed, double pressure) const;
   /// Pore pressure at a point of a side [Pa]; 0 where the contact does not read it.
   double pore_pressure(std::size_t side, int point, const State& state) const;
-  /// Counted gap of a point that is at this place [m].
+  /// Counted gap [m] of a point that is at `at`.
   double gap(const State& state, int row, const BodyPlacement& placement, const Point& at) const {
     return body_->gap(placement, at) - deck_.initial_gap.offset(state, row);
   }
-  /// Lower bound of the gap of a side's points [m], as the geometry has it.
+  /// Lower bound of the geometric gap of a side's points [m].
   double least_gap(std::size_t side, const ConstCoordinateView& coordinates_now, const BodyPlacement& placement) const;
   const ContactRule& rule(const SurfaceSide& side) const { return rules_.at(side.shape); }
   void check_drainage(const Section& section) const;
   void check_quadrature(const Section& section) const;
   void check_overlap(const Section& section) const;
   void check_above(const Section& section) const;
-  /// A point of a skipped side says that it is at least as far away as the search looked.
+  /// A point of a skipped side. Its gap is the capture distance, which is a lower bound.
   ContactPoint away(const StepView& view, int row) const;
-  /// More than half of the side's points are nearer to the body than the sealing gap, or in it.
+  /// Whether more than half of the side's points are nearer to the body than the sealing gap, or in it.
   bool covered(std::size_t side, const State& committed, const BodyPlacement& placement) const;
   std::vector<char> covered_sides(const State& committed) const;  // (side)
-  /// What acts on the soil, this rank's part.
+  /// Force and moment on the soil, this rank's part.
   PointForce local_force(const State& state) const;
   /// Work on the soil of forces that change from `before` to `now` while the body moves.
   static double work(const PointForce& before, const PointForce& now, const BodyPlacement& from,
@@ -182,11 +182,11 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
     PointView later;  // (side, dof) of the last residual call: what is added at the alpha level
   };
   std::map<CellShape, ShapeSides> shapes_;
-  Kokkos::View<ContactStart*> starts_;  // by row of points, as the next
+  Kokkos::View<ContactStart*> starts_;  // by row of points, like happens_
   Kokkos::View<ContactPoint*> happens_;
 };
 
-/// The same without friction, by its own name.
+/// Penalty contact without friction, a type of its own in the deck.
 class FrictionlessPenaltyContact : public PenaltyContact {
  public:
   using PenaltyContact::PenaltyContact;

@@ -1,4 +1,4 @@
-// What the deck says, and binding it to the model.
+// Deck entries of a penalty contact, and their binding to the model.
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
@@ -129,7 +129,7 @@ void PenaltyContact::check_quadrature(const Section& section) const {
   if (mesh.dimension() == 2) return;
   if (deck_.method == ContactPoints::nodes)
     section.fail("nodes has no tributary areas on quadratic triangles; allowed in space: surface quadrature", "method");
-  constexpr int most = 8;  // of the rules for triangles
+  constexpr int most = 8;  // largest degree of the rules for triangles
   for (const ElementBlock& block : mesh.blocks())
     if (is_simplex(side_shape(block.shape)) && deck_.quadrature_degree > most)
       section.fail("on triangles the largest 'quadrature degree' is " + std::to_string(most) + ", given " +
@@ -145,7 +145,8 @@ void PenaltyContact::check_above(const Section& section) const {
   for (const SurfaceSide& side : surface_->sides()) {
     for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, mesh.place(side.node[a])[up]);
     const Point first = mesh.place(side.node[0]), along = mesh.place(side.node[1]) - first;
-    // outward: to the right of the way in the plane, corners counter-clockwise from outside in space
+    // outward: in the plane on the right of the side's direction; in space the corners are counter-clockwise seen from
+    // outside
     upwards += up == 1 ? -along[0] : cross(along, mesh.place(side.node[2]) - first)[2];
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));

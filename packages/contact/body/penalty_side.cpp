@@ -54,7 +54,7 @@ struct SideAreas {
   }
 };
 
-/// Force on the soil and moment about the body's centre as the body's unknowns feel it, as numbers.
+/// Force on the soil, and moment about the body's centre conjugate to the body's rotations, as numbers of type T.
 template <class T, int D>
 struct PointAction {
   Vec<T, D> force = Vec<T, D>::zero();
@@ -63,7 +63,7 @@ struct PointAction {
     force = force + more;
     moment = moment + turning;
   }
-  /// By direction of the body.
+  /// Component by direction of the body's unknown.
   T operator[](int direction) const {
     if (direction < D) return force[direction];
     if constexpr (D == 2)
@@ -73,7 +73,7 @@ struct PointAction {
   }
 };
 
-/// Pore pressure's shapes at point c: those of the nodes that carry it.
+/// Shape functions of the pore pressure at point c, for the nodes that carry it.
 const double* pressure_shape(const ContactSides& on, const SideContact& side, int c) {
   const bool corners = side.pressure_nodes < on.rule.nodes;
   return corners ? &on.rule.corner(c, 0) : &on.rule.shape(c, 0);
@@ -124,7 +124,7 @@ void keep(const Vec<T, D>& force, const Tangential<T, D>& moment, PointForce& to
     for (int i = 0; i < D; ++i) to.moment[i] = value(moment[i]);
 }
 
-/// What a point's response means in forces: at the end of the step, and what comes on top in the mean over it.
+/// Forces of a point's response: at the end of the step, and the addition to the mean over the step.
 template <class T, int D>
 void act(const ContactSides& on, const SideContact& side, int c, const PointNumbers<T, D>& x,
          const BodyProjection<T, D>& projection, const ContactResponse<T, D>& now, ContactPoint& point,
@@ -192,7 +192,8 @@ void add_to_side(const ContactSides& on, const SideContact& side, int c, const S
   }
 }
 
-/// Gradients along the side [1/m] of the pore pressure's shapes at point c, as the side was at the start of the step.
+/// Gradients [1/m] of the pore pressure's shape functions at point c, along the side as it was at the start of the
+/// step.
 template <int D>
 void pressure_slopes(const ContactTables& rule, const SideContact& side, int c, Point* slope) {
   const bool corners = side.pressure_nodes < rule.nodes;
@@ -228,8 +229,8 @@ T film_thickness(const T& gap, double aperture) {
   return value(gap) > 0 ? 0.5 * (gap + root) : T(2 * aperture * aperture) / (root - gap);
 }
 
-/// The film's water at point c, which stays where the gap's growth draws it or flows along the side. Its rates go into
-/// the rows of the pore pressures; its water, vapour and force into `point`.
+/// Adds the film's water at point c, which fills the growing gap or flows along the side. Its rates go into the rows of
+/// the pore pressures; its water, vapour and force into `point`.
 template <class T, int D>
 void add_film(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
               const PointNumbers<T, D>& x, const BodyProjection<T, D>& projection, double gap_old, ContactPoint& point,
@@ -264,9 +265,9 @@ void add_film(const ContactSides& on, const SideContact& side, int c, const Side
   }
 }
 
-/// A point that the body is about to touch has no force, but the stiffness of one that presses, and sticks where there
-/// is friction: without traction it has no strength, and sides that spread under the body would all slide at the first
-/// guess, then be dragged back beyond where they came from, and slide the other way, to and fro.
+/// A point that the body is about to touch has no force, but the stiffness of one that presses. With friction it also
+/// sticks: without traction it has no strength, and sides that spread under the body would all slide at the first
+/// guess, then be dragged back too far, and oscillate.
 template <class T, int D>
 void add_stiffness_of_touch(const SideContact& side, const BodyProjection<T, D>& projection,
                             ContactResponse<T, D>& now) {
@@ -308,14 +309,14 @@ int dofs_of(const ContactSides& on, const SideContact& side) {
   return D * on.rule.nodes + side.pressure_nodes + on.body.unknowns.count;
 }
 
-// What runs on every side of a shape.
+// Kernels over the sides of a shape.
 
 template <int D>
 struct SideForces {
   ContactSides on;
   VectorScatter to;
   PointView later;
-  CaughtInKernel* caught;  // what a law throws
+  CaughtInKernel* caught;  // exception that a law throws
 
   /// Counts degenerate sides.
   void operator()(int s, int& failed) const {
@@ -329,7 +330,7 @@ struct SideForces {
     });
   }
 
-  /// Whether the side is sound.
+  /// Whether the side is not degenerate.
   bool evaluate(int s, const SideContact& side) const {
     SideForce<double, D> force(dofs_of<D>(on, side));
     SideAreas<D> areas;
@@ -354,7 +355,7 @@ struct SideForces {
     const double cancelled = side.law.penalty * pressing * far;
     const int soil = D * on.rule.nodes, first_body = soil + side.pressure_nodes;
     for (int a = 0; a < force.dofs; ++a) {
-      if (a >= soil && a < first_body) {  // water into a film, at once
+      if (a >= soil && a < first_body) {  // rate of water into a film, all of it added later
         later(s, a) = -force.f[a];
         if (force.f[a] != 0) to.add(s, a, 0.0, 0.0, whole * far / side.law.dt);
         continue;
@@ -402,7 +403,7 @@ struct SideTangents {
   }
 };
 
-/// On the host, where the laws are.
+/// The loops run on the host, where the laws are.
 using HostRange = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>;
 
 }  // namespace

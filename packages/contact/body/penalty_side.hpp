@@ -8,65 +8,66 @@
 
 namespace mudline {
 
-/// What acts on the soil at a point: force [N] and moment about the body's centre [N m], in the plane about z.
+/// Force on the soil at a point [N], and its moment about the body's centre [N m], in the plane about z.
 struct PointForce {
   Point force{}, moment{};
 };
 
-/// What friction remembers of a contact point.
+/// Friction history of a contact point.
 struct ShearState {
   /// [Pa] on the soil; 0 off the body. In the plane one number, along the contour's direction of travel; in space a
   /// vector.
   Point shear{};
-  double slip = 0;        // [m] path that the point has slid, since it was made
+  double slip = 0;        // [m] path that the point has slid so far
   double dissipated = 0;  // [J] heat, over the point's area
   bool slides = false;
 };
 
-/// Water between a side and the body in a step. A point's film is as thick as the gap g where that is wide,
-/// (g + sqrt(g^2 + 4 a^2))/2 with the aperture a that rough surfaces leave where they meet. Of it the water is the
-/// share 1 - (p_c - p)/softness where the pore pressure p is below that of cavitation, p_c, and vapour the rest.
+/// Water between a side and the body in a step. A point's film is as thick as the gap g where that is wide: its
+/// thickness is (g + sqrt(g^2 + 4 a^2))/2 with the aperture a that rough surfaces leave where they meet. Where the pore
+/// pressure p is below that of cavitation, p_c, the share 1 - (p_c - p)/softness of the film is water, the rest vapour.
 struct SideFilm {
   bool acts = false;     // its pressure is the pore pressure of the soil's surface
-  bool flows = false;    // and its water moves: what it takes comes from the soil, or along the film
+  bool flows = false;    // its water moves: it comes from the soil or flows along the film
   double viscosity = 0;  // [Pa s]
   double softness = 0;   // [Pa]
   double aperture = 0;   // [m]
   Point weight{};        // [N/m3] of the water
 };
 
-/// The body in a step.
+/// Unknowns of the body, and its placements at both ends of a step.
 struct BodyInStep {
   BodyUnknowns unknowns;
   BodyPlacement old, now;
   Point turning[3] = {};  // BodyPlacement::turning of `now`
 };
 
-/// Where a point is beside the body, as the search on the host found it: ContourProjection or SurfaceProjection.
+/// Closest point of the body to a contact point, as the search on the host found it: from a ContourProjection or a
+/// SurfaceProjection.
 struct BodyPlace {
-  double gap = 0;                // [m]
-  Point normal{}, projection{};  // [-], [m]
-  Mat<double, 3> turning = {};   // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
-  double travel = 0;             // in the plane: of the closest point along the contour, per way of the point
+  double gap = 0;               // [m]
+  Point normal{}, point{};      // [-], [m]
+  Mat<double, 3> turning = {};  // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
+  double travel = 0;            // [-] in the plane: path of the closest point per displacement along the contour
 };
 
-/// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
-/// tangential multipliers are part of the shear.
+/// Data of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and tangential
+/// multipliers are part of the shear.
 struct ContactStart {
   double offset = 0;                // [m] by which the gap that counts is smaller than that of the geometry
   double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
-  TouchingSoil soil;                // its pore pressure is that beside what the side's nodes have
+  TouchingSoil soil;                // its pore pressure is added to that of the side's nodes
   ShearState shear;                 // committed
   PointForce force;                 // committed
   double normal_force = 0;          // [N] committed
   double cavitation = 0;            // [Pa] of the film
   double vapour = 0;                // [m] of the film's thickness, committed
-  BodyPlace now, before;            // at the ends of the step; `before` where it is looked at
+  BodyPlace now, before;            // at the ends of the step; `before` only where looks_back()
   double travelled = 0;             // [m] in the plane: from closest point to closest point along the contour
   double height = 0;                // [m] in the body's frame above its reference point
 };
 
-/// What happens at one contact point.
+/// Result of the evaluation of one contact point.
 struct ContactPoint {
   double gap, pressure;  // [m] counted, negative: penetration; [Pa] >= 0
   PointForce total;      // on the soil
@@ -76,7 +77,7 @@ struct ContactPoint {
   Point friction;        // [N] part of the force that is along the surface
   double height;         // [m] in the body's frame above its reference point
   Point damping;         // [N] what damping adds to the mean force over the step
-  double damped;         // [J] heat that it makes in the step
+  double damped;         // [J] heat of damping in the step
   double water, vapour;  // [m3]; [m] of the film's thickness
   Point film;            // [N] part of the force that is the film's
 };
@@ -92,11 +93,11 @@ struct SideContact {
   double reach = 0;
   double reach_share = 1;  // of the penalty that such points have in the tangent
   SideFilm film;
-  int pressure_nodes = 0;                // first nodes of the side that carry pore pressure; 0: none counts
-  double pressure[max_side_nodes] = {};  // [Pa] there
+  int pressure_nodes = 0;                // number of the side's first nodes that carry pore pressure; 0: none is read
+  double pressure[max_side_nodes] = {};  // [Pa] at these nodes
 };
 
-/// Whether the start of the step counts at a point with this gap.
+/// Whether the response of a point with this gap depends on the start of the step.
 inline bool looks_back(const SideContact& side, double shift, double gap) {
   if (side.law.conserves || side.law.viscous > 0 || side.film.flows) return true;
   ContactMotion<double> motion;
@@ -112,14 +113,14 @@ struct ContactSides {
   BodyInStep body;
   Kokkos::View<SideContact*> sides;    // by row of the shape's dofs
   Kokkos::View<ContactStart*> starts;  // by row of points
-  Kokkos::View<ContactPoint*> points;  // what happens there, written by add_side_forces()
+  Kokkos::View<ContactPoint*> points;  // results, written by add_side_forces()
 };
 
-/// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s) A_c with the
-/// pressure t, the normal n from the body into the soil and the shear stress s along the surface; with a film t is what
-/// the normal law gives and the pore pressure. The body gets the opposite force and its moment. A film takes the rate
-/// of its water from the soil and conducts h^3/(12 viscosity) (its slope of pressure less the water's weight), with
-/// slopes along the side as it was at the start of the step.
+/// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s) A_c with the pressure t, the normal n
+/// from the body into the soil and the shear stress s along the surface; with a film t is the sum of the normal law's
+/// pressure and the pore pressure. The body gets the opposite force and its moment. A film takes the rate of its water
+/// from the soil. It conducts h^3/(12 viscosity) (gradient of its pressure less the water's weight), with gradients
+/// along the side as it was at the start of the step.
 ///
 /// Dofs of a side: the nodes' displacements, node after node, component after component; then (with laws that read
 /// them, and a film) the pore pressures of the first nodes, whose rows are the water that leaves the soil [m3/s] into
@@ -130,13 +131,14 @@ struct ContactSides {
 /// number of degenerate sides.
 int add_side_forces(const ContactSides& sides, const RowLists& rows, const VectorScatter& to, const PointView& later);
 
-/// Adds the exact derivatives of f and of what is added later: by gap, normal (curvature of the body), travel, area and
-/// radius of the side, place and rotation of the body. `weight`: of forces; `moved`: of places for the unknowns; water
-/// is added only with a `film`, with weight 1.
+/// Weights of a tangent: `weight` of forces, `moved` of positions for the unknowns. Water is added only with a `film`,
+/// with weight 1.
 struct SideWeights {
   double weight, moved;
   bool film;
 };
+/// Adds the exact derivatives of f and of what is added later: by gap, normal (curvature of the body), travel, area and
+/// radius of the side, position and rotation of the body.
 void add_side_tangents(const ContactSides& sides, const RowLists& rows, const MatrixScatter& to,
                        const SideWeights& weights);
 

@@ -1,4 +1,4 @@
-// What a contact takes from the state in which it first acts.
+// Initial gaps and pressures of a contact from the state in which it first acts.
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
@@ -23,10 +23,10 @@ Point outward_normal(const ContactRule& rule, int c, const SideCoordinates& x) {
   return result;
 }
 
-/// Gap [m] of a place, and the body's normal there.
+/// Gap [m] of a point, and the body's normal at its closest point.
 std::pair<double, Point> nearest(const RigidBody& body, const BodyPlacement& placement, const Point& place) {
   if (body.dimension() == 3) {
-    const SurfaceProjection projection = body.point(placement, place);
+    const SurfaceProjection projection = body.projection(placement, place);
     return {projection.gap, projection.normal};
   }
   const ContourProjection projection = body.closest(placement, in_plane(place));
@@ -52,7 +52,7 @@ void PenaltyContact::first_act(State& committed) {
 
 void PenaltyContact::touch_first(std::size_t side, const State& committed, const BodyPlacement& placement,
                                  FirstTouch& found) const {
-  constexpr double facing = 0.7;  // [-] cosine: a side that looks past the body does not touch it
+  constexpr double facing = 0.7;  // [-] cosine: a side that does not face the body does not touch it
   const SurfaceSide& at = surface_->sides()[side];
   const ContactRule& points = rule(at);
   const SideCoordinates x = side_coordinates(at, committed.coordinates);

@@ -8,12 +8,11 @@
 
 namespace mudline {
 
-/// What the state remembers of the points of a contact with a body, a row per point, in three arrays:
-/// "<prefix>points" (gap, pressure, active, force on the soil, area, height above the body's reference point, moment
-/// about its centre), with friction "<prefix>friction" (shear stress, path slid, heat, sliding, force of friction), and
-/// with multipliers "<prefix>multipliers" (those of normal and shear stress with which the other arrays were
-/// evaluated). Forces have as many components as the model has axes; shear stress and moment have one in the plane and
-/// three in space.
+/// State of the points of a contact with a body, a row per point, in three arrays: "<prefix>points" (gap, pressure,
+/// active, force on the soil, area, height above the body's reference point, moment about its centre), with friction
+/// "<prefix>friction" (shear stress, path slid, heat, sliding, force of friction), and with multipliers
+/// "<prefix>multipliers" (those of normal and shear stress with which the other arrays were evaluated). Forces have as
+/// many components as the model has axes; shear stress and moment have one in the plane and three in space.
 class PointRows {
  public:
   void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes,
@@ -45,7 +44,7 @@ class PointRows {
     }
   };
   Writer writer(const State& trial) const;
-  /// Takes the points over from an evaluation, without their multipliers.
+  /// Copies the points from one state to another, without their multipliers.
   void copy(const State& from, const State& to) const;
 
   double gap(const State& state, int row) const { return state.arrays[points_](row, 0); }
@@ -55,7 +54,7 @@ class PointRows {
   double height(const State& state, int row) const { return state.arrays[points_](row, area_ + 1); }
   PointForce total(const State& state, int row) const;
 
-  /// Nothing without friction.
+  /// Friction history of a point; all 0 without friction.
   ShearState shear(const State& state, int row) const;
   bool sticks(const State& state, int row) const;
   Point friction(const State& state, int row) const;

@@ -11,21 +11,21 @@
 
 namespace mudline {
 
-/// The water between the soil's surface and a body: what the deck says of it, which sides have it, and what the state
-/// remembers of a point's film, a row per point in the array "<prefix>film": vapour [m] of its thickness, volumes of
-/// water and vapour [m3], and the force of its pressure on the soil [N].
+/// Water film between the soil's surface and a body: the deck entries, the sides that have a film, and the state array
+/// "<prefix>film" with a row per point: vapour [m] of its thickness, volumes of water and vapour [m3], and the force of
+/// its pressure on the soil [N].
 class WaterFilm {
  public:
   void parameters(Parameters& p);
-  /// InputError where the deck says something of a film and there is none.
+  /// InputError where the deck has entries of a film and there is none.
   static void refuse(const Section& section);
   void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes);
 
-  /// Which sides have a film in the coming step: flags by side.
+  /// Sets which sides have a film in the coming step: flags by side.
   void cover(std::vector<char> flags) { covered_ = std::move(flags); }
-  /// weight: of the water behind the side [N/m3].
+  /// Film of a side in a step. `weight`: of the pore water behind the side [N/m3].
   SideFilm of_side(const StepView& view, std::size_t side, const Point& weight) const;
-  /// Adds what is known of a point's film; `place` [m] at the start of the step.
+  /// Adds the film's data to those of a point; `place`: of the point at the start of the step [m].
   void start(const StepView& view, int row, const Point& place, ContactStart& point) const;
   /// Writes points in kernels.
   struct Writer {

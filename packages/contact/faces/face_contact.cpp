@@ -87,8 +87,8 @@ int FaceContact::place(int row, int face) const {
 }
 
 void FaceContact::sparsity(Assembler& assembler) {
-  // every side and face within reach have their place from the start: the graph, and with it the order of all sums,
-  // never changes
+  // every side and face within reach have their matrix entries from the start: the graph, and with it the order of all
+  // sums, never changes
   const auto& x = slave_->mesh().coordinates();
   const auto& faces = master_->surface().sides();
   std::vector<std::pair<const SurfaceSide*, const MasterSurface::MasterSide*>> places;
@@ -102,7 +102,7 @@ void FaceContact::sparsity(Assembler& assembler) {
       face_nodes = std::max(face_nodes, faces[face].count);
     }
   }
-  // rows of smaller sides and faces end with the first slave node again, which gets nothing there
+  // rows of smaller sides and faces are filled up with the first slave node, to which nothing is added there
   Kokkos::View<int**, Kokkos::LayoutRight> table("point to face dofs", places.size(), 3 * (slave_nodes + face_nodes));
   for (std::size_t p = 0; p < places.size(); ++p) {
     const auto& [side, face] = places[p];
@@ -292,7 +292,7 @@ void FaceContact::correction(const StepView&, const ResidualView& f) {
 void FaceContact::add_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen,
                               const FaceForce& force, double weight) const {
   const PointView& old = view.committed->arrays[points_];
-  // across two faces the matrix has no place for the change of a leaving force
+  // the matrix has no entries that couple the point with another face, on which its old force acted
   const bool leaves =
       conserves(view) && old(row, column::pressure) > 0 && static_cast<int>(old(row, column::face)) == seen.face;
   if (!leaves && !force.presses && force.damped == 0) return;
@@ -302,7 +302,7 @@ void FaceContact::add_tangent(const StepView& view, const MatrixScatter& to, int
   const Point leaving = 1 / view.end_weight * vector(old, row, column::force);
   for (int a = 0; a < w.count; ++a)
     for (int i = 0; i < 3; ++i) {
-      double by_d[3];  // of the force on node a; d = sum_b w_b x_b
+      double by_d[3];  // derivatives of the force on node a by d = sum_b w_b x_b
       for (int j = 0; j < 3; ++j) {
         by_d[j] = w.at[a] * force.acting_slope[i][j] + before.at[a] * leaving[i] * force.start_share_slope[j];
         if (a >= own) by_d[j] -= force.weight_slope[a - own][j] * force.acting[i];
@@ -346,7 +346,7 @@ double FaceContact::step_limit(const State& committed, double) const {
 }
 
 void FaceContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // history: the shear stress from which friction goes on, and the path slid
+  // the history is the shear stress at which friction continues, and the path slid
   const PointView& rows = committed.arrays[points_];
   int first = 0;
   for (const SurfaceSide& side : slave_->sides()) {

@@ -13,7 +13,7 @@
 
 namespace mudline {
 
-/// What the deck says of a contact of points and faces, besides friction.
+/// Deck entries of a point-to-face contact, besides friction.
 struct FaceParameters : TwoSurfaceParameters {
   FaceParameters() : TwoSurfaceParameters(Enforcement::penalty) {}
   void parameters(Parameters& p);
@@ -25,7 +25,8 @@ struct FaceParameters : TwoSurfaceParameters {
 
 /// Contact of two deformable surfaces in space by a penalty: the Gauss points of the slave's sides against the master's
 /// faces, whose normals are smoothed, R_u -= (x - y(xi))_{,u} . (t n + s) A at n+1 with the point's area A, see
-/// face_force(). Forces on both surfaces cancel to rounding, their moments but for the gap times the friction.
+/// face_force(). Forces on both surfaces cancel to rounding; their moments cancel except for the gap times the
+/// friction.
 ///
 /// Parallel: a rank computes its slave sides against the whole master surface, whose nodes it has as ghosts (SetPairs).
 /// State arrays, prefix "contact/<name>/": "points", see face_column, a row per point; "penalty", a row per slave side,
@@ -54,9 +55,9 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
 
  private:
   struct Row {
-    int side, point;  // of the slave; of its rule
+    int side, point;  // side of the slave; point of its rule
     double area = 0;  // [m2] at the start of the step
-    Point outward{};  // of the slave there
+    Point outward{};  // unit normal of the slave there
   };
   struct Seen {
     int face = -1, place = -1;  // place: in the dof table, -1: none
@@ -66,7 +67,7 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   struct Positions {
     ConstCoordinateView old, end;
   };
-  /// Slave nodes, then those of the face: d = sum_k weight_k x_k.
+  /// Weights of the slave's nodes, then of the face's nodes: d = sum_k weight_k x_k.
   struct Weights {
     int count;
     double at[2 * max_side_nodes];
@@ -85,11 +86,12 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   void write(const StepView& view, int row, const Seen& seen, const FaceForce& force) const;
   void write_away(const StepView& view, int row) const;
   void remember(int place, const Weights& weights, double factor, const Point& force);
-  /// A point that pressed at the start of the step exerts the share of that force, not what the integrator takes of it.
+  /// Corrects the old force of a point that pressed at the start of the step: it acts with this share, not with the
+  /// integrator's weight.
   void add_old_share(const StepView& view, int row, double share);
   void add_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen, const FaceForce& force,
                    double weight) const;
-  /// Those of the closest point where the point pressed at the start of the step.
+  /// Weights for the closest point on which the point pressed at the start of the step.
   Weights old_weights(const State& committed, int row) const;
   std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
 

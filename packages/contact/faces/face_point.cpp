@@ -9,7 +9,7 @@ namespace mudline {
 
 namespace {
 
-/// Place and unit normal of a face at xi, with their derivatives by xi.
+/// Point and unit normal of a face at xi, with their derivatives by xi.
 struct FaceMap {
   FaceMap(const MasterFace& face, const double (&xi)[2]) {
     evaluate_shape(face.shape, xi, N, dN);
@@ -49,9 +49,9 @@ bool inside(CellShape shape, const double (&xi)[2]) {
   return std::max(std::abs(xi[0]), std::abs(xi[1])) <= 1 + rounding;
 }
 
-using Direction = Dual<3>;  // of d
+using Direction = Dual<3>;  // derivatives by d
 
-/// A number that depends on xi and the gap, as one that depends on d.
+/// Turns derivatives by xi and the gap into derivatives by d.
 template <class T>
 T number(double value, const Point (&row)[3], double by_first, double by_second, double by_gap = 0) {
   T result(value);
@@ -75,12 +75,12 @@ Vector<T> constant_vector(const Point& x) {
 Point plain(const Vector<Direction>& a) { return {a[0].v, a[1].v, a[2].v}; }
 Point plain(const Vector<double>& a) { return {a[0], a[1], a[2]}; }
 
-/// The part of the point's geometry that follows from d.
+/// The part of the point's geometry that depends on d.
 template <class T>
 struct ProjectionPlace {
   T gap, weight[max_side_nodes];
   Vector<T> normal,
-      projection_old;  // projection_old: where the material at the closest point was at the start of the step
+      projection_old;  // projection_old: position of the closest point's material at the start of the step
 };
 
 template <class T>
@@ -100,7 +100,7 @@ ProjectionPlace<T> place(const FacePoint& point, const FaceMap& map) {
   return g;
 }
 
-/// A vector across `from` after the rotation that takes `from` to `to`; both are unit vectors.
+/// A vector perpendicular to `from` after the smallest rotation that takes `from` to `to`; both are unit vectors.
 template <class T>
 Vector<T> transported(const Point& v, const Point& from, const Vector<T>& to) {
   const Vector<T> old = constant_vector<T>(from), shear = constant_vector<T>(v);

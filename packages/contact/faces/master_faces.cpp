@@ -29,7 +29,7 @@ MasterFaces::MasterFaces(const Mesh& mesh, const std::string& side_set, double c
   update(x);
 }
 
-/// As long as the area per reference area.
+/// Normal at a node of a face, with the length of the area per reference area.
 Point MasterFaces::normal_at(int face, int node, const ConstCoordinateView& x) const {
   const auto& side = surface_.sides()[face];
   const auto xi = reference_node(side.shape, node);

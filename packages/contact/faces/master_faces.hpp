@@ -9,8 +9,8 @@
 
 namespace mudline {
 
-/// The faces of a side set in space as points of another surface see them. The normal at a node is the mean of those of
-/// the faces around, but for faces on the other side of a corner.
+/// Faces of a side set in space, for contact with the points of another surface. The normal at a node is the mean of
+/// those of the faces around it, without faces on the other side of a corner.
 class MasterFaces {
  public:
   /// Corners: edges and nodes where faces' normals differ by more than `corner_angle` [rad] at x. Collective.
@@ -21,13 +21,13 @@ class MasterFaces {
   /// Faces whose boxes come within `distance` [m] of the box, in ascending order.
   std::vector<int> near(const BoxSearch::Corners& box, double distance) const { return surface_.near(box, distance); }
 
-  /// At the start of a step: normals of nodes and boxes.
+  /// Updates boxes and the normals of nodes; called at the start of a step.
   void update(const ConstCoordinateView& x);
   /// A face with its nodes at x and the normals of the last update().
   MasterFace face(int index, const ConstCoordinateView& x) const;
 
-  /// The nearest closest point of a point on one of `candidates`; false where none of them faces it within `capture`
-  /// [m]. `outward`: of the point's own surface.
+  /// Finds the nearest closest point of a point on one of `candidates`; false where none of them faces it within
+  /// `capture` [m]. `outward`: normal of the point's own surface.
   bool find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
             const ConstCoordinateView& x, int& index, FaceProjection& projection) const;
 

@@ -11,30 +11,30 @@
 
 namespace mudline {
 
-/// Of the deck's "damping".
+/// Documentation of the deck's "damping".
 inline constexpr const char* damping_documentation =
     "Viscous resistance of what presses: per speed of closing, this fraction of the contact pressure more; of opening, "
     "less (Hunt and Crossley). A "
     "mass that hits a linear spring at v comes back with about 1 - 2/3 of 'damping' times v of its speed";
 
-/// What acts in a step at all points of a contact that share a penalty.
+/// Laws and weights in a step at all points of a contact that share a penalty.
 struct ContactPointLaw {
   const NormalLaw* normal_law = &linear_normal_law;
   const Friction* friction = nullptr;  // null: smooth
-  double tangential_factor = 1;        // of friction, and
-  bool effective = true;               // whether it grows with the effective traction
+  double tangential_factor = 1;        // [-] tangential over normal penalty
+  bool effective = true;               // friction grows with the effective traction, else with the total one
   double penalty = 0;                  // [Pa/m]
-  double touch = 0;                    // [m] below this gap a point counts as pressing: stiffness, if no force
-  bool first_guess = false;            // friction is linear: what stuck sticks, what slid slides on
-  double time = 0, dt = 1;             // [s] end of the step; its length
-  double start_weight = 0;             // [-] of the start of the step in the integrator's force
-  bool conserves = false;              // points exert the shares of start_share() and end_share() instead
-  double impact_damping = 0;           // [-] of those shares
-  double viscous = 0;                  // [s/m] of damping; 0: none
+  double touch = 0;           // [m] below this gap a point counts as pressing: it has stiffness, even without force
+  bool first_guess = false;   // friction is linear: what stuck sticks, what slid slides on
+  double time = 0, dt = 1;    // [s] end of the step; its length
+  double start_weight = 0;    // [-] weight of the start of the step in the integrator's force
+  bool conserves = false;     // points exert the shares of start_share() and end_share() instead
+  double impact_damping = 0;  // [-] damping in those shares
+  double viscous = 0;         // [s/m] coefficient of damping; 0: none
   bool film = false;  // the normal law gives the effective pressure, and water between the surfaces acts beside it
 };
 
-/// What lies along the surface: a number in the plane, in space a vector of the tangent plane.
+/// Tangential quantity: a number in the plane, in space a vector in the tangent plane.
 template <class T, int D>
 using Tangential = std::conditional_t<D == 2, T, Vec<T, D>>;
 template <class T, int D>
@@ -45,8 +45,8 @@ Tangential<T, D> no_tangential() {
     return Vec<T, D>::zero();
 }
 
-/// A contact point as the geometry of its engine sees it. T is double or a dual number, whose derivatives (by whatever
-/// the engine takes as unknowns) the response carries on. D: dimension of the model.
+/// Motion of a contact point in a step, from the geometry of its contact type. T is double or a dual number; the
+/// response then has derivatives by the same unknowns. D: dimension of the model.
 template <class T, int D = 2>
 struct ContactMotion {
   T gap{0.0};                                       // [m] at the end of the step; negative: penetration
@@ -54,8 +54,8 @@ struct ContactMotion {
   T gap_old{0.0};                                   // [m] at the start of the step, for shares and damping
   T force_old{0.0};                                 // [N] normal force there, for damping
   T area{1.0};                                      // [m2]
-  Tangential<T, D> travel = no_tangential<T, D>();  // [m] advance along the surface in the step
-  T opened{0.0};  // [m] by which it was open at the start: travel counts from where it touched
+  Tangential<T, D> travel = no_tangential<T, D>();  // [m] relative displacement along the surface in the step
+  T opened{0.0};  // [m] gap at the start, if open: travel counts from where the point touched
   Tangential<T, D> shear_old = no_tangential<T, D>();  // [Pa] from which the stick spring starts
   double slip_old = 0;                                 // [m] path slid before
   bool slid = false;                                   // in the step before
@@ -86,7 +86,7 @@ T magnitude(const Vec<T, D>& a) {
   const T square = dot(a, a);
   return value(square) > 0 ? square_root(square) : T(0.0);
 }
-/// In the direction of `a`, which is not 0, as long as `size`.
+/// Vector of the length `size` in the direction of `a`, which is not 0.
 template <class T>
 T along(const T& a, const T& size) {
   return value(a) > 0 ? size : -1.0 * size;
@@ -96,19 +96,19 @@ Vec<T, D> along(const Vec<T, D>& a, const T& size) {
   return a * (size / magnitude(a));
 }
 
-/// slope * a without its value: what a function of a, known by value and slope, has in derivatives.
+/// Dual number with the derivatives of slope * a and the value 0.
 template <class T>
 T change(const T& a, double slope) {
   return chain(a, 0.0, slope);
 }
 
-/// All of the step's travel, or for a point that was open the part after the gap closed at constant speed, which makes
-/// the shear stress start from 0.
+/// Travel that stretches the stick spring: all of the step's travel, or for a point that was open the part after the
+/// gap closed at constant speed. Its shear stress starts from 0.
 template <class T, int D>
 Tangential<T, D> touching_travel(const ContactMotion<T, D>& point) {
   const T pressed = point.gap - point.shift;
   if (!(value(point.opened) > 0)) return point.travel;
-  if (!(value(pressed) < 0)) return no_tangential<T, D>();  // near enough to press, but it has not touched yet
+  if (!(value(pressed) < 0)) return no_tangential<T, D>();  // it counts as pressing, but has not touched yet
   return point.travel * (pressed / (pressed - point.opened));
 }
 
@@ -139,7 +139,7 @@ void add_damping(const ContactPointLaw& law, const ContactMotion<T, D>& point, C
   out.damping_heat = value(out.damping) * value(closing);
 }
 
-/// Return map: a spring along the surface is stretched by the travel; where that exceeds the law's strength the point
+/// Return map: the travel stretches a spring along the surface; where its stress exceeds the law's strength the point
 /// slides.
 template <class T, int D>
 void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, ContactResponse<T, D>& out) {
@@ -152,8 +152,8 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, 
     return;
   }
   T normal = out.pressure;
-  // Without a film surfaces part at zero traction, whatever suction there is: it counts as much as the traction at
-  // most, so that friction ends where contact does.
+  // Without a film surfaces separate at zero traction, whatever the suction is. Suction counts at most as much as the
+  // traction, so that friction ends where contact does.
   if (law.effective && !law.film)
     normal = value(point.pore_pressure) > -value(normal) ? normal - point.pore_pressure : 2.0 * normal;
   if (!law.effective && law.film) normal = normal + point.pore_pressure;
@@ -161,7 +161,7 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, 
   const ShearStrength strength =
       law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil_at(point)});
   const double excess = value(magnitude(out.shear)) - strength.value;
-  out.slides = !(excess <= 0);  // a strength that is no number is not hidden
+  out.slides = !(excess <= 0);  // a strength of NaN is not hidden
   if (!out.slides) return;
   const T transferred = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope) +
                         change(point.pore_pressure, strength.pore_slope);
@@ -178,8 +178,8 @@ bool presses(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
   return value(point.gap) - value(point.shift) < law.touch;
 }
 
-/// The point law of all contacts: gap, travel and old state to pressure and shear stress. It runs on the host, where it
-/// asks the laws.
+/// The point law of all contacts: pressure and shear stress from gap, travel and old state. It runs on the host, where
+/// the laws are.
 template <class T, int D>
 ContactResponse<T, D> respond(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
   ContactResponse<T, D> out;

@@ -5,9 +5,9 @@
 
 namespace mudline {
 
-/// Where and when a friction law is asked.
+/// Arguments of a friction law.
 struct FrictionPoint {
-  double normal = 0;  // [Pa] traction on the soil, compression positive; effective or total, as the law wants it
+  double normal = 0;  // [Pa] traction on the soil, compression positive; effective or total, see Friction::effective
   Point position{};   // [m] of the contact point at the start of the step
   double slip = 0;    // [m] path that it has slid so far, at the start of the step; see Friction::reads_slip
   double time = 0;    // [s] end of the step
@@ -26,14 +26,14 @@ struct ShearStrength {
 /// Friction law of an interface: type of a contact's "friction". A law has also
 ///     void parameters(Parameters&);       its own, and interface_parameters()
 ///     void check(const Section&) const;   [optional] rules across parameters
-/// Pure; several threads may ask it at once. The contact does the rest: below the strength the point sticks (an elastic
-/// spring along the surface), at the strength it slides.
+/// A law is pure: several threads may call it at once. The contact does the rest: below the strength the point sticks
+/// (an elastic spring along the surface), at the strength it slides.
 class Friction {
  public:
   virtual ~Friction() = default;
   virtual ShearStrength strength(const FrictionPoint& at) const = 0;
-  /// What the strength reads of the soil that touches, besides `normal`, and whether it reads the path slid. What a law
-  /// does not ask for may be no number; a contact that cannot tell it refuses the law.
+  /// Quantities of the touching soil that the strength reads besides `normal`; reads_slip(): whether it reads the path
+  /// slid. A quantity that a law does not read may be NaN. A contact that does not know a quantity refuses the law.
   virtual SoilQuantities reads() const { return {}; }
   virtual bool reads_slip() const { return false; }
   /// Stiffness along the surface while sticking, as a multiple of the contact's normal penalty.
@@ -42,7 +42,7 @@ class Friction {
   bool effective() const { return traction_ == Traction::effective; }
 
  protected:
-  /// Declares what all laws share.
+  /// Declares the parameters that all laws share.
   void interface_parameters(Parameters& p);
 
  private:
@@ -68,10 +68,10 @@ class CoulombFriction : public Friction {
   Function cap_;
 };
 
-/// The entry "friction" of a contact.
+/// Declares the entry "friction" of a contact.
 void declare_friction(Parameters& p);
 
-/// "coulomb"; a plain list.
+/// Registers "coulomb".
 void register_friction(Registry<Friction>& registry);
 
 }  // namespace mudline

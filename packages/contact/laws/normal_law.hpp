@@ -5,26 +5,26 @@
 
 namespace mudline {
 
-/// What presses at a point that lies in the body.
+/// Normal pressure at a point that lies in the body.
 struct NormalPressure {
   double value;           // [Pa]
   double slope;           // [Pa/m] d value / d penetration
   double pore_slope = 0;  // [-] d value / d pore pressure of the soil
 };
 
-/// Pressure over penetration: type of a contact's "normal law". Pure; several threads may ask it at once.
+/// Pressure over penetration: type of a contact's "normal law". A law is pure: several threads may call it at once.
 class NormalLaw {
  public:
   virtual ~NormalLaw() = default;
-  /// At a penetration [m], 0 or more, for a contact of this stiffness [Pa/m], its penalty.
+  /// Pressure at a penetration [m], 0 or more; `stiffness`: the contact's penalty [Pa/m].
   virtual NormalPressure at(double penetration, double stiffness, const TouchingSoil& soil) const = 0;
-  /// What it reads of the soil; what it does not ask for may be no number.
+  /// Quantities of the touching soil that the law reads. A quantity that it does not read may be NaN.
   virtual SoilQuantities reads() const { return {}; }
-  /// Whether it is stiffness times penetration, on which multipliers and the shares of impacts stand.
+  /// Whether the pressure is stiffness times penetration, as multipliers and the shares of impacts need.
   virtual bool linear() const { return false; }
 };
 
-/// stiffness x penetration.
+/// The pressure is stiffness times penetration.
 class LinearNormalLaw : public NormalLaw {
  public:
   void parameters(Parameters&) {}
@@ -37,7 +37,7 @@ class LinearNormalLaw : public NormalLaw {
 inline const LinearNormalLaw linear_normal_law{};
 
 /// The slope grows from 0 to the stiffness over a small depth: contact opens and closes without a kink, at which
-/// Newton's method goes back and forth. Deeper it is the linear law, half that depth further in.
+/// Newton's method oscillates. Deeper, the law is the linear one shifted by half that depth.
 class SmoothedNormalLaw : public NormalLaw {
  public:
   void parameters(Parameters& p);
@@ -50,11 +50,11 @@ class SmoothedNormalLaw : public NormalLaw {
   double depth_ = 0;  // [m]
 };
 
-/// Penetration [m] at which the law gives a pressure [Pa], 0 or more, that it grows to; infinite where it does not
-/// reach it.
+/// Penetration [m] at which a law that grows with it gives a pressure [Pa], 0 or more; infinite where the law does not
+/// reach that pressure.
 double penetration_under(const NormalLaw& law, double pressure, double stiffness, const TouchingSoil& soil);
 
-/// "linear", "smoothed"; a plain list.
+/// Registers "linear" and "smoothed".
 void register_normal_laws(Registry<NormalLaw>& registry);
 
 }  // namespace mudline

@@ -12,9 +12,9 @@ namespace mudline {
 namespace {
 
 constexpr double relative_step = 1e-4, tolerance = 1e-3, floor = 1e-6;
-constexpr double pore_scale = 1e5;  // [Pa] that pore pressures are changed by parts of
+constexpr double pore_scale = 1e5;  // [Pa] scale of the changes of pore pressures
 
-/// One slope of a law at one point: that given, and the differences of the value to either side.
+/// One slope of a law at one point: the given one, and the differences of the value to either side.
 struct Slope {
   double given, below, above;
   double size;  // value over argument: below a millionth of it no slope matters
@@ -33,7 +33,7 @@ class Findings {
   explicit Findings(std::string what) : what_(std::move(what)) {}
   template <class Place>
   void add(const Slope& slope, const Place& place) {
-    if (!std::isfinite(slope.below) || !std::isfinite(slope.above)) return;  // the value itself is none: told elsewhere
+    if (!std::isfinite(slope.below) || !std::isfinite(slope.above)) return;  // not a slope's fault: reported elsewhere
     ++points_;
     const double error = std::isfinite(slope.given) ? slope.error() : 1e300;
     if (!(error > 0)) return;
@@ -45,7 +45,7 @@ class Findings {
                   0.5 * (slope.below + slope.above), place().c_str());
     text_ = text;
   }
-  /// "" where at most one point is wrong: a value may jump there.
+  /// Message; "" where at most one point is wrong, since a value may jump there.
   std::string problem() const {
     return wrong_ < 2 ? "" : text_ + "; " + std::to_string(wrong_) + " of " + std::to_string(points_) + " points)";
   }
@@ -62,7 +62,7 @@ std::string of(const char* format, double one, double two) {
   return text;
 }
 
-/// The slope of value(x) at x, which moves by `step`.
+/// The slope of value(x) at x from differences over `step`.
 template <class Value>
 Slope slope_of(double given, double x, double step, double scale, const Value& value) {
   const double here = value(x);

@@ -30,7 +30,7 @@ void add(const PairSums& from, PairSums& to) {
 }
 
 /// Values at the corners of the linear field whose weighted integrals over the touching part are given; the mean where
-/// that part is too short to tell a slope.
+/// that part is too short to determine a slope.
 std::array<double, 2> corner_values(const Mat<double, 2>& mass, const double (&integrals)[2]) {
   const double whole = mass[0][0] + 2 * mass[0][1] + mass[1][1];
   if (!(whole > 0)) return {0, 0};
@@ -59,8 +59,8 @@ void PairContact::declare_state(StateStore& store) {
 }
 
 void PairContact::sparsity(Assembler& assembler) {
-  // Every pair of sides within reach has its place from the start: the graph, and with it the order of all sums, never
-  // changes.
+  // Every pair of sides within reach has its matrix entries from the start: the graph, and with it the order of all
+  // sums, never changes.
   const auto& x = context_.space.mesh().coordinates();
   const auto& sides = slave_->sides();
   const double distance = deck_.reach > 0 ? deck_.reach : 1e300;
@@ -207,7 +207,8 @@ double PairContact::step_limit(const State& committed, double) const {
 }
 
 void PairContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // what is linear along a side is history: multipliers, and the shear stress from which friction goes on
+  // the fields that are linear along a side are history: the multipliers, and the shear stress at which friction
+  // continues
   const PointView& multipliers = committed.arrays[multipliers_];
   for (std::size_t s = 0; s < slave_->sides().size(); ++s) {
     SurfaceSide corners = slave_->sides()[s];

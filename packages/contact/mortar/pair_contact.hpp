@@ -14,7 +14,7 @@
 
 namespace mudline {
 
-/// What the deck says of a pair, besides friction.
+/// Deck entries of a mortar contact, besides friction.
 struct PairParameters : TwoSurfaceParameters {
   PairParameters() : TwoSurfaceParameters(Enforcement::augmented_lagrangian) {}
   void parameters(Parameters& p);
@@ -31,10 +31,10 @@ struct PairParameters : TwoSurfaceParameters {
 /// the matrix has entries for all pairs of sides that were within `reach` of each other at the start.
 ///
 /// State arrays, a row per corner of each slave side: "contact/<name>/sides" (mean gap; pressure and shear stress as
-/// linear fields over what touches; the side's deepest point; halves of the force on the slave, of the sliding length
-/// and of the touching area; what Uzawa's method has yet to close), "contact/<name>/multipliers" (normal and shear),
-/// "contact/<name>/penalty" (a row per slave side, frozen when the contact first starts a step), "contact/<name>/heat"
-/// (of friction and of damping).
+/// linear fields over the touching part; the side's deepest point; halves of the force on the slave, of the sliding
+/// length and of the touching area; remaining misfit and stretch of Uzawa's method), "contact/<name>/multipliers"
+/// (normal and shear), "contact/<name>/penalty" (a row per slave side, frozen when the contact first starts a step),
+/// "contact/<name>/heat" (of friction and of damping).
 class PairContact : public TwoSurfaceContact<PairParameters> {
  public:
   explicit PairContact(const ContactContext& context) : TwoSurfaceContact(context) {}
@@ -60,12 +60,12 @@ class PairContact : public TwoSurfaceContact<PairParameters> {
  private:
   struct Pair {
     int slave, master;  // sides
-    int row;            // in the dof table; -1: the matrix has no place for it
+    int row;            // in the dof table; -1: the matrix has no entries for it
   };
   void check_overlap(const Section& section) const;
   PairLaw law(const StepView& view, int slave) const;
   PairCoordinates coordinates(const Pair& pair, const ConstCoordinateView& x) const;
-  /// Mass of the multipliers' shapes on a slave side [m].
+  /// Mass matrix of the multipliers' shapes on a slave side [m].
   std::array<std::array<double, side_multipliers>, side_multipliers> mass(int slave,
                                                                           const ConstCoordinateView& x) const;
   void write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const;
@@ -85,7 +85,7 @@ class PairContact : public TwoSurfaceContact<PairParameters> {
   int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles
 };
 
-/// Columns of a pair's arrays.
+/// Columns of the array "sides".
 namespace pair_column {
 enum : int { gap, pressure, shear, deepest, force_x, force_y, slides, area, misfit, stretch };
 }

@@ -44,7 +44,7 @@ struct Curve {
   }
 };
 
-/// With its coordinates as unknowns, numbered from `first`.
+/// Side whose coordinates are unknowns, with derivative indices from `first` on.
 template <class T>
 Curve<T> curve(int nodes, const SideCoordinates& x, int first = 0) {
   Curve<T> result{nodes, {}};
@@ -59,7 +59,7 @@ Curve<T> resting_curve(int nodes, const SideCoordinates& x) {
   return result;
 }
 
-/// Newton's method on plain numbers, f(xi, slope); then the derivatives, by one step with them. False without
+/// Newton's method on plain numbers, f(xi, slope), then one step with dual numbers for the derivatives. False without
 /// convergence.
 template <class T, class F, class G>
 bool solve(double guess, F plain, G with_derivatives, T& result) {
@@ -92,7 +92,7 @@ bool segment_end(const Curve<double>& slave, const Curve<double>& master, const 
   const double first = dot(slave.node[0] - corner, along), second = dot(slave.node[1] - corner, along);
   if (first == second) return false;
   const double guess = (first + second) / (first - second);
-  // far outside there is nothing to solve: the side is on one side of the line
+  // far outside there is nothing to solve: the whole slave side is on one side of the line
   if (guess < -3 || guess > 3) {
     xi = T(guess < 0 ? -1.0 : 1.0);
     return true;
@@ -140,7 +140,7 @@ bool find_projection(const Curve<double>& master, const Curve<T>& master_t, cons
   return true;
 }
 
-/// Both sides at the end of the step and at its start.
+/// Slave and master side at the end of the step and at its start.
 template <class T>
 struct Sides {
   Sides(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now)
@@ -150,9 +150,10 @@ struct Sides {
         master(curve<T>(law.nodes, now.master, 2 * law.nodes)),
         slave_old(resting_curve<T>(law.nodes, old.slave)),
         master_old(resting_curve<T>(law.nodes, old.master)) {}
-  /// Ends of the part of the slave side that sees the master side; false where there is none.
+  /// Ends of the part of the slave side that faces the master side; false where there is none.
   bool segment(T& from, T& to) const {
-    if (dot(slave_at.node[1] - slave_at.node[0], master_at.node[1] - master_at.node[0]) >= 0) return false;  // backs
+    // sides that are back to back do not meet
+    if (dot(slave_at.node[1] - slave_at.node[0], master_at.node[1] - master_at.node[0]) >= 0) return false;
     return segment_end(slave_at, master_at, slave, master, 1.0, from) &&
            segment_end(slave_at, master_at, slave, master, -1.0, to) && value(to) - value(from) > 1e-12;
   }
@@ -169,7 +170,7 @@ struct SegmentPoint {
   T field(const double (&corners)[side_multipliers]) const { return shape[0] * corners[0] + shape[1] * corners[1]; }
 };
 
-/// Linear between the corners.
+/// Interpolates linearly between the corners.
 TouchingSoil soil_between(const TouchingSoil (&corner)[side_multipliers], double xi) {
   const double from = 0.5 * (1 - xi), to = 0.5 * (1 + xi);
   return {from * corner[0].pore_pressure + to * corner[1].pore_pressure,
@@ -185,7 +186,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   motion.shift = multiplier / law.penalty;
   motion.soil = soil_between(law.soil, value(point.xi));
   motion.pore_pressure = T(motion.soil.pore_pressure);
-  motion.slip_old = TouchingSoil::unknown;  // its points come and go
+  motion.slip_old = TouchingSoil::unknown;  // quadrature points have no history
   motion.area = point.area;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
   const Vec<T, 2> was = sides.slave_old.point(point.xi), projection_was = sides.master_old.point(point.point.eta);
@@ -198,7 +199,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   return motion;
 }
 
-/// A force on the slave and its opposite on the master.
+/// Adds a force on the slave and its opposite on the master.
 template <class T>
 void act(const Sides<T>& sides, const SegmentPoint<T>& point, const Vec<T, 2>& force, T (&to)[pair_dofs]) {
   T N[max_line_nodes], M[max_line_nodes];

@@ -10,20 +10,20 @@ constexpr int pair_dofs = 4 * max_line_nodes;
 /// Multipliers of a slave side: linear shapes, one at each corner.
 constexpr int side_multipliers = 2;
 
-/// Where the nodes of two sides are [m].
+/// Positions of the nodes of two sides [m].
 struct PairCoordinates {
   SideCoordinates slave{}, master{};
 };
 
-/// What acts between the sides.
+/// Point law and old state between two sides.
 struct PairLaw : ContactPointLaw {
   int nodes = 3;  // of either side
   Geometry geometry = Geometry::plane_strain;
   QuadratureRule rule;  // on a segment
-  double capture = 0;   // [m] points farther away than this, on either side, do not see each other
+  double capture = 0;   // [m] points farther away than this, in front or behind, are not paired
   double normal[side_multipliers] = {}, shear[side_multipliers] = {};  // [Pa] multipliers at the slave's corners
-  double pressure_old[side_multipliers] = {};  // [Pa] there at the start of the step, for damping
-  TouchingSoil soil[side_multipliers];         // of the slave, there
+  double pressure_old[side_multipliers] = {};  // [Pa] at the corners at the start of the step, for damping
+  TouchingSoil soil[side_multipliers];         // of the slave, at its corners
 };
 
 /// Integrals over the segment, weighted by the multipliers' shapes (a) and the length without the circumference [m].
@@ -35,14 +35,14 @@ struct PairSums {
   double shear[side_multipliers] = {},
          stretch[side_multipliers] = {};  // [N/m]; of shear less multiplier, where it sticks
   double sliding = 0;                     // length that slides [m]
-  double area = 0;                        // that presses [m2], with the circumference
+  double area = 0;                        // pressing area [m2], with the circumference
   double heat = 0;                        // [J] of this step
   double damped = 0;                      // [J] heat of damping in this step
   double deepest = 0;                     // least gap of the points that press [m]
   double closest = 0;                     // least gap [m]
 };
 
-/// Forces [N] on the nodes of both sides, their derivatives [N/m].
+/// Forces [N] on the nodes of both sides, and their derivatives [N/m].
 struct PairForce {
   double f[pair_dofs];             // at the end of the step
   double damping[pair_dofs];       // what damping adds to the mean over the step
@@ -55,8 +55,8 @@ struct PairForce {
 /// pressure t = <multiplier - penalty gap>, gap along the master's outward normal at the closest point (nearest point);
 /// stick spring from the multiplier of shear. Positive shear acts on the slave along the master's direction (outward
 /// normal on its right). Slave gets t n + s m, master the opposite at the closest point, so momentum is kept to
-/// rounding. The tangent is exact: ends of the segment, closest point, normal, lengths. Returns false where the sides
-/// do not see each other.
+/// rounding. The tangent is exact: ends of the segment, closest point, normal, lengths. Returns false where no point of
+/// the slave side has its closest point on the master side within `capture`.
 bool pair_segment(const PairLaw& law, const PairCoordinates& old, const PairCoordinates& now, bool want_tangent,
                   PairForce& out);
 

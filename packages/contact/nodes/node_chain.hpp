@@ -12,7 +12,8 @@ struct NodeChain {
   bool closed = false;
 };
 
-/// The sides of a surface put end to end, middle nodes of quadratic ones included. A chain ends where three sides meet.
+/// The sides of a surface joined end to end, with the mid-side nodes of quadratic ones. A chain ends where three sides
+/// meet.
 std::vector<NodeChain> node_chains(const std::vector<MasterSurface::MasterSide>& sides);
 
 /// The chains cut at their corners, where straight lines between neighbouring nodes turn by more than `angle` [rad].

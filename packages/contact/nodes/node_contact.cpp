@@ -13,7 +13,7 @@ namespace mudline {
 namespace column = node_column;
 
 namespace {
-constexpr int quadrature_degree = 5;  // of tributary areas: exact on parabolic sides that are straight
+constexpr int quadrature_degree = 5;  // of tributary areas: exact on straight quadratic sides
 }  // namespace
 
 void NodeParameters::parameters(Parameters& p) {
@@ -81,8 +81,8 @@ int NodeContact::place(int row, int piece) const {
 }
 
 void NodeContact::sparsity(Assembler& assembler) {
-  // every node and piece within reach have their place from the start: the graph, and with it the order of all sums,
-  // never changes
+  // every node and piece within reach have their matrix entries from the start: the graph, and with it the order of all
+  // sums, never changes
   const auto& x = context_.space.mesh().coordinates();
   const Space& space = context_.space;
   const double distance = deck_.reach > 0 ? deck_.reach : 1e300;
@@ -279,7 +279,7 @@ void NodeContact::jacobian(const StepView& view, Assembler& assembler, double we
     if (force.presses || force.damped != 0)
       for (int a = 0; a < node_dofs; ++a)
         for (int b = 0; b < node_dofs; ++b) to.add(seen.place, a, b, -weight * moved * force.k[a][b]);
-    // across two pieces the matrix has no place for the change of a leaving force
+    // the matrix has no entries that couple the node with another piece, on which its old force acted
     if (!conserving || !(old(row, column::pressure) > 0) || static_cast<int>(old(row, column::piece)) != seen.piece)
       continue;
     double before[node_dofs];

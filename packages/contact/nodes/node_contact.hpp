@@ -66,16 +66,17 @@ class NodeContact : public TwoSurfaceContact<NodeParameters> {
   Positions positions(const StepView& view) const;
   /// Force on nodes and piece that acted at the start of the step, by dof of its place.
   void old_force(const State& committed, int row, const SurfacePiece& piece, double (&force)[node_dofs]) const;
-  /// A node that pressed at the start of the step exerts the share of that force, not what the integrator takes of it.
+  /// Corrects the old force of a node that pressed at the start of the step: it acts with this share, not with the
+  /// integrator's weight.
   void add_old_share(const StepView& view, int row, double share);
   void write_away(const StepView& view, int row) const;
   double penalty(const State& state, int row) const { return state.arrays[penalties_](rows_[row].side, 0); }
   bool sticks(const State& state, int row) const;
   int place(int row, int piece) const;
   Misfit misfit(const State& state) const;
-  /// Column by local node, weighted by length.
+  /// Mean of a column by local node, weighted by length.
   std::vector<double> nodal_mean(const State& state, int column) const;
-  /// Least gap of the nodes that see the master within `capture` [m], this rank's.
+  /// Least gap [m] of this rank's nodes that have a closest point on the master within `capture` [m].
   double least_gap(double capture, const ConstCoordinateView& x) const;
 
   std::unique_ptr<ContactSurface> slave_;

@@ -5,7 +5,7 @@
 
 namespace mudline {
 
-/// What the deck says of a node-to-segment contact, besides friction.
+/// Deck entries of a node-to-segment contact, besides friction.
 struct NodeParameters : TwoSurfaceParameters {
   NodeParameters() : TwoSurfaceParameters(Enforcement::penalty) {}
   void parameters(Parameters& p);

@@ -10,7 +10,7 @@ namespace mudline {
 
 namespace {
 
-/// Positions as numbers of kind T: with derivatives where they are unknowns.
+/// Positions as numbers of type T, with derivatives where they are unknowns.
 template <class T>
 struct Positions {
   explicit Positions(const NodeCoordinates& x) : slave(unknown<T>(x.slave, 0)) {
@@ -27,7 +27,8 @@ struct ProjectionPlace {
   Vec<T, 2> normal, along, projection;
 };
 
-/// At a corner: along the way from it, or from the mean normal on the corner itself.
+/// Normal and gap at a corner: the normal is the direction from the corner to the node, or the mean normal on the
+/// corner itself.
 template <class T>
 void look_from_corner(const SurfacePiece& piece, const NodeProjection& at, const Positions<T>& x,
                       ProjectionPlace<T>& g) {
@@ -51,7 +52,7 @@ ProjectionPlace<T> geometry(const SurfacePiece& piece, const NodeProjection& at,
     look_from_corner(piece, at, x, g);
     return g;
   }
-  // eta follows from way . y' = 0 by one step of Newton's method, which leaves its value
+  // eta follows from way . y' = 0 by one step of Newton's method, which does not change its value
   const Vec<T, 2> way = x.slave - g.point, tangent = combine(piece.count, dW, x.master),
                   bend = combine(piece.count, ddW, x.master);
   const T ahead = dot(way, tangent);
@@ -89,7 +90,7 @@ ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, c
   return motion;
 }
 
-/// A force on the slave node, the opposite at its closest point.
+/// Adds a force on the slave node, and the opposite at its closest point.
 template <class T>
 void act(const SurfacePiece& piece, const ProjectionPlace<T>& g, const Vec<T, 2>& force, T (&to)[node_dofs]) {
   to[0] = force[0];

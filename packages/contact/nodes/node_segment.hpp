@@ -5,23 +5,23 @@
 
 namespace mudline {
 
-/// A slave node and the nodes of a piece of the master surface: displacements, the slave's first.
+/// Displacements of a slave node, then of the nodes of a piece of the master surface.
 constexpr int node_dofs = 2 + 2 * max_piece_nodes;
 
-/// Where they are [m].
+/// Positions of a slave node and of the nodes of a piece [m].
 struct NodeCoordinates {
   PlanePoint slave{};
   PieceCoordinates master{};
 };
 
-/// What a node sees of the master surface.
+/// Closest point of a node on the master surface.
 struct NodeProjection {
   double eta = 0;
   bool corner = false;   // the nearest point is a corner, at an end of the piece
   PlanePoint outward{};  // at a corner: mean of the unit normals on both sides
 };
 
-/// What acts between a slave node and the master.
+/// Point law, multipliers and old state of a slave node.
 struct NodeLaw : ContactPointLaw {
   double area = 0;               // [m2] tributary, at the start of the step
   double normal = 0, shear = 0;  // [Pa] multipliers
@@ -35,8 +35,8 @@ struct NodeForce {
   double f[node_dofs];             // [N] at the end of the step
   double damping[node_dofs];       // [N] what damping adds to the mean over the step
   double k[node_dofs][node_dofs];  // [N/m] of share * f + damping / the end's weight in the integrator's force
-  double share = 1;                // of the end in the mean over the end's weight in the integrator's force
-  double start_share = 0;          // of the force at the start in the mean over the step
+  double share = 1;                // of the end in the mean over the step, over the end's weight in the integrator
+  double start_share = 0;          // share of the force at the start in the mean over the step
   double start_share_slope[node_dofs];
   double gap = 0;                  // [m] along the master's normal
   double pressure = 0, shear = 0;  // [Pa] shear: on the slave, along the master's direction of travel

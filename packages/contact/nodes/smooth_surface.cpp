@@ -21,7 +21,7 @@ Weights unit(int j) {
   return result;
 }
 
-/// Slope at the middle one of three nodes of the parabola through them, by the length of the chords.
+/// Slope at the middle one of three nodes of the parabola through them, with respect to the length of the chords.
 Weights slope(int before, int at, int after, double h1, double h2) {
   return h1 / (h2 * (h1 + h2)) * (unit(after) - unit(at)) + h2 / (h1 * (h1 + h2)) * (unit(at) - unit(before));
 }
@@ -114,7 +114,7 @@ void SmoothSurface::set_coefficients(int index, const ConstCoordinateView& x) {
   const PieceCoordinates at = coordinates(index, x);
   const auto chord = [&](int i, int j) { return std::hypot(at[i][0] - at[j][0], at[i][1] - at[j][1]); };
   Weights control[4];
-  if (origin.kind == Kind::parabola) {  // through the middle node: its control point is 2 m - (a + b) / 2
+  if (origin.kind == Kind::parabola) {  // through the mid-side node m: its control point is 2 m - (a + b) / 2
     const Weights middle = 2 * unit(2) - 0.5 * unit(0) - 0.5 * unit(1);
     control[0] = unit(0);
     control[1] = 1.0 / 3 * unit(0) + 2.0 / 3 * middle;

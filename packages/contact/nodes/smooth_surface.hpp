@@ -10,23 +10,23 @@
 namespace mudline {
 
 /// How a surface is drawn over its nodes. sides: the elements' own sides, straight or parabolic. linear: straight from
-/// node to node, middle nodes of quadratic sides included. hermite: C1, cubic through the nodes, tangents of the
+/// node to node, with the mid-side nodes of quadratic sides. hermite: C1, cubic through the nodes, tangents of the
 /// parabola through a node and its neighbours. bezier: C1, from the middle between two nodes to the middle between the
 /// next two, with the node as control point; it cuts corners by an eighth of spacing squared over radius.
 enum class Drawing { sides, linear, hermite, bezier };
 
-/// A side set as nodes of another surface see it: pieces of curves. Its topology and what depends on which node stay;
-/// the coefficients of `hermite` are those of the coordinates at the last update().
+/// A side set as pieces of curves, for contact with the nodes of another surface. Its topology is fixed, and so are the
+/// nodes that each piece depends on. The coefficients of `hermite` are those of the coordinates at the last update().
 class SmoothSurface {
  public:
   /// Corners: straight lines between neighbouring nodes that turn by more than `corner_angle` [rad] in x are not
-  /// smoothed. `overhang`: an open end goes on for this fraction of its last piece.
+  /// smoothed. `overhang`: an open end continues for this fraction of its last piece.
   SmoothSurface(const std::vector<MasterSurface::MasterSide>& sides, Drawing drawing, double corner_angle,
                 double overhang, const ConstCoordinateView& x);
 
   const std::vector<SurfacePiece>& pieces() const { return pieces_; }
   PieceCoordinates coordinates(int piece, const ConstCoordinateView& x) const;
-  /// At the start of a step: coefficients and boxes.
+  /// Updates coefficients and boxes; called at the start of a step.
   void update(const ConstCoordinateView& x);
   /// Pieces whose nodes' box comes within `distance` [m] of a point, in ascending order.
   std::vector<int> near(const PlanePoint& at, double distance) const {
@@ -34,13 +34,13 @@ class SmoothSurface {
     return boxes_.near({x, x}, distance);
   }
 
-  /// The closest point of a node on one of `candidates`; false where none of them faces it within `capture` [m].
+  /// Finds the closest point of a node on one of `candidates`; false where none of them faces it within `capture` [m].
   /// `facing`: a direction along the slave surface, its body on the left.
   bool find_projection(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing,
                        double capture, const ConstCoordinateView& x, int& piece, NodeProjection& projection) const;
 
  private:
-  /// What a piece is drawn from; its nodes: those that it runs between (and a parabola through), or the one that it
+  /// Kind and nodes of a piece. Its nodes are those that it runs between (and a parabola through), or the one that it
   /// runs around and its neighbours.
   enum class Kind { straight, parabola, first_half, last_half, around, between };
   struct Origin {

@@ -38,14 +38,14 @@ struct SurfacePiece {
   }
 };
 
-/// Nodes of a piece [m].
+/// Positions of the nodes of a piece [m].
 using PieceCoordinates = std::array<PlanePoint, max_piece_nodes>;
 
 /// Nearest point of a piece.
 struct PieceProjection {
   double eta = 0;                        // within [low, high]
   double distance = 0;                   // [m] >= 0
-  bool at_low = false, at_high = false;  // the nearest point of the curve beyond lies outside
+  bool at_low = false, at_high = false;  // the nearest point of the extended curve lies outside
 };
 
 /// The nearest point with eta within [low, high]; at an end exactly that number.

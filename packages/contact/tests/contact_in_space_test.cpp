@@ -73,7 +73,7 @@ TEST_P(ContactInSpace, HeightsAreThoseOfTheCells) {
 }
 
 TEST_P(ContactInSpace, JacobianIsTheDifferencedResidual) {
-  // a ball that slides, turns and presses in one step: some points stick, others slide
+  // a ball moves along the surface, rotates and presses in one step: some points stick, others slide
   const std::string motion = function("x", "0.004*t") + function("y", "-0.007*t") + function("z", "-0.03*t") +
                              function("rotation x", "0.01*t") + function("rotation z", "0.02*t");
   for (const char* more : {"", "smooth", "augmented"}) {
@@ -115,7 +115,7 @@ TEST_P(ContactInSpace, FrictionIsAVectorAgainstTheTravel) {
   values = model.step(1);
   EXPECT_NEAR(values.at("contact/c/friction x").value, -0.6 * normal * 0.2, 1e-9 * normal);
   EXPECT_NEAR(values.at("contact/c/friction y").value, -0.8 * normal * 0.2, 1e-9 * normal);
-  // 6 mm of travel, of which the spring keeps 2: force times path
+  // the travel is 6 mm, of which the spring keeps 2 mm; the heat is force times path
   EXPECT_NEAR(values.at("contact/c/friction heat").value, 0.2 * normal * 0.004, 1e-9 * normal);
   EXPECT_NEAR(values.at("contact/c/friction z").value, 0, 1e-9 * normal);
 }
@@ -146,7 +146,7 @@ TEST_P(ContactInSpace, HistoryStaysWhereItIsWhenTheMeshMoves) {
   }
   dynamic_cast<Transferred&>(*model.contact).relocate(old, committed);
   for (std::size_t row = 0; row < rows.extent(0); ++row) {
-    const double x = before[row][1], y = -before[row][0];  // in proportion to the place
+    const double x = before[row][1], y = -before[row][0];  // in proportion to the position
     EXPECT_NEAR(rows(row, 0), before[row][0] - (0.02 * x + 0.04 * y), 0.08 * angle * largest);
     EXPECT_NEAR(rows(row, 1), before[row][1] + 0.05 * x - 0.03 * y, 0.08 * angle * largest);
     EXPECT_NEAR(rows(row, 2), before[row][2], 1e-9 * largest);
@@ -181,7 +181,7 @@ TEST(ContactInSpaceFriction, TurnedBodyKeepsTheStressThatSticksToIt) {
   const auto straight = model.step(1);
   model.begin(1);
   for (int node = 0; node < model.mesh.num_nodes(); ++node) {
-    // the whole moves about the body's centre, which has gone 1 mm
+    // the whole rotates about the body's centre, which has moved by 1 mm
     const Point x = model.mesh.place(node);
     State& trial = model.store.trial();
     trial.coordinates(node, 0) = 1e-3 + std::cos(angle) * (x[0] - 1e-3) - std::sin(angle) * x[1];
@@ -197,7 +197,7 @@ TEST(ContactInSpaceFriction, TurnedBodyKeepsTheStressThatSticksToIt) {
   EXPECT_NEAR(turned.at("contact/c/friction y").value, std::sin(angle) * along, 1e-9 * -along);
 }
 
-/// Largest drag of a ball of 1 m radius over the normal force, while its centre goes 0.5 m along 0.995 m above the
+/// Largest drag of a ball of 1 m radius over the normal force, while its centre moves by 0.5 m at 0.995 m above the
 /// surface.
 double drag(const std::string& turning) {
   const std::string sphere = text_parameter("type", "revolved") + array_parameter("position", "0, 0, -1") +
@@ -217,7 +217,7 @@ double drag(const std::string& turning) {
 }
 
 TEST(ContactInSpaceFriction, RollingBallDoesNotSlip) {
-  // what is left is the way down along the ball's slope, a third of the touching radius (0.1 m) to the third
+  // what is left comes from the displacement down the ball's slope, a third of the touching radius (0.1 m) cubed
   const double rolling = drag(function("rotation y", "0.05/0.995*t")), dragged = drag("");
   EXPECT_LT(rolling, 0.15);
   EXPECT_GT(dragged, 20 * rolling);

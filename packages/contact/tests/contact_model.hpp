@@ -27,8 +27,8 @@ inline std::vector<long long> cell_nodes(Cells cells, int a, int b, int columns)
   return {n(0, 0), n(2, 0), n(0, 2), n(1, 0), n(1, 1), n(0, 1), n(2, 0), n(2, 2), n(0, 2), n(2, 1), n(1, 2), n(1, 1)};
 }
 
-/// nx by ny cells over [x0, x0 + width] x [-depth, 0] with the side set "surface" on top. Inner nodes and those
-/// of the top are moved by about `distort` fifths of a cell.
+/// nx by ny cells over [x0, x0 + width] x [-depth, 0] with the side set "surface" on top. Inner nodes and those of the
+/// top are displaced by about `distort` fifths of a cell.
 inline GlobalMesh strip(Cells cells, int nx, int ny, double x0, double width, double depth, double distort) {
   GlobalMesh mesh;
   const int order = cells == Cells::quad4 ? 1 : 2, columns = order * nx + 1, rows = order * ny + 1;
@@ -55,10 +55,10 @@ inline GlobalMesh strip(Cells cells, int nx, int ny, double x0, double width, do
   return mesh;
 }
 
-/// What a deck in space says of its mesh, so that places have three numbers.
+/// Mesh section of a deck in space, so that points have three coordinates.
 inline std::string space_xml() { return section_xml("mesh", text_parameter("geometry", geometry_in_space)); }
 
-/// A soil strip, one body and one contact, driven by hand through steps: what a stepper would do. `warm`: with
+/// A soil strip, one body and one contact, which the test takes through steps as a stepper would. `warm`: with
 /// temperature and effective stress.
 struct ContactModel {
   ContactModel(Geometry geometry, GlobalMesh global, const std::string& bodies, const std::string& contact_parameters,
@@ -131,14 +131,14 @@ struct ContactModel {
     contact->correction(view, f);
     return f;
   }
-  /// Of the end of the step.
+  /// Weight of the end of the step.
   double weight() const { return view.inertia ? view.end_weight : 1.0; }
-  /// From now on dynamic, with this weight of the start of the step.
+  /// Makes the steps dynamic, with this weight of the start of the step.
   void set_inertia(double alpha_f) {
     view.inertia = true;
     view.end_weight = 1 - alpha_f;
   }
-  /// What a stage's start does: the contact takes what it needs of the committed state.
+  /// Starts a stage: the contact reads what it needs of the committed state.
   void first_act() { dynamic_cast<FirstActs&>(*contact).first_act(store.committed()); }
   Report step(double dt) {
     begin(dt);
@@ -165,8 +165,8 @@ struct ContactModel {
   int failures = 0;
 };
 
-/// Positions x of the vertices whose pore pressure a drained condition on `set` leaves free in the coming step, out of
-/// those on it; ascending.
+/// Positions x, ascending, of the vertices on `set` whose pore pressure a drained condition on it leaves free in the
+/// coming step.
 inline std::vector<double> released(ContactModel& model, const std::string& set) {
   Deck deck;
   deck.overlay("<ParameterList name=\"deck\">\n<ParameterList name=\"drained\">\n" +
@@ -204,8 +204,8 @@ inline void deform(ContactModel& model, double size) {
     }
 }
 
-/// What jacobian_error() varies, by field: forces are so much larger per metre than per pascal that one hides the
-/// other.
+/// Unknowns that jacobian_error() varies. They are varied apart, since forces are so much larger per metre than per
+/// pascal that one hides the other.
 enum class Moved { soil = 0, pressures = 1, body = 2 };
 
 /// Largest difference of J d and the central difference of the residual, relative to the largest |J d|.

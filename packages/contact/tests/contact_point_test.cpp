@@ -14,7 +14,7 @@ namespace {
 constexpr int inputs = 9;
 using Numbers = std::array<double, inputs>;
 
-/// The numbers of a motion with derivatives, in this order.
+/// The numbers of a motion that carry derivatives, in this order.
 template <class T>
 std::array<T*, inputs> numbers(ContactMotion<T>& m) {
   return {&m.gap, &m.shift, &m.gap_old, &m.force_old, &m.area, &m.travel, &m.opened, &m.shear_old, &m.pore_pressure};
@@ -28,7 +28,7 @@ struct Case {
 
 Slope slope(0.3);
 
-/// Pressed 1 cm, dragged by 1 mm.
+/// Sets a point that is pressed by 1 cm and dragged by 1 mm.
 void usual(ContactPointLaw& law, ContactMotion<double>& m) {
   law.penalty = 1e6;
   law.dt = 0.5;
@@ -154,7 +154,7 @@ TEST_P(EveryPoint, DerivativesAreDifferences) {
   const ContactResponse<double> now = respond(law, motion);
   EXPECT_EQ(now.presses, GetParam().presses);
   EXPECT_EQ(now.slides, GetParam().slides);
-  if (std::string(GetParam().name) == "Touch") return;  // between its branches: stiffness without force
+  if (std::string(GetParam().name) == "Touch") return;  // between the branches of the law: stiffness without force
   expect_differences(law, motion);
 }
 
@@ -204,7 +204,7 @@ TEST(ContactPoint, LawsSeeTheSoil) {
   EXPECT_NEAR(now.pressure, 1e4 + 0.5 * 2e3, 1e-9);
   EXPECT_NEAR(now.shear, -(0.1 * (1.1e4 - 2e3) + 0.02 * 2e3 + 4 * 12 + 0.003 * 5e4 + 50 * 0.3), 1e-9);
   expect_differences(law, motion);
-  // what was not asked for is no number
+  // a quantity that no law reads is NaN
   motion.soil = TouchingSoil();
   EXPECT_TRUE(std::isnan(respond(law, motion).shear));
 }

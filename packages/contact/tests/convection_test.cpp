@@ -1,4 +1,4 @@
-// A history that points carry when they are moved along their side.
+// Convection of the history of points that are moved along their side.
 #include <gtest/gtest.h>
 
 #include "contact/convection.hpp"
@@ -9,7 +9,7 @@ namespace {
 using Coordinates = Kokkos::View<double**, Kokkos::LayoutRight>;
 
 TEST(Convection, LinearHistoryOfASideStaysWhereItIs) {
-  // a slanted side of three nodes; each moves along it by another way
+  // a slanted side of three nodes; each moves along it by a different distance
   Coordinates from("from", 3, 2), to("to", 3, 2);
   const double s[3] = {0, 5, 2.5}, shift[3] = {0.4, -0.3, 0.1};
   for (int a = 0; a < 3; ++a)
@@ -43,7 +43,7 @@ TEST(Convection, WhatMovesAcrossTheSideChangesNothing) {
 }
 
 TEST(Convection, LinearHistoryOfAFaceInSpaceStaysWhereItIs) {
-  // a slanted face, whose nodes move along it by different ways
+  // a slanted face, whose nodes move along it by different distances
   for (const CellShape shape : {CellShape::tri3, CellShape::tri6, CellShape::quad4, CellShape::quad9}) {
     const auto place = [](double s, double t) { return Point{1 + 2 * s, 2 + s + 3 * t, 0.5 * s - t}; };
     const auto field = [](const Point& x) { return 7 - 2 * x[0] + 3 * x[1] + x[2]; };

@@ -42,7 +42,7 @@ TEST(FacePoint, ClosestPointLiesBelowThePointAlongTheNormal) {
   }
 }
 
-/// One evaluation of a point that stood in a face in the step before and moves along and into it.
+/// One evaluation of a point that penetrated a face in the step before and moves along and into it.
 struct Case {
   explicit Case(CellShape shape) : face(bowl(shape, 0.2)), x_old(face.x) {
     law.penalty = 1e4;
@@ -61,7 +61,7 @@ struct Case {
     face_force(point, tangent, out);
     return out;
   }
-  /// Place of a node: of the face, or the point itself after them.
+  /// Position of a node: the face's nodes come first, then the point itself.
   Point& place(int node) { return node < face.count ? face.x[node] : slave; }
   /// Weight of a node in d.
   double weight(const FaceForce& at, int node) const { return node < face.count ? -at.weight[node] : 1.0; }
@@ -129,7 +129,7 @@ TEST(FacePoint, SlidingShearIsTheStrengthAlongTheWay) {
   MasterFace face = bowl(CellShape::quad4, 0.0);
   ContactPointLaw law;
   law.penalty = 1e4;
-  law.dt = 1e12;  // so slow that the speed counts for nothing
+  law.dt = 1e12;  // so slow that the speed has no effect
   law.friction = &friction;
   const SideCoordinates was = face.x;
   FacePoint point{law, face, was, {}, {0.1, 0.1, -0.01}, 0.5};

@@ -21,7 +21,7 @@ std::string free_motion(const std::string& directions) {
          "}\"/>\n";
 }
 
-/// A cylinder whose lowest point is at y; its centre of mass is off its middle.
+/// A cylinder whose lowest point is at y; its centre of mass is not at its middle.
 std::string cylinder(double y, const std::string& directions) {
   return body_xml(
       "b", text_parameter("type", "sphere") + text_parameter("extent", "full") + number_parameter("diameter", 1.0),
@@ -30,7 +30,7 @@ std::string cylinder(double y, const std::string& directions) {
           array_parameter("centre of mass", "0.1, 0.4"));
 }
 
-/// Turns and shifts the body in the trial state.
+/// Rotates and shifts the body in the trial state.
 void place(ContactModel& model, double x, double y, double angle) {
   const BodyUnknowns& unknowns = model.bodies_["b"]->unknowns();
   const double value[body_directions] = {x, y, angle};
@@ -165,13 +165,14 @@ TEST(ImpactShare, DoesTheWorkThatTheSpringStoresOrGivesBack) {
     for (const double gap : {-1e-6, -0.2}) {
       const double stored = 0.5 * stiffness * gap * gap, way = gap - gap_old;
       EXPECT_NEAR(end_share(gap_old, gap, 0) * stiffness * gap * way, stored, 1e-15);
-      // and back
+      // the same backwards
       EXPECT_NEAR(start_share(gap, gap_old, 0) * stiffness * gap * -way, -stored, 1e-15);
     }
 }
 
 TEST(FreeBody, ImpactGivesTheSpringsEnergyBack) {
-  // down through the flat surface and up again, in steps that hit neither the touch nor the leave: no net work
+  // down through the flat surface and up again, in steps that end neither at the touch nor at the separation: no net
+  // work
   ContactModel model(
       Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 2, 1, 0),
       body_xml("b", text_parameter("type", "polyline") + array_parameter("x", "0, 10") + array_parameter("y", "0, 0"),
@@ -227,7 +228,7 @@ TEST(FreeBody, DampingTakesWhatItReports) {
                    end = conserving ? end_share(before, y, 0) : 0.5;
       const double mean = start * forces[0] + end * forces[1], damping = std::max(20 * rate, -1.0) * mean;
       heat += damping * (before - y);
-      // upwards on the body; the residual has the sign of what resists
+      // the force on the body is upwards; the residual has the opposite sign
       EXPECT_NEAR(0.5 * (now(dof) + old_force) + correction(dof), -(mean + damping), 1e-9 * eps) << y;
       old_force = now(dof);
       before = y;
@@ -278,7 +279,7 @@ TEST(FreeBody, TheTangentIsTheSameWhenAskedTwice) {
   const double first = stiffness();
   EXPECT_GT(first, 0);
   EXPECT_EQ(first, stiffness());
-  // each linearisation of a step that has not touched yet lets the body come farther
+  // each linearisation of a step without contact yet lets the body move farther
   model.view.linearisation = 1;
   EXPECT_NEAR(stiffness(), 0.1 * first, 1e-12 * first);
 }

@@ -57,7 +57,8 @@ TEST(Friction, SpringThenStrengthThenTheWayBack) {
     EXPECT_NEAR(values.at("contact/c/friction y").value, 0, 1e-8);
     EXPECT_EQ(values.at("contact/c/sliding points").value, (step > 3 && step <= 6) ? 12 : 0);
     EXPECT_NEAR(values.at("contact/c/friction heat").value, heat, 1e-9);
-    // what the body gives is stored in the springs or has become heat; the step that begins to slide is a trapezium
+    // the body's work is stored in the springs or has become heat; the trapezoidal rule errs in the step that begins to
+    // slide
     const double corner = step > 3 ? 2 * 0.5 * 0.5e3 * 0.5e-3 : 0;
     EXPECT_NEAR(values.at("contact/c/work").value, heat + 2 * stress * stress / (2 * eps) - corner, 1e-8) << step;
   }
@@ -173,7 +174,7 @@ TEST_P(EveryFriction, JacobianIsTheDifferencedResidual) {
                            number_parameter("shoulder radius", 0.2);
   const auto body = body_xml(
       "b", cone, text_parameter("type", "prescribed displacement") + text_parameter("y", "-0.02*t-0.06*(t>1.5)"));
-  // a committed step gives a shear history; in the next some points stick, slide, come to touch, and open
+  // a committed step gives a shear history; in the next step points stick, slide, touch for the first time, or open
   struct Law {
     double coefficient;
     std::string more;
@@ -236,7 +237,7 @@ TEST(Friction, RejectedAndRepeatedStepGivesTheSameBits) {
 }
 
 TEST(Friction, DragOnAConeIsUpwardAndCountsAsReaction) {
-  // a frictional cone pushed into the soil: mu cot of the half angle times the smooth force on top of it
+  // a frictional cone pushed into the soil: mu cot(half angle) times the smooth force is added to it
   const auto reaction = [](const std::string& friction) {
     ContactModel model(Geometry::axisymmetric, strip(Cells::quad9, 20, 1, 0, 0.4, 1, 0),
                        body_xml("b",

@@ -1,4 +1,4 @@
-// From where gaps are counted, and contact that starts pressed by the soil's stress.
+// Initial gaps, and contact that starts pressed by the soil's stress.
 #include <gtest/gtest.h>
 
 #include "contact_model.hpp"
@@ -41,7 +41,7 @@ TEST_P(EveryStart, ClosedGapsCountFromTheStart) {
     EXPECT_NEAR(area, c.geometry == Geometry::axisymmetric ? std::acos(-1.0) * 4 : 2, 1e-12);
     EXPECT_NEAR(values.at("contact/c/reaction y").value, eps * 0.004 * area, 1e-12 * eps);
     EXPECT_NEAR(values.at("contact/c/maximum penetration").value, 0.004, 1e-15);
-    // a later stage takes nothing anew
+    // a later stage does not adjust gaps again
     model.first_act();
     values = model.step(1);
     EXPECT_NEAR(values.at("contact/c/maximum penetration").value, 0.008, 1e-15);
@@ -58,7 +58,7 @@ TEST_P(EveryStart, FartherPointsKeepTheirGaps) {
 
 TEST_P(EveryStart, PressesWithTheTractionOfTheSoil) {
   const Case c = GetParam();
-  // sigma_yy = -(3 + x) kPa, and shear that is not taken over
+  // sigma_yy = -(3 + x) kPa, and shear that the contact does not take
   const auto stress = [](const Point& x) { return std::array<double, 6>{-900, -1000 * (3 + x[0]), -700, 0, 0, 250}; };
   for (const char* more : {"", "smoothed", "augmented"}) {
     std::string parameters = plate_contact(start("in-situ stress", 0.02), c.method);
@@ -75,7 +75,7 @@ TEST_P(EveryStart, PressesWithTheTractionOfTheSoil) {
       pressures.push_back(before(row, 1));
       forces.push_back(before(row, force));
     }
-    model.step(1);  // nothing moves: what the first state says is what the contact finds
+    model.step(1);  // nothing moves: the contact finds the values of the first state
     const PointView& after = model.points(model.store.committed());
     const auto [least, most] = std::minmax_element(pressures.begin(), pressures.end());
     EXPECT_GT(*least, 2999) << more;

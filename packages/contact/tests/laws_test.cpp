@@ -1,4 +1,4 @@
-// Laws of contact by themselves: what they answer, and what a law of one's own says of itself.
+// Laws of contact by themselves: their values, and a law of the test's own.
 #include <gtest/gtest.h>
 
 #include "contact/laws/friction.hpp"

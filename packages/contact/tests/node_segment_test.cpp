@@ -17,7 +17,7 @@ struct Case {
   Drawing drawing;
   double x, y, friction, multiplier;
   bool late;    // the node touches within the step
-  bool corner;  // what the case is about
+  bool corner;  // the closest point is a corner
   double viscous = 0;
 };
 
@@ -40,8 +40,7 @@ TEST(NodeParameters, TheOverhangOfAnOpenEnd) {
   }
 }
 
-/// A master of six nodes with its body below, nodes to the left, and one slave node; the master's unevenness is of its
-/// own.
+/// A master of six nodes with its body below, nodes to the left, and one slave node; the master's spacing is uneven.
 class EveryState : public testing::TestWithParam<Case> {
  protected:
   EveryState() : friction_(GetParam().friction), x_("x", 7, 2), old_("old", 7, 2) {

@@ -8,7 +8,8 @@
 namespace mudline {
 namespace {
 
-/// Slave on top, nodes to the right (its body above); master below, nodes to the left. Bent when quadratic.
+/// The slave is on top, its nodes to the right (its body above). The master is below, its nodes to the left. Quadratic
+/// sides are curved.
 PairCoordinates sides(double overlap, double shift, double bend) {
   PairCoordinates x;
   x.slave = {Point{0.5, -overlap}, Point{1.5, -0.7 * overlap}, Point{1.02, -overlap - bend}};
@@ -111,7 +112,7 @@ TEST_P(EverySegment, WhatTheSlaveGetsTheMasterGives) {
   }
   EXPECT_NEAR(sum[0], 0, 1e-14 * size);
   EXPECT_NEAR(sum[1], 0, 1e-14 * size);
-  // normal forces act along the way from closest point to point; shear stresses are off by the gap
+  // normal forces act along the line from closest point to point; shear stresses have the gap as lever arm
   if (!law_.friction) {
     EXPECT_NEAR(moment, 0, 1e-13 * size);
   }
@@ -132,7 +133,7 @@ TEST(PairSegment, UniformOverlapOfStraightSidesPressesOnWhatTheyShare) {
   for (int a = 0; a < 3; ++a) on_slave += force.f[2 * a + 1];
   EXPECT_NEAR(on_slave, 0.75e4, 1e-9);
   EXPECT_NEAR(force.sums.deepest, -0.01, 1e-15);
-  x.slave[0][1] = x.slave[1][1] = x.slave[2][1] = 0.01;  // apart: seen, not pressed
+  x.slave[0][1] = x.slave[1][1] = x.slave[2][1] = 0.01;  // within `capture`, but not pressed
   ASSERT_TRUE(pair_segment(law, x, x, false, force));
   EXPECT_EQ(force.sums.area, 0);
   std::swap(x.master[0], x.master[1]);  // back to back

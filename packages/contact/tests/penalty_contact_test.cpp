@@ -95,7 +95,7 @@ TEST_P(EveryContact, JacobianIsTheDifferencedResidual) {
   const std::string cone = text_parameter("type", "cone") + number_parameter("diameter", 1.0) +
                            number_parameter("apex angle [deg]", 120) + number_parameter("tip radius", 0.3) +
                            number_parameter("shoulder radius", 0.2);
-  // first number: where the tip is; second: how many points must touch (all, some, none)
+  // first number: position of the tip; second: number of points that must touch (all, some, none)
   for (const auto& [tip, touching] : {std::pair<double, int>{0.3, 0}, {-0.12, 1}, {-0.45, 2}}) {
     const auto body = body_xml(
         "b", cone, text_parameter("type", "prescribed velocity") + number_parameter("velocity y", tip), "0, 0");
@@ -217,7 +217,7 @@ TEST(PenaltyContact, WorkIsThatOfTheLinearSpring) {
   Report values;
   for (int i = 0; i < 5; ++i) values = model.step(1);
   EXPECT_NEAR(values.at("contact/c/work").value, 0.5 * eps * 2 * 0.05 * 0.05, 1e-9 * eps);
-  // the body rests when it is not active, and nothing is done
+  // the body rests when it is not active, and does no work
   model.bodies_["b"]->set_active(false);
   const auto rest = model.step(1);
   EXPECT_EQ(rest.at("contact/c/work").value, values.at("contact/c/work").value);
@@ -345,7 +345,7 @@ TEST_P(EveryContact, MultipliersOfAFixedGapGrowByThePenaltyTimesIt) {
     model.residual();
     const PointView& rows = model.points(model.store.trial());
     for (std::size_t row = 0; row < rows.extent(0); ++row) {
-      const double gap = rows(row, 0);  // differs from point to point, is in the sides' shapes
+      const double gap = rows(row, 0);  // differs from point to point, but is in the space of the sides' shapes
       EXPECT_NEAR(rows(row, 1), -(count + 1) * eps * gap, 1e-3 * (count + 1) * eps * 0.01);
     }
     EXPECT_TRUE(model.contact->augment(model.view, count).again);

@@ -31,7 +31,7 @@ class ReadingFriction : public Friction {
   double normal = 0, pore = 0, degree = 0, mean = 0, slip = 0;
 };
 
-/// Throws where it is asked in a step.
+/// A law that throws when it is evaluated in a step.
 class ThrowingFriction : public Friction {
  public:
   void parameters(Parameters& p) { interface_parameters(p); }

@@ -1,4 +1,4 @@
-// Contact laws that say their slopes, and laws that say others.
+// Contact laws with right slopes, and laws with wrong ones.
 #include "contact/laws/slope_check.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(SlopeCheck, NamesTheSlopeThatIsWrong) {
   }
 }
 
-/// A cap that is reached where the law is asked: either side will do.
+/// A cap that is reached at the checked point: the slope of either side is right.
 struct Kink : Friction {
   ShearStrength strength(const FrictionPoint& at) const override {
     return at.normal < 5e4 ? ShearStrength{0.4 * at.normal, 0.4} : ShearStrength{2e4, 0};

@@ -11,7 +11,8 @@ namespace {
 using Coordinates = Kokkos::View<double**, Kokkos::LayoutRight>;
 constexpr double pi = 3.14159265358979323846;
 
-/// Nodes of an arc of radius 1 about the origin from `from` by `angle` each, body inside: counter-clockwise.
+/// Nodes of an arc of radius 1 about the origin, from the angle `from` in steps of `angle`, counter-clockwise: the body
+/// is inside.
 struct Arc {
   Arc(int count, double from, double angle, bool closed, bool uneven = false) : x("x", count, 2) {
     for (int i = 0; i < count; ++i) {
@@ -63,7 +64,7 @@ TEST(SmoothSurface, SmoothDrawingsHaveNoKinks) {
     const double round = 1 - std::cos(h / 2) * (1 + 0.5 * s2);
     EXPECT_NEAR(hermite.first, round, closed ? 1e-12 : 3e-4) << "at open ends the tangent is the parabola's";
     EXPECT_LT(hermite.second, 1e-13);
-    EXPECT_NEAR(bezier.first, 1 - std::cos(h / 2), 1e-12) << "the mid-side nodes between nodes";
+    EXPECT_NEAR(bezier.first, 1 - std::cos(h / 2), 1e-12) << "the middles between nodes";
     EXPECT_LT(bezier.second, 1e-13);
   }
   EXPECT_LT(errors(Arc(24, 0, h, true, true), Drawing::hermite).second, 1e-13) << "uneven spacing";

@@ -59,7 +59,7 @@ TEST(TouchingSoil, IsWhatTheLawsOfABodySee) {
         const double pressure = eps * depth + 0.4 * pore;
         EXPECT_NEAR(points(row, 1), pressure, 1e-8);
         const double rest = std::abs(shear(row, 0)) - 0.01 * pressure - 0.1 * pore - 0.2 * 1000 * (element + 1);
-        EXPECT_GE(rest, 7 * (3 + 2 * 0.5 * element) - 1e-8) << method << row;  // the warmth of this side
+        EXPECT_GE(rest, 7 * (3 + 2 * 0.5 * element) - 1e-8) << method << row;  // temperatures of this side
         EXPECT_LE(rest, 7 * (3 + 2 * 0.5 * (element + 1)) + 1e-8) << method << row;
         EXPECT_EQ(shear(row, 3), 1);
       }
@@ -75,7 +75,7 @@ TEST(TouchingSoil, IsWhatTheLawsOfABodySee) {
     }
 }
 
-/// Two cells one on the other, 1 cm into each other; the set "slave" is the upper one's.
+/// Two cells one on the other, which overlap by 1 cm; the set "slave" is of the upper one.
 GlobalMesh two_cells() {
   GlobalMesh mesh;
   mesh.coordinates = {{-1, -1}, {2, -1}, {2, 0}, {-1, 0}, {0, -depth}, {1, -depth}, {1, 1}, {0, 1}};

@@ -17,7 +17,7 @@ std::string film(const std::string& entries = "", const std::string& method = "s
          "<Parameter name=\"residual aperture\" type=\"double\" value=\"1e-9\"/>\n" + entries;
 }
 
-/// The field of flow into the film, by node.
+/// Flow into the film at a node.
 double inflow(ContactModel& model, const NodalView& residual, int node) {
   const int dof = model.space.node_dof(1)(node);
   return dof < 0 ? 0 : residual(dof);
@@ -105,7 +105,7 @@ TEST(WaterFilm, VapourTakesWhatTheSoilDoesNotGive) {
   ContactModel model(Geometry::plane_strain, strip(Cells::quad9, 4, 1, 0, 2, 1, 0), plate_xml(0.01, -0.02),
                      film(number_parameter("cavitation pressure", -1e4)));
   model.begin(0.5);
-  // half of the water of the film, which is 2 cm thick, has turned into vapour: what was there has to leave for it
+  // the film is now 2 cm thick and half of it is vapour: its water is still the 1 cm of the start, and none flows
   set_pressure(model, model.store.trial(), [](double, double) { return -1e4 - 250; });
   EXPECT_NEAR(total(model, model.residual()), 0, 1e-12);
   model.store.accept();

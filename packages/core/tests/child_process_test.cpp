@@ -23,7 +23,7 @@ namespace {
 
 std::vector<char> bytes(const std::string& text) { return {text.begin(), text.end()}; }
 
-/// What is said of a child that is lost.
+/// The message of ChildLost for a child that is lost.
 std::string lost(const std::function<std::vector<char>()>& work, double limit = 60) {
   try {
     in_child_process(work, {limit});
@@ -61,7 +61,7 @@ TEST(ChildProcess, CrashesAndEndings) {
   EXPECT_EQ(lost([]() -> std::vector<char> { ::_exit(0); }), "broke off");
 }
 
-/// Every signal that someone may send to a run and all that belongs to it.
+/// The signals that someone may send to all processes of a run.
 const int for_the_program[] = {SIGHUP,  SIGINT,  SIGQUIT,   SIGUSR1, SIGUSR2, SIGPIPE, SIGALRM,
                                SIGTERM, SIGPROF, SIGVTALRM, SIGXCPU, SIGXFSZ, SIGRTMIN};
 
@@ -109,19 +109,19 @@ TEST(ChildProcess, ATimeInWhichTheProgramStandsStillDoesNotCount) {
   ::waitpid(waker, nullptr, 0);
 }
 
-/// Whether a process has ended, at the latest after a while.
+/// Waits a limited time for a process to end; returns whether it has.
 bool ends(pid_t process) {
   for (int i = 0; i < 3000; ++i) {
     std::ifstream status("/proc/" + std::to_string(process) + "/stat");
     std::string text, state;
     if (!std::getline(status, text)) return true;
-    if (text.substr(text.rfind(')') + 2, 1) == "Z") return true;  // nobody has asked for its end yet
+    if (text.substr(text.rfind(')') + 2, 1) == "Z") return true;  // a zombie: its parent has not waited for it yet
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;
 }
 
-/// Work without an end that has started another process, whose number it writes to a file.
+/// Endless work that starts another process and writes the number of that process to a file.
 std::vector<char> start_another_and_wait(const std::string& file) {
   const pid_t another = ::fork();
   if (another != 0) {

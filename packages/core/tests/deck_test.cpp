@@ -10,7 +10,7 @@ namespace {
 const std::string header = "<ParameterList name=\"deck\">\n";
 const std::string footer = "</ParameterList>\n";
 
-/// The error of a deck whose second line on is `body`.
+/// The error of a deck whose `body` begins on its second line.
 std::string error_of(const std::string& body) {
   Deck deck;
   return input_error([&] { deck.overlay(header + body + footer, "deck.xml"); });
@@ -235,7 +235,7 @@ TEST_F(Overlay, MisspeltSectionsOfSettings) {
   deck.set("stages/psh/duration=2");
   EXPECT_EQ(input_error([&] { deck.root(); }),
             "--set stages/psh/duration=2: stages/psh: the deck has no such section (did you mean 'push'?)");
-  deck.set("stages/psh/type=dynamic");  // a new one, then
+  deck.set("stages/psh/type=dynamic");  // then it is a new stage
   EXPECT_EQ(deck.root().section("stages").section("psh").text("type"), "dynamic");
 }
 

@@ -1,4 +1,4 @@
-// Ends of the program that are not its own, each in a child process.
+// Tests of foreign ways to end the program, each in a child process.
 #include "core/foreign_library.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(ExitGuardDeathTest, ExitAfterTheGuardIsTheProgramsOwn) {
         { const ExitGuard guard(0, 1); }
         std::exit(3);
       },
-      ExitedWithCode(3), "^(==[^\n]*\n)*$");  // nothing but what the leak checker may say of a forked process
+      ExitedWithCode(3), "^(==[^\n]*\n)*$");  // only messages of the leak checker about a forked process
 }
 
 TEST(ExitGuardDeathTest, SignalsEndWithOneLineAndCodeOne) {

@@ -126,7 +126,7 @@ TEST(Parameters, UnknownAndMissingOnes) {
 TEST(Parameters, MisspeltRequiredOnesAreNamedAtTheirLine) {
   EXPECT_EQ(error_of(line("label", "string", "x") + line("Yuong's modulus", "double", "2e6")),
             "deck.xml:5: materials/clay/Yuong's modulus: unknown parameter (did you mean 'Young's modulus'?)");
-  // nothing like it: the unknown one first, it may be what is missing
+  // Without a similar name, the unknown parameter is reported first: it may be the missing one.
   EXPECT_EQ(
       error_of(line("stiff", "double", "2e6")).find("deck.xml:4: materials/clay/stiff: unknown parameter; allowed: "),
       0u);

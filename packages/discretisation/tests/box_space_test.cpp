@@ -115,7 +115,7 @@ TEST(BoxInSpace, LayersAreByZ) {
   }
 }
 
-/// Where an element touches the boundary of the box with all its nodes, nothing is left to move.
+/// An element with all its nodes on the boundary of the box would have no node that can move.
 TEST(BoxInSpace, NoTetrahedronHasAllItsNodesOnTheSides) {
   for (const auto& [x, y, z] : {std::array{2, 2, 2}, {3, 2, 4}, {5, 3, 3}}) {
     const auto mesh = make(box3("tet4", x, y, z));

@@ -33,7 +33,7 @@ TEST(CellMap, TetrahedronInSpace) {
   map.gradients(dN, g);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      double slope = 0;  // of coordinate i
+      double slope = 0;  // gradient of coordinate i
       for (int a = 0; a < 4; ++a) slope += x[a][i] * g[a][j];
       EXPECT_NEAR(slope, i == j ? 1 : 0, 1e-15);
     }

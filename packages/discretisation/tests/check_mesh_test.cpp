@@ -87,7 +87,7 @@ TEST(CheckMesh, Sets) {
   EXPECT_EQ(message(mesh), "the name 'top' belongs to a set of sides and to a set of points");
 }
 
-/// Unit squares of quad4, each with nodes of its own, lower left corners given.
+/// Squares of one quad4 each with nodes of their own, given by their lower left corners.
 GlobalMesh apart(const std::vector<Vec<double, 2>>& corners, double size = 1) {
   GlobalMesh mesh;
   mesh.blocks = {{"soil", CellShape::quad4, {}}};
@@ -111,7 +111,7 @@ TEST(CheckMesh, TwinNodesAreACrack) {
   EXPECT_EQ(seams(mesh), "");
   mesh.contacts.pairs = {{"right face", "left face"}};
   EXPECT_EQ(seams(mesh), "");
-  // a crack that is meant
+  // an intended crack
   mesh.contacts.pairs.clear();
   EXPECT_EQ(seams(mesh, {"left face"}), "");
   const MeshParts parts = mesh_parts(Mesh(world(), Geometry::plane_strain, mesh));
@@ -175,7 +175,7 @@ TEST(CheckMesh, CurvedSidesBesideEachOther) {
   EXPECT_CONTAINS(seams(mesh), "the mesh lies over itself at ");
 }
 
-/// Squares of a grid of 3 x 3 without one of them.
+/// A grid of 3 x 3 squares without one of them.
 GlobalMesh grid_without(int missing) {
   GlobalMesh mesh;
   for (int j = 0; j < 4; ++j)
@@ -194,7 +194,7 @@ TEST(CheckMesh, Holes) {
   mesh.side_sets["tunnel"] = {{0, 1, 2}};
   EXPECT_EQ(seams(mesh), "");
   EXPECT_EQ(seams(grid_without(1)), "") << "a notch";
-  // a triangle missing that has a corner on the boundary
+  // a missing triangle with a corner on the boundary
   GlobalMesh fan;
   fan.coordinates = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.3, 0.7}, {0.7, 0.3}};
   fan.blocks = {{"soil", CellShape::tri3, {0, 1, 6, 1, 2, 6, 6, 2, 4, 4, 2, 5, 5, 2, 3, 3, 0, 5, 5, 0, 4, 4, 0, 6}}};

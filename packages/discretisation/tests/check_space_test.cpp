@@ -25,7 +25,7 @@ GlobalMesh boxes(const std::vector<Bounds>& list) {
 
 Bounds cube(double x, double y, double z, double size = 1) { return {{x, y, z}, {x + size, y + size, z + size}}; }
 
-/// The same with one node at each place.
+/// The boxes with common nodes: one node at each place.
 GlobalMesh joined(const std::vector<Bounds>& list) {
   GlobalMesh mesh = boxes(list);
   std::vector<Point> places;
@@ -78,7 +78,7 @@ TEST(CheckSpace, InvertedFlatAndLoose) {
   mesh.coordinates[6][2] = std::nan("");
   EXPECT_CONTAINS(message(mesh), "not finite");
   GlobalMesh tet10 = whole("tet10", 2, 2, 2);
-  const long long* nodes = tet10.blocks[0].nodes.data();  // a middle of an edge on top of its end
+  const long long* nodes = tet10.blocks[0].nodes.data();  // a mid-side node at the end of its edge
   tet10.coordinates[nodes[4]] = tet10.coordinates[nodes[0]];
   EXPECT_CONTAINS(message(tet10), "Jacobian");
 }
@@ -104,7 +104,7 @@ TEST(CheckSpace, NeighboursShareMiddles) {
     GlobalMesh mesh = whole(cell, 2, 2, 2);
     auto& nodes = mesh.blocks[0].nodes;
     const int n = num_nodes(mesh.blocks[0].shape), edge = corners + edges - 1;
-    // a middle of the last element's edges gets a node of its own in that element
+    // one edge of the last element gets a mid-side node of its own in that element
     const std::size_t at = nodes.size() - n + edge;
     for (std::size_t a = nodes.size() - n + corners; a < at; ++a)
       if (std::count(nodes.begin(), nodes.end(), nodes[a]) > 1) {
@@ -187,7 +187,7 @@ TEST(CheckSpace, Holes) {
     GlobalMesh notch = mesh;
     remove(13);
     EXPECT_CONTAINS(seams(mesh), "a hole around (1, 0.5, 0.75) whose faces are in no side set") << cell;
-    for (const ElementSide& side : boundary_sides(mesh))  // one face of it named
+    for (const ElementSide& side : boundary_sides(mesh))  // name one face of it
       if (mesh.side_sets["cave"].empty() && std::abs(middle_of(mesh, side)[2] - 1) < 1e-9)
         mesh.side_sets["cave"].push_back(side.place);
     EXPECT_EQ(seams(mesh), "") << cell;

@@ -24,7 +24,7 @@ double sum(double value) {
   return total;
 }
 
-/// One entry per global number, added over the ranks.
+/// Sums each entry over the ranks; there is one entry per global number.
 std::vector<int> sum(std::vector<int> values) {
   std::vector<int> total(values.size());
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, static_cast<int>(values.size()), values.data(), total.data());
@@ -37,7 +37,7 @@ const char* layered() {
          "<Parameter name=\"distortion\" type=\"double\" value=\"0.2\"/>";
 }
 
-/// The mesh as one rank would have it: the source asked directly.
+/// The whole mesh as its source generates it.
 GlobalMesh whole(const std::string& entries) {
   Registry<MeshSource> sources("mesh source");
   register_mesh_sources(sources);

@@ -62,7 +62,7 @@ TEST(ElementMap, SidesAndCentre) {
         EXPECT_NEAR(outside_cell(shape, xi.data()), 0, 1e-15) << name(shape) << " " << s;
       }
       EXPECT_LT(beyond_side(shape, s, cell_centre(shape).data()), 0);
-      // the coordinates are those of the side's own shape: node by node
+      // check node by node that the coordinates are those of the side's own shape
       const CellShape own = side_shape(shape);
       for (int a = 0; a < num_nodes(own); ++a) {
         const auto xi = reference_node(own, a), there = reference_node(shape, side_nodes(shape, s)[a]);
@@ -86,7 +86,7 @@ TEST(ElementMap, ScaledJacobian) {
   EXPECT_NEAR(ElementMap(CellShape::tet10, [&](int a) { return node(regular, a); }).scaled_jacobian(), 1, 1e-14);
   for (CellShape shape : {CellShape::hex8, CellShape::hex27})
     EXPECT_NEAR(ElementMap(shape, [&](int a) { return reference_node(shape, a); }).scaled_jacobian(), 1, 1e-14);
-  // a middle node beyond the quarter of its edge folds a corner
+  // a mid-side node nearer to a corner than a quarter of its edge folds that corner
   const ElementMap folded(CellShape::tet10, [&](int a) {
     auto x = node(regular, a);
     if (a == 4) x[0] = 0.2;

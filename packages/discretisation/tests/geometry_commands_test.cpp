@@ -78,9 +78,9 @@ TEST_F(Geometry, TextsAndCommentsAreNoCommands) {
 
 TEST_F(Geometry, WhatGmshReadsInAnotherWayThanItLooks) {
   for (const std::string text : {
-           "If(0) \" EndIf\nSave \"a\";\nEndIf",         // the end of a condition in a text
+           "If(0) \" EndIf\nSave \"a\";\nEndIf",         // the end of a condition in a string
            "If(0) /* EndIf\nSave \"a\"; */\nEndIf",      // and in a comment
-           "For i In {0:1} /*\nSave \"a\";\n*/ EndFor",  // the second time from the line's beginning
+           "For i In {0:1} /*\nSave \"a\";\n*/ EndFor",  // read the second time from the line's beginning
            "Include \"b.geo\"; /*\nSave \"a\";\n*/",     // the rest of the line is lost
            "Macro f '\nSave \"a\";\n'\nReturn\nCall f;",
        })
@@ -105,7 +105,7 @@ TEST_F(Geometry, FilesThatItReads) {
   EXPECT_EQ(command_in("Merge 'parts/c.geo';"), found);
   EXPECT_EQ(command_in("Merge StrCat[CurrentDirectory, \"parts/\", \"c.geo\"];"), found);
   EXPECT_EQ(command_in("Merge \"no_mesh.msh\";"), "no_mesh.msh:2: 'Save' writes a file");
-  EXPECT_EQ(command_in("Include \"mesh.msh\";"), "mesh.msh:5: 'Save' writes a file");  // whatever it is
+  EXPECT_EQ(command_in("Include \"mesh.msh\";"), "mesh.msh:5: 'Save' writes a file");  // whatever kind of file it is
   EXPECT_EQ(command_in("Merge \"mesh.msh\"; Merge \"model.step\"; Include \"good.geo\"; Merge \"none.geo\";"), "");
   EXPECT_EQ(system_command(folder_.path() + "/ring.geo"), "");
   EXPECT_EQ(command_in("Include \"good.geo\";\n\n" + harm), "a.geo:4: 'Save' writes a file");

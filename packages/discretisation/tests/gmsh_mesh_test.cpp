@@ -88,7 +88,8 @@ TEST(GmshMesh, QuadrilateralsOfEightNodesGetCentres) {
   expect_cone(*mesh, 0.5, 2e-3);
 }
 
-/// Written by Gmsh 4.8 with lines between partitions and ghost elements: a square of 2 x 1 in three parts.
+/// The file was written by Gmsh 4.8 with lines between partitions and ghost elements: a rectangle of 2 x 1 in three
+/// parts.
 TEST(GmshMesh, PartitionedFile) {
   const auto mesh = make(gmsh("partitioned_41.msh"));
   EXPECT_EQ(mesh->regions(), std::vector<std::string>{"soil"});
@@ -148,7 +149,7 @@ TEST(GmshMesh, Errors) {
                                           "</ParameterList>"),
                   "mesh/parameters/radius: expected a number");
   EXPECT_CONTAINS(message("cone.geo", override_with("radius", "5")), "elements overlap");
-  // a boundary that cuts itself: some versions of Gmsh say so, others never come back
+  // a boundary that cuts itself: some versions of Gmsh report it, others never return
   EXPECT_CONTAINS(message("cone.geo", override_with("radius", "2") + parameter("time limit", "double", "20")),
                   "mesh/file: Gmsh, reading 'cone.geo'");
   EXPECT_CONTAINS(message("cone.geo", override_with("size", "-2")), "mesh/file: Gmsh, reading 'cone.geo': Wrong mesh");

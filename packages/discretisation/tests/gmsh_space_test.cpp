@@ -20,7 +20,7 @@ void expect_cylinder(const Mesh& mesh, double tolerance) {
   EXPECT_EQ(mesh.regions(), (std::vector<std::string>{"sand", "clay"}));
   EXPECT_NEAR(area(mesh, "sand"), 0.25 * pi, tolerance);
   EXPECT_NEAR(area(mesh, "clay"), 0.25 * pi, tolerance);
-  // a surface between two volumes stands for that one from which its normal points away: here the sand
+  // a surface between two volumes stands for the side of the volume that its normal points away from: here the sand
   const std::map<std::string, std::array<double, 4>> expected{{"bottom", {0.25 * pi, 0, 0, -0.25 * pi}},
                                                               {"top", {0.25 * pi, 0, 0, 0.25 * pi}},
                                                               {"left", {2, -2, 0, 0}},

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the mesh tests share: a mesh from the text of a deck, and sums over its elements and sides.
+// Functions that the mesh tests share: a mesh from the text of a deck, and sums over its elements and sides.
 #include <Teuchos_DefaultMpiComm.hpp>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline std::string parameter(const std::string& name, const std::string& type, c
   return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
 }
 
-/// The section "mesh" with the given entries, of a deck that lies beside the test data.
+/// The section "mesh" with the given entries, in a deck in the folder of the test data.
 inline Section mesh_section(const std::string& entries) {
   Deck deck;
   deck.overlay(
@@ -54,7 +54,7 @@ inline std::string gmsh(const std::string& file, const std::string& more = "") {
   return parameter("type", "string", "gmsh") + parameter("file", "string", file) + more;
 }
 
-/// The same in space: 2 x 1 x 1.5.
+/// Entries of a box mesh in space, 2 x 1 x 1.5.
 inline std::string box3(const std::string& cell, int nx, int ny, int nz, const std::string& more = "") {
   return parameter("type", "string", "box") + parameter("geometry", "string", "three-dimensional") +
          parameter("cell", "string", cell) +
@@ -71,7 +71,7 @@ inline ElementMap map_of(const Mesh& mesh, const ElementBlock& block, int elemen
   return {block.shape, [&](int a) { return &mesh.coordinates()(block.nodes(element, a), 0); }};
 }
 
-/// Area or volume of this rank's elements; of one region when named.
+/// Area or volume of this rank's elements, only of `region` when it is named.
 inline double area(const Mesh& mesh, const std::string& region = "") {
   double sum = 0;
   for (const ElementBlock& block : mesh.blocks()) {
@@ -103,7 +103,7 @@ void add_side(const Mesh& mesh, const Side& side, std::array<double, 4>& sum) {
   }
 }
 
-/// Integral over this rank's sides of a set: length or area, and the outward normal.
+/// Integrals over this rank's sides of a set: length or area, and the outward normal.
 inline std::array<double, 4> side_integral(const Mesh& mesh, const std::string& set) {
   std::array<double, 4> sum{};
   for (const Side& side : mesh.side_sets().at(set))
@@ -158,7 +158,7 @@ inline double gradient_error(const Mesh& mesh) {
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// What check_seams() says; "": nothing.
+/// The error message of check_seams(), or "".
 inline std::string seams(const GlobalMesh& mesh, const std::vector<std::string>& cracks = {}) {
   try {
     check_seams(mesh, cracks);

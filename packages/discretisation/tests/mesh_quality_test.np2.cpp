@@ -12,7 +12,7 @@ using namespace mesh_test;
 TEST(MeshQualityOnTwoRanks, TheWorstElementIsKnownToAll) {
   const auto mesh = make(box("quad4", 4, 4));
   const auto& x = mesh->coordinates();
-  for (int node = 0; node < mesh->num_nodes(); ++node)  // of the last square; one rank has it
+  for (int node = 0; node < mesh->num_nodes(); ++node)  // a node of the last square, on one rank only
     if (std::abs(x(node, 0) - 2) < 1e-9 && std::abs(x(node, 1) - 1) < 1e-9) x(node, 0) = 1.6, x(node, 1) = 0.8;
   const MeshQuality quality = mesh_quality(*mesh, x);
   EXPECT_LT(quality.lowest, 0);
@@ -21,7 +21,7 @@ TEST(MeshQualityOnTwoRanks, TheWorstElementIsKnownToAll) {
   EXPECT_NEAR(quality.place[1], 0.25 * (0.75 + 0.75 + 0.8 + 1), 1e-12);
 }
 
-/// A row of squares in which the nodes of the last two are their own.
+/// A row of squares in which the last two have nodes of their own.
 GlobalMesh two_parts() {
   GlobalMesh mesh;
   mesh.blocks = {{"soil", CellShape::quad4, {}}};

@@ -55,7 +55,7 @@ class OldMshFile : public testing::Test {
   std::unique_ptr<Mesh> mesh3(const std::string& content, int order = 2) const {
     return make(gmsh3(file(content), parameter("order", "int", std::to_string(order))));
   }
-  /// What is said of a spoilt file; one line.
+  /// The error message of a damaged file, which is one line.
   std::string refusal(const std::string& content) const {
     const std::string text = input_error([&] { mesh(content); });
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 0) << text;
@@ -95,7 +95,7 @@ TEST_F(OldMshFile, WindowsLineEndsCommentsAndOtherSections) {
 
 TEST_F(OldMshFile, VersionsOneAndTwo) {
   expect_squares(*mesh(replaced(squares, "2.2 0 8", "2.1 0 8")));
-  // 2.0 has no dimensions of names
+  // format 2.0 has no dimensions of names
   std::string older = replaced(squares, "2.2 0 8", "2 0 8");
   for (const char* name : {"1 1 \"", "1 2 \"", "1 3 \"", "1 4 \"", "2 5 \"", "2 6 \""})
     older = replaced(older, std::string("\n") + name, std::string("\n") + (name + 2));
@@ -134,17 +134,17 @@ TEST_F(OldMshFile, PartitionsDoNotCount) {
   text = replaced(text, "7 3 2 5 1 ", "7 3 5 5 1 2 1 -2 ");
   text = replaced(text, "8 3 2 6 1 ", "8 3 5 6 1 2 2 -1 ");
   expect_squares(*mesh(text));
-  // what Gmsh puts between partitions of one region: it has that region's tag, and no partition
+  // an interface that Gmsh puts between partitions of one region has that region's tag, and no partition
   text = replaced(text, "8 3 5 6 1 2", "8 3 5 5 1 2");
   text = replaced(text, "$Elements\n8\n", "$Elements\n10\n9 1 2 5 7 2 5\n10 15 2 5 8 5\n");
   EXPECT_EQ(sizes(*mesh(text)),
             (std::map<std::string, std::size_t>{{"bottom", 2}, {"left", 1}, {"right", 1}, {"top", 2}}));
   EXPECT_TRUE(mesh(text)->node_sets().empty());
-  // a line of such a number that does not lie between partitions is meant
+  // a line with such a number that does not lie between partitions is a side
   EXPECT_EQ(sizes(*mesh(replaced(text, "9 1 2 5 7 2 5", "9 1 2 5 7 3 6"))).at("5"), 1u);
 }
 
-/// The same elements as a binary file; `turned`: with the other order of bytes.
+/// The elements as a binary file; `turned`: with the other byte order.
 std::string binary_squares(bool turned) {
   std::string result = replaced(format, "2.2 0 8\n$End", "2.2 1 8\nONE\n$End") + names;
   const auto put = [&](auto value) {
@@ -198,7 +198,8 @@ TEST_F(OldMshFile, QuadrilateralsOfEightNodesGetCentres) {
   EXPECT_CONTAINS(refusal(text), "region '5' has quad9 elements, which are of order 2, but 'order' is 1");
 }
 
-/// Values of the serendipity shapes of a hexahedron at a reference place; nodes as those of hex27 begin.
+/// Values of the serendipity shape functions of a hexahedron at a reference point, in the order of the first 20 nodes
+/// of hex27.
 std::vector<double> serendipity(const Vec<double, 3>& xi) {
   std::vector<double> N;
   for (int a = 0; a < 20; ++a) {

@@ -104,7 +104,7 @@ TEST(Shapes, SidesLookOutward) {
       const auto nodes = side_nodes(shape, side);
       const Place a = reference_node(shape, nodes[0]), b = reference_node(shape, nodes[1]),
                   c = reference_node(shape, nodes.back());
-      double outward = 0;  // normal times the way from the cell's middle
+      double outward = 0;  // normal times the vector from the cell's centre
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         const double middle = is_simplex(shape) ? 0.25 : 0;

@@ -6,7 +6,7 @@ namespace mudline {
 namespace {
 
 TEST(SideTable, NumbersKeysInTheOrderInWhichTheyAreMet) {
-  SideTable table(3);  // far fewer than there will be
+  SideTable table(3);  // far fewer than the actual number of keys
   for (int round = 0; round < 2; ++round)
     for (long long i = 0; i < 1000; ++i) EXPECT_EQ(table.number({i % 7, i, i + 1, -1}), static_cast<std::size_t>(i));
   EXPECT_EQ(table.size(), 1000u);

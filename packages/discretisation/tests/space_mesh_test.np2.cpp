@@ -43,7 +43,7 @@ TEST_P(SpaceOnTwoRanks, PartsMakeTheWhole) {
   EXPECT_EQ(mesh_->region_bounds().at("clay").high, (Point{2, 1, 1.5}));
 }
 
-/// Ranks meet where one plane cuts the box: a partition across edges only would be ragged.
+/// The two parts meet near one plane: a partition that counts neighbours across edges only would be ragged.
 TEST_P(SpaceOnTwoRanks, TheCutIsSmall) {
   const double ghosts = sum(mesh_->num_nodes() - mesh_->num_owned_nodes());
   const int per_cell = order(mesh_->blocks()[0].shape);

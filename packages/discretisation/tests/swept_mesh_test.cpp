@@ -33,7 +33,7 @@ std::string revolved(double angle, int layers, const std::string& mesh) {
                mesh);
 }
 
-/// A ring of radii 1 to 3 and heights 0 to 1.
+/// A ring with radii 1 to 3 and heights 0 to 1.
 std::string ring(const std::string& cell, const std::string& more = "") {
   return parameter("type", "string", "box") + parameter("cell", "string", cell) +
          parameter("cells", "Array(int)", "{4, 2}") + parameter("lower", "Array(double)", "{1, 0}") +
@@ -119,7 +119,7 @@ TEST(RevolvedMesh, QuarterHalfAndWholeRing) {
       EXPECT_EQ(mesh->has_side_set("start"), angle < 360);
       if (angle == 90) expect_sides(*mesh, {{"start", {2, 0, -2, 0}}, {"end", {2, -2, 0, 0}}}, 1e-12);
       if (angle == 180) expect_sides(*mesh, {{"start", {2, 0, -2, 0}}, {"end", {2, 0, -2, 0}}}, 1e-12);
-      // middle nodes too lie on circles
+      // mid-side nodes lie on circles too
       for (int node : mesh->nodes_of_set("right"))
         EXPECT_NEAR(std::hypot(mesh->coordinates()(node, 0), mesh->coordinates()(node, 1)), 3, 1e-12);
       if (angle == 360)
@@ -129,7 +129,7 @@ TEST(RevolvedMesh, QuarterHalfAndWholeRing) {
     }
 }
 
-/// A disc of radius 2 and heights 0 to 1: the left side of the plane is the axis.
+/// A disc of radius 2 with heights 0 to 1: the left side of the plane is the axis.
 TEST(RevolvedMesh, TrianglesCollapseAtTheAxis) {
   for (const char* cell : {"tri6", "tri3"})
     for (const auto& [angle, layers] : {std::pair{90., 4}, {180., 8}, {360., 16}}) {
@@ -151,7 +151,7 @@ TEST(RevolvedMesh, TrianglesCollapseAtTheAxis) {
 #ifdef MUDLINE_HAVE_GMSH
 TEST(RevolvedMesh, OfAGmshModelWithPointsAndCurvedSides) {
   const auto mesh = make(revolved(180, 8, gmsh("cone.geo")));
-  const double sphere = 2.0 / 3 * pi * 0.125;  // cut out at the upper end of the axis: half of it, turned by half
+  const double sphere = 2.0 / 3 * pi * 0.125;  // half a sphere cut out at the axis; half a turn cuts half of it
   EXPECT_NEAR(area(*mesh), pi * 9 - sphere / 2, 3e-2);
   EXPECT_EQ(mesh->regions(), (std::vector<std::string>{"sand", "clay"}));
   EXPECT_NEAR(side_integral(*mesh, "notch")[0], pi * 0.25, 3e-3);

@@ -43,7 +43,7 @@ TEST(Triangulation, KeepsTheGivenSidesAndAskedSizes) {
     EXPECT_GT(std::min({x[0], x[1], 2 - x[0], 2 - x[1]}), 0);  // none on the outer sides
     (x[0] < 1 ? left : right) += 1;
   }
-  // as many more as the areas of their triangles are smaller, where the long sides let them
+  // the number grows as the triangles' area shrinks, as far as the long sides permit
   EXPECT_GT(right, 2 * left);
   const Triangulation again = triangulate(corners, regions, size, 60);
   EXPECT_EQ(again.points, mesh.points);
@@ -63,14 +63,14 @@ TEST(Triangulation, SaysWhatCannotBeMeshed) {
   try {
     triangulate(square, {{{{0, 1, 2, 3}}}}, slow, 0.3);
     FAIL();
-  } catch (const ChildLost& failure) {  // which says nothing of the region
+  } catch (const ChildLost& failure) {  // this says nothing about the region
     EXPECT_TRUE(failure.timed_out);
     EXPECT_NE(std::string(failure.what()).find("had not finished after"), std::string::npos) << failure.what();
   }
 }
 
-/// Halves of n by n squares on each face of a box of corners `low` and `high`, as seen from outside; its vertices are
-/// added.
+/// Triangles, two for each of n by n squares, on each face of a box with corners `low` and `high`, counter-clockwise as
+/// seen from outside. Adds their vertices.
 std::vector<std::array<int, 3>> box_faces(double low, double high, int n, std::vector<Point>& vertices) {
   std::map<std::array<int, 3>, int> numbers;
   const auto vertex = [&](int axis, int side, int i, int j) {

@@ -51,7 +51,7 @@ bool inside(const std::vector<PlanePoint>& line, const PlanePoint& x) {
   return in;
 }
 
-/// Gap against the sampled polyline; normal and turning against differences of gap and normal.
+/// Compares the gap with the sampled polyline; normal and turning with differences of gap and normal.
 void compare_with_brute_force(const Contour& c, double size) {
   const auto line = c.sample(1e-9 * size);
   std::mt19937 random(7);
@@ -175,7 +175,7 @@ TEST(Contour, ArcLengthTravelsWithThePointAndRoundTheSeam) {
   const auto at = [&](double angle) { return ball.closest({inside * std::cos(angle), 1 + inside * std::sin(angle)}); };
   for (const double angle : {-1.2, 0.3, seam - turn / 2})
     EXPECT_NEAR(ball.distance(at(angle), at(angle + turn)), turn, 1e-12) << angle;
-  EXPECT_NEAR(at(0.3).travel, 1 / inside, 1e-12);  // per distance that the point makes at its smaller radius
+  EXPECT_NEAR(at(0.3).travel, 1 / inside, 1e-12);  // per distance travelled by the point at its smaller radius
   const Contour c = contour(cone(1.0, 60, 0.0, 0.0));
   EXPECT_EQ(c.closest({0.1, 0.0}).travel, 1);
 }

@@ -1,4 +1,4 @@
-// Contours of curves that Gmsh reads, against the same contours made otherwise.
+// Contours of curves that Gmsh reads, compared with the same contours of other shapes.
 #ifdef MUDLINE_HAVE_GMSH
 #include <gtest/gtest.h>
 

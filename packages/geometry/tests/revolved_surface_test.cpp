@@ -137,7 +137,7 @@ TEST(RevolvedSurface, CylinderIsExactAndGoesOn) {
   const SurfaceProjection base = pile->closest({0, 0, -0.3});
   EXPECT_NEAR(base.gap, 0.3, 1e-15);
   expect_turning(base, {0, 0, -1}, 0, 0, 1e-14);
-  // on the axis inside the shaft all round is equally near
+  // on the axis inside the shaft all points around are equally near
   const SurfaceProjection axis = pile->closest({0, 0, 5});
   EXPECT_NEAR(axis.gap, -0.5, 1e-13);
   EXPECT_NEAR(axis.normal[0], 1, 1e-13);
@@ -187,8 +187,7 @@ TEST(RevolvedSurface, MomentsOfTheSphereAndTheTorpedo) {
   const SolidMoments exact = body->moments();
   const SurfaceTriangles drawn = body->triangles(1e-4);
   SolidMoments facets;
-  for (std::size_t f = 0; f < drawn.facets.size();
-       ++f) {  // a flat facet's moments need the mid-side nodes of its edges
+  for (std::size_t f = 0; f < drawn.facets.size(); ++f) {  // a flat facet's moments need the midpoints of its edges
     for (int k = 0; k < 3; ++k)
       facets.add_side(0.5 * (drawn.points[drawn.facets[f][k]] + drawn.points[drawn.facets[f][(k + 1) % 3]]),
                       1.0 / 6 * drawn.area_vector(f));

@@ -8,7 +8,7 @@
 namespace mudline {
 namespace {
 
-/// Corners of a box, turned.
+/// Corners of a rotated box.
 std::vector<Point> box(const Point& lengths, const Rotation& turn) {
   std::vector<Point> corners;
   for (const double x : {-0.5, 0.5})

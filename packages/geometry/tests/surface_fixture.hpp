@@ -51,7 +51,7 @@ struct RandomPoints {
   std::uniform_real_distribution<double> unit{0, 1};
 };
 
-/// What a gap and its derivatives miss: the largest differences at random points.
+/// Errors of a gap and its derivatives: the largest differences at random points.
 struct DerivativeErrors {
   double normal = 0, turning = 0;     // against differences of the gap [-] and of the normal [1/m]
   double symmetry = 0, along = 0;     // of the turning [1/m]; along: turning . normal

@@ -71,7 +71,7 @@ TEST(SurfaceUnion, FinsOnAShaftThatGoesOn) {
   EXPECT_EQ(body.closest({0.1, 1.2, 3}).part, 2);
   EXPECT_NEAR(body.closest({0.1, 1.2, 3}).gap, 0.075, 1e-14);
   EXPECT_EQ(body.closest({0.1, 1.2, 30}).part, 0);
-  EXPECT_NEAR(body.closest({-0.4, 0, 3}).gap, -0.1, 1e-14);  // the root of a fin does not show
+  EXPECT_NEAR(body.closest({-0.4, 0, 3}).gap, -0.1, 1e-14);  // the root of a fin is inside the hull
   EXPECT_TRUE(std::isinf(body.bounds().high[2]));
   EXPECT_NEAR(body.bounds().high[0], 1.3, 1e-12);
   EXPECT_EQ(body.moments().volume, 0);

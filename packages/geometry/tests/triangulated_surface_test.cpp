@@ -148,7 +148,7 @@ TEST(TriangulatedSurface, LongFacetsStayNearTheBody) {
 }
 
 TEST(TriangulatedSurface, CostGrowsAsTheLogarithm) {
-  // boxes that are opened, not times
+  // counts of opened boxes instead of times
   std::vector<int> opened;
   for (const int cuts : {2, 5}) {
     const SurfaceTriangles sphere = icosphere(cuts);
@@ -209,7 +209,7 @@ TEST(TriangulatedSurface, MomentsBoundsAndTriangles) {
 TEST(TriangulatedSurface, SharpEdgesStayWithinTheirFacets) {
   const TriangulatedSurface surface(RoundedBox({2, 1, 1}, 0).triangles(1));
   EXPECT_NEAR(surface.largest_angle(), 1.5708, 1e-4);
-  // the corners are points of it, whatever the smoothing makes of the sides
+  // the corners are points of the surface, whatever the smoothing does to the sides
   for (const double sx : {-1.0, 1.0})
     for (const double sy : {-0.5, 0.5}) EXPECT_NEAR(surface.closest({sx, sy, 0.5}).gap, 0, 1e-12);
 }
@@ -232,7 +232,7 @@ TEST(TriangulatedSurface, FaultsAreNamed) {
   SurfaceTriangles flat = icosphere(0);
   flat.points[flat.facets[2][2]] = 0.5 * (flat.points[flat.facets[2][0]] + flat.points[flat.facets[2][1]]);
   EXPECT_NE(error(flat).find("1 facet has no area, the first one at ("), std::string::npos) << error(flat);
-  // a pyramid so flat that its sides stand upside down to the mean of those at the points of its base
+  // a pyramid so flat that its sides are upside down relative to the mean normal at the points of its base
   const SurfaceTriangles wedge{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.01}},
                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   EXPECT_NE(error(wedge).find("the surface is folded at ("), std::string::npos) << error(wedge);

@@ -1,4 +1,4 @@
-// What the chord control keeps in a checkpoint, and when it expects a new Jacobian.
+// Checkpoint data of the chord control, and its prediction of a new Jacobian.
 #include "integrator/chord.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ TEST(Chord, MemoryComesBackFromTheEndOfWhatFollowsIt) {
   ChordControl chord;
   chord.start_step({0.5, 1, 0});
   chord.remeshed();
-  std::vector<double> memory{7, 8};  // the linear solver's
+  std::vector<double> memory{7, 8};  // memory of the linear solver
   chord.save(memory);
   ChordControl again;
   again.restore(memory);
@@ -34,7 +34,7 @@ TEST(Chord, IncompleteMemoryIsRefused) {
   }
 }
 
-/// After a step whose first iteration left `contraction` of its residual.
+/// The control after a step whose first iteration reduced the residual by the factor `contraction`.
 ChordControl after_step(double contraction) {
   ChordControl chord;
   chord.enabled = true;

@@ -9,9 +9,9 @@ TEST(Forcing, FollowsTheContraction) {
   Forcing forcing;
   forcing.start_step();
   EXPECT_DOUBLE_EQ(forcing.next(1e6), 0.1);
-  EXPECT_DOUBLE_EQ(forcing.next(4e5), 0.1);              // contracted by 0.4: 0.9 0.4^2 is more than the largest share
-  EXPECT_DOUBLE_EQ(forcing.next(8e4), 0.9 * 0.2 * 0.2);  // by 0.2
-  EXPECT_DOUBLE_EQ(forcing.next(800), 0.3 / 800);        // 0.9 0.01^2 is less than the end needs
+  EXPECT_DOUBLE_EQ(forcing.next(4e5), 0.1);              // contraction 0.4: 0.9 0.4^2 exceeds the largest share
+  EXPECT_DOUBLE_EQ(forcing.next(8e4), 0.9 * 0.2 * 0.2);  // contraction 0.2
+  EXPECT_DOUBLE_EQ(forcing.next(800), 0.3 / 800);        // 0.9 0.01^2 is less than convergence needs
   EXPECT_DOUBLE_EQ(forcing.next(8), 0.3 / 8);
   EXPECT_DOUBLE_EQ(forcing.next(0.5), 0.1);
 }
@@ -21,11 +21,11 @@ TEST(Forcing, SolvesFurtherAtOnceWhereTheStepBeforeHadNoCurvature) {
   for (const double share : {0.1, 0.9 * 0.1 * 0.1, 0.9 * 0.009 * 0.009}) {
     forcing.start_step();
     EXPECT_NEAR(forcing.next(1e6), share, 1e-12);
-    forcing.next(1e6 * share);  // nothing but what the linear solve left
+    forcing.next(1e6 * share);  // the residual is just what the linear solve left
   }
   forcing.start_step();
   forcing.next(1e6);
-  forcing.next(5e5);  // curvature
+  forcing.next(5e5);  // the residual is dominated by curvature
   forcing.start_step();
   EXPECT_DOUBLE_EQ(forcing.next(1e6), 0.1);
 }

@@ -14,15 +14,16 @@
 
 namespace mudline::testing {
 
-/// m d2u + c du + k u - l p = load(t),  l du + s dp + h p = source(t), d the derivative in time; p in balance equations
-/// as in soil: forces at n+1 are history, the rest is evaluated at the integrator's own level.
+/// m d2u + c du + k u - l p = load(t), l du + s dp + h p = source(t), d is the time derivative. The equations are
+/// coupled as in soil: spring forces at n+1 are a history term, the other terms are evaluated at the integrator's
+/// levels.
 struct Mode {
   double m = 1, c = 0, k = 1, l = 0, s = 0, h = 0;
   std::function<double(double)> load = [](double) { return 0.0; }, source = [](double) { return 0.0; };
-  double tangent = 0;  // what the Jacobian has for k; 0: k
+  double tangent = 0;  // stiffness used in the Jacobian instead of k; 0: k
 };
 
-/// k u - l p at n+1.
+/// The term k u - l p at n+1.
 class Spring : public Term, public History {
  public:
   Spring(const Space& space, Mode& mode)
@@ -57,7 +58,7 @@ class Spring : public Term, public History {
   int group_ = -1;
 };
 
-/// Mass, damper and load at the level of momentum; the balance at its own.
+/// Mass, damper and load at the momentum level; the balance of p at the balance level.
 class Rest : public Term {
  public:
   Rest(const Space& space, Mode& mode)
@@ -98,7 +99,7 @@ class Rest : public Term {
   int group_ = -1;
 };
 
-/// One mode on each node of a triangle, through the real stepper and solver.
+/// One mode on each node of a triangle, solved by the actual stepper and linear solver.
 class ModalSystem {
  public:
   explicit ModalSystem(bool coupled, const Mode& what)
@@ -112,7 +113,7 @@ class ModalSystem {
     stepper_ = std::make_unique<Stepper>(space_, store_, std::vector<Term*>{&spring_, &rest_}, solver_,
                                          [](const StepView&) { return BlockData(); });
   }
-  /// Initial values; accelerations and rates of p from the equations unless given.
+  /// Sets the initial values; accelerations and rates of p follow from the equations.
   void start(double u, double v, double p = 0) {
     State& state = store_.committed();
     state.time = 0;
@@ -125,7 +126,7 @@ class ModalSystem {
     for (int i = 0; i < 3; ++i) set(i, u, v, a, 0, 0);
     ASSERT_TRUE(stepper_->refresh_history());
   }
-  /// From the committed state, from which a linear problem takes one iteration however long the step.
+  /// Options with the committed state as first guess, from which a linear problem takes one iteration at any step size.
   static NewtonOptions newton() {
     NewtonOptions options;
     options.first_guess = NewtonOptions::FirstGuess::committed;
@@ -137,7 +138,7 @@ class ModalSystem {
     ASSERT_LE(report.newton_iterations, 1) << "the problem is linear";
     store_.accept();
   }
-  /// The same, with its time errors of displacement and of pressure over `tolerance`, norms over the three nodes.
+  /// Does a step and returns its time errors of displacement and pressure over `tolerance`; norms over the three nodes.
   static constexpr double tolerance = 1e-12;
   std::array<LocalError, 2> measured_step(double dt, double dt_old, int index, const TimeScheme& scheme) {
     const StepReport report = stepper_->attempt(request(dt, scheme), StepTolerances(), newton());

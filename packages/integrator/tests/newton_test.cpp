@@ -79,7 +79,7 @@ double arctangent_slope(double x) { return 1 / (1 + x * x); }
 double itself(double x) { return x; }
 double one(double) { return 1; }
 
-/// Below its tolerance from the start, but its updates never get small.
+/// Its residual is below the tolerance from the start, but its updates never get small.
 class Restless : public Scalar {
  public:
   explicit Restless(bool at_rounding) : Scalar(itself, one), at_rounding_(at_rounding) {}
@@ -114,13 +114,13 @@ double root(double x) { return std::copysign(std::sqrt(std::abs(x)), x); }
 double root_slope(double x) { return 0.5 / std::sqrt(std::abs(x)); }
 
 TEST(Newton, WhatGoesToAndFroIsGivenUp) {
-  // full steps lead from x to -x
+  // full steps alternate between x and -x
   Scalar problem(root, root_slope);
   const NewtonReport report = solve(problem, "", 3);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 3);
   EXPECT_EQ(report.reason.find("the iterates go to and fro"), 0u) << report.reason;
-  // where no other solve may follow, all iterations are used
+  // without a damped retry all iterations are used
   for (const std::string& alone :
        {parameter("damped retry", "bool", "false"), parameter("largest growth", "double", "1.2")}) {
     Scalar again(root, root_slope);
@@ -133,7 +133,7 @@ TEST(Newton, IsTriedAgainWithDampedSteps) {
   EXPECT_TRUE(usual.may_be_damped());
   EXPECT_FALSE(usual.damped().may_be_damped());
   EXPECT_FALSE(read(nox("")).may_be_damped());
-  // the first full step from -4 goes to 50, from where it takes fifty more to come back
+  // the first full step goes from -4 to 50, and fifty more iterations are needed to return
   Scalar full(growth, growth_slope), damped(growth, growth_slope);
   Vector x(full.map());
   x.putScalar(-4);
@@ -156,7 +156,7 @@ TEST(Newton, FullStepOfNoxTakesItsShare) {
 
 TEST(Newton, BacktrackOfNoxShortensTheStep) {
   Scalar full(arctangent, arctangent_slope);
-  EXPECT_FALSE(solve(full, nox(parameter("Method", "string", "Full Step")), 3).converged);  // it runs away
+  EXPECT_FALSE(solve(full, nox(parameter("Method", "string", "Full Step")), 3).converged);  // the iteration diverges
   Scalar searched(arctangent, arctangent_slope);
   const std::string method = parameter("Method", "string", "Backtrack");
   EXPECT_TRUE(

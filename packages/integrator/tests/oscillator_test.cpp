@@ -24,7 +24,7 @@ Mode forced() {
   return mode;
 }
 
-/// Displacement after `steps` of the scheme written down for one unknown, the acceleration.
+/// Displacement after `steps` of the scheme, written for the acceleration as the only unknown.
 double algorithm(const Mode& m, const TimeScheme& s, double d, double v, double duration, int steps) {
   const double dt = duration / steps, af = s.alpha_f, am = s.alpha_m;
   double a = (m.load(0) - m.c * v - m.k * d) / m.m;
@@ -65,7 +65,7 @@ struct Spectrum {
   double radius, damping, period_error;
 };
 
-/// Of the matrix that takes (d, dt v, dt^2 a) of the undamped oscillator over one step; column by column.
+/// Spectrum of the amplification matrix of (d, dt v, dt^2 a) of the undamped oscillator, built column by column.
 Spectrum spectrum(const TimeScheme& scheme, double step_over_period) {
   Mode mode;
   mode.k = 4 * pi * pi;
@@ -129,7 +129,7 @@ TEST(Oscillator, StartsWithTheAccelerationOfItsForces) {
 
 TEST(Oscillator, TheCommittedStateAndTheFirstGuessAreEvaluatedOnceEach) {
   Mode mode;
-  mode.k = 0;  // moves on at its speed, as guessed
+  mode.k = 0;  // continues at its velocity, which is the first guess
   ModalSystem system(false, mode);
   system.start(0.5, -2);
   const int before = system.evaluations();

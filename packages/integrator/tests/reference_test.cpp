@@ -1,4 +1,4 @@
-// What Newton's residual is measured against: what acts in the step, not what stands for long; and a floor of rounding.
+// Reference of Newton's residual: the forces that act in the step, not lasting ones, with a floor from rounding.
 #include <gtest/gtest.h>
 
 #include "modal_fixture.hpp"
@@ -18,7 +18,7 @@ TimeScheme without_inertia() {
 
 constexpr double weight = 1e9;
 
-/// Springs under a weight, to which a load is added that is 1e-7 of it.
+/// Springs under a weight, with an additional load of 1e-7 of the weight.
 Mode weighted() {
   Mode m;
   m.m = 0;
@@ -39,7 +39,7 @@ TEST(Reference, IsNotTheWeightThatStandsThere) {
 
 TEST(Reference, AtRestAStepConvergesAtOnce) {
   ModalSystem system(false, weighted());
-  system.start_raw(weight / 1e6 * (1 + 1e-15), 0, 0);  // but for rounding
+  system.start_raw(weight / 1e6 * (1 + 1e-15), 0, 0);  // equilibrium up to rounding
   for (int i = 0; i < 3; ++i) {
     const StepReport report = system.attempt(0.1, without_inertia());
     ASSERT_TRUE(report.converged) << report.reason;
@@ -64,7 +64,7 @@ TEST(Reference, UniformMotionHasTheRoundingOfItsInertia) {
 }
 
 TEST(Reference, AFieldThatStandsOffZeroHasTheRoundingOfItsFlow) {
-  Mode m;  // a pressure that its source holds where it is
+  Mode m;  // the source keeps the pressure constant
   m.m = 0;
   m.s = 2e6;
   m.h = 3;
@@ -88,7 +88,7 @@ TEST(Reference, ATangentBeyondAllBoundsExcusesNoResidual) {
   ModalSystem system(false, m);
   system.start_raw(1e-3, 0, 0);
   system.step(1, without_inertia());
-  system.mode.tangent = 1e30;  // of a law, say, that was asked for the answer to an absurd strain
+  system.mode.tangent = 1e30;  // like the tangent of a law at an absurd strain
   NewtonOptions newton = ModalSystem::newton();
   newton.reuse_jacobian = false;
   EXPECT_FALSE(system.attempt(1, without_inertia(), newton).converged)

@@ -1,5 +1,5 @@
-// The estimated time error of a step is that of the step: size and order, for every integrator, against fine steps from
-// the same state.
+// The estimated time error of a step against the true one, found with fine steps from the same state: size and order,
+// for every integrator.
 #include <gtest/gtest.h>
 
 #include "modal_fixture.hpp"
@@ -22,7 +22,7 @@ struct Result {
   double estimate, truth, exponent;
 };
 
-/// Of one field, for one step after 0.4 s in steps of dt.
+/// Estimated and true error of one field in one step after 0.4 s in steps of dt.
 Result one_step(int field, const TimeScheme& scheme, double dt) {
   ModalSystem system(true, mode(scheme.inertia));
   system.start(0.1, scheme.inertia ? 0.2 : 0.0, 0.3);
@@ -32,7 +32,7 @@ Result one_step(int field, const TimeScheme& scheme, double dt) {
   const LocalError error = system.measured_step(dt, dt, steps, scheme)[field];
   const double taken = field == 0 ? system.u() : system.p();
   system.store().restore();
-  TimeScheme fine;  // the trapezoidal rule; the pressures' rates, which mean another instant, do not enter
+  TimeScheme fine;  // the trapezoidal rule; it does not use the pressure rates, which belong to another instant
   fine.inertia = scheme.inertia;
   fine.incremental = true;
   fine.theta = 0.5;
@@ -83,7 +83,7 @@ TEST(TimeError, IsNotKnownAtTheStart) {
 }
 
 TEST(TimeError, OfDifferentStepsInARow) {
-  // the differences of the rates belong to the steps that were taken
+  // differences of rates use the sizes of the steps actually taken
   ModalSystem system(true, mode(false));
   system.start(0.1, 0, 0.3);
   double old = 0.002;

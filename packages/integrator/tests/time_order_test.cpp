@@ -16,7 +16,7 @@ double a_exact(double t) { return -9 * std::sin(3 * t); }
 double p_exact(double t) { return std::cos(2 * t) + t; }
 double p_rate_exact(double t) { return -2 * std::sin(2 * t) + 1; }
 
-/// Loads under which the mode moves as above.
+/// Manufactured loads for the motion above.
 Mode manufactured(bool inertia) {
   Mode m{inertia ? 2.0 : 0.0, inertia ? 0.3 : 0.0, 30, 4, 0.5, 3, {}, {}};
   m.load = [m](double t) { return m.m * a_exact(t) + m.c * v_exact(t) + m.k * u_exact(t) - m.l * p_exact(t); };
@@ -51,7 +51,7 @@ void check_order(const std::string& what, const TimeScheme& scheme, double order
   ::testing::Test::RecordProperty(what, std::to_string(u) + " " + std::to_string(p));
 }
 
-/// As from a deck.
+/// The scheme of an integrator that is read from a deck.
 TimeScheme scheme(const std::string& type, const std::vector<std::pair<std::string, double>>& numbers = {},
                   const std::string& pressure = "") {
   Registry<TimeIntegrator> registry("integrator");

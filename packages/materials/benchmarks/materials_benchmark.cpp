@@ -16,7 +16,7 @@ struct Batch {
   PointView old_stress, strain, e, stress, tangent, old_state, state;
   Kokkos::View<int*> failed;
 
-  /// Points at p' = 50 to 150 kPa, sheared by `size` in directions that differ from point to point.
+  /// Points at p' = 50 to 150 kPa, each sheared by `size` in another direction.
   Batch(const Skeleton& law, double ocr, double size, int n)
       : points(n),
         old_stress("old_stress", n, 6),
@@ -73,7 +73,7 @@ void cam_clay_elastic(benchmark::State& bench) {
 }
 BENCHMARK(cam_clay_elastic)->ArgName("tangent")->Arg(0)->Arg(1);
 
-/// range(1): strain increment in units of 1e-5.
+/// range(1) is the strain increment in units of 1e-5.
 void cam_clay_plastic(benchmark::State& bench) {
   run(bench, PointwiseSkeleton<ModifiedCamClay>(clay(false)), 1.0, 1e-5 * bench.range(1), bench.range(0) != 0);
 }
@@ -99,7 +99,8 @@ double substeps(const ModifiedCamClay& law, const Batch& batch) {
   return static_cast<double>(sum) / batch.points;
 }
 
-/// A mesh of 10^5 points, normally consolidated, which no cache holds; range(0): integration; range(1): strain in 1e-5.
+/// A mesh of 10^5 normally consolidated points, which does not fit in a cache; range(0): integration; range(1): strain
+/// in 1e-5.
 void cam_clay_mesh(benchmark::State& bench) {
   ModifiedCamClay law = clay(false);
   law.integration.method = static_cast<IntegrationOptions::Method>(bench.range(0));
@@ -122,8 +123,8 @@ void cam_clay_implicit_plastic(benchmark::State& bench) {
 }
 BENCHMARK(cam_clay_implicit_plastic)->ArgNames({"tangent", "strain"})->ArgsProduct({{0, 1}, {10, 100, 1000}});
 
-/// Laws with constant elasticity: elastic with much strength; else half of the points or more yield at a strain of
-/// 1e-2.
+/// Laws with constant elasticity: elastic with a high strength, otherwise at least half of the points yield at a strain
+/// of 1e-2.
 PointwiseSkeleton<AutomaticTangent<MohrCoulomb>> sand(bool elastic) {
   MohrCoulomb law;
   law.cohesion.value = elastic ? 1e6 : 5e3;

@@ -11,7 +11,7 @@ namespace mudline {
 
 namespace {
 
-constexpr double dt = 1.0;  // [s] of every increment: a law with rates must be given a time
+constexpr double dt = 1.0;  // [s] of every increment; a rate-dependent law needs a time
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
@@ -34,7 +34,8 @@ PointMotion straining(const Six& strain) {
   return motion;
 }
 
-/// Laws of plane strain and axisymmetry (a UMAT of four components) fail at out-of-plane shear, however small.
+/// Whether the law is for plane strain and axisymmetry only: it fails at any out-of-plane shear (a UMAT of four
+/// components).
 bool only_in_plane(const Skeleton& law) {
   Sampler sample(law, 7, false);
   int in_plane = 0, full = 0;
@@ -64,7 +65,8 @@ class Suite {
                                       : std::string(in_plane_ ? ", shear in the plane only" : ""))};
   }
 
-  /// The same bits again, with and without tangent; inputs untouched; failures counted as flagged.
+  /// Repeated evaluation gives the same bits, with and without tangent; inputs are unchanged; the count of failures
+  /// agrees with the flags.
   ConformanceCheck purity() const {
     Sampler sample = sampler(1);
     const int points = 500;
@@ -136,7 +138,7 @@ class Suite {
                  limits_.rotation, failed, limits_.rotation_points)};
   }
 
-  /// No strain in no time changes nothing; nor was there time before, or a viscous law would relax.
+  /// No strain in zero time changes nothing. The increment before also has zero time, or a viscous law would relax.
   ConformanceCheck idleness() const {
     Sampler sample = sampler(6);
     double worst = 0.0;
@@ -169,7 +171,7 @@ class Suite {
     int failed = 0, undefined = 0, absurd_points = 0;
     for (int n = 0; n < limits_.random_points; ++n) {
       const MaterialPoint point = start(law_, sample.point());
-      const bool absurd = n % 100 == 0;  // such an increment may fail, but only cleanly
+      const bool absurd = n % 100 == 0;  // such an increment may fail, but must be reported as failed
       absurd_points += absurd ? 1 : 0;
       const PointTrial trial = point.evaluate(straining(sample.increment(1e-8, absurd ? 1e3 : 5e-2)), dt, true);
       failed += !trial.ok && !absurd ? 1 : 0;
@@ -273,7 +275,7 @@ std::vector<ConformanceCheck> check_conformance(const Skeleton& law, const Entry
                                                 const ConformanceLimits& limits) {
   const Suite suite(law, limits);
   std::vector<ConformanceCheck> checks{suite.starts()};
-  if (checks.front().passed)  // otherwise nothing can be said of the points below
+  if (checks.front().passed)  // otherwise the checks below are meaningless
     checks.insert(checks.end(), {suite.purity(), suite.tangent(), suite.isotropy(), suite.idleness(),
                                  suite.finite_numbers(), suite.state_and_moduli()});
   checks.push_back(documented(documentation));

@@ -6,19 +6,19 @@
 
 namespace mudline {
 
-/// Random states that a law may start from and random strain increments, repeatable.
+/// Reproducible random initial states and strain increments for a law.
 class Sampler {
  public:
   /// `in_plane`: the law refuses the shears yz and xz, so they stay zero.
   Sampler(const Skeleton& law, unsigned seed, bool in_plane);
 
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  /// A point that the law accepts: where it refuses, the deviator is drawn smaller and smaller.
+  /// A point that the law accepts; where the law refuses, the deviator is reduced repeatedly.
   InitialPoint point();
   Six increment(double smallest, double largest);
-  /// Row-major; about z when in the plane.
+  /// A random rotation, row-major; about z in the plane.
   std::array<double, 9> rotation();
-  /// Points that the law refused even without a deviator.
+  /// Number of points that the law refused even without a deviator.
   int refused() const { return refused_; }
   const std::string& refusal() const { return refusal_; }
 

@@ -14,7 +14,7 @@ namespace mudline {
 
 namespace {
 
-/// The exponential of a symmetric 3 x 3 tensor: of a 2^n-th of it by its series, then squared n times.
+/// The exponential of a symmetric 3 x 3 tensor: Taylor series of a 2^n-th of it, squared n times.
 std::array<double, 9> exponential_of(const Six& strain) {
   double size = 0;
   for (int i = 0; i < 3; ++i)
@@ -40,7 +40,8 @@ std::array<double, 9> exponential_of(const Six& strain) {
   return sum;
 }
 
-/// What a point without a place is told: F = V R, with the stretch V of the strain behind the rotation R.
+/// Writes the surroundings of a point without a position: F = V R, where the stretch V of the strain follows the
+/// rotation R.
 void write_surroundings(const PointMotion& motion, const double (&turn)[9], double* row) {
   std::fill_n(row, Surroundings::size, std::numeric_limits<double>::quiet_NaN());
   row[Surroundings::element] = row[Surroundings::point] = 1;

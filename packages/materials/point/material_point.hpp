@@ -10,22 +10,22 @@ namespace mudline {
 
 using Six = std::array<double, 6>;
 
-/// What one increment does to a point, in the signs and the order of SkeletonWorkset. Stress and tensors of the state
-/// are turned by the angle about z first, as the finite elements do (Hughes and Winget 1980).
+/// Motion of a point in one increment, with signs and order of SkeletonWorkset. Stress and state tensors are first
+/// rotated by the angle about z, as in the finite elements (Hughes and Winget 1980).
 struct PointMotion {
   Six strain{};
   double cosine = 1.0, sine = 0.0;
 };
 
-/// What a law answers to one increment.
+/// Result of a law for one increment.
 struct PointTrial {
   Six stress{};
   std::vector<double> state;
   std::array<double, 36> tangent{};  // row-major, if wanted
   bool ok = false;                   // the law's flag, and only finite numbers
-  std::string failure;               // why not: the law's answer, with stress and strain increment
-  bool old_untouched = true;         // the law left its inputs alone
-  bool flags_agree = true;           // the number of failures is that of the flags
+  std::string failure;               // the law's reason, with stress and strain increment
+  bool old_untouched = true;         // the law did not change its inputs
+  bool flags_agree = true;           // the returned number of failures agrees with the flags
 };
 
 /// One material point with its committed state. The void ratio follows the volume strain as in a full run:
@@ -42,7 +42,7 @@ class MaterialPoint {
   double void_ratio() const { return void_ratio_; }
   double time() const { return time_; }
 
-  /// Pure: the committed state stays.
+  /// Evaluates the law; the committed state does not change.
   PointTrial evaluate(const PointMotion& motion, double dt, bool want_tangent) const;
   void commit(const PointMotion& motion, double dt, const PointTrial& trial);
 

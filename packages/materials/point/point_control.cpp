@@ -11,12 +11,12 @@ namespace mudline {
 
 namespace {
 
-// Newton that leaves this much strain behind it in one increment (or more than twice the prescribed one) has gone
-// astray: there a law with v = v0 exp(-strain) has no stiffness left and agrees to anything.
+// Newton's method with a larger strain in one increment (and more than twice the prescribed one) has diverged: there a
+// law with v = v0 exp(-strain) has no stiffness left and satisfies any stress.
 constexpr double farthest = 0.5;
 constexpr int maximum_iterations = 40, maximum_cuts = 12;  // halvings of one increment: to 1/4096
-// Stresses agree to this part of the largest of them. A law with substepping may jump a little where their number
-// changes; what is reached then still counts when it is below the second number.
+// Stress tolerances relative to the largest stress. A law with substepping may jump slightly where the number of
+// substeps changes; a stalled iteration is accepted below the second number.
 constexpr double tolerance = 1e-10, tolerance_at_end = 1e-6;
 
 double largest(const Six& values) {
@@ -32,7 +32,7 @@ PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& 
   PointMotion motion;
   motion.strain = increment.tie.strain(change);
   if (!increment.sliding) return motion;
-  const double height = std::exp(strain_[1]), stretch = std::exp(change[1]);  // heights over that before
+  const double height = std::exp(strain_[1]), stretch = std::exp(change[1]);  // stretch: ratio of heights
   const double slide = change[5] / height;
   const Mat<double, 2> H = {{{0.0, 2.0 * slide / (1.0 + stretch)}, {0.0, 2.0 * (stretch - 1.0) / (1.0 + stretch)}}};
   MidpointRule<2> rule;
@@ -43,13 +43,13 @@ PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& 
   return motion;
 }
 
-/// Newton's correction of the stress-controlled components; false for a singular tangent. The rotation of a sliding
-/// point is left out: it hardly depends on what is sought.
+/// Newton's correction of the stress-controlled components; false for a singular tangent. The derivative of the
+/// rotation of a sliding point is left out, because it hardly depends on the unknowns.
 bool PointControl::correct(const PointIncrement& increment, const PointTrial& trial, Six& change) const {
   SmallLu<6> matrix;
   Six step{};
   const Six stress = increment.tie.stress(trial.stress);
-  std::array<Six, 6> tangent;  // of the controlled stresses by the changes
+  std::array<Six, 6> tangent;  // derivatives of the controlled stresses by the changes
   for (int j = 0; j < 6; ++j) {
     Six unit{}, column{};
     unit[j] = 1.0;
@@ -63,7 +63,7 @@ bool PointControl::correct(const PointIncrement& increment, const PointTrial& tr
     const bool sought = increment.stress_controlled[i];
     if (sought) step[i] = increment.stress[i] - stress[i];
     for (int j = 0; j < 6; ++j) {
-      const double kept = i == j ? 1.0 : 0.0;  // a component that follows its strain is not corrected
+      const double kept = i == j ? 1.0 : 0.0;  // a strain-controlled component is not corrected
       matrix.a[i][j] = sought && increment.stress_controlled[j] ? tangent[i][j] : kept;
     }
   }

@@ -4,9 +4,10 @@
 
 namespace mudline {
 
-/// Ties strains to one of them: while the component `driver` changes by x, the others change by x `follow` more. What
-/// is stress-controlled there is the stress that does work on this, sigma_driver + follow . sigma: at constant volume
-/// along y, with follow = (-1/2, 0, -1/2), the stress difference.
+/// Ties strains to one component: when the component `driver` changes by x, the others change by x `follow` in
+/// addition. The controlled stress of the driver is the work-conjugate one, sigma_driver + follow . sigma. Example:
+/// compression along y at constant volume has follow = (-1/2, 0, -1/2), and the conjugate stress is the stress
+/// difference.
 struct StrainTie {
   int driver = -1;  // none
   Six follow{};     // 0 for the driver itself
@@ -39,19 +40,19 @@ struct PointIncrement {
 };
 
 /// Drives a material point by Newton's method with the law's own tangent. An increment that does not converge, or that
-/// the law refuses, is halved again and again.
+/// the law refuses, is halved repeatedly.
 class PointControl {
  public:
   explicit PointControl(MaterialPoint& point) : point_(point) {}
 
-  /// False when even the smallest part fails; the point then stands where it got to.
+  /// False if even the smallest part fails; the point then stays at the last converged part.
   bool advance(const PointIncrement& increment) { return advance(increment, 0); }
 
   const MaterialPoint& point() const { return point_; }
-  const Six& strain() const { return strain_; }  // accumulated; of a sliding point see PointIncrement
+  const Six& strain() const { return strain_; }  // accumulated; for a sliding point see PointIncrement
   int iterations() const { return iterations_; }
   int cuts() const { return cuts_; }
-  /// What the law answered where it failed last; "" where it never has.
+  /// The last failure of the law; "" if there was none.
   const std::string& failure() const { return failure_; }
 
  private:
@@ -61,7 +62,7 @@ class PointControl {
   bool correct(const PointIncrement& increment, const PointTrial& trial, Six& change) const;
 
   MaterialPoint& point_;
-  Six strain_{}, rate_{};  // rate of the last increment without what is tied, from which the next is guessed [1/s]
+  Six strain_{}, rate_{};  // rate_ [1/s]: of the last increment without tied strains, the next first guess
   int iterations_ = 0, cuts_ = 0;
   std::string failure_;
 };

@@ -11,11 +11,11 @@ namespace mudline {
 namespace {
 
 const char* const components[6] = {"xx", "yy", "zz", "yz", "xz", "xy"};
-// The order in which a full run's initial state names them.
+// Names in the order of the initial state of a full run.
 const char* const stress_names[6] = {"effective stress xx", "effective stress yy", "effective stress zz",
                                      "shear stress yz",     "shear stress xz",     "shear stress xy"};
 
-/// Tension positive to compression positive, without a minus before a zero.
+/// Changes tension positive to compression positive, without negative zeros.
 double turned(double x) { return x == 0.0 ? 0.0 : -x; }
 
 bool contains(const std::vector<PointValue>& values, const std::string& name) {
@@ -41,7 +41,7 @@ void PointStart::parameters(Parameters& p) {
   }
   p.add("overconsolidation ratio", ocr, "-", positive(), "scales the yield surface through the initial stress");
   p.add("void ratio", void_ratio, "-", non_negative(), "initial void ratio; 0: that of the material, or of its law");
-  // Components that are all zero mean a start free of stress, unless there is another start.
+  // All components zero mean a stress-free start, unless the start is given otherwise.
   has_components = has_components || (any_given && mean == 0.0 && vertical == 0.0);
 }
 
@@ -98,7 +98,7 @@ PointOutcome PointTest::run(const Row& row) const {
   };
   report();
   outcome.complete = true;
-  double end = 0.0;  // [s] of the leg
+  double end = 0.0;  // [s] end of the leg
   for (const PointLeg& leg : legs()) {
     const double begin = end;
     end += leg.duration;
@@ -153,7 +153,7 @@ std::vector<PointValue> PointTest::values(const PointControl& control) const {
       std::string name = variable.name;
       if (variable.components > 1)
         name += std::string(" ") + (variable.components == 6 ? components[c] : std::to_string(c + 1));
-      // A law may call its memory as it likes, also like one of the columns above.
+      // A law may choose any names for its state variables, including those of the columns above.
       row.push_back({(contains(row, name) ? "law/" : "") + name, variable.unit, point.state()[slot++]});
     }
   }

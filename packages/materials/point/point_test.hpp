@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-/// The soil of a test: what a material point needs of an entry of the deck's "materials".
+/// The soil of a test: data of an entry of the deck's "materials" that a material point needs.
 struct PointSoil {
   std::string name;
   std::shared_ptr<const Skeleton> skeleton;
@@ -19,7 +19,7 @@ struct PointSoil {
   double biot_coefficient = 1.0;  // [-]
 };
 
-/// One number of a row of results. Compression positive throughout: the whole stress and strain tensor, shear included.
+/// One number of a row of results. Stress and strain tensors are compression positive, shear included.
 struct PointValue {
   std::string name, unit;
   double value;
@@ -36,15 +36,16 @@ struct PointLeg {
   int steps = 1;
 };
 
+/// Outcome of a test.
 struct PointOutcome {
   bool complete = false;
   int steps = 0, cuts = 0, iterations = 0;
   double time = 0.0;             // [s] reached
-  std::vector<PointValue> last;  // row of the end
-  std::string failure;           // of the law, where the test is not complete for that
+  std::vector<PointValue> last;  // results at the end
+  std::string failure;           // failure of the law, if it ended the test
 };
 
-/// Where a test starts; the deck's section "initial state" of a test. Compression positive, as in a full run.
+/// Initial state of a test; the deck's section "initial state" of a test. Compression positive, as in a full run.
 struct PointStart {
   double mean = 0.0, vertical = 0.0, k0 = 0.0;  // [Pa], [Pa], [-] 0: not given
   Six stress{};                                 // [Pa]
@@ -62,18 +63,18 @@ class PointTest {
   virtual ~PointTest() = default;
   void parameters(Parameters& p);
   virtual void check(const Section&) {}
-  /// Which of the deck's materials; "" for the only one.
+  /// Name of the material in the deck; "" for the only one.
   const std::string& material() const { return material_; }
-  /// Fixes soil and start. InputError where the law cannot start there. `section`: that of the test.
+  /// Sets soil and initial point. InputError through `section`, that of the test, where the law cannot start there.
   void begin(const PointSoil& soil, const Section& section);
-  /// Goes through the test; `row` gets the start and the end of every increment.
+  /// Runs the test; calls `row` for the start and after every increment.
   PointOutcome run(const Row& row) const;
 
  protected:
   virtual void own_parameters(Parameters& p) = 0;
   virtual std::vector<PointLeg> legs() const = 0;
-  /// The component whose total stress stays constant while the water cannot leave: the excess pore pressure is what its
-  /// effective stress loses. -1: drained.
+  /// Component whose total stress is constant in an undrained test: the excess pore pressure is the decrease of its
+  /// effective stress. -1: drained.
   virtual int constant_total_stress() const { return -1; }
   /// [Pa] tension positive
   const Six& initial_stress() const { return initial_.stress; }
@@ -87,7 +88,7 @@ class PointTest {
   InitialPoint initial_{};
 };
 
-/// The tests that come with mudline; a plain list.
+/// Registers the built-in tests.
 void register_point_tests(Registry<PointTest>& tests);
 
 }  // namespace mudline

@@ -9,7 +9,7 @@ namespace {
 
 enum class Measure { logarithmic, engineering };
 
-/// Targets of one quantity, reached one after the other: loading, unloading, reloading. Compression positive.
+/// Successive targets of one quantity: loading, unloading, reloading. Compression positive.
 class Targets {
  public:
   void strain(Parameters& p, const std::string& name, const std::string& doc) {
@@ -113,9 +113,9 @@ class TargetTest : public PointTest {
       for (const auto& part : targets_.strain_parts()) add(part, false);
     return legs;
   }
-  /// What moves: `drive` is a strain change or a stress, tension positive.
+  /// Fills the driven components of a leg; `drive` is a strain change or a stress [Pa], tension positive.
   virtual void fill(PointLeg& leg, double drive, bool by_stress) const = 0;
-  /// [Pa] compression positive
+  /// Driving stress at the start [Pa], compression positive.
   virtual double start_of_stress() const { return -initial_stress()[1]; }
 
   Targets targets_;
@@ -164,7 +164,8 @@ double stress_difference(const Six& stress, const std::vector<int>& lateral) {
   return stress[1] - mean;
 }
 
-/// Axial loading along y, by strain or stress difference: the `lateral` effective stresses are kept, or the volume is.
+/// Axial loading along y by strain or stress difference, with constant `lateral` effective stresses (drained) or
+/// constant volume (undrained).
 void load_axially(PointLeg& leg, const std::vector<int>& lateral, bool drained, double drive, bool by_stress) {
   leg.stress_controlled[1] = by_stress;
   leg.strain[1] = drive;
@@ -176,7 +177,7 @@ void load_axially(PointLeg& leg, const std::vector<int>& lateral, bool drained, 
   }
 }
 
-/// Axis y, compression and extension by the sign of strain or stress difference.
+/// Triaxial test with the axis y; the sign of strain or stress difference distinguishes compression and extension.
 template <bool Drained>
 class Triaxial : public TargetTest {
  protected:
@@ -239,7 +240,7 @@ class SimpleShear : public TargetTest {
   Drainage drainage_ = Drainage::undrained;
 };
 
-/// Six functions of time, each a strain or a stress.
+/// Test with six functions of time, each a strain or a stress.
 class PathTest : public PointTest {
  public:
   void check(const Section& section) override {

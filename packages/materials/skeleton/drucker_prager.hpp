@@ -12,9 +12,9 @@ namespace mudline {
 /// eta and k are given, or those of a cone that meets Mohr-Coulomb (phi, c):
 ///     compression    eta = 6 sin(phi)/(sqrt(3) (3 - sin(phi))), the outer edges of the hexagon; k = eta c cot(phi)
 ///     extension      eta = 6 sin(phi)/(sqrt(3) (3 + sin(phi))), the inner edges
-///     plane strain   the same collapse in plane strain, for any dilation:
-///                    eta = sin(phi)/(sqrt(1 - eta_psi^2/3) + eta_psi sin(phi)/3), eta_psi = sqrt(3) sin(psi)/sqrt(3 +
-///                    sin^2(psi))
+///     plane strain   the same collapse load in plane strain, for any dilation:
+///                    eta = sin(phi)/(sqrt(1 - eta_psi^2/3) + eta_psi sin(phi)/3),
+///                    eta_psi = sqrt(3) sin(psi)/sqrt(3 + sin^2(psi))
 /// a is the fraction of the distance from the origin to the tip that the hyperbola cuts off. Tension cut-off as in
 /// Mohr-Coulomb (frictional_model.hpp), at most sqrt(3) k/(1 + eta/sqrt(3)), the uniaxial tensile strength of the cone.
 /// Code: tension positive, [Pa].
@@ -36,7 +36,7 @@ struct DruckerPrager : ConeTip {
   void prepare();
   static std::vector<StateVariable> state();
   std::string initialise(const InitialPoint& point, double* state) const;
-  /// (1 - sin(phi)) R^sin(phi) as for Mohr-Coulomb; none for a cone given directly.
+  /// (1 - sin(phi)) R^sin(phi) as for Mohr-Coulomb; negative (none) for a cone given directly.
   double k0(double overconsolidation_ratio) const;
   EarthPressures earth_pressures(double vertical, double) const {
     return cone_earth_pressures(vertical, slope, intercept);

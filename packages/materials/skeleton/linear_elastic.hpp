@@ -6,7 +6,7 @@
 namespace mudline {
 
 /// Isotropic linear elasticity in rate form: sigma' = sigma'_old + K tr(deps) 1 + 2 G dev(deps), tension positive, so
-/// that a given initial stress carries over. K = E/(3(1-2nu)), G = E/(2(1+nu)). No state.
+/// that a given initial stress is kept. K = E/(3(1-2nu)), G = E/(2(1+nu)). No state.
 struct LinearElastic {
   double young = 1.0e7;  // [Pa] drained
   double poisson = 0.3;  // [-] drained
@@ -30,7 +30,7 @@ struct LinearElastic {
     return true;
   }
 
-  /// Oedometric, one-dimensional straining from no stress.
+  /// Stress ratio of one-dimensional (oedometric) compression from zero stress.
   double k0(double) const { return poisson / (1.0 - poisson); }
 };
 

@@ -8,14 +8,14 @@ namespace mudline {
 /// p', q, strains and pc are compression positive in these equations; v = 1 + e is the specific volume.
 ///     yield         f = q^2/M(S)^2 + p'(p' - pc) = 0, associated
 ///     hardening     dpc = pc v/(lambda - kappa) deps_v^p
-///     elasticity    K = v p'/kappa, G = 3 K (1-2nu)/(2(1+nu)) or constant; integrated exactly where the path is
-///     elastic volume        dv = -v deps_v: the volumetric strain is logarithmic (or v stays that of the start, by
-///     option) Lode measure  M(S) = M [2 a^4/(1 + a^4 + (1 - a^4) S)]^(1/4), a = (3 - sin phi)/(3 + sin phi), sin phi =
-///     3M/(6+M);
-///                   S = -1 in triaxial compression (Sheng, Sloan & Yu 2000, Computational Mechanics 26:185), by option
+///     elasticity    K = v p'/kappa, G = 3 K (1-2nu)/(2(1+nu)) or constant; integrated exactly on an elastic path
+///     volume        dv = -v deps_v: the volumetric strain is logarithmic (or, by option, v keeps its initial value)
+///     Lode measure  M(S) = M [2 a^4/(1 + a^4 + (1 - a^4) S)]^(1/4), by option,
+///                   a = (3 - sin phi)/(3 + sin phi), sin phi = 3M/(6+M); S = -1 in triaxial compression
+///                   (Sheng, Sloan & Yu 2000, Computational Mechanics 26:185)
 /// Stress integration and tangent: substepping.hpp or implicit_return.hpp. Code: tension positive, [Pa].
-/// The mean effective stress does not fall below `minimum_mean_stress`: a point that arrives there keeps that value
-/// (a tension cut-off), q and pc are made to fit, and the tangent is the elastic one.
+/// The mean effective stress does not fall below `minimum_mean_stress` (a tension cut-off): there p' is set to it, pc
+/// and q are adjusted to the yield surface, and the tangent is the elastic one.
 struct ModifiedCamClay {
   enum class Lode { none, sheng };
   enum class Volume { current, initial };
@@ -27,7 +27,7 @@ struct ModifiedCamClay {
   double poisson = 0.0;                // [-] used unless shear_modulus is positive
   double shear_modulus = 0.0;          // [Pa]
   double minimum_mean_stress = 100.0;  // [Pa]
-  double normal_volume = 0.0;          // [-] N; used where positive
+  double normal_volume = 0.0;          // [-] N; used if positive
   double critical_volume = 0.0;        // [-] Gamma, instead of N
   double reference_pressure = 1000.0;  // [Pa] at which N and Gamma are read
   Lode lode = Lode::none;
@@ -42,19 +42,19 @@ struct ModifiedCamClay {
   /// follows from the initial stress and void ratio instead: ln(pc/p_ref) = (N - v - kappa ln(p'/p_ref))/(lambda -
   /// kappa).
   std::string initialise(const InitialPoint& point, double* state) const;
-  /// The void ratio that belongs to the pc of stress and overconsolidation ratio: v = N - lambda ln(pc/p_ref) + kappa
-  /// ln(pc/p'). Negative without N. With Gamma, v on the critical state line at p_ref, where pc = 2 p': N = Gamma +
-  /// (lambda - kappa) ln 2.
+  /// Void ratio from the pc that belongs to stress and overconsolidation ratio: v = N - lambda ln(pc/p_ref) + kappa
+  /// ln(pc/p'). `no_void_ratio` without N. Gamma is v on the critical state line at p_ref, where pc = 2 p', so that N =
+  /// Gamma + (lambda - kappa) ln 2.
   double void_ratio(const InitialPoint& point) const;
-  /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the ratio that one-dimensional
-  /// virgin compression tends to: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g = G/K,
-  /// K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. R is the ratio of
-  /// vertical stresses here.
+  /// K0 = K0nc R^(sin phi) (Mayne & Kulhawy 1982 with the friction angle of M). K0nc is the limit of the stress ratio
+  /// in one-dimensional virgin compression: 2 eta (lambda-kappa)/(M^2-eta^2) + eta kappa/(3g) = 2 lambda/3 with g =
+  /// G/K, K0nc = (3-eta)/(3+2 eta); the elastic shear strain (second term) is left out when G is constant. Here R is
+  /// the ratio of vertical stresses.
   double k0(double overconsolidation_ratio) const;
-  /// Undrained strength in triaxial compression from the stress as it is: s_u = M/2 p' (pc/(2 p'))^((lambda -
+  /// Undrained strength in triaxial compression from the present stress: s_u = M/2 p' (pc/(2 p'))^((lambda -
   /// kappa)/lambda) (Wood 1990, ch. 7).
   SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
-  /// Where the stress reaches the critical state.
+  /// Earth pressures at the critical state.
   EarthPressures earth_pressures(double vertical, double) const;
 
   KOKKOS_INLINE_FUNCTION double specific_volume(double void_ratio, const double* state) const {
@@ -75,22 +75,22 @@ struct ModifiedCamClay {
                                          SkeletonResponse& out) const;
 
  private:
-  /// With a Lode measure: all six components.
+  /// Update with a Lode measure, in all six components.
   template <class T>
   KOKKOS_INLINE_FUNCTION bool turn_freely(const double* start, const double* h, double specific_volume, const T* strain,
                                           double* state, SkeletonResponse& out) const;
-  /// Without: in the space of the old deviator and the strain's.
+  /// Update without a Lode measure, in the space of the deviators of the old stress and of the strain increment.
   template <class T>
   KOKKOS_INLINE_FUNCTION bool stay_between(const double* start, const double* h, double specific_volume,
                                            const double* strain, double* state, SkeletonResponse& out) const;
   KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
-  /// N, given or from Gamma; 0: neither.
+  /// N, given or from Gamma; 0 if neither is given.
   double normal_line() const;
-  /// [Pa] pc of the yield surface through a stress
+  /// pc of the yield surface through a stress [Pa].
   double through(const InitialPoint& point) const;
 };
 
-/// The law as the integration sees it during one increment. h = (pc, plastic shear strain).
+/// The model of the law for stress integration over one increment. h = (pc, plastic shear strain).
 template <class Space>
 struct ModifiedCamClayModel {
   static constexpr int hardening = 2, N = Space::size;
@@ -99,7 +99,7 @@ struct ModifiedCamClayModel {
   const ModifiedCamClay& law;
   Space space;
   double volume0;     // [-] specific volume at the start of the increment
-  double scale;       // [1/Pa^2] makes f dimensionless: 1/pc^2 of the start
+  double scale;       // [1/Pa^2] makes f dimensionless: 1/pc^2 at the start
   double a4;          // [-] a^4 of the Lode dependence
   double inverse_m2;  // [-] 1/M^2
 
@@ -120,7 +120,7 @@ struct ModifiedCamClayModel {
     return w;
   }
 
-  /// False where the deviator is too small to have a Lode measure; w plays no role there.
+  /// False where the deviator is too small to have a Lode measure; w is not needed there.
   KOKKOS_INLINE_FUNCTION bool has_lode(double q_squared) const {
     return has_third_invariant && law.lode == ModifiedCamClay::Lode::sheng && q_squared * scale > 1e-24;
   }
@@ -200,7 +200,7 @@ struct ModifiedCamClayModel {
     for (int i = 0; i < N; ++i) out[i] += stress[i];
   }
 
-  /// The same with the specific volume that belongs to `volume_strain`.
+  /// Elastic step with the specific volume that belongs to `volume_strain`.
   template <class S, class T>
   KOKKOS_INLINE_FUNCTION void elastic_step(const S* stress, const T* strain, const T& volume_strain, T* out) const {
     const T per_strain = specific_volume(volume_strain) / law.swelling, compression = -space.trace(strain);
@@ -217,7 +217,7 @@ struct ModifiedCamClayModel {
     return space.mean_pressure(stress) < law.minimum_mean_stress;
   }
   KOKKOS_INLINE_FUNCTION double hardening_scale(int i, double h) const { return i == 0 ? h : 1.0; }
-  /// pc grows exponentially with the plastic volume strain: exact where v stays.
+  /// pc grows exponentially with the plastic volume strain, which is exact for constant v.
   template <class T>
   KOKKOS_INLINE_FUNCTION T hardening_measure(int i, const T& h) const {
     return i == 0 ? h : T(1.0);

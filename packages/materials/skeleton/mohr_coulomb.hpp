@@ -13,14 +13,13 @@ namespace mudline {
 /// distance from the origin to the sharp tip, c cot(phi), that it cuts off. The largest principal stress is limited to
 /// the tensile strength by a rounded Rankine surface (frictional_model.hpp), at most 2 c cos(phi)/(1 + sin(phi)), the
 /// uniaxial tensile strength of the cone itself: above that only states with three tensile principal stresses would
-/// differ, and with psi = 0 none of them could be returned to the cone. c grows with depth, fixed to the material where
-/// it starts. Code: tension positive, [Pa].
+/// differ, and with psi = 0 none of them could be returned to the cone. c grows with depth; each material point keeps
+/// the value of its initial position. Code: tension positive, [Pa].
 ///
 /// Stiffness (Ohde 1939; Schanz, Vermeer & Bonnier 1999, Beyond 2000 in Computational Geotechnics, p. 281): with an
 /// exponent n
 ///     E = E_ref ((c cos(phi) + p' sin(phi)) / (c cos(phi) + p_ref sin(phi)))^n,  p' >= 0 of the start of the increment
-///
-/// An initial stress outside the surface is brought back to it, at fixed strain, when the law is first evaluated.
+/// An initial stress outside the surface is returned to it at fixed strain when the law is first evaluated.
 struct MohrCoulomb : ConeTip {
   enum { cohesion_here, plastic_shear_strain, state_size };
 
@@ -34,7 +33,7 @@ struct MohrCoulomb : ConeTip {
 
   void parameters(Parameters& p);
   void check(const Section& section) const;
-  /// Constants that follow from the parameters.
+  /// Computes constants from the parameters.
   void prepare();
   static std::vector<StateVariable> state();
   std::string initialise(const InitialPoint& point, double* state) const;

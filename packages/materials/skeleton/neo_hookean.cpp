@@ -8,7 +8,7 @@ namespace mudline {
 std::string NeoHookean::initialise(const InitialPoint& point, double* state) const {
   const ElasticModuli m = moduli(nullptr, 0.0, nullptr);
   const double lambda = m.bulk - 2.0 / 3.0 * m.shear;
-  // b - 1 that carries the stress at the volume ratio J; the right J has det b = J^2.
+  // Sets b - 1 from the stress at the volume ratio J; the J sought satisfies det b = J^2.
   const auto excess = [&](double j) {
     for (int i = 0; i < 6; ++i) state[i] = (j * point.stress[i] - (i < 3 ? lambda * std::log(j) : 0.0)) / m.shear;
     return sym6::determinant_excess(state) - (j * j - 1.0);

@@ -10,10 +10,10 @@ namespace mudline {
 /// b is the left Cauchy-Green tensor; b - 1 is a state variable, free of cancellation at small strain, that rotates
 /// with the material. One increment takes b to
 ///     b_new = exp(deps) R b R^T exp(deps)
-/// with the objective strain increment deps and rotation R of the step, so the law needs no deformation gradient. That
-/// is the deformation itself where a step does not both stretch and rotate (J always is exact); else the error of a
-/// step is of second order in its size, so that many small steps are in error by the first power of theirs. The initial
-/// b is the one that carries the initial stress. The tangent comes by differentiation. Code: tension positive, [Pa].
+/// with the objective strain increment deps and rotation R of the step, so the law needs no deformation gradient. This
+/// is exact where a step does not both stretch and rotate (J is always exact); otherwise the error of a step is of
+/// second order in its size, so that the accumulated error of many steps is of first order. The initial b is the one
+/// that gives the initial stress. The tangent comes by automatic differentiation. Code: tension positive, [Pa].
 struct NeoHookean {
   enum { left_cauchy_green_strain, state_size = 6 };
 
@@ -40,7 +40,7 @@ struct NeoHookean {
 
 namespace sym6 {
 
-/// a b of two symmetric tensors that commute, so that the product is symmetric; may overwrite either.
+/// Product a b of two symmetric tensors that commute, so that it is symmetric; `out` may be a or b.
 template <class T>
 KOKKOS_INLINE_FUNCTION void commuting_product(const T* a, const T* b, T* out) {
   const T r[6] = {a[0] * b[0] + a[5] * b[5] + a[4] * b[4], a[5] * b[5] + a[1] * b[1] + a[3] * b[3],
@@ -64,8 +64,8 @@ KOKKOS_INLINE_FUNCTION void sandwich(const T* a, const S* b, T* out) {
   }
 }
 
-/// exp(a) - 1 of a tensor with stress-like components: Taylor's series of a part small enough, squared up again by
-/// (1 + g)^2 - 1 = 2 g + g g.
+/// exp(a) - 1 of a tensor with stress-like components: Taylor series of a fraction that is small enough, followed by
+/// repeated squaring with (1 + g)^2 - 1 = 2 g + g g.
 template <class T>
 KOKKOS_INLINE_FUNCTION void exponential_minus_one(const T* a, T* out) {
   double size = 0.0;

@@ -9,19 +9,20 @@ namespace mudline {
 ///     yield       f = sqrt(J2) K(S) - s_u = 0, associated (isochoric); K = cos theta, corners rounded (lode_shape.hpp)
 ///     strength    s_u = s_u0 R(rate) [1/S_t + (1 - 1/S_t) exp(-3 xi/xi_95)]
 ///     rate        R = 1 + lambda log10(max(rate, ref)/ref)   or   (max(rate, ref)/ref)^beta
-/// s_u0 grows with depth, fixed to the material where it starts. xi is the accumulated plastic shear strain, xi_95 that
-/// at which 95 % of the loss has happened (Einav & Randolph 2005, IJNME 63:991; Zhou & Randolph 2009, Int. J. Geomech.
-/// 9:211). Shear strains are sqrt(2 e:e), the engineering shear strain of simple shear and, at constant volume, the
-/// difference of the principal strains in plane strain. The rate is that of the total strain, constant over the
-/// increment, and part of the tangent; without time (dt = 0) R = 1. Below the reference rate R = 1 in both laws, so
-/// that soil at rest keeps its strength. When the rate falls the stress returns to the smaller surface at fixed strain.
-/// For effective stress in a u-p analysis as well as for total stress. Code: tension positive, [Pa].
+/// s_u0 grows with depth; each material point keeps the value of its initial position. xi is the accumulated plastic
+/// shear strain; at xi_95, 95 % of the strength loss has occurred (Einav & Randolph 2005, IJNME 63:991; Zhou & Randolph
+/// 2009, Int. J. Geomech. 9:211). Shear strains are sqrt(2 e:e), the engineering shear strain of simple shear and, at
+/// constant volume, the difference of the principal strains in plane strain. The rate is that of the total strain,
+/// constant over the increment, and part of the tangent; without time (dt = 0) R = 1. Below the reference rate R = 1 in
+/// both laws, so that soil at rest keeps its strength. When the rate falls the stress returns to the smaller surface at
+/// fixed strain. The law serves for effective stress in a u-p analysis as well as for total stress. Code: tension
+/// positive, [Pa].
 struct Tresca {
   enum class Rate { none, logarithmic, power };
   enum { strength_here, plastic_shear_strain, state_size };
 
   StrengthProfile strength;
-  double shear_modulus = 0.0;  // [Pa] used where positive, else
+  double shear_modulus = 0.0;  // [Pa] used if positive, else from `rigidity`
   double rigidity = 0.0;       // [-] G/s_u0
   double poisson = 0.49;       // [-]
   Rate rate = Rate::none;
@@ -47,7 +48,7 @@ struct Tresca {
     const double shear = shear_modulus > 0.0 ? shear_modulus : rigidity * state[strength_here];
     return {shear * 2.0 * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson)), shear};
   }
-  /// R of the strain increment.
+  /// Rate factor R of the strain increment.
   template <class T>
   KOKKOS_INLINE_FUNCTION T rate_factor(const T* strain, double dt) const;
   template <class T>
@@ -58,8 +59,8 @@ struct Tresca {
   LodeShape shape_;
 };
 
-/// The law during one increment. S is the number type of the strength, which depends on the strain through the rate.
-/// h = (xi).
+/// The model of the law for one increment. S is the number type of the strength, which depends on the strain through
+/// the rate. h = (xi).
 template <class S>
 struct TrescaModel : ConstantElasticity {
   static constexpr int hardening = 1;
@@ -78,7 +79,7 @@ struct TrescaModel : ConstantElasticity {
     slope = -3.0 / ductility * lost;
     return remoulded + lost;
   }
-  /// Rounds the axis, where the direction of the deviator is undefined, without a trace in the strength.
+  /// Rounds the surface at the axis, where the deviator has no direction; the effect on the strength is negligible.
   KOKKOS_INLINE_FUNCTION double apex() const { return 1e-7 * scale; }
 
   template <class T>

@@ -30,15 +30,15 @@ using Routine = void (*)(double* stress, double* statev, double* ddsdde, double*
                          const int* npt, const int* layer, const int* kspt, const int* kstep, const int* kinc,
                          std::size_t cmname_length);
 
-// The state begins with the strain so far and the deformation gradient, row-major.
+// The state begins with the accumulated strain and the deformation gradient, row-major.
 constexpr int strain_size = 6, own_size = strain_size + 9;
 constexpr int ours[6] = {0, 1, 2, 5, 4, 3};  // 11 22 33 12 13 23 in xx yy zz yz xz xy; its own inverse
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-/// The arrays of one call. Fortran knows no ends of arrays: between them lie guards, numbers that are none, so that
-/// what is read there is seen in the result, and what is written there is found. Behind them nothing can be written.
+/// The arrays of one call. Fortran does not check array bounds, so guards of NaN lie between the arrays: reading there
+/// shows in the result, and writing there is detected. The memory behind them is not accessible.
 class Umat::Arguments {
  public:
   enum Array {
@@ -89,13 +89,13 @@ class Umat::Arguments {
   double* operator[](Array a) { return static_cast<double*>(memory_) + begins_[a]; }
   std::size_t size(Array a) const { return sizes_[a]; }
 
-  /// "" or what was written outside of the arrays: "before the begin of STRESS", "past the end of STATEV".
+  /// "" or the place of a write outside of the arrays: "before the begin of STRESS", "past the end of STATEV".
   std::string overrun() const {
     const double* all = static_cast<const double*>(memory_);
     for (int a = 0; a < count; ++a) {
       const double *from = all + begins_[a] + sizes_[a], *first = find_written(from, guard);
       if (first == nullptr) continue;
-      // the guard lies between two arrays: what is near the next one was meant for that
+      // the guard lies between two arrays; a write near the next one is taken to belong to it
       if (a + 1 < count && first - from > static_cast<std::ptrdiff_t>(guard - guard / 8))
         return "before the begin of " + std::string(name(a + 1));
       return "past the end of " + std::string(name(a)) + ", whose size is " + std::to_string(sizes_[a]);
@@ -104,8 +104,8 @@ class Umat::Arguments {
   }
 
  private:
-  static constexpr std::size_t guard = 512;         // numbers
-  static constexpr std::size_t behind = 64u << 20;  // bytes of addresses without memory
+  static constexpr std::size_t guard = 512;         // numbers per guard
+  static constexpr std::size_t behind = 64u << 20;  // bytes of address space without memory
   static const double* find_written(const double* from, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i)
       if (std::memcmp(from + i, &unknown, sizeof unknown) != 0) return from + i;
@@ -216,7 +216,7 @@ bool Umat::tell_surroundings(const SkeletonWorkset& w, int point, Arguments& to)
         if (!std::isfinite(sum)) return false;
       }
   }
-  if (!tensors_.empty())  // turned already: nothing is left to turn
+  if (!tensors_.empty())  // already rotated by mudline
     for (int i = 0; i < 9; ++i) to[A::drot][i] = i % 4 == 0 ? 1.0 : 0.0;
   return true;
 }
@@ -269,7 +269,7 @@ bool Umat::update(const SkeletonWorkset& w, int point) const {
       for (int j = 0; j < components_; ++j)
         w.tangent(point, 6 * ours[i] + ours[j]) = to[A::ddsdde][i + components_ * j];
     if (components_ == 4)
-      for (int c = 3; c < 5; ++c) w.tangent(point, 7 * c) = shear_;  // never strained, but regular
+      for (int c = 3; c < 5; ++c) w.tangent(point, 7 * c) = shear_;  // no such shear; keeps the matrix regular
   }
   return !(pnewdt < 1.0);
 }
@@ -280,13 +280,13 @@ int Umat::evaluate(const SkeletonWorkset& w) const {
     const bool ok = update(w, i);
     w.failed(i) = ok ? 0 : 1;
     if (ok) continue;
-    ++failures;  // a failed point shows its old state
+    ++failures;  // a failed point gets its old state
     for (int c = 0; c < 6; ++c) w.stress(i, c) = w.stress_old(i, c);
     for (std::size_t c = 0; c < w.state.extent(1); ++c) w.state(i, c) = w.state_old(i, c);
     if (w.want_tangent)
       for (int c = 0; c < 36; ++c) w.tangent(i, c) = 0.0;
   }
-  // what else of the program was written to, nobody knows: there is no going on
+  // other memory of the program may be overwritten too, so it must end
   if (const std::string where = arguments_->overrun(); !where.empty())
     end_with_error("the subroutine '" + symbol_ + "' in the library '" +
                        std::filesystem::path(library_).filename().string() + "' writes " + where +

@@ -19,7 +19,7 @@ namespace mudline {
 ///   DFGRD0, DFGRD1  deformation gradient at the start and at the end of the step, since the start of the run (kept as
 ///                   state variables; on a mesh that moves against the soil they are transferred like these)
 ///   DDSDDE          must be the Jacobian of the stress update; it may be unsymmetric
-///   COORDS          place of the point at the end of the step [m]; not a number in a point test, which has none
+///   COORDS          position of the point at the end of the step [m]; not a number in a point test, which has none
 ///   TIME, DTIME     time of the stage and of the run at the start of the step, and the step; DTIME is 0 in a geostatic
 ///                   stage
 ///   KSTEP, KINC     number of the stage, 1 in a point test, and of the step within it, from 1
@@ -29,7 +29,7 @@ namespace mudline {
 ///   PROPS, NTENS    from the deck; NTENS = 4 (plane strain, axisymmetric) fails where there is out-of-plane shear
 ///   PNEWDT          below 1: the point has failed and the step is cut
 ///   DROT            rotation of the step; the identity where "tensor state" names the tensors of STATEV, which mudline
-///                   turns
+///                   rotates
 ///   TEMP, DTEMP     of the model's temperature; without one "temperature" and 0
 ///   the others      SSE, SPD, SCD, RPL, their derivatives: 0; LAYER, KSPT: 1; PREDEF, DPRED: not a number, so that a
 ///                   law that uses them fails
@@ -50,7 +50,7 @@ class Umat : public Skeleton {
 
  private:
   class Arguments;
-  /// Fills what a law is told beside stress, strain and state. False where the deformation is beyond all numbers.
+  /// Fills the arguments beside stress, strain and state. False where the deformation gradient is not finite.
   bool tell_surroundings(const SkeletonWorkset& workset, int point, Arguments& to) const;
   bool update(const SkeletonWorkset& workset, int point) const;
   void make_variables();

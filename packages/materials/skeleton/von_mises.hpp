@@ -28,7 +28,7 @@ struct VonMises {
     state[equivalent_plastic_strain] = 0.0;
     return "";
   }
-  /// In simple shear.
+  /// Undrained strength in simple shear.
   SoilState soil_state(const double*, double, const double*) const { return {yield_stress / std::sqrt(3.0), {}}; }
   EarthPressures earth_pressures(double vertical, double) const {
     return cone_earth_pressures(vertical, 0.0, yield_stress / std::sqrt(3.0));
@@ -42,14 +42,14 @@ struct VonMises {
                                      double* state) const;
 };
 
-/// The law during one increment; h = (k).
+/// The model of the law for one increment; h = (k).
 struct VonMisesModel : ConstantElasticity {
   static constexpr int hardening = 1;
   static constexpr bool associated = true;
 
   const VonMises& law;
 
-  /// q, rounded at the axis without a trace in the strength.
+  /// q, rounded at the axis with a negligible effect on the strength.
   template <class T>
   KOKKOS_INLINE_FUNCTION T deviator(const T* stress, T* s) const {
     const double round = 1e-7 * law.yield_stress;

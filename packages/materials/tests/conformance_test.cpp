@@ -1,4 +1,5 @@
-// What every skeleton law of the registry must keep to (materials/conformance), and that the checks see what is wrong.
+// Conformance checks (materials/conformance) of every registered skeleton law, and of laws with faults that the checks
+// must find.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +21,8 @@ std::vector<Teuchos::ParameterList> frictional_variants(Teuchos::ParameterList b
   dilating.set("dilation angle [deg]", 8.0);
   associated.set("dilation angle [deg]", 28.0);
   brittle.set("tensile strength", 1e3);
-  // Explicit substeps are stiff, and their number chancy, at a sharp tip: less of it is met with more cohesion.
+  // At a sharp tip explicit substeps are stiff and their number is sensitive; with more cohesion fewer points come near
+  // it.
   for (auto* list : {&euler, &fifth_order}) {
     list->set("cohesion", 300e3);
     list->set("apex rounding", 0.25);

@@ -1,4 +1,4 @@
-// Laws that do what no law may.
+// Laws with errors that guarded_law.hpp must catch.
 #include "materials/guarded_law.hpp"
 
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
-/// Linear elastic in one number, with what a test makes wrong.
+/// Linear elasticity with one modulus, and errors that a test can switch on.
 struct Law : Skeleton {
   std::vector<StateVariable> variables{{"first", 1, "-"}, {"second", 6, "-"}};
   ElasticModuli own{1e6, 5e5};
   double stress = -1e5, state = 0, tangent = 1e6, start = 0, rest = 0.5;
-  int failing = -1;  // point
+  int failing = -1;  // number of the failing point
   bool throws = false;
 
   const std::vector<StateVariable>& state_variables() const override { return variables; }
@@ -87,7 +87,7 @@ TEST(GuardedLaw, WhatIsNotFiniteFailsItsPointAndShowsTheOldState) {
     }
   Law law;
   law.tangent = nan;
-  EXPECT_EQ(Batch(law, false).count, 0);  // not wanted
+  EXPECT_EQ(Batch(law, false).count, 0);  // the tangent is not wanted
 }
 
 TEST(GuardedLaw, ItsOwnRefusalIsItsRight) {

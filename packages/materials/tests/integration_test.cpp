@@ -25,7 +25,7 @@ ModifiedCamClay clay(Method method, double tolerance) {
   return law;
 }
 
-/// Sheared sample, normally consolidated, in `steps` increments.
+/// Stress of a normally consolidated sample after shear in `steps` increments.
 std::array<double, 6> shear(const ModifiedCamClay& parameters, int steps) {
   const PointwiseSkeleton<ModifiedCamClay> law(parameters);
   PointDriver point(law, {-90e3, -120e3, -100e3, 5e3, -8e3, 10e3}, 1.0);
@@ -95,7 +95,7 @@ TEST(ModifiedCamClayStart, PreconsolidationFollowsFromTheNormalCompressionLine) 
   EXPECT_NE(law.initialise(point, state), "");
 }
 
-/// The other way round: pc by the overconsolidation ratio, the void ratio from the line; a start with both agrees.
+/// The inverse: pc from the overconsolidation ratio, the void ratio from the line; a start with both agrees.
 TEST(ModifiedCamClayStart, VoidRatioFollowsFromTheOverconsolidation) {
   ModifiedCamClay law = clay(Method::modified_euler, 1e-4);
   InitialPoint point;
@@ -118,7 +118,7 @@ TEST(ModifiedCamClayStart, VoidRatioFollowsFromTheOverconsolidation) {
   EXPECT_NEAR(law.void_ratio(point), e, 1e-13);
 }
 
-/// Stiffness that follows the mean stress of the end, so that the tangent is not the elastic matrix.
+/// A law whose stiffness depends on the volume strain of the increment, so that the tangent is not the elastic matrix.
 struct Stiffening {
   enum { state_size = 0 };
   static std::vector<StateVariable> state() { return {}; }

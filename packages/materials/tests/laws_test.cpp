@@ -1,4 +1,4 @@
-// Linear elasticity, permeability laws, water, and what registration refuses.
+// Linear elasticity, permeability laws, water, and entries that registration refuses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -155,7 +155,7 @@ TEST(Registration, RulesAcrossParametersAreChecked) {
   EXPECT_NE(complaint(clay).find("convex"), std::string::npos);
 }
 
-/// What the law objects to when `entry` is added to (or replaces one of) the base, "" if nothing.
+/// The error message when `entry` is added to (or replaces one of) the list, "" if there is none.
 template <class Value>
 std::string complaint(Teuchos::ParameterList list, const char* entry, Value value) {
   list.set(entry, value);

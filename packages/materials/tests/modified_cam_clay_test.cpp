@@ -26,7 +26,8 @@ ModifiedCamClay clay(double ratio = 1.2, double compression = 0.15, double swell
   return law;
 }
 
-// Lateral strain is straight within an increment, the exact drained path is not: the driver's increments must be small.
+// Lateral strain is linear within an increment, but not on the exact drained path, so the driver's increments must be
+// small.
 int steps_for(Path path, double axial) {
   return static_cast<int>(std::ceil(axial * (path == Path::drained ? 40000 : 2000)));
 }
@@ -107,7 +108,7 @@ TEST(ModifiedCamClay, CriticalStates) {
     compress(undrained, Path::undrained, 0.8, 800);
     expect_relative(undrained.p(), s.p * kpa, 1e-5, "undrained p'");
     expect_relative(undrained.q(), s.q * kpa, 1e-5, "undrained q");
-    compress(drained, Path::drained, 1.6, 6400);  // approached exponentially: 1e-5 off is left after about 1.2
+    compress(drained, Path::drained, 1.6, 6400);  // exponential approach: a distance of 1e-5 remains after about 1.2
     expect_relative(drained.p(), 500.0 / 3.0 * kpa, 1e-5, "drained p'");
     expect_relative(drained.q(), 200 * kpa, 1e-5, "drained q");
     expect_relative(drained.v(), s.volume, 1e-5, "drained v");
@@ -214,7 +215,7 @@ TEST(ModifiedCamClay, OtherParameters) {
   }
 }
 
-// In extension the Lode-dependent law is the round one with M of extension, in compression it is the round one.
+// In extension the Lode-dependent law equals the circular one with the M of extension, in compression the circular one.
 TEST(ModifiedCamClay, LodeDependenceMatchesTheMeridians) {
   ModifiedCamClay lode = clay();
   lode.lode = ModifiedCamClay::Lode::sheng;
@@ -245,7 +246,7 @@ TEST(ModifiedCamClay, UnloadingAndReloadingWithinOneIncrement) {
   expect_relative(point.p(), 1000 * 100.0 * std::exp((2.0 - 2.0 * std::exp(-0.06)) / 0.15), 1e-6, "virgin line");
 }
 
-// Sheared to the wet side, then an increment whose elastic path first dips into the ellipse and leaves it again.
+// After shear on the wet side, the elastic path of the increment first dips into the ellipse and then leaves it again.
 TEST(ModifiedCamClay, DippingIncrementAgreesWithManySmallOnes) {
   const Law law(clay());
   std::array<double, 6> end[2];
@@ -260,8 +261,8 @@ TEST(ModifiedCamClay, DippingIncrementAgreesWithManySmallOnes) {
   for (int c = 0; c < 6; ++c) EXPECT_NEAR(end[0][c], end[1][c], 2e-6 * 100 * kpa);
 }
 
-// The state of `from` disturbed as rounding might, by 1e-15 to 1e-12: which side of the surface it lies on, and whether
-// it has a deviator, is then a matter of chance.
+// The state of `from` with a disturbance of 1e-15 to 1e-12, like rounding: it may lie on either side of the surface,
+// with or without a deviator.
 PointDriver disturbed(const Law& law, PointDriver& from, int variant) {
   const double size = std::pow(10.0, -12 - variant % 4);
   const auto noise = [&](int i) { return size * std::sin(1.0 + 7.0 * variant + 3.0 * i); };
@@ -273,7 +274,7 @@ PointDriver disturbed(const Law& law, PointDriver& from, int variant) {
   return point;
 }
 
-// From the virgin line, every second time after unloading, to the virgin line.
+// Paths from the virgin line back to it, every second one with unloading first.
 TEST(ModifiedCamClay, RoundingOfTheStartCostsNoAccuracy) {
   const Law law(clay());
   PointDriver start(law, isotropic_stress(100 * kpa), 1.0);
@@ -296,7 +297,7 @@ TEST(ModifiedCamClay, RoundingOfTheStartCostsNoAccuracy) {
   }
 }
 
-// Swelling with ever more extension: elastic paths that leave the ellipse at once, or after an ever longer chord.
+// Swelling with increasing extension: elastic paths that leave the ellipse at once or after an increasingly long chord.
 TEST(ModifiedCamClay, RoundingOfTheStartCostsNoAccuracyOnChords) {
   const Law law(clay());
   PointDriver start(law, isotropic_stress(100 * kpa), 1.0);
@@ -346,7 +347,7 @@ TEST(ModifiedCamClay, InitialState) {
   EXPECT_NE(law.initialise(point, state).find("minimum mean stress"), std::string::npos);
 }
 
-// Opening up without end: the mean stress stays at its minimum, nothing fails, and reloading starts from there.
+// Unlimited dilation: the mean stress stays at its minimum, nothing fails, and reloading starts from there.
 TEST(ModifiedCamClay, LooseningStopsAtTheMinimumMeanStress) {
   const Law law(clay());
   PointDriver point(law, isotropic_stress(2 * kpa), 1.0, 1.2);

@@ -58,7 +58,7 @@ TEST(MohrCoulomb, TriaxialStrengthIsThatOfTheRoundedSurface) {
       const double compression = 100e3 + rounded_q(law, 100e3, 1.0), extension = 100e3 - rounded_q(law, 100e3, -1.0);
       EXPECT_NEAR(axial_at_failure(law, 100e3, 0.1), compression, 1e-6 * compression);
       EXPECT_NEAR(axial_at_failure(law, 100e3, -0.1), extension, 1e-6 * 100e3);
-      if (method != Method::implicit) continue;  // near zero stress the driver's tolerance is finer than theirs
+      if (method != Method::implicit) continue;  // the driver is too strict for the others near zero stress
       const double uniaxial = rounded_q(law, 0.0, 1.0);
       EXPECT_NEAR(axial_at_failure(law, 0.0, 0.1), uniaxial, 1e-6 * uniaxial);
     }
@@ -182,7 +182,7 @@ TEST(MohrCoulomb, StiffnessGrowsWithThePressure) {
     error[fine] = point.p() - exact;
   }
   EXPECT_NEAR(error[1], 0.0, 1e-3 * (exact - start));
-  EXPECT_NEAR(error[0] / error[1], 2.0, 0.05);  // the stiffness of the start of a step: first order
+  EXPECT_NEAR(error[0] / error[1], 2.0, 0.05);  // the stiffness is that at the start of a step: first order
   const double state[MohrCoulomb::state_size] = {10e3, 0.0};
   const double stress[6] = {-80e3, -80e3, -80e3, 0, 0, 0}, tension[6] = {1e3, 1e3, 1e3, 0, 0, 0};
   EXPECT_DOUBLE_EQ(parameters.moduli(stress, 0.8, state).shear, parameters.elasticity.moduli().shear);

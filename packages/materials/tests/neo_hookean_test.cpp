@@ -32,7 +32,7 @@ TEST(NeoHookean, LargeStretchInOneStepOrMany) {
   }
 }
 
-// A closed path of stretches along turned axes comes back to where it started: deps and -deps are exact inverses.
+// A closed path of stretches along rotated axes returns to its start: deps and -deps are exact inverses.
 TEST(NeoHookean, ReversedStrainReturnsTheStress) {
   const Law soil = law();
   PointDriver point(soil, {-2e4, -5e4, -3e4, 0, 1e3, 8e3}, 0.8);

@@ -58,7 +58,7 @@ class PointDriver {
     return failures == 0;
   }
 
-  /// Applies `increment`; components with hold[i] instead keep the stress they have, whatever strain that takes.
+  /// Applies `increment`; components with hold[i] keep their stress instead, and their strain is free.
   void step(std::array<double, 6> increment, const std::array<bool, 6>& hold = {}) {
     std::array<double, 6> stress;
     std::array<double, 36> tangent;
@@ -115,7 +115,8 @@ class PointDriver {
   std::string reason_;
 };
 
-/// Axial component yy, radial xx and zz, as in an axisymmetric test. [Pa] compression positive.
+/// Isotropic stress from a compressive mean stress p [Pa]. The axial component is yy, the radial ones are xx and zz, as
+/// in an axisymmetric test.
 inline std::array<double, 6> isotropic_stress(double p) { return {-p, -p, -p, 0.0, 0.0, 0.0}; }
 
 enum class Path { drained, undrained, oedometric, isotropic };

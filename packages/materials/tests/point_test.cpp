@@ -1,4 +1,4 @@
-// The driver of material points: mixed control, cuts, rotation, void ratio, and what its tests tell of themselves.
+// The driver of material points: mixed control, cuts, rotation, void ratio, and the documentation of its tests.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double bulk = 2e7, shear = 1e7;  // [Pa]
 
-/// Linear elastic, but it refuses increments above `longest` and counts the accepted ones in its state.
+/// Linear elastic law that refuses increments above `longest` and counts the accepted ones in its state.
 struct Careful {
   double longest = 1e300;
   void parameters(Parameters&) {}
@@ -109,7 +109,7 @@ TEST(PointControl, GivesUpWhereNoPartIsSmallEnough) {
   EXPECT_EQ(point.stress(), start().stress);
 }
 
-// Parallel sliding planes: a vector across them keeps its direction, the material turns by half the shear (Jaumann).
+// Simple shear by sliding planes: the planes stay parallel, the material rotates by half the shear (Jaumann).
 TEST(PointControl, SlidingTurnsStressAndTensorsOfTheState) {
   const auto law = careful();
   MaterialPoint point(law, start());
@@ -123,7 +123,7 @@ TEST(PointControl, SlidingTurnsStressAndTensorsOfTheState) {
   EXPECT_NEAR(point.state()[1], c * c, 1e-7);
   EXPECT_NEAR(point.state()[2], s * s, 1e-7);
   EXPECT_NEAR(point.state()[6], c * s, 1e-7);
-  // stress: the start turned, plus Jaumann's G (sin, 1 - cos)
+  // stress: the rotated initial stress plus Jaumann's G (sin, 1 - cos)
   EXPECT_NEAR(point.stress()[5], c * s * 1e5 + shear * std::sin(gamma), 2.0);
   EXPECT_NEAR(point.stress()[0], -1e5 * c * c - 2e5 * s * s + shear * (1 - std::cos(gamma)), 2.0);
   EXPECT_NEAR(point.void_ratio(), 0.8, 1e-14);
@@ -142,7 +142,7 @@ TEST(PointControl, SlidingUnderVerticalStress) {
   for (int i = 0; i < 50; ++i) ASSERT_TRUE(control.advance(increment));
   EXPECT_NEAR(point.stress()[1], -2e5, 1e-3);
   EXPECT_NEAR(1.0 + point.void_ratio(), 1.8 * std::exp(control.strain()[1]), 1e-12);
-  EXPECT_GT(control.strain()[1], 1e-4);  // Jaumann's elasticity wants to grow
+  EXPECT_GT(control.strain()[1], 1e-4);  // Jaumann's elasticity dilates
 }
 
 TEST(PointTests, AreDocumented) {

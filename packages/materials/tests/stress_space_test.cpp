@@ -54,7 +54,7 @@ void expect_equal(const ModifiedCamClay& law, const double* stress, const double
   for (double s : six.stress) size = std::max(size, std::abs(s));
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(two.stress[i], six.stress[i], 1e-11 * size) << i;
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(two.h[i], six.h[i], 1e-11 * std::abs(six.h[i])) << i;
-  // an implicit return differentiates before its last correction, which is below 1e-9
+  // the implicit return takes its derivatives before the last correction, which is below 1e-9
   for (int i = 0; i < 36; ++i) EXPECT_NEAR(two.tangent[i], six.tangent[i], 1e-8 * largest) << i;
 }
 

@@ -84,8 +84,8 @@ TEST(Substepping, EndsOnTheSurfaceAndConvergesWithTheTolerance) {
   }
 }
 
-// Every branch (elastic, crossing, from the surface, from outside, dip into the surface) differentiates to what the
-// plain evaluation does.
+// In every branch (elastic, crossing, from the surface, from outside, dip into the surface) the derivatives agree with
+// differences of the plain evaluation.
 TEST(Substepping, DerivativesAgreeWithDifferencesInEveryBranch) {
   const Cone cone;
   const double dip_start[6] = {-10e3, -10e3, -10e3, 0, 0, 14e3 / std::sqrt(3.0)};

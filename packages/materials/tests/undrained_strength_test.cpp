@@ -75,7 +75,7 @@ TEST(Tresca, StrengthFollowsTheRate) {
     EXPECT_NEAR(power.stress[5], 20e3 * std::pow(ratio, 0.07), 1e-8 * 20e3);
     still.run(law, 0.01, 0.0, 10);
     EXPECT_NEAR(still.stress[5], 20e3, 1e-8 * 20e3);
-    power.run(law, 0.0, 1.0, 1);  // at rest the extra strength goes
+    power.run(law, 0.0, 1.0, 1);  // at rest the rate-dependent strength vanishes
     EXPECT_NEAR(power.stress[5], 20e3, 1e-8 * 20e3);
   }
 }

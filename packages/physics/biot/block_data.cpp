@@ -13,7 +13,7 @@ namespace mudline {
 
 namespace {
 
-/// Parents of the nodes that are no cell corners: the corners in whose middle they are.
+/// Parents of the nodes that are no cell corners: the corners of which such a node is the centre.
 std::vector<std::vector<GlobalOrdinal>> node_parents(const Soil& soil) {
   const Mesh& mesh = soil.space->mesh();
   std::vector<std::vector<GlobalOrdinal>> parents(mesh.num_owned_nodes());
@@ -32,8 +32,7 @@ std::vector<std::vector<GlobalOrdinal>> node_parents(const Soil& soil) {
   return parents;
 }
 
-/// Volume means of the coefficients, this rank's sums: volume, constrained modulus, drained modulus, density, 1/Q,
-/// kappa.
+/// This rank's sums for volume means: volume, constrained modulus, drained modulus, density, 1/Q, kappa.
 struct Means {
   double sum[6] = {0, 0, 0, 0, 0, 0};
 };
@@ -74,7 +73,7 @@ void add_block(const Soil& soil, const SoilBlock& b, const StepView& view, const
   }
 }
 
-/// Longest edge over height of the worst element of this rank, against that of the equilateral one [-].
+/// Largest aspect ratio (longest edge over height) of this rank's elements, relative to the equilateral element [-].
 double worst_aspect_ratio(const Soil& soil, const StepView& view) {
   double worst = 1;
   for (const SoilBlock& b : soil.blocks) {
@@ -144,7 +143,7 @@ BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<c
   for (int i = 1; i < 6; ++i) total[i] /= total[0];
   if (!mass.is_null()) {
     mass->fillComplete();
-    mass->resumeFill();  // a matrix scales its entries only where it has them all
+    mass->resumeFill();  // a matrix can be scaled only when its fill is complete
     mass->scale(total[1]);
     mass->fillComplete();
     laplacian->fillComplete();

@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-/// What the block preconditioner needs of the soil at the present linearisation point. Collective.
+/// Soil data for the block preconditioner at the present linearisation point. Collective.
 BlockData soil_block_data(const Soil& soil, const StepView& view, Kokkos::View<const char*> constrained);
 
 }  // namespace mudline

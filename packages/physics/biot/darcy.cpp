@@ -6,7 +6,7 @@ namespace mudline {
 
 namespace {
 
-/// The temperature at the points of a block that has it among its fields: (point; value, change of the step) [degC].
+/// Temperature at the points of a block that has it among its fields: (point; value, change in the step) [degC].
 PointView temperatures(const SoilBlock& b, int place, const LoopLevel& level) {
   PointView result("temperature", static_cast<std::size_t>(b.elements) * b.points, 2);
   for (int e = 0; e < b.elements; ++e)

@@ -6,18 +6,18 @@
 namespace mudline {
 
 /// Darcy's law at the points of one block of saturated soil, for laws of balance that have the pore pressure among
-/// their scalar fields and whose points are the soil's: w = -k(e)/gamma_w (grad p - rho_f g). In soil with a
-/// temperature, viscosity and weight of the water follow it, whether the temperature is among the fields or not.
+/// their scalar fields and whose points are the soil's: w = -k(e)/gamma_w (grad p - rho_f g). With a temperature,
+/// viscosity and weight of the water depend on it, whether or not it is among the scalar fields.
 struct Darcy {
   Mixtures mixture;
   double gravity[3];     // [m/s2]
-  double lift;           // density that the pressures leave out [kg/m3]
+  double lift;           // fluid density whose weight excess pore pressures leave out [kg/m3]
   PointView void_ratio;  // (point; e and initial e) at the start of the step
-  PointView elsewhere;  // (point; temperature, its change since the start of the step) where it is not among the fields
+  PointView elsewhere;   // (point; temperature, its change since the start of the step) if it is not among the fields
 
-  /// For laws over the soil's own fields.
+  /// For laws with the soil's own fields.
   Darcy(const Soil& soil, const SoilBlock& block, const StepView& view) : Darcy(soil, block, view, block, {}) {}
-  /// For laws over other fields of the same elements, at the level of their loop.
+  /// For laws with other fields of the same elements, at the level of their loop.
   Darcy(const Soil& soil, const SoilBlock& block, const StepView& view, const FieldBlock& fields,
         const LoopLevel& level);
 
@@ -27,13 +27,13 @@ struct Darcy {
   }
   /// Whether the model has a temperature.
   bool warm(const Mixture& here) const { return here.temperature >= 0 || elsewhere.extent(0) > 0; }
-  /// [degC]; of a warm model.
+  /// Temperature of a warm model [degC].
   template <class C, int S, class T>
   T temperature(int row, const PointFields<C, S, T>& at) const {
     const Mixture& here = mixture(row);
     return here.temperature >= 0 ? at.value[here.temperature] : T(elsewhere(row, 0));
   }
-  /// k/gamma_w [m2/(Pa s)] at a porosity, at the viscosity for which the conductivity is given.
+  /// Mobility k/gamma_w [m2/(Pa s)] at a porosity and at the viscosity for which the conductivity is given.
   template <class T>
   T mobility(int row, const T& n) const {
     const T e = n / (1.0 - n);
@@ -41,7 +41,7 @@ struct Darcy {
     const Permeability::Value k = here.permeability->conductivity(value(e), void_ratio(row, 1));
     return chain(e, k.k, k.dk_de) * (1 / here.unit_weight);
   }
-  /// Minus the discharge, kappa (grad p - rho_f g) [m/s]; what drives it may have more.
+  /// Minus the discharge, kappa (grad p - rho_f g) [m/s]. It has no acceleration of the fluid.
   template <class C, int S, class T>
   void minus_discharge(int row, const PointFields<C, S, T>& at, T (&w)[C::dim]) const {
     const Mixture& here = mixture(row);

@@ -7,11 +7,11 @@
 
 namespace mudline {
 
-/// Mass balance of the pore fluid on the configuration of the alpha level (design 2; convention B of the field):
-///   R_p = int Np^T [alpha div v + pdot/Q] dv + int grad(Np)^T kappa (grad p - rho_f g [+ rho_f a]) dv,  kappa =
-///   k(e)/gamma_w.
-/// p: compression positive, outflow positive. In a geostatic stage the pore
-/// pressures are given and held, and the term is silent.
+/// Mass balance of the pore fluid on the configuration of the alpha level:
+///   R_p = int Np^T [alpha div v + pdot/Q] dv + int grad(Np)^T kappa (grad p - rho_f g [+ rho_f a]) dv,
+///   kappa = k(e)/gamma_w.
+/// p: compression positive, outflow positive. In a geostatic stage the pore pressures are prescribed and the term is
+/// zero.
 class FluidMass : public Term {
  public:
   FluidMass(std::shared_ptr<Soil> soil, bool fluid_acceleration)

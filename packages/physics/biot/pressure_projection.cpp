@@ -36,7 +36,8 @@ void PressureProjection::begin(const StepView& view) {
 
 namespace {
 
-/// One block's matrices as a loop over elements. N: pressures of an element, the last columns of its dofs from `first`.
+/// Loop over the elements of a block with their projection matrices. N: pressure dofs per element, the last columns of
+/// its dofs, starting at `first`.
 template <int N>
 struct ProjectionLoop {
   ElementDofs dofs;
@@ -52,7 +53,7 @@ struct ProjectionLoop {
       to.add(e, first + c, sum, size, size);
     }
   }
-  /// law: the derivative of the rates by the unknowns.
+  /// law: derivative of the rates with respect to the unknowns.
   KOKKOS_INLINE_FUNCTION void tangent(int e, double law, const MatrixScatter& to, double weight) const {
     double k[N][N];
     for (int c = 0; c < N; ++c)

@@ -8,13 +8,13 @@
 
 namespace mudline {
 
-/// Steadies the pore pressure where it has the nodes of linear cells, as the displacement has (equal order): such a
-/// pair alone lets pressures oscillate from node to node in soil that cannot drain. Adds a storage of what differs from
-/// the element's mean,
+/// Stabilises the pore pressure in linear cells, where pressure and displacement have the same nodes (equal order):
+/// without it pressures may oscillate from node to node in undrained soil. Adds a storage of the deviation from the
+/// element's mean,
 ///   R_p += int (q - mean q) (pdot - mean pdot) / (2 G) dv,
-/// which keeps the water of every element and vanishes with the element's size. G: elastic shear modulus of the element
-/// in the committed state; places of the start of the step.
-/// Source: Bochev, Dohrmann and Gunzburger 2006, SIAM J. Numer. Anal. 44; White and Borja 2008, CMAME 197.
+/// which conserves the water of every element and vanishes with the element's size. G: elastic shear modulus of the
+/// element in the committed state; coordinates at the start of the step. Source: Bochev, Dohrmann and Gunzburger 2006,
+/// SIAM J. Numer. Anal. 44; White and Borja 2008, CMAME 197.
 class PressureProjection : public Term {
  public:
   explicit PressureProjection(std::shared_ptr<Soil> soil) : soil_(std::move(soil)) {}
@@ -25,7 +25,7 @@ class PressureProjection : public Term {
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
 
  private:
-  /// Calls f(block, loop over its elements); never where nothing flows.
+  /// Calls f(block, loop over its elements), unless the stage has no flow.
   template <class F>
   void for_each_block(const StepView& view, F&& f) const;
   std::shared_ptr<Soil> soil_;

@@ -12,7 +12,7 @@ namespace {
 
 struct Dashpots : SideLaw {
   static constexpr bool damps = true;
-  int points;                // of a side
+  int points;                // points per side
   ConstPointView impedance;  // (side, normal and tangential) [Pa s/m]
 
   template <class C, class T>
@@ -55,7 +55,7 @@ void AbsorbingBoundary::declare_state(StateStore& store) {
 }
 
 void AbsorbingBoundary::activate(const State& committed, const NodalView& unbalanced) {
-  // The held force balances what the soil exerts on the boundary at this instant, and nobody else holds yet.
+  // The constant force balances the part of the soil's force on the boundary that no other condition has taken yet.
   for (std::size_t i = 0; i < held_dofs_.size(); ++i) {
     store_->committed().arrays[held_](i, 0) = -unbalanced(held_dofs_[i]);
     unbalanced(held_dofs_[i]) = 0;

@@ -8,9 +8,9 @@
 namespace mudline {
 
 /// Viscous boundary (Lysmer and Kuhlemeyer 1969): traction -(rho c_p v_n n + rho c_s v_t) on a side set, with the
-/// elastic wave speeds of the committed state beside it; saturated soil uses the undrained c_p. While active it also
-/// holds the reaction that the boundary carried when it was activated (the static earth pressure), so that a stage may
-/// release the rollers of a geostatic stage without a jump.
+/// elastic wave speeds of the adjacent soil in the committed state; saturated soil uses the undrained c_p. While active
+/// it also applies the reaction that the boundary had when it was activated (the static earth pressure), so that a
+/// stage may release the rollers of a geostatic stage without a jump.
 class AbsorbingBoundary : public SideLoad {
  public:
   void parameters(Parameters& p);
@@ -27,11 +27,11 @@ class AbsorbingBoundary : public SideLoad {
   std::string kind() const override { return "absorbing"; }
 
  private:
-  int columns() const override { return 0; }  // its load is that of the dashpots, on the committed configuration
+  int columns() const override { return 0; }  // the dashpots act on the committed configuration
   std::shared_ptr<Soil> soil_;
   double normal_factor_ = 1, tangential_factor_ = 1;
   PointView impedance_;         // (side, normal and tangential) rho c [Pa s/m]
-  int held_ = -1;               // state array: (overlap displacement node dof) held force
+  int held_ = -1;               // state array: (owned dof of the set) constant force [N]
   std::vector<int> held_dofs_;  // owned dofs of the set
   StateStore* store_ = nullptr;
 };

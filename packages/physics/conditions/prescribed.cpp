@@ -16,19 +16,19 @@ void require_component(const Section& section, const std::array<bool, axis_names
                                           : "at least one of 'x' and 'y' must be given");
 }
 
-// What runs for every value that is given, and their launch.
+// Kernels for each given value, and their launch.
 struct SetValue {
   Kokkos::View<const GivenValue*> given;
   Constraints to;
   KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, given(i).value); }
 };
-struct SetChange {  // over the step
+struct SetChange {  // the value is a change over the step
   Kokkos::View<const GivenValue*> given;
   Constraints to;
   ConstNodalView before;
   KOKKOS_FUNCTION void operator()(int i) const { to.prescribe(given(i).dof, before(given(i).dof) + given(i).value); }
 };
-struct SetHead {  // given: the water level
+struct SetHead {  // the given value is the water level
   Kokkos::View<const GivenValue*> given;
   Constraints to;
   ConstCoordinateView x;

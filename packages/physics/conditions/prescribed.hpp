@@ -10,7 +10,7 @@
 
 namespace mudline {
 
-/// What the functions of the deck give for an unknown; they are evaluated on the host, and set by a kernel.
+/// Value of an unknown given by a function of the deck. Functions are evaluated on the host; a kernel sets the values.
 struct GivenValue {
   int dof, node;
   double value;
@@ -25,9 +25,9 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
   std::string holds() const override { return field_name() == "displacement" ? set_ : ""; }
 
  protected:
-  /// Field that must exist: its name; its components when `component` is empty.
+  /// Name of the prescribed field, which must exist.
   virtual std::string field_name() const = 0;
-  /// Declares "set".
+  /// Declares the parameter "set".
   void declare_set(Parameters& p);
   /// Calls f(dof of component 0, node, initial position) for the bound nodes.
   template <class F>
@@ -38,8 +38,8 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
       f(dof, node, space_->mesh().place(node));
     }
   }
-  /// The same for a field that may be the pore pressure, without the nodes all of whose sides in the set are closed to
-  /// water by bodies. Another field, and a set of nodes without sides, has no such nodes.
+  /// Like for_each_node(), but leaves out nodes whose sides in the set are all closed to water by bodies. Only a pore
+  /// pressure on a set of sides has such nodes.
   template <class F>
   void for_each_open_node(F&& f) const {
     for_each_node([&](int dof, int node, const Point& x) {
@@ -52,11 +52,11 @@ class Prescribed : public Condition, public HoldsOnOpenSides {
   std::vector<int> nodes_;
 
  private:
-  std::unique_ptr<const NodalExchange> exchange_;  // of a pore pressure on sides, else null
-  std::vector<char> open_;                         // (local node) has an open side in the set; empty: all nodes count
+  std::unique_ptr<const NodalExchange> exchange_;  // for a pore pressure on sides, else null
+  std::vector<char> open_;  // (local node) whether it has an open side in the set; empty: all nodes are open
 };
 
-/// Total displacement since the last reset (a geostatic stage resets it to zero).
+/// Prescribes the total displacement [m] since the last reset (a geostatic stage resets it to zero).
 class DisplacementCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
@@ -72,7 +72,7 @@ class DisplacementCondition : public Prescribed {
   std::array<bool, axis_names.size()> given_{};
 };
 
-/// Velocity, integrated over each step; optionally a smooth ramp from rest.
+/// Prescribes a velocity [m/s], integrated over each step; optionally with a smooth ramp from rest.
 class VelocityCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
@@ -90,7 +90,7 @@ class VelocityCondition : public Prescribed {
   double ramp_time_ = 0, start_ = 0;
 };
 
-/// Zero displacement from where the node stands when the run starts or was last reset.
+/// Prescribes zero displacement from the position at the start of the run or at the last reset.
 class FixedCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
@@ -105,6 +105,7 @@ class FixedCondition : public Prescribed {
   Components components_ = Components::xyz;
 };
 
+/// Prescribes the pore pressure [Pa], compression positive.
 class PorePressureCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
@@ -117,7 +118,8 @@ class PorePressureCondition : public Prescribed {
   Function value_;
 };
 
-/// p = unit weight * (water level - height), zero above the level; of the node's current height, against gravity.
+/// Prescribes p = unit weight * (water level - height) [Pa], zero above the level, with the node's current height along
+/// the direction against gravity.
 class HydrostaticCondition : public Prescribed {
  public:
   void parameters(Parameters& p);
@@ -133,7 +135,7 @@ class HydrostaticCondition : public Prescribed {
   Function level_;
 };
 
-/// Any component of any field, e.g. a plugin's temperature.
+/// Prescribes any component of any field, e.g. a plugin's temperature.
 class ValueCondition : public Prescribed {
  public:
   void parameters(Parameters& p);

@@ -60,7 +60,7 @@ void SideLoad::bind(const ConditionContext& context, const Section& section) {
   const Mesh& mesh = space_->mesh();
   require_boundary(mesh, section, "set", set_);
   std::vector<std::vector<int>> nodes;
-  CellShape shape = CellShape::line2;  // of a rank without sides, whatever it is
+  CellShape shape = CellShape::line2;  // for a rank without sides, where the shape does not matter
   for (const Side& side : mesh.side_sets().at(set_)) {
     const ElementBlock& block = mesh.blocks()[side.block];
     shape = side_shape(block.shape);
@@ -118,10 +118,10 @@ void SurfacePressure::tabulate_values(const StepView& view) const {
 }
 
 void SurfacePressure::tabulate_gradient(const StepView& view) const {
-  if (position_ == Position::initial || value_.is_constant()) return;  // stays 0
+  if (position_ == Position::initial || value_.is_constant()) return;  // the gradient stays 0
   const ConstCoordinateView& x = view.momentum.x;
   for (int s = 0; s < block_.sides; ++s) {
-    double square = 0;  // of the distance of two corners
+    double square = 0;  // square of the distance between two corners
     for (int i = 0; i < dimension(); ++i) square += std::pow(x(block_.nodes(s, 1), i) - x(block_.nodes(s, 0), i), 2);
     const double h = 5e-7 * std::sqrt(square);
     for (int q = 0; q < block_.points; ++q)

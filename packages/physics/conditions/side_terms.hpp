@@ -20,7 +20,7 @@ class SideLoad : public Condition, public Term {
   virtual std::string kind() const = 0;
   virtual std::string field_name() const { return "displacement"; }
   void declare_set(Parameters& p);
-  /// Fills column `column` of the table of the load at the points, row = side * points + q.
+  /// Fills one column of the load table with values of a function at the quadrature points; row = side * points + q.
   void tabulate(const Function& function, double time, const ConstCoordinateView& x, int column) const;
   ConstCoordinateView initial() const { return space_->mesh().coordinates(); }
   Geometry geometry() const { return space_->mesh().geometry(); }
@@ -29,7 +29,7 @@ class SideLoad : public Condition, public Term {
   std::string set_;
   const Space* space_ = nullptr;
   SideBlock block_;
-  PointView load_;  // (row, columns of the load)
+  PointView load_;  // (side * points + q, columns of the load)
 
  private:
   virtual int columns() const = 0;
@@ -47,14 +47,14 @@ class Traction : public SideLoad {
   std::string kind() const override { return "traction"; }
 
  private:
-  int columns() const override { return 2 * dimension(); }  // components now, before the step [Pa]
+  int columns() const override { return 2 * dimension(); }  // components now, at the step's start [Pa]
   void tabulate_components(const StepView& view) const;
   std::array<Function, axis_names.size()> component_;
 };
 
-/// Pressure that follows the current surface; positive pushes against the body. A function of the point's initial
-/// position, or of its present one (of water in a hole that a body opens, say): then the tangent has its gradient, by
-/// central differences.
+/// Pressure that follows the current surface; positive pushes against the body. It is a function of the point's initial
+/// position, or of its present one (for water in a hole that a body opens, say); then the tangent includes its
+/// gradient, by central differences.
 class SurfacePressure : public SideLoad {
  public:
   void parameters(Parameters& p);
@@ -67,7 +67,7 @@ class SurfacePressure : public SideLoad {
 
  private:
   enum class Position { initial, present };
-  int columns() const override { return 2 + dimension(); }  // now, before the step [Pa], gradient [Pa/m]
+  int columns() const override { return 2 + dimension(); }  // value now, at the step's start [Pa]; gradient [Pa/m]
   void tabulate_values(const StepView& view) const;
   void tabulate_gradient(const StepView& view) const;
 

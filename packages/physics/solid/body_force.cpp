@@ -9,8 +9,8 @@ namespace mudline {
 
 namespace {
 
-/// rho b with b = a (Inertia) or b = -g; with pore pressures in excess of water at rest the water's lift, alpha rho_f,
-/// is taken off.
+/// rho b with b = a (Inertia) or b = -g; with pore pressures in excess of water at rest the uplift of the water, alpha
+/// rho_f, is subtracted.
 template <bool Inertia>
 struct Weight : PointLaw {
   static constexpr bool forces = true, inertia = Inertia, rates = Inertia;
@@ -18,7 +18,7 @@ struct Weight : PointLaw {
   bool lifted;
   double gravity[3], gravity_old[3];
   PointView void_ratio;
-  int points, soil_points;  // of an element here, and where its void ratio is known
+  int points, soil_points;  // number of points per element: here, and those with a void ratio
 
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
@@ -32,8 +32,8 @@ struct Weight : PointLaw {
     }
   }
 
-  /// That of the point, or, where the points are others than the soil's, of the element: by its mean void ratio, or,
-  /// where it has several materials, the mean over its points.
+  /// Density of the point. Where the points are not those of the soil, it is the density of the element: by its mean
+  /// void ratio or, with several materials, the mean over its points.
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION T density_at(int row, const PointFields<C, S, T>& at) const {
     if (points == soil_points) return density(mixtures(row), void_ratio(row, 0), at);

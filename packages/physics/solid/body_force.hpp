@@ -10,8 +10,8 @@ namespace mudline {
 /// Gravity as a vector times a function of time (a factor to switch it on).
 struct Gravity {
   Point vector{};        // [m/s2]
-  Function factor{1.0};  // of time
-  /// Unit vector against it; where it is zero the last direction of the mesh.
+  Function factor{1.0};  // function of time
+  /// Unit vector against gravity; for zero gravity the last direction of the mesh.
   Point up(int dimension) const;
   Point at(double time) const {
     const double f = factor(time, {0, 0, 0});
@@ -20,8 +20,8 @@ struct Gravity {
 };
 
 /// R_u = int N^T rho b dv at the alpha level with b = a (inertia) or b = -g (gravity); rho = n rho_f + (1-n) rho_s
-/// follows the deformation. With pore pressures in excess of water at rest, gravity acts on rho - alpha rho_f. Two
-/// instances, so that the balances tell them apart.
+/// follows the deformation. With pore pressures in excess of water at rest, gravity acts on rho - alpha rho_f. Inertia
+/// and gravity are two instances so that the balances list them separately.
 class BodyForce : public Term {
  public:
   enum class Kind { inertia, gravity };

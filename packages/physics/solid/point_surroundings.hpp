@@ -5,9 +5,9 @@
 
 namespace mudline {
 
-/// Writes what laws that ask for it are told of the points of elements [first, last) beside their motion, columns as in
-/// Surroundings: places of the step's end, temperatures, numbers and lengths of elements. Rows of `to`: points, from
-/// that of element `first`.
+/// Writes the surroundings of the points of elements [first, last), except their motion, for laws that ask for them;
+/// columns as in Surroundings: positions at the end of the step, temperatures, element numbers and element lengths.
+/// Rows of `to`: points, starting with those of element `first`.
 void write_surroundings(const Soil& soil, const SoilBlock& block, const StepView& view, int first, int last,
                         const PointView& to);
 

@@ -7,7 +7,7 @@ namespace mudline {
 
 namespace {
 
-/// Viscous force and stress of a velocity; all else is of the start of the step.
+/// Viscous force and stress of a velocity; all other quantities are those at the start of the step.
 struct Viscosity : PointLaw {
   static constexpr bool forces = true, stresses = true, inertia = true, scalars = false;
   double mass_factor, stiffness_factor;

@@ -17,8 +17,8 @@ namespace mudline {
 
 namespace {
 
-/// The midpoint rule of a step from the gradients that a point has in the configuration of the end. False where the
-/// configuration half way is inverted.
+/// Evaluates the midpoint rule from the gradients at a point in the configuration of the end. Returns false where the
+/// midpoint configuration is inverted.
 template <class C, int S, class T>
 KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, MidpointRule<C::dim>& motion) {
   constexpr int D = C::dim;
@@ -38,8 +38,9 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
   return valid;
 }
 
-/// Total stress sigma' - alpha p from the point data. Its derivatives are the law's, D, which an isotropic law gives
-/// for a strain increment in the axes of the end, and the turning of the stress with the material.
+/// Total stress sigma' - alpha p from the point data. Its derivatives consist of the law's tangent D, which an
+/// isotropic law gives for a strain increment in the axes of the end, and of the rotation of the stress with the
+/// material.
 struct TotalStress : PointLaw {
   static constexpr bool stresses = true, stands = true, rates = false;
   Mixtures mixtures;
@@ -79,7 +80,7 @@ struct TotalStress : PointLaw {
     }
   }
 
-  /// d sigma' = D (de - [W, e]) + [W, sigma'] for a further displacement of gradient de with the turn W.
+  /// d sigma' = D (de - [W, e]) + [W, sigma'] for a further displacement with strain de and rotation W.
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION void derivatives(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     constexpr int D = C::dim;
@@ -112,7 +113,7 @@ struct TotalStress : PointLaw {
     if constexpr (S > 0) {
       const Mixture& here = mixtures(row);
       if (here.temperature < 0) return;
-      const double expansion = here.grain_expansion;  // of the skeleton with the temperature [1/K]
+      const double expansion = here.grain_expansion;  // thermal expansion of the skeleton [1/K]
       const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
       for (double& t : turn) t = 0;
       using Loop = ElementLoop<C, ElementShapes<C::dim + 1, C::dim + 1, S>>;
@@ -121,15 +122,15 @@ struct TotalStress : PointLaw {
   }
 };
 
-/// What the law sees of the points of a batch: (row of the batch, component).
+/// Input of the laws at the points of a batch: (row of the batch, component).
 struct LawInput {
   PointView strain, stress_old, void_ratio_old, state_old;  // tensors rotated with the material
   Kokkos::View<int**> tensors;  // first columns of the tensor variables of each material's law; -1: no more
-  PointView surroundings;       // where a law asks for them, else empty
+  PointView surroundings;       // if a law asks for them, else empty
 };
 
-/// Deformation gradient and rotation of a step, as columns of Surroundings. Where the step turns the element inside
-/// out, which it may not, there is no motion.
+/// Writes deformation gradient and rotation of a step as columns of Surroundings. Where the step inverts the element,
+/// which is a failure, they are those of no motion.
 template <class C, int S, class T>
 KOKKOS_INLINE_FUNCTION void write_motion(const PointFields<C, S, T>& at, const MidpointRule<C::dim>& motion, bool valid,
                                          double* row) {
@@ -167,7 +168,7 @@ struct Staging {
                                               stage(e, q, at, inverted);
                                               next = q + 1;
                                             })) {
-      typename Loop::Fields still{};  // from the folded point on: as if nothing moved
+      typename Loop::Fields still{};  // used from the folded point on: no motion
       still.volume_ratio = 1;
       inverted += loop.b.points - next;
       for (; next < loop.b.points; ++next) stage(e, next, still, inverted);
@@ -182,7 +183,7 @@ struct Staging {
     if (!valid) ++inverted;  // the law sees no strain; the step fails anyway
     motion.increment(&to.strain(i, 0));
     if constexpr (Loop::S > 0)
-      if (mixture.temperature >= 0)  // what heat alone would do is no strain of the law's
+      if (mixture.temperature >= 0)  // thermal strain is not part of the strain of the law
         for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[mixture.temperature];
     if (!valid)
       for (int c = 0; c < 6; ++c) to.strain(i, c) = 0;
@@ -219,26 +220,28 @@ Kokkos::View<int**> tensor_columns(const Soil& soil) {
   return result;
 }
 
-/// Runs the laws over batches of elements: strains from the motion, stress, state and void ratio into the trial state.
+/// Runs the laws over batches of elements: computes strains from the motion and writes stress, state and void ratio of
+/// the trial state.
 class StressUpdate {
  public:
   enum class Tangent { none, batch, all };
-  /// `tangent`: of which points to keep it; `all`: where.
+  /// `tangent`: for which points the tangent is stored; `all`: array for the tangents of all points.
   StressUpdate(const Soil& soil, const SoilBlock& block, const StepView& view, Tangent tangent,
                const PointView& all = PointView());
-  /// Elements [first, last); returns the number of failed points (law, or an inverted configuration).
+  /// Runs elements [first, last); returns the number of failed points (failure of the law, or an inverted
+  /// configuration).
   int run(int first, int last);
   /// d stress / d strain of the last batch: (point of the batch, 36); empty unless that is wanted.
   const PointView& tangent() const { return tangent_; }
   const LoopLevel& level() const { return level_; }
-  /// What failed first, material, place, stress and strain increment included; "" where nothing has.
+  /// The first failure with material, position, stress and strain increment; "" if there is none.
   const std::string& failure() const { return failure_; }
-  /// Whether that is an answer of the law's which is none: not finite, or an exception.
+  /// Whether that failure is an error of the law: a result that is not finite, or an exception.
   bool law_is_broken() const { return law_is_broken_; }
 
  private:
   int stage_motion(int first, int last);
-  /// The law of one material on points [begin, end) of a batch that begins at this row of the block.
+  /// Runs the law of one material on points [begin, end) of a batch whose first point is this row of the block.
   int run_law(const SoilMaterial& material, int row, int begin, int end);
   std::string describe(const SoilMaterial& material, int row, int point, const LawFailure& failure) const;
 
@@ -301,7 +304,7 @@ int StressUpdate::run(int first, int last) {
   const int count = (last - first) * block_.points, row = first * block_.points;
   if (failures > 0 && failure_.empty())
     failure_ = "material '" + points_.material(row).name + "': the motion turns elements inside out";
-  for (int begin = 0, end = 0; begin < count; begin = end) {  // neighbours of one material go together
+  for (int begin = 0, end = 0; begin < count; begin = end) {  // runs of points of the same material
     const SoilMaterial& material = points_.material(row + begin);
     while (end < count && &points_.material(row + end) == &material) ++end;
     failures += run_law(material, row, begin, end);
@@ -386,7 +389,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
     if (kept_) {
       law.tangent = tangents_[k];
       add_tangent(soil_->geometry, b, end_level(view, b), law, to, weight);
-      law.tangent = tangents_[k] = PointView();  // the linear solve has better use for the room
+      law.tangent = tangents_[k] = PointView();  // frees memory for the linear solve
       continue;
     }
     StressUpdate update(*soil_, b, view, StressUpdate::Tangent::batch);
@@ -399,8 +402,8 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
       add_tangent(soil_->geometry, b, update.level(), law, to, weight, first, last);
     }
   }
-  kept_ = false;  // other matrices than the integrator's next one are evaluated anew
-  if (!broken.empty()) throw std::runtime_error(broken);  // all element matrices are there: the ranks stay together
+  kept_ = false;                                          // stored tangents serve one matrix only
+  if (!broken.empty()) throw std::runtime_error(broken);  // after all element matrices, so that the ranks stay in step
 }
 
 std::string StressDivergence::hint(const StepView&) const { return broadcast(*soil_->space->dofs()->comm(), failure_); }

@@ -25,14 +25,14 @@ class StressDivergence : public Term, public History, public Foresees, public Tr
   void foresee_jacobian(bool likely) override { keeps_ = likely; }
   void forget_foreseen() override { kept_ = false; }
   void adopt(const State& evaluated, State& committed) override;
-  /// The law's failure in the last evaluation.
+  /// The failure of a law in the last evaluation.
   std::string hint(const StepView& view) const override;
 
  private:
   std::shared_ptr<Soil> soil_;
-  std::string failure_;  // of the last evaluation, on this rank
+  std::string failure_;  // failure in the last evaluation on this rank
   bool keeps_ = false, kept_ = false;
-  std::vector<PointView> tangents_;  // by block, of all points at the last evaluation, where they are kept
+  std::vector<PointView> tangents_;  // by block: tangents of all points at the last evaluation, if stored
 };
 
 }  // namespace mudline

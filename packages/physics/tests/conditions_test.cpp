@@ -1,4 +1,5 @@
-// Boundary conditions on a box whose answers are known: what is prescribed where, resultants of loads, who holds what.
+// Boundary conditions on a box with known results: prescribed values, resultants of loads, and the sets that conditions
+// support.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +64,7 @@ TEST(Conditions, WaterPressuresArePrescribedAtVertices) {
                   condition("water", "hydrostatic pressure", "left",
                             number_parameter("water level", 2) + number_parameter("unit weight", 1e4)));
   for (int node = 0; node < model.mesh->num_nodes(); ++node)
-    model.store->committed().coordinates(node, 1) -= 0.5;  // all has sunk: the water's height is that of the present
+    model.store->committed().coordinates(node, 1) -= 0.5;  // after a settlement: heights are the present ones
   const Constraints given = model.prescribed("given"), water = model.prescribed("water");
   int vertices = 0;
   for (int node : model.mesh->nodes_of_set("left")) {
@@ -122,11 +123,11 @@ TEST(Conditions, ClosedSidesReleaseTheirNodesUnlessAnotherSideIsOpen) {
   EXPECT_EQ(held("top", closed), 3);
   const Side first = model.mesh->side_sets().at("top").front();
   closed.sides.insert({first.block, first.element, first.side});
-  EXPECT_EQ(held("top", closed), 2);  // its outer node
+  EXPECT_EQ(held("top", closed), 2);  // without the outer node of the closed side
   for (const Side& side : model.mesh->side_sets().at("top")) closed.sides.insert({side.block, side.element, side.side});
   EXPECT_EQ(held("top", closed), 0);
-  EXPECT_EQ(held("left", closed), 4);  // with the corner
-  EXPECT_EQ(held("shut", closed), 5);  // displacements are no pore pressure
+  EXPECT_EQ(held("left", closed), 4);  // including the corner
+  EXPECT_EQ(held("shut", closed), 5);  // closed sides do not affect displacements
   EXPECT_EQ(held("top", ClosedSides{}), 3);
 }
 
@@ -164,8 +165,8 @@ TEST(Conditions, PressurePushesAgainstThePresentSurface) {
       condition("on top", "pressure", "top", number_parameter("value", 50)) +
       condition("here", "pressure", "left", text_parameter("value", "100*y") + text_parameter("position", "present")));
   EXPECT_NEAR(load(model, "on top", 0), 0, 1e-12);
-  EXPECT_NEAR(load(model, "on top", 1), 50 * 2, 1e-11);  // the residual is against the force, which points down
-  // turned by 90 degrees the top looks to the left
+  EXPECT_NEAR(load(model, "on top", 1), 50 * 2, 1e-11);  // the residual is minus the force, which points down
+  // after a rotation by 90 degrees the top faces to the left
   for (int node = 0; node < model.mesh->num_nodes(); ++node) {
     model.store->trial().coordinates(node, 0) = -model.x(node, 1);
     model.store->trial().coordinates(node, 1) = model.x(node, 0);
@@ -208,7 +209,7 @@ TEST(AbsorbingBoundary, OneHoldsWhatTheOtherHasNotTakenOver) {
   for (const char* name : {"base", "side"}) model.named.at(name)->activate(model.store->committed(), unbalanced);
   model.view.inertia = false;
   EXPECT_NEAR(load(model, "base", 0), -7 * 5, 1e-12);
-  EXPECT_NEAR(load(model, "side", 0), -7 * 6, 1e-12);  // 7 nodes, the corner is the base's
+  EXPECT_NEAR(load(model, "side", 0), -7 * 6, 1e-12);  // 7 nodes without the corner, which belongs to the base
   for (int node = 0; node < model.mesh->num_nodes(); ++node) {
     const bool held = model.x(node, 1) == 0 || model.x(node, 0) == 3;
     for (int i = 0; i < 2; ++i) EXPECT_EQ(unbalanced(model.u(node, i)), held ? 0 : 7);

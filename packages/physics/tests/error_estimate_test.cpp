@@ -1,4 +1,5 @@
-// Fields that elements hold exactly have no error; smooth ones have the error that is estimated.
+// Fields that elements represent exactly have no error; for smooth fields the estimate is compared with the known
+// error.
 #include "physics/error_estimate.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ std::string box_of(const Case& c, int n) {
 
 bool linear(const Case& c) { return std::string(c.cell) == "quad4"; }
 
-/// A soil whose stress, velocity and pore pressure are set by place, with the estimate of it.
+/// A soil whose stress, velocity and pore pressure are functions of position, with its error estimate.
 struct Estimated {
   Estimated(const Case& c, int n)
       : dimension(c.dimension()),
@@ -35,7 +36,7 @@ struct Estimated {
     for (SoilBlock& b : model.soil->blocks) EXPECT_GE(b.stress, 0);
   }
   State& state() { return model.store->committed(); }
-  /// Vertices inside are moved, middle nodes stay in the middle.
+  /// Moves vertices in the interior; mid-side nodes stay in the middle.
   void distort(double by) {
     const Mesh& mesh = *model.mesh;
     const CoordinateView x = state().coordinates;
@@ -95,7 +96,7 @@ TEST(ErrorEstimate, LinearFieldsHaveNone) {
     one.set_velocity([](const Point& x, int i) { return 2 * x[i] - x[0] + 3 * x[1]; });  // uniform strain rate
     const NodalView p = one.pressure([](const Point& x) { return 1e5 + 3e4 * x[0] - 2e4 * x[1] + 1e4 * x[2]; });
     const ErrorEstimate found = one.estimator.estimate(one.state(), p, 0.05);
-    EXPECT_LT(largest(found.stress), 1e-6);  // of 1e5 Pa
+    EXPECT_LT(largest(found.stress), 1e-6);  // relative to 1e5 Pa
     EXPECT_LT(largest(found.pressure), 1e-6);
     EXPECT_LT(found.stress_share, 1e-10);
     EXPECT_LT(found.flow_share, 1e-10);
@@ -103,7 +104,7 @@ TEST(ErrorEstimate, LinearFieldsHaveNone) {
   }
 }
 
-/// The start is what changes are counted from, whatever its field.
+/// The stress at the start is the reference of its changes, whatever its field.
 TEST(ErrorEstimate, StressOfTheStartHasNone) {
   Estimated one({"quad9", "plane strain"}, 3);
   one.set_stress([](const Point& x, int k) { return -1e5 * std::exp(k + x[0] * x[1]); });
@@ -120,7 +121,7 @@ TEST(ErrorEstimate, StressOfTheStartHasNone) {
 double velocity(const Point& x, int i) {
   return i == 0 ? std::sin(2 * x[0]) * std::exp(x[1]) : std::cos(x[0] + 2 * x[1]);
 }
-/// Rates of strain xx, yy, xy of that.
+/// Strain rates xx, yy, xy of that velocity.
 Vec<double, 3> strain(const Point& x) {
   const double s = std::sin(x[0] + 2 * x[1]);
   return {2 * std::cos(2 * x[0]) * std::exp(x[1]), -2 * s, 0.5 * (std::sin(2 * x[0]) * std::exp(x[1]) - s)};
@@ -180,12 +181,12 @@ Smooth smooth(int n) {
           std::sqrt(sum), std::sqrt(pressure_square), flown / std::sqrt(gradient_square)};
 }
 
-/// Effectivity indices tend to one, errors fall with the order of the fields.
+/// Effectivity indices tend to one; errors decrease with the order of the fields.
 TEST(ErrorEstimate, IsTheErrorOfSmoothFields) {
   const Smooth coarse = smooth(6), fine = smooth(12);
   for (const Smooth& s : {coarse, fine}) {
     EXPECT_NEAR(s.estimated / s.exact, 1, 0.1);
-    EXPECT_NEAR(s.power / (s.exact * s.exact), 1, 0.2);  // stress and strain of the same elastic field: its square
+    EXPECT_NEAR(s.power / (s.exact * s.exact), 1, 0.2);  // both belong to one elastic field
     EXPECT_NEAR(s.pressure_estimated / s.pressure_exact, 1, 0.1);
     EXPECT_NEAR(s.flow, 1, 0.1);
   }
@@ -193,14 +194,14 @@ TEST(ErrorEstimate, IsTheErrorOfSmoothFields) {
   EXPECT_NEAR(std::log2(coarse.pressure_estimated / fine.pressure_estimated), 2, 0.2);
 }
 
-/// In a box of simplices some vertices have neighbours in few directions: their fits take what those around them know.
+/// In a box of simplices some vertices have neighbours in few directions only; they take the fits of their neighbours.
 TEST(ErrorEstimate, PressureOfQuadraticsInRegularMeshes) {
   for (const Case& c : {Case{"quad9", "plane strain"}, Case{"tri6", "plane strain"}, Case{"quad4", "plane strain"},
                         Case{"hex27", "three-dimensional"}, Case{"tet10", "three-dimensional"}}) {
     SCOPED_TRACE(std::string(c.cell) + ", " + c.geometry);
     const int n = 4;
     Estimated one(c, n);
-    one.distort(1e-9);  // as much as stiff soil moves
+    one.distort(1e-9);  // as in a small deformation of stiff soil
     one.estimator.start(one.state());
     one.set_stress([](const Point&, int) { return 0.0; });
     const auto quadratic = [](const Point& x) {

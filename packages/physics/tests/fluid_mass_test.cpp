@@ -17,7 +17,7 @@ TEST(FluidMass, VolumeChangeAndCompressionAreStored) {
   for (const bool round : {false, true}) {
     SoilModel model("", "", SoilModel::box(round ? "axisymmetric" : "plane strain"));
     const double volume = round ? pi * (9 - 1) * 3 : 2 * 3;
-    // grows uniformly: what flows in is alpha div v, positive
+    // uniform expansion: the inflow is alpha div v, positive
     model.set_motion(model.rate, [](double x, double y) { return Vec<double, 2>{1e-3 * x, 2e-3 * y}; });
     EXPECT_NEAR(model.sum(model.residual(model.term("fluid mass")), 2), (round ? 4e-3 : 3e-3) * volume, 1e-12);
     Kokkos::deep_copy(model.rate, 0.0);
@@ -31,10 +31,10 @@ TEST(FluidMass, FlowsFromHighToLowPressure) {
   model.set_pressure(model.value, [](double x, double) { return 1e4 * (3 - x); });
   const NodalView f = model.residual(model.term("fluid mass"));
   const double discharge = mobility * 1e4 * 3;             // to the right, through 3 m2
-  EXPECT_NEAR(model.sum(f, 2, "left"), discharge, 1e-15);  // what must come in there
+  EXPECT_NEAR(model.sum(f, 2, "left"), discharge, 1e-15);  // the inflow there
   EXPECT_NEAR(model.sum(f, 2, "right"), -discharge, 1e-15);
   EXPECT_NEAR(model.sum(f, 2), 0, 1e-16);
-  EXPECT_EQ(model.sum(f, 0), 0);  // acts on no displacement
+  EXPECT_EQ(model.sum(f, 0), 0);  // no force on displacements
 }
 
 TEST(FluidMass, AxisymmetricFlowIsThatOfACircle) {
@@ -56,7 +56,7 @@ TEST(FluidMass, WaterAtRestDoesNotFlow) {
 }
 
 TEST(FluidMass, StorageAndFlowActEachByItself) {
-  // water flows to the right and is stored there, released on the left; convergence is measured against both
+  // water flows to the right and is stored there, released on the left; both sizes count as acting
   SoilModel model;
   const auto acting = [&] {
     const NodalView none = model.residual(model.term("fluid mass"));
@@ -100,7 +100,7 @@ TEST(FluidMass, PermeabilityAndStorageFollowTheVoidRatio) {
           section_xml("permeability",
                       text_parameter("type", "kozeny-carman") + number_parameter("hydraulic conductivity", 1e-4)));
   SoilModel model("", "", SoilModel::box("plane strain"), soil);
-  // stretched by a tenth along x within the step: grains keep their volume
+  // stretch by a tenth along x within the step; the volume of the grains does not change
   model.set_motion(model.store->trial().value, [](double x, double) { return Vec<double, 2>{0.1 * x, 0.0}; });
   for (int node = 0; node < model.mesh->num_nodes(); ++node)
     model.store->trial().coordinates(node, 0) = 1.1 * model.x(node, 0);

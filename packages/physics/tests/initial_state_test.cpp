@@ -93,8 +93,8 @@ TEST(InitialState, ExcessPressuresLeaveTheWeightUnderWater) {
     }
 }
 
-/// Sand of 26 kN/m3 grains over lighter soil of 20, from y = 1.37 on, which is no mesh line: every point has the weight
-/// of what lies above it.
+/// Sand with grains of 2600 kg/m3 over lighter soil of 2000 kg/m3; the interface y = 1.37 is no mesh line. Every point
+/// has the weight of the soil above it.
 TEST(InitialState, LayersThatAreNoMeshRegionsWeighAndStandPointByPoint) {
   std::string lower = SoilModel::sand(number_parameter("top", 1.37), "", "soil");
   lower.replace(lower.find("2600"), 4, "2000");
@@ -120,7 +120,7 @@ TEST(InitialState, LayersThatAreNoMeshRegionsWeighAndStandPointByPoint) {
   EXPECT_EQ(points[0], 2 * 3 * 5);  // rows above 1.37: three of the upper elements, two of the middle ones
 }
 
-/// A top that varies with the place: an inclined interface, and soil above all tops is refused.
+/// A top that varies with position makes an inclined interface; soil above all tops is refused.
 TEST(InitialState, TopsAreFunctionsOfThePlaceAndMustCoverTheSoil) {
   SoilModel model("", "", SoilModel::box("plane strain"),
                   SoilModel::sand("") + SoilModel::sand(text_parameter("top", "0.5 + 0.5*x"), "", "soil"));

@@ -1,4 +1,4 @@
-// What loops over elements add in batches, row by row, has the bits of what they add at once.
+// Results of loops that add elements in batches, row by row, equal those of direct addition bit for bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>

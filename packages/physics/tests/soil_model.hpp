@@ -13,8 +13,9 @@
 
 namespace mudline {
 
-/// Saturated elastic soil in a box, its terms, conditions and initial state, evaluated by hand: what a model would make
-/// of a deck. Confined modulus 12 MPa, shear modulus 4 MPa, porosity 0.4, mobility 1e-8 m2/(Pa s), water of 1000 kg/m3.
+/// Saturated elastic soil in a box with its terms, conditions and initial state, made from a deck as a model does, for
+/// direct evaluation. Confined modulus 12 MPa, shear modulus 4 MPa, porosity 0.4, mobility 1e-8 m2/(Pa s), water of
+/// 1000 kg/m3.
 struct SoilModel {
   explicit SoilModel(const std::string& conditions = "", const std::string& physics = "",
                      const std::string& mesh = box("plane strain"),
@@ -97,7 +98,7 @@ struct SoilModel {
       if (term->name() == name) return *term;
     throw std::logic_error("no term " + name);
   }
-  /// What the term adds to the residual, by dof. Nodes are where the trial state has them.
+  /// Residual of a term by dof, with the coordinates of the trial state.
   NodalView residual(Term& of) {
     NodalView f("f", space->dofs()->num_overlap_dofs());
     of.begin(view);
@@ -129,7 +130,7 @@ struct SoilModel {
     for (int node = 0; node < mesh->num_nodes(); ++node)
       for (int i = 0; i < 2; ++i) where(u(node, i)) = f(x(node, 0), x(node, 1))[i];
   }
-  /// What a condition prescribes in a step of 1 s from the committed state.
+  /// Unknowns that a condition prescribes in a step from t_old to t_end [s] from the committed state.
   Constraints prescribed(const std::string& name, double t_old = 0, double t_end = 1) const {
     const int n = space->dofs()->num_overlap_dofs();
     Constraints to(n);

@@ -1,4 +1,4 @@
-// The stress of an element's points carried on to places on its surface.
+// Extrapolation of the stress from an element's points to positions on its surface.
 #include "physics/soil_stress.hpp"
 
 #include <gtest/gtest.h>

@@ -18,7 +18,7 @@ void HeatProperties::parameters(Parameters& p) {
 
 namespace {
 
-constexpr int pressure = 0, temperature = 1;  // among the scalar fields
+constexpr int pressure = 0, temperature = 1;  // indices among the scalar fields
 
 /// Heat and water at the points of one block.
 struct WarmSoil {
@@ -28,14 +28,14 @@ struct WarmSoil {
   PointView void_ratio;
 
   double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
-  /// Of water, over that at the reference temperature and no pressure.
+  /// Density of water over that at the reference temperature and zero pressure [-].
   template <class T>
   T density(const T& p, const T& t) const {
     return exponential(p * mixture.fluid_compliance - water.expansion * (t - mixture.reference));
   }
 };
 
-/// What changes in the step, at its end.
+/// Storage of water and heat over the step, at its end.
 struct Stored : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, rates = false, cancels = true;
@@ -58,7 +58,7 @@ struct Stored : PointLaw {
   }
 };
 
-/// What flows, at the level of balances.
+/// Flow of water and heat, at the level of balances.
 struct Flows : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
@@ -137,7 +137,7 @@ class WaterAndHeat : public Term {
             state.arrays[b.void_ratio]};
   }
 
-  /// Calls f(block, level, law); in a geostatic stage, which takes no time, there is none.
+  /// Calls f(block, level, law); makes no call in a geostatic stage, which takes no time.
   template <class F>
   void for_each_law(const StepView& view, F&& f) const {
     if (!view.flow) return;

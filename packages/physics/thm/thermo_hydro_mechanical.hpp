@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// Section "heat" of a material: what heat does in its skeleton and grains.
+/// Section "heat" of a material: thermal properties of its skeleton and grains.
 class HeatProperties : public Properties {
  public:
   void parameters(Parameters& p);
@@ -13,20 +13,20 @@ class HeatProperties : public Properties {
   double grain_expansion = 0;  // beta_s [1/K], volumetric; the drained skeleton expands like its grains
 };
 
-/// Heat in the pore water.
+/// Thermal properties of the pore water.
 struct WaterHeat {
   double capacity = 4186;      // c_w [J/(kg K)]
   double expansion = 2.07e-4;  // beta_w [1/K], volumetric
 };
 
-/// Saturated soil with heat: the skeleton expands with its grains, water expands more and presses, heat is conducted
-/// and carried by the flow, warm water is lighter and thinner. Balances over a step (rho_w: density of water at
-/// pressure p and temperature T; m = n rho_w):
+/// Saturated soil with heat: the skeleton expands with its grains, water expands more and so raises the pore pressure,
+/// heat is conducted and advected by the flow, warm water is lighter and less viscous. Balances over a step (rho_w:
+/// density of water at pressure p and temperature T; m = n rho_w):
 ///   water: m_{n+1} - m_n/J + dt div(rho_w q) = 0,   q = -k(e)/gamma_w mu_0/mu(T) (grad p - rho_w g)
 ///   heat:  C (T_{n+1} - T_n) + dt [c_w rho_w q . grad T - div(lambda grad T)] = 0
-/// C = (1-n) rho_s c_s + m c_w. In this form a uniform temperature stays uniform whatever flows; what the balances of
-/// water and heat say together is conservation of heat, exactly, because temperature and pore pressure have the same
-/// shapes. One temperature for grains and water; no heat from plastic work.
+/// C = (1-n) rho_s c_s + m c_w. In this form a uniform temperature stays uniform in any flow. Together the balances of
+/// water and heat conserve heat exactly, because temperature and pore pressure have the same shape functions. One
+/// temperature for grains and water; no heat from plastic work.
 class ThermoHydroMechanical : public SoilPhysics {
  public:
   void parameters(Parameters& p);
@@ -40,7 +40,7 @@ class ThermoHydroMechanical : public SoilPhysics {
 
  private:
   WaterHeat water_;
-  bool viscosity_follows_ = true;  // the temperature; else it is that of the reference temperature
+  bool viscosity_follows_ = true;  // viscosity depends on the temperature; else it is that at the reference temperature
   double reference_ = 20;          // [degC]
   Function initial_;
   bool initial_given_ = false;

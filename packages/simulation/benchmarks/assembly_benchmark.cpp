@@ -1,5 +1,5 @@
-// Residual, Jacobian and both, as a Newton iteration wants them, of the u-p model per element, all terms of a dynamic
-// step: linear elastic and Modified Cam Clay on Taylor-Hood pairs in axial symmetry and in space.
+// Time per element for the residual, the Jacobian, and both in turn as in a Newton iteration, of the u-p model with all
+// terms of a dynamic step: linear elastic and Modified Cam Clay on Taylor-Hood pairs in axial symmetry and in space.
 // Run: assembly_benchmark
 #include <benchmark/benchmark.h>
 
@@ -46,11 +46,11 @@ void assemble(benchmark::State& state, const std::string& cell, bool clay, What 
         data(i, 0) += uniform(random) * (model.space().dofs()->field_of(i) == 0 ? 2e-5 : 100.0);
   }
   if (!stepper.residual(x, f)) state.SkipWithError("the residual failed");
-  // in turn at two places: the stepper remembers what it found at the last one
+  // two states in turn, because the stepper keeps its results for the last one
   Vector places[2] = {Vector(x, Teuchos::Copy), Vector(x, Teuchos::Copy)};
   places[1].scale(1 + 1e-12);
   int turn = 0;
-  if (what == What::residual) stepper.observe(0.5);  // converged: nothing is prepared for a matrix
+  if (what == What::residual) stepper.observe(0.5);  // as converged, so that nothing is prepared for a matrix
   for (auto _ : state) {
     turn = 1 - turn;
     if (what != What::jacobian) stepper.residual(places[turn], f);

@@ -1,5 +1,5 @@
 // Time and memory of mesh motion and remap on several ranks: the vertices inside a box of Modified Cam Clay are pulled
-// off their places, and the motion brings them back, again and again. With a third word the box is then meshed anew.
+// off their places, and the motion brings them back, again and again. With a third argument the box is then remeshed.
 // Run: mpirun -n RANKS motion_on_ranks [CELLS [plane|space [remeshing]]]
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
@@ -24,7 +24,7 @@ std::string deck(int cells, bool space) {
                        list("mesh motion", list("remeshing", number("time limit", 600))));
 }
 
-/// [MB] that this process holds, and what it held at most since `forget_peak`.
+/// Memory of this process [MB] by its name in /proc/self/status; VmHWM is the peak since `forget_peak`.
 double memory(const std::string& what) {
   std::ifstream file("/proc/self/status");
   for (std::string line; std::getline(file, line);)
@@ -41,8 +41,8 @@ double largest(const Teuchos::Comm<int>& comm, double mine) {
   return most;
 }
 
-/// The region meshed anew, by rank 0, and the state carried over: how long the latter takes and what it needs at most
-/// on top of the two models, on any rank but the first.
+/// Remeshes the region on rank 0 and transfers the state. Measures the time of the transfer, and the peak of its memory
+/// beyond the two models on any rank but the first.
 void remesh(ModelFixture& fixture) {
   Model& model = *fixture.model;
   const Teuchos::Comm<int>& comm = *model.mesh().comm();

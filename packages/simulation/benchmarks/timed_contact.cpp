@@ -1,6 +1,6 @@
-// Plugin: the contact "timed penalty" is `penalty` with a clock around what it does: search (begin), residual,
-// Jacobian, augmentation, relocation. At the end of the run it prints how long that took, and how long from its first
-// step to its last.
+// Plugin: the contact "timed penalty" is `penalty` with timers around its parts: search (begin), residual, Jacobian,
+// augmentation, relocation. At the end of the run it prints how long that took, and how long from its first step to its
+// last.
 #include <chrono>
 #include <cstdio>
 

@@ -56,7 +56,7 @@ void write_arrays(MPI_Comm comm, hid_t file, const std::string& group,
   }
 }
 
-/// The part of `rank`, or of all where it is negative.
+/// Reads the part of `rank`, or of all ranks where it is negative.
 template <class T>
 std::map<std::string, std::vector<T>> read_arrays(int rank, hid_t file, const std::string& group) {
   std::map<std::string, std::vector<T>> arrays;
@@ -117,7 +117,7 @@ MeshSignature signature_of(const Mesh& mesh) {
   signature.local_nodes = mesh.num_nodes();
   signature.owned_nodes = mesh.num_owned_nodes();
   std::uint64_t hash = fingerprint(mesh.node_ids().data(), mesh.node_ids().size() * sizeof(long long));
-  // Sums over items that stand on one rank each: the same however the mesh is partitioned.
+  // Each item counts on one rank only, so that the sums do not depend on the partition.
   std::uint64_t here[2] = {0, 0}, all[2];
   for (const auto& block : mesh.blocks()) {
     signature.local_elements += block.num_elements;
@@ -179,7 +179,7 @@ void CheckpointReader::check_seal(const std::string& path) const {
 
 namespace {
 
-/// What reads an HDF5 file of ours: every rank gets the same description of what is wrong with it.
+/// Runs an action that reads a checkpoint; errors of HDF5 become InputErrors with the file's name.
 template <class Action>
 void reading(const std::string& path, Action&& action) {
   try {
@@ -227,7 +227,7 @@ CheckpointData CheckpointReader::read(const std::string& path) const {
     data.moved_nodes = all[3] != now[3];
     const long long* mine = &all[signature_length * std::min<long long>(rank, written - 1)];
     const bool same = written == comm_->getSize() && std::equal(now.begin() + 4, now.end(), mine + 4);
-    // the ranks agree on what each of them reads
+    // either all ranks read their own part, or all read everything
     const bool same_partition = agreed_message(mpi, same ? "" : "no").empty();
     data.ranks = same_partition ? 0 : static_cast<int>(written);
     data.arrays = read_arrays<double>(same_partition ? rank : -1, file, "arrays");

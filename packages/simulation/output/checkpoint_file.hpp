@@ -11,20 +11,20 @@ namespace mudline {
 
 class Mesh;
 
-/// What a checkpoint holds. The names are the same on every rank; `arrays` and `integers` differ in length and content
+/// Content of a checkpoint. The names are the same on every rank; `arrays` and `integers` differ in length and content
 /// from rank to rank, `scalars` and `texts` are the same everywhere.
 struct CheckpointData {
   std::map<std::string, std::vector<double>> arrays;
   std::map<std::string, std::vector<long long>> integers;
   std::map<std::string, double> scalars;
   std::map<std::string, std::string> texts;
-  /// Only when read. 0: arrays and integers are those that this rank wrote. Else the mesh was partitioned otherwise
-  /// then, and they are those of so many ranks, one after the other.
+  /// Set only when read. 0: arrays and integers are those that this rank wrote. Otherwise the mesh had another
+  /// partition, and they are those of this many ranks, one after the other.
   int ranks = 0;
-  bool moved_nodes = false;  // only when read: the source gives the mesh's nodes other coordinates now
+  bool moved_nodes = false;  // set only when read: the mesh's nodes now have other coordinates
 };
 
-/// What must agree between the run that wrote a checkpoint and the one that reads it.
+/// Figures of a mesh that must agree between the run that wrote a checkpoint and the one that reads it.
 struct MeshSignature {
   long long global_nodes = 0, global_elements = 0;
   long long local_nodes = 0, owned_nodes = 0, local_elements = 0;  // of this rank
@@ -39,7 +39,7 @@ MeshSignature signature_of(const Mesh& mesh);
 class CheckpointWriter {
  public:
   CheckpointWriter(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh);
-  /// Writes under a temporary name and renames: `path` is the old checkpoint or the new one, never a part.
+  /// Writes under a temporary name and renames: `path` always holds a complete checkpoint, the old one or the new one.
   /// Throws RunError on every rank when it cannot be written. Collective.
   void write(const std::string& path, const CheckpointData& data) const;
 
@@ -51,14 +51,14 @@ class CheckpointWriter {
 class CheckpointReader {
  public:
   CheckpointReader(Teuchos::RCP<const Teuchos::Comm<int>> comm, const MeshSignature& mesh);
-  /// The texts alone, whatever the mesh. InputError on every rank alike when the file is missing, is no checkpoint of
-  /// this format, or is damaged. Collective.
+  /// Reads the texts alone, whatever the mesh. InputError on every rank alike when the file is missing, is no
+  /// checkpoint of this format, or is damaged. Collective.
   std::map<std::string, std::string> texts(const std::string& path) const;
-  /// One of the integer arrays as all ranks wrote it, whatever the mesh, on rank 0; elsewhere, and where there is none,
-  /// nothing. Of a file whose texts were read. Collective.
+  /// Reads one of the integer arrays as all ranks wrote it, whatever the mesh. Rank 0 gets it; the others, and all
+  /// where there is none, get an empty one. The file's texts must have been read before. Collective.
   std::vector<long long> first_integers(const std::string& path, const std::string& name) const;
-  /// Each rank gets back what it wrote or, where ranks or partition are others, what all wrote. InputError like
-  /// texts(), and when the file belongs to another mesh. Collective.
+  /// Reads everything. Each rank gets back what it wrote or, where the ranks or their partition differ, what all ranks
+  /// wrote. InputError like texts(), and when the file belongs to another mesh. Collective.
   CheckpointData read(const std::string& path) const;
 
  private:

@@ -17,7 +17,7 @@ std::string broadcast(MPI_Comm comm, const std::string& text);
 /// True on every rank when all ranks gave the same text. Collective.
 bool same_everywhere(MPI_Comm comm, const std::string& text);
 
-/// FNV-1a, 64 bit: the same on every machine, unlike std::hash.
+/// FNV-1a hash of 64 bits: the same on every machine, unlike std::hash.
 std::uint64_t fingerprint(const void* data, std::size_t bytes, std::uint64_t start = 14695981039346656037ull);
 
 }  // namespace mudline

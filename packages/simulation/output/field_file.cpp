@@ -21,7 +21,8 @@ namespace mudline {
 
 namespace {
 
-/// Names that must agree on all ranks, lest the ranks create different datasets and wait for each other for ever.
+/// Names that must agree on all ranks, because otherwise the ranks would create different datasets and wait for each
+/// other for ever.
 std::string signature(const std::vector<OutputField>& fields) {
   std::string text;
   for (const auto& field : fields)
@@ -40,7 +41,7 @@ std::map<std::string, xdmf::Field> read_fields(hid_t file, const std::string& gr
   return fields;
 }
 
-/// In the plane the angle [rad], between -pi and pi; in space the matrix, row by row.
+/// Rotation of a pose: in the plane the angle [rad] between -pi and pi, in space the matrix, row by row.
 std::vector<double> rotation(const BodyPose& pose, int dimension) {
   const auto& m = pose.turn.matrix;
   if (dimension == 2) return {std::atan2(m[1][0], m[0][0])};
@@ -49,7 +50,7 @@ std::vector<double> rotation(const BodyPose& pose, int dimension) {
 
 Point moved(const Point& point, const BodyPose& pose) {
   const Point arm = point - pose.centre, turned = pose.turn(arm);
-  // a body that does not turn keeps every bit
+  // without rotation the sum is exact to the last bit
   return turned == arm ? point + pose.shift : pose.centre + pose.shift + turned;
 }
 
@@ -75,7 +76,7 @@ struct FieldFile::File {
   Teuchos::RCP<const Teuchos::Comm<int>> owner;  // keeps the communicator alive
   MPI_Comm comm;
   int rank, dimension, number;
-  xdmf::StepMesh on;  // of the steps that are written now
+  xdmf::StepMesh on;  // mesh of the steps that are written now
   IdOrder nodes, elements;
   FieldIndex index;  // the same on every rank; rank 0 writes it
   FieldMarks marks;
@@ -119,7 +120,7 @@ void FieldFile::File::write_mesh(const Mesh& mesh) {
   mark(FieldIndex::mesh_name(number));
 }
 
-/// Of a file that was written just now.
+/// Notes the fingerprint of a file that was written just now.
 void FieldFile::File::mark(const std::string& name) {
   std::uint64_t found = 0;
   std::string lost;
@@ -134,8 +135,8 @@ void FieldFile::File::mark(const std::string& name) {
   marks[name] = found;
 }
 
-/// The files of so many steps and of their meshes must be those of the marks. Files without one, of a run by an earlier
-/// version, get theirs now. Every rank reads its share.
+/// Refuses files of the first `steps` steps and of their meshes that differ from the marks. Files without a mark, of a
+/// run by an earlier version, get one now. Every rank reads its share.
 void FieldFile::File::look_at_old_files(std::size_t steps, const FieldRestart& restart) {
   marks = restart.marks;
   if (restart.own) return;
@@ -169,7 +170,7 @@ void FieldFile::File::look_at_old_files(std::size_t steps, const FieldRestart& r
   }
 }
 
-/// Steps of earlier versions say nothing of their mesh: it is the first one.
+/// The mesh of a step; steps of earlier versions do not name it, and it is the first one.
 xdmf::StepMesh FieldFile::File::mesh_of(hid_t step) const {
   if (!h5::has_attribute(step, "mesh")) return index.model.mesh;
   return {h5::text_attribute(step, "mesh"), h5::integer_attribute(step, "nodes"),
@@ -213,7 +214,7 @@ void FieldFile::File::open(const Mesh& mesh, const FieldRestart& restart) {
   if (rank == 0) index.remove_steps(index.steps);
 }
 
-/// What is wrong with the shape of the call, or "".
+/// Error text where fields have wrong sizes or equal names, or "".
 std::string FieldFile::File::wrong_fields(const std::vector<OutputField>& fields, std::size_t rows) const {
   std::vector<std::string> links;
   for (const auto& field : fields) {
@@ -274,7 +275,7 @@ void FieldFile::File::write_bodies(hid_t file, const std::map<std::string, BodyP
   }
 }
 
-/// Brings the steps so far before the readers' eyes.
+/// Writes the index, so that readers find the steps so far.
 void FieldFile::File::publish() const { fail_alike(index.write()); }
 
 std::optional<std::map<std::string, std::string>> metadata_of(const std::string& path_stem) {
@@ -289,7 +290,7 @@ std::optional<std::map<std::string, std::string>> metadata_of(const std::string&
       texts[link] = h5::read_text(file, "metadata/" + link);
     return texts;
   } catch (const std::runtime_error&) {
-    return std::map<std::string, std::string>{};  // something is there, and nobody knows what
+    return std::map<std::string, std::string>{};  // a file is there, but it cannot be read
   }
 }
 
@@ -325,7 +326,7 @@ void FieldFile::add_body(const std::string& name, const BodyOutline& outline) {
     throw InputError("bodies/" + name + ": in the results it would have the name of the body '" +
                      index.model.bodies.at(link).name + "', " + link + "; give one of them another name");
   if (found != index.outlines.end()) {
-    // After a restart: the steps already written describe this outline.
+    // After a restart the outline must be that of the steps already written.
     if (outline.points.size() != found->second.points.size() || outline.facets != found->second.facets)
       throw InputError(index.path() + ": body '" + name + "' has another " + (in_space ? "surface" : "contour") +
                        " than in the first run");
@@ -365,7 +366,7 @@ void FieldFile::write(double time, int step, const std::string& stage, const std
     h5::set_attribute(file, "time", std::vector<double>{time});
     h5::set_attribute(file, "step", static_cast<long long>(step));
     h5::set_attribute(file, "stage", stage);
-    if (f.number > 0) {  // the others have the first mesh, to which the index leads
+    if (f.number > 0) {  // steps on the first mesh need no mesh of their own: the index has it
       h5::set_attribute(file, "mesh", f.on.file);
       h5::set_attribute(file, "nodes", f.on.nodes);
       h5::set_attribute(file, "elements", f.on.elements);

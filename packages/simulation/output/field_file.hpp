@@ -33,21 +33,21 @@ struct BodyPose {
   Point centre{};
 };
 
-/// What a checkpoint keeps of the files of meshes and steps: their fingerprints, by name ("mesh", "000000").
+/// Fingerprints of the files of meshes and steps, by name ("mesh", "000000"), as a checkpoint keeps them.
 using FieldMarks = std::map<std::string, std::uint64_t>;
 
-/// Where the fields of a run are continued: after so many steps. `accept_loss`: with those up to `time` [s] that are
-/// left, changed or not.
+/// The fields of a run are continued after `steps` steps. `accept_loss`: after those up to `time` [s] that are left,
+/// changed or not.
 struct FieldRestart {
   long long steps = 0;
   double time = 0;
   bool accept_loss = false;
   FieldMarks marks{};
-  bool own = false;  // written by this very process: not looked at again
+  bool own = false;  // the files are those of this process and are not checked again
 };
 
-/// The texts that set_metadata gave to the fields of this stem, by name with "_" for what is no letter, digit, "." or
-/// "-"; nothing where there are none, or no step of them. Not collective.
+/// The texts that set_metadata gave to the fields of this stem, by name with "_" in place of any other character than
+/// letters, digits, "." and "-"; empty where there are none, or no steps. Not collective.
 std::optional<std::map<std::string, std::string>> metadata_of(const std::string& path_stem);
 
 /// The fields of a run: an HDF5 file for the mesh and one for every step, written by all ranks together in a folder,
@@ -62,9 +62,9 @@ std::optional<std::map<std::string, std::string>> metadata_of(const std::string&
 class FieldFile {
  public:
   /// Writes path_stem + ".h5", the folder path_stem + ".fields" and, from the first step on, path_stem + ".xdmf".
-  /// Without `restart` old files are replaced. With it so many steps stay and later ones go. InputError when the old
-  /// file cannot be continued: no result of mudline, of another mesh, or with files missing or changed. `number`: of a
-  /// mesh that was made on the way, which the steps from now on have; it comes with a restart only.
+  /// Without `restart` old files are replaced. With it the steps that it counts stay and later ones are removed.
+  /// InputError when the old file cannot be continued: it is no result of mudline, is of another mesh, or files are
+  /// missing or changed. `number`: number of the remeshed mesh of the steps from now on; only with a restart.
   FieldFile(const Mesh& mesh, const std::string& path_stem, std::optional<FieldRestart> restart = {}, int number = 0);
   ~FieldFile();
   FieldFile(const FieldFile&) = delete;
@@ -73,19 +73,19 @@ class FieldFile {
   /// Stores a text under a name ("program", "deck", ...), replacing an earlier one; on disk with the next step.
   void set_metadata(const std::string& name, const std::string& text);
 
-  /// A rigid body, drawn with the soil. Before the first write; after a restart it is given again.
+  /// Adds a rigid body, drawn with the soil; to be called before the first write, after a restart too.
   void add_body(const std::string& name, const BodyOutline& outline);
 
-  /// Appends a step. `coordinates`: (owned node, axis) current [m]; `poses` by body, absent ones rest.
+  /// Appends a step. `coordinates`: (owned node, axis) current [m]; `poses` by body, bodies without a pose rest.
   void write(double time, int step, const std::string& stage, const std::vector<double>& coordinates,
              const std::vector<OutputField>& nodal, const std::vector<OutputField>& cell,
              const std::map<std::string, BodyPose>& poses = {});
 
   /// Number of steps written so far, those of before a restart included.
   int num_steps() const;
-  /// Of the files of these steps and of their meshes.
+  /// Fingerprints of the files of these steps and of their meshes.
   const FieldMarks& marks() const;
-  /// The files that should be there and are not, or "". Rank 0's business; not collective.
+  /// The files that should be there and are not, or "". For rank 0; not collective.
   std::string missing() const;
 
  private:

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* format_name = "mudline fields";
 constexpr long long format_version = 2;
 
-/// The outline of a body: "contour" in the plane, "surface" and "triangles" in space.
+/// Reads the outline of a body: "contour" in the plane, "surface" and "triangles" in space.
 SurfaceTriangles read_outline(hid_t body) {
   SurfaceTriangles outline;
   const auto links = h5::names(body);
@@ -125,7 +125,7 @@ std::string FieldIndex::write() const {
     }
     for (std::size_t k = 0; k < steps; ++k) h5::link_to_file(links, step_name(k), model.path(step_name(k)), "/");
   });
-  // The steps must exist for whoever reads of them, in whichever of the two files.
+  // Both files may name only steps that exist.
   std::error_code ignored;
   if (error.empty() && steps > 0) error = write_atomically(stem + ".xdmf", xdmf::document(grids_));
   if (steps == 0) std::filesystem::remove(stem + ".xdmf", ignored);

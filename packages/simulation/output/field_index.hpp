@@ -1,6 +1,6 @@
 #pragma once
 
-// What is known of a run's fields as a whole; used by field_file.cpp only.
+// Index of a run's fields; used by field_file.cpp only.
 #include <map>
 #include <string>
 #include <vector>
@@ -12,22 +12,23 @@ namespace mudline {
 
 /// The two small files through which the steps of a run are found: <stem>.h5, whose links lead to the files of the mesh
 /// and of the steps in the folder <stem>.fields, and <stem>.xdmf. Both are written whole under a temporary name and
-/// renamed, so that whatever kills the run leaves the old ones or the new ones. Nothing here is collective: every rank
-/// holds an index, rank 0's is the writer.
+/// renamed, so that a killed run leaves the old ones or the new ones. Nothing here is collective: every rank holds an
+/// index, and that of rank 0 writes.
 struct FieldIndex {
   FieldIndex(const std::string& stem, bool writer);
 
-  /// Paths of the index, of the folder, of a file in it, of a mesh's and of a step's; and the name of a step, "000010".
+  /// Paths of the index, of the folder, and of the files in it, by name, mesh or step; and the name of a step,
+  /// "000010".
   std::string path() const { return stem + ".h5"; }
   std::string folder() const { return stem + ".fields"; }
   std::string file_path(const std::string& name) const { return folder() + "/" + name + ".h5"; }
   std::string mesh_path(int number) const { return file_path(mesh_name(number)); }
   std::string step_path(std::size_t step) const { return file_path(step_name(step)); }
   static std::string step_name(std::size_t step);
-  /// "mesh", and "mesh_001" and so on for those that were made on the way.
+  /// Name of a mesh: "mesh", and "mesh_001" and so on after remeshings.
   static std::string mesh_name(int number);
 
-  /// Takes the index of an earlier run, without its steps. InputError when it is not one or its first mesh is another
+  /// Reads the index of an earlier run, without its steps. InputError when it is not one or its first mesh is another
   /// than `first` (null: any). Returns the number of steps that it names.
   std::size_t read(const xdmf::StepMesh* first);
 
@@ -41,10 +42,10 @@ struct FieldIndex {
   /// nothing did.
   std::string write() const;
 
-  /// The first of both files, and of those of the first mesh and of the steps, that is not there, or "".
+  /// The first missing file, or "": of both files of the index, and of those of the first mesh and of the steps.
   std::string missing() const;
 
-  /// Removes both files and the steps from `first` on from the folder.
+  /// Remove both files and all steps, or the steps from `first` on.
   void remove_files() const;
   void remove_steps(std::size_t first) const;
 
@@ -56,7 +57,7 @@ struct FieldIndex {
 
  private:
   bool writer_;
-  std::string grids_;  // the writer's: the XML of the steps so far
+  std::string grids_;  // XML of the steps so far, kept by the writer
 };
 
 }  // namespace mudline

@@ -9,7 +9,7 @@ namespace mudline::field_layout {
 
 namespace {
 
-/// The cell numbers of XDMF's mixed topology.
+/// Cell number of a shape in XDMF's mixed topology.
 int xdmf_cell(CellShape shape) {
   switch (shape) {
     case CellShape::tri3:
@@ -35,7 +35,7 @@ int xdmf_cell(CellShape shape) {
   throw std::logic_error("a cell shape without an XDMF number");
 }
 
-/// Columns as XDMF wants them: z = 0 for plane vectors, tensors from xx yy zz yz xz xy to xx xy xz yy yz zz.
+/// Reorders columns as XDMF wants them: z = 0 for plane vectors, tensors from xx yy zz yz xz xy to xx xy xz yy yz zz.
 std::vector<double> stored_columns(const std::vector<double>& values, int components) {
   static constexpr int tensor_source[6] = {0, 5, 4, 1, 3, 2};
   if (components == 1 || components == 3) return values;
@@ -48,7 +48,7 @@ std::vector<double> stored_columns(const std::vector<double>& values, int compon
   return result;
 }
 
-/// An element travels to its slab as one row: XDMF cell number, region, then its nodes, filled up with -1.
+/// Length of an element's row as it is sent to its slab: XDMF cell number, region, then its nodes, filled up with -1.
 int row_width(const Mesh& mesh) {
   int nodes = 0;
   for (const auto& block : mesh.blocks()) nodes = std::max(nodes, num_nodes(block.shape));

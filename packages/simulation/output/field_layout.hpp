@@ -1,6 +1,6 @@
 #pragma once
 
-// How meshes and fields lie in the HDF5 file; used by field_file.cpp only (it brings hdf5.h).
+// Layout of meshes and fields in the HDF5 file; used by field_file.cpp only (it includes hdf5.h).
 #include <string>
 #include <vector>
 
@@ -15,14 +15,14 @@ namespace mudline::field_layout {
 std::vector<long long> element_ids(const Mesh& mesh);
 std::vector<long long> owned_ids(const Mesh& mesh);
 
-/// Plane vectors get z = 0; other numbers of columns stay.
+/// Number of columns as stored: plane vectors get z = 0, other numbers stay.
 int stored_components(int components);
 
 /// Writes (own row, component) values as a dataset in the order of the ids. Collective.
 h5::Handle write_rows(hid_t parent, const std::string& name, const std::vector<double>& values, int components,
                       const IdOrder& order);
 
-/// Of what write_mesh will write.
+/// Size of what write_mesh will write.
 FileSize mesh_size(const Mesh& mesh);
 
 /// Writes the group "mesh": topology, regions and reference coordinates. Returns the topology's length. Collective.

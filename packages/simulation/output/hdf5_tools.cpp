@@ -23,7 +23,7 @@ hid_t native<long long>() {
   return H5T_NATIVE_LLONG;
 }
 
-// HDF5 prints a stack of its own for every failing call; our exceptions say it in one line instead.
+// HDF5 prints a stack for every failing call; mudline's exceptions say it in one line instead.
 void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 Handle parallel_access(MPI_Comm comm) {
@@ -56,7 +56,7 @@ std::pair<Handle, Handle> selections(hid_t file_space, const Slab& slab) {
 
 Handle text_type(std::size_t size) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "describe a text");
-  check(H5Tset_size(type, std::max<std::size_t>(size, 1)), "describe a text");  // HDF5 knows no empty text
+  check(H5Tset_size(type, std::max<std::size_t>(size, 1)), "describe a text");  // HDF5 has no empty text
   check(H5Tset_strpad(type, H5T_STR_NULLPAD), "describe a text");
   check(H5Tset_cset(type, H5T_CSET_UTF8), "describe a text");
   return type;

@@ -10,7 +10,7 @@
 
 namespace mudline::h5 {
 
-/// Owns one HDF5 identifier. Invalid ones become a std::runtime_error that says what could not be done.
+/// Owns one HDF5 identifier. An invalid one gives a std::runtime_error that says what could not be done.
 class Handle {
  public:
   Handle() = default;
@@ -31,49 +31,51 @@ class Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// std::runtime_error "cannot <doing>" when an HDF5 call failed.
+/// Throws std::runtime_error "cannot <doing>" when an HDF5 call failed.
 void check(herr_t status, const std::string& doing);
 
 // Files and groups. Collective.
-/// `user_block`: bytes at the start that are left to others; 0, or a power of two from 512 on.
+/// `user_block`: bytes at the start of the file that HDF5 leaves alone; 0, or a power of two from 512 on.
 Handle create_file(MPI_Comm comm, const std::string& path, hsize_t user_block);
 Handle open_file(MPI_Comm comm, const std::string& path, bool writable);
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
-/// A link that leads to an object of another file; `file` is relative to the folder of the file that has the link.
+/// Makes a link that leads to an object of another file; `file` is relative to the folder of the file that has the
+/// link.
 void link_to_file(hid_t parent, const std::string& name, const std::string& file, const std::string& object);
 /// Brings everything to the disk. Closing does so too, but cannot say that it failed.
 void flush(hid_t file, const std::string& path);
 /// Names of the links in a group, sorted.
 std::vector<std::string> names(hid_t group);
 
-/// A name that is one link and needs no quoting in an XDMF reference: anything but letters of any language,
+/// Turns a name into that of a link that needs no quoting in an XDMF reference: anything but letters of any language,
 /// digits, '.', '-' becomes '_'.
 std::string link_name(const std::string& name);
 
-/// Names as links and back: in a name "/" is a letter, which HDF5 would take for a group.
+/// Escapes "/" in a name, which HDF5 would take for a group, and the reverse.
 std::string escaped(const std::string& name);
 std::string unescaped(const std::string& link);
 
-/// Where this rank's rows lie in a dataset.
+/// Place of this rank's rows in a dataset.
 struct Slab {
   hsize_t rows, columns;         // of the whole dataset; columns 0: one-dimensional
   hsize_t first = 0, count = 0;  // this rank's rows
 };
 
-/// Creates a dataset and writes every rank's rows, or reads them. T: double, int, long long. Collective.
+/// Create a dataset and write every rank's rows, or read them. T: double, int, long long. Collective.
 template <class T>
 Handle write(hid_t parent, const std::string& name, const std::vector<T>& values, const Slab& slab);
 template <class T>
 std::vector<T> read(hid_t parent, const std::string& name, const Slab& slab);
-/// The whole dataset on every rank.
+/// Reads the whole dataset on every rank.
 template <class T>
 std::vector<T> read_all(hid_t parent, const std::string& name);
 /// Number of values in a dataset.
 hsize_t size(hid_t parent, const std::string& name);
 
-/// Texts as datasets, because attributes end at 64 kB. Every rank gives the same text; rank 0's bytes are written.
+/// Texts are stored as datasets, because attributes are limited to 64 kB. Every rank gives the same text; rank 0's
+/// bytes are written.
 void write_text(hid_t parent, const std::string& name, const std::string& text, int rank);
 std::string read_text(hid_t parent, const std::string& name);
 

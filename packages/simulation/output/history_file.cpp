@@ -56,7 +56,7 @@ void HistoryFile::count(const std::string& text) {
   mark_.fingerprint = fingerprint(text.data(), text.size(), mark_.fingerprint);
 }
 
-/// Rank 0: drops what lies after the restart and opens the file behind the last row. Returns what is wrong, or "".
+/// Drops the rows after the restart and opens the file behind the last row, on rank 0. Returns what is wrong, or "".
 std::string HistoryFile::truncate(const HistoryRestart& restart) {
   std::ifstream old(path_, std::ios::binary);
   std::ostringstream content;
@@ -85,8 +85,8 @@ std::string HistoryFile::truncate(const HistoryRestart& restart) {
   return open();
 }
 
-/// Rank 0: opens the file behind what it holds. Rows are appended, so that a file that another program has emptied
-/// stays shorter than what was written. Returns what is wrong, or "".
+/// Opens the file at its end, on rank 0. Rows are appended, so that a file that another program has emptied stays
+/// shorter than what was written. Returns what is wrong, or "".
 std::string HistoryFile::open() {
   file_.open(path_, std::ios::binary | std::ios::app);
   struct stat found {};
@@ -126,7 +126,7 @@ std::string HistoryFile::keep_rows_until(double time, const std::string& text, s
   return "";
 }
 
-/// Rank 0: the file of before the restart gets a free name. Returns what is wrong, or "".
+/// Renames the file of before the restart to a free name, on rank 0. Returns what is wrong, or "".
 std::string HistoryFile::set_aside() {
   file_.close();
   const std::filesystem::path path(path_);
@@ -162,7 +162,7 @@ void HistoryFile::fix_columns(const std::string& header) {
   if (!error.empty()) throw RunError(error);
 }
 
-/// Rank 0. Returns what is wrong, or "".
+/// Appends a line, on rank 0. Returns what is wrong, or "".
 std::string HistoryFile::append(const std::string& line) {
   if (const std::string error = lost(); !error.empty()) return error;
   file_ << line << std::flush;

@@ -17,14 +17,15 @@ struct HistoryValue {
   double value;
 };
 
-/// How far a history had come: what a checkpoint keeps of it.
+/// Length and fingerprint of a history, as a checkpoint keeps them.
 struct HistoryMark {
   long long rows = 0, bytes = 0;
   std::uint64_t fingerprint = 0;  // of these bytes
 };
 
-/// Where a history is continued. `accept_loss`: with what is left of it up to `time` [s], where it is not what the mark
-/// says; or as a new file, the old one kept under another name, where the columns are others.
+/// Point at which a history is continued. `accept_loss`: a file that does not fit the mark is continued with what is
+/// left of it up to `time` [s]; where the columns differ, a new file is begun and the old one is kept under another
+/// name.
 struct HistoryRestart {
   HistoryMark mark;
   double time = 0;
@@ -36,19 +37,18 @@ struct HistoryRestart {
 /// restarted run leaves the same bytes as one that was never stopped.
 class HistoryFile {
  public:
-  /// Without `restart` an old file is replaced when the first row is written. With it the bytes that its mark speaks of
-  /// stay and what follows them goes. InputError when they are not there: the file is missing, shortened or changed.
-  /// Collective.
+  /// Without `restart` an old file is replaced when the first row is written. With it the bytes that its mark counts
+  /// stay and all that follows is removed. InputError when the file is missing, shortened or changed. Collective.
   HistoryFile(Teuchos::RCP<const Teuchos::Comm<int>> comm, std::string path,
               std::optional<HistoryRestart> restart = {});
 
-  /// Appends a row. Every rank gives the same columns in the same order; the values of rank 0 are written.
-  /// Throws std::logic_error when the columns change within a run, InputError when a restarted run has other columns
-  /// than the file, RunError when the disk refuses; on every rank alike. Collective.
+  /// Appends a row. Every rank gives the same columns in the same order; the values of rank 0 are written. Throws
+  /// std::logic_error when the columns change within a run, InputError when a restarted run has other columns than the
+  /// file, RunError when the file cannot be written; on every rank alike. Collective.
   void write(double time, const std::vector<HistoryValue>& values);
 
-  /// Why the file is not what was written to it, or "": somebody has removed, replaced or cut it. Rank 0's business;
-  /// not collective.
+  /// Why the file is not what was written to it, or "": somebody has removed, replaced or cut it. For rank 0; not
+  /// collective.
   std::string lost() const;
 
   /// Right on rank 0 only.

@@ -71,7 +71,7 @@ IdOrder::IdOrder(MPI_Comm comm, const std::vector<long long>& ids, long long glo
 }
 
 void IdOrder::exchange(const void* send, void* receive, std::size_t bytes_per_item) const {
-  // A type of the item's size keeps counts and offsets in items, far from the limit of int.
+  // With a type of the item's size counts and offsets are in items, far below the limit of int.
   MPI_Datatype item;
   MPI_Type_contiguous(static_cast<int>(bytes_per_item), MPI_BYTE, &item);
   MPI_Type_commit(&item);

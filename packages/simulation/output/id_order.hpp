@@ -6,12 +6,13 @@
 
 namespace mudline {
 
-/// Brings values that are spread over the ranks in any way into the order of their global ids, so that what is written
-/// does not depend on the partition. Each rank receives one contiguous slab of ids: files are then written in long
-/// pieces, and no rank ever holds the whole field.
+/// Sorts values that are distributed over the ranks by their global ids, so that what is written does not depend on the
+/// partition. Each rank receives one contiguous slab of ids: files are then written in long pieces, and no rank ever
+/// holds the whole field.
 class IdOrder {
  public:
-  /// Every id 0..global_count-1 is given by exactly one rank, else std::logic_error (on every rank). Collective.
+  /// Exactly one rank must give each id from 0 to global_count - 1; otherwise std::logic_error on every rank.
+  /// Collective.
   IdOrder(MPI_Comm comm, const std::vector<long long>& ids, long long global_count);
 
   long long global_count() const { return global_count_; }

@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kind = "mudline mesh parts";
 constexpr int format_version = 1;
 
-/// The members of a type as objects of an HDF5 group under their names, written or read.
+/// Writes or reads the members of a type as objects of an HDF5 group under their names.
 class GroupArchive {
  public:
   GroupArchive(hid_t group, bool reading) : group_(group), reading_(reading) {}
@@ -118,7 +118,7 @@ long long fingerprint_of(MeshPart& part) {
   return static_cast<long long>(fingerprint(stream.bytes().data(), stream.bytes().size()));
 }
 
-/// Of the content of the mesh's files.
+/// Fingerprint of the content of the mesh's files.
 long long fingerprint_of(const std::vector<std::string>& files) {
   std::uint64_t hash = fingerprint(nullptr, 0);
   std::vector<char> piece(1 << 20);
@@ -133,7 +133,7 @@ long long fingerprint_of(const std::vector<std::string>& files) {
   return static_cast<long long>(hash);
 }
 
-/// What the parts depend on, as a deck has it.
+/// The deck entries on which the parts depend, as XML.
 std::string origin_of(const MeshRecipe& recipe) {
   Teuchos::ParameterList origin("origin");
   origin.sublist("mesh") = recipe.section().list();
@@ -243,7 +243,7 @@ void check_kind(hid_t file, int ranks) {
 std::unique_ptr<Mesh> read_mesh_parts(const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const MeshRecipe& recipe,
                                       const std::string& path) {
   MeshPart part;
-  // Each rank opens the file for itself: what is wrong with one part is then seen by that rank, and agreed on.
+  // Each rank opens the file by itself; an error in one part is seen by its rank and then reported on all.
   agree(*comm, [&] {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored))

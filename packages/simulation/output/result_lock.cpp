@@ -29,7 +29,7 @@ Owner myself() {
   return {host[0] != '\0' ? host : "unknown", static_cast<long>(getpid())};
 }
 
-/// Who is named in the file; no host: nobody.
+/// The process that the file names; an empty host: none.
 Owner read_owner(int file) {
   char text[400] = "";
   Owner owner;
@@ -53,13 +53,13 @@ ResultLock::~ResultLock() { leave(true); }
 
 void ResultLock::leave(bool remove) {
   if (file_ < 0) return;
-  if (remove) unlink(path_.c_str());  // before it is free, so that it is nobody else's
+  if (remove) unlink(path_.c_str());  // while it is still locked, so that it is not the file of another run
   close(file_);
   file_ = -1;
 }
 
 std::string ResultLock::take() {
-  bool by_system = true;  // else the file system knows no locks, and what the file says has to do
+  bool by_system = true;  // false: the file system has no locks, and the file's content decides
   for (;;) {
     file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (file_ < 0) return path_ + ": cannot be written: " + std::strerror(errno);

@@ -12,7 +12,7 @@ namespace {
 
 std::string title(const std::string& kind) { return "mudline " + kind + ", format "; }
 
-/// Of what is behind so many bytes.
+/// Fingerprint of a file's content after its first `begin` bytes.
 std::uint64_t content_fingerprint(std::istream& file, std::size_t begin = seal_size) {
   file.seekg(static_cast<std::streamoff>(begin));
   std::vector<char> piece(1 << 20);

@@ -18,8 +18,8 @@ namespace {
 
 using Seal = std::function<std::string(const std::string& path)>;
 
-/// Rank 0: takes room for so many bytes under this name, in an empty file or behind what is there. Returns why there is
-/// none, or "".
+/// Reserves room for so many bytes under this name, in a file that is emptied first or as it is, on rank 0. Returns why
+/// there is none, or "".
 std::string take_room(const std::string& path, long long bytes, bool empty) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (empty ? O_TRUNC : 0), 0666);
   if (file < 0) return "cannot create '" + path + "': " + std::strerror(errno);
@@ -30,7 +30,7 @@ std::string take_room(const std::string& path, long long bytes, bool empty) {
 
 std::string write(MPI_Comm comm, const std::string& path, const FileSize& size, hsize_t user_block,
                   const std::function<void(hid_t file)>& content, const Seal& seal) {
-  constexpr long long around = 16384, by_object = 2048;  // [B] of HDF5's own, from above
+  constexpr long long around = 16384, by_object = 2048;  // [bytes] upper estimates of HDF5's own data
   const std::string temporary = path + ".part";
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
@@ -49,7 +49,7 @@ std::string write(MPI_Comm comm, const std::string& path, const FileSize& size, 
   }
   try {
     const auto file = h5::create_file(comm, temporary, user_block);
-    error = room(false);  // HDF5 empties the file; it is cut to its length at the end
+    error = room(false);  // HDF5 has emptied the file, and cuts it to its length at the end
     if (!error.empty()) throw std::runtime_error(error);
     content(file);
     h5::flush(file, temporary);

@@ -41,7 +41,7 @@ std::string attributes(const Model& model, const Step& step, const std::map<std:
   return text;
 }
 
-/// The closed surface of a body in space, its contour in the plane.
+/// Topology of a body: its closed surface in space, its contour in the plane.
 std::string body_topology(const Model& model, const std::string& link, const Body& body) {
   const std::string points = std::to_string(body.points), triangles = std::to_string(body.triangles);
   if (body.triangles > 0)

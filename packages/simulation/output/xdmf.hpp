@@ -6,7 +6,7 @@
 
 namespace mudline::xdmf {
 
-/// One attribute as it lies in the HDF5 file; components: 1 scalar, 3 vector, 6 symmetric tensor.
+/// One attribute as stored in the HDF5 file; components: 1 scalar, 3 vector, 6 symmetric tensor.
 struct Field {
   std::string name, unit;
   int components;
@@ -18,7 +18,7 @@ struct StepMesh {
   long long nodes = 0, elements = 0, topology_length = 0;
 };
 
-/// What the light data say about one written step; the keys are link names in its HDF5 file.
+/// Description of one written step in the XDMF file; the keys are link names in its HDF5 file.
 struct Step {
   std::string file;  // in the model's folder, without suffix: "000000"
   double time;
@@ -33,13 +33,13 @@ struct Body {
   long long points, triangles;  // triangles 0: a contour in the plane
 };
 
-/// What stays the same over a run.
+/// Data that stay the same over a run.
 struct Model {
-  std::string folder;                  // that holds the meshes and the files of the steps, beside the XDMF file
-  std::string index;                   // beside it, too: the file that holds the triangles of bodies
+  std::string folder;                  // folder of the files of meshes and steps, beside the XDMF file
+  std::string index;                   // file beside the XDMF file that holds the triangles of bodies
   StepMesh mesh;                       // the first one
   std::map<std::string, Body> bodies;  // by link name
-  /// Of a file in the folder, as seen from beside the folder.
+  /// Path of a file in the folder, relative to the XDMF file.
   std::string path(const std::string& file) const { return folder + "/" + file + ".h5"; }
 };
 

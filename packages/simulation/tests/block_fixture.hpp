@@ -37,7 +37,8 @@ inline std::string pressure_on_all_sides(const std::string& p) {
   return on_all_sides("wet", text("type", "pore pressure") + text("value", p));
 }
 
-/// A distorted block of soil, 1.5 m x 1 m, void ratio 0.8, under a quasi-static stage of backward Euler steps.
+/// A block of soil with a distorted mesh, 1.5 m x 1 m, void ratio 0.8, under a quasi-static stage of backward Euler
+/// steps.
 class Block {
  public:
   Block(const std::string& cell, const std::string& geometry, const std::string& skeleton,
@@ -59,8 +60,8 @@ class Block {
   }
   /// One step, not accepted yet.
   StepReport step(double dt, const StepTolerances& tolerances = StepTolerances()) {
-    NewtonOptions
-        tangents;  // a fresh Jacobian each time: the last iteration then overshoots the tolerance, and tests are sharp
+    // with a new Jacobian in each iteration the last one goes far below the tolerance, and tests can be strict
+    NewtonOptions tangents;
     tangents.reuse_jacobian = false;
     return model().stepper().attempt(request(dt), tolerances, tangents);
   }

@@ -82,12 +82,12 @@ void check(const Case& c) {
   ASSERT_TRUE(stepper.residual(x, f));
   model.store().accept();
   x = stepper.begin(request, StepTolerances());
-  perturb(0.015);  // some points leave, waves of the surface make others touch
+  perturb(0.015);  // some points leave, and others come to touch through the waves of the surface
   ASSERT_TRUE(stepper.residual(x, f));
   stepper.jacobian(x);
   const double scale[] = {0.01, 1e4, 0.01};
   for (int moved = 0; moved < dofs.num_fields(); ++moved) {
-    const double h = moved == 1 ? 1e-3 : 1e-5;  // little of the body's force comes from pressures: against rounding
+    const double h = moved == 1 ? 1e-3 : 1e-5;  // larger for pressures, on which the body's force depends little
     Vector v(stepper.map()), plus(x, Teuchos::Copy), x - Teuchos::Copy, above(stepper.map()), below(stepper.map()),
         jv(stepper.map());
     {

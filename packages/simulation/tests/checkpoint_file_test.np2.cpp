@@ -27,7 +27,7 @@ TEST(CheckpointFile, EachRankGetsItsOwnBack) {
   EXPECT_EQ(back.scalars, data.scalars);
   EXPECT_EQ(back.texts, data.texts);
 
-  // One rank with another partition is enough for both to get all.
+  // Both ranks get everything when one of them has another partition.
   MeshSignature other = mesh;
   if (rank == 1) other.owned_nodes = 6;
   const CheckpointData all = CheckpointReader(comm, other).read(folder / "c.h5");

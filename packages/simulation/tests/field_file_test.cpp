@@ -133,7 +133,7 @@ TEST(FieldFile, BodyInSpaceIsASurfaceThatTurnsAboutAnyAxis) {
   const Mesh mesh(world(), Geometry::space, cube());
   FieldFile file(mesh, folder / "r");
   file.add_body("a spike", tetrahedron);
-  // about the axis (1, 1, 1): x becomes y, y becomes z, z becomes x
+  // a rotation about the axis (1, 1, 1): x becomes y, y becomes z, z becomes x
   const BodyPose pose{{0.5, 0, -0.25}, {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}, {0, 0, 1}};
   write_in_space(mesh, file, pose);
   EXPECT_EQ(dataset(folder / "r.h5", "/bodies/a_spike/surface"),
@@ -203,7 +203,7 @@ TEST(FieldFile, AStepThatWasCutShortHarmsNothing) {
     file.add_body("cone", contour);
     for (int step = 0; step < 2; ++step) result.write(file, step);
   }
-  // What kills leave: half a step, a step that the index does not have yet, half an index.
+  // A killed run may leave half a step, a step that the index does not have yet, or half an index.
   std::ofstream(folder / "r.fields/000002.h5.part") << "half a step";
   std::filesystem::copy_file(folder / "r.fields/000001.h5", folder / "r.fields/000002.h5");
   std::ofstream(folder / "r.h5.part") << "half an index";

@@ -80,7 +80,7 @@ TEST(HistoryFile, RefusesToGoOnWithRowsLost) {
   Folder folder;
   const std::string path = folder / "h.csv";
   const HistoryMark mark = three_rows(path);
-  EXPECT_EQ(mark.rows, 3);  // the header is one
+  EXPECT_EQ(mark.rows, 3);  // the header counts as a row
   const std::string good = content(path);
   std::string changed = good;
   changed[good.find("0,1,")] = '5';
@@ -96,7 +96,7 @@ TEST(HistoryFile, RefusesToGoOnWithRowsLost) {
   std::filesystem::remove(path);
   EXPECT_NE(refusal().find("the file is missing, which should hold the 3 lines"), std::string::npos) << refusal();
 
-  std::ofstream(path, std::ios::binary) << good.substr(0, good.find("1,2,"));  // the user accepts it
+  std::ofstream(path, std::ios::binary) << good.substr(0, good.find("1,2,"));  // the user accepts the loss
   HistoryFile continued(world(), path, HistoryRestart{mark, 1.0, true});
   continued.write(2.0, row(3));
   EXPECT_EQ(content(path), good.substr(0, good.find("1,2,")) + good.substr(good.find("2,3,")));

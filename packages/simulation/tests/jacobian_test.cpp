@@ -19,7 +19,7 @@ struct Case {
   bool linear() const { return cell == "tri3" || cell == "quad4" || cell == "tet4" || cell == "hex8"; }
 };
 
-/// Numbers of a point or vector; the one for y is left out in the plane, whose second direction is upright.
+/// Components of a point or vector; y is left out in the plane, whose second axis is the vertical one.
 std::string numbers(const Case& c, const std::string& name, const char* type, const std::string& x,
                     const std::string& y, const std::string& z) {
   return par(name, type, "{" + x + ", " + (c.space() ? y + ", " : "") + z + "}");
@@ -96,7 +96,8 @@ double jacobian_error(Model& model, const Vector& x, std::mt19937& random) {
   plus.update(h, v, 1.0);
   minus.update(-h, v, 1.0);
   EXPECT_TRUE(stepper.residual(plus, above));
-  // what the residual kept for the matrix at x is what the matrix finds by itself, now that the state is another
+  // the data that the residual kept for the matrix at x equal those that the matrix computes itself after a residual at
+  // another place
   Vector anew(stepper.map());
   stepper.jacobian(x);
   stepper.apply_jacobian(v, anew);

@@ -24,7 +24,7 @@ MeshRecipe recipe(const std::string& entries, const ContactSets& contacts = {}) 
   return {sources, mesh_section(entries), contacts};
 }
 
-/// Split by rank 0, as the command does.
+/// Splits a mesh on rank 0, as the command does.
 void split(const MeshRecipe& recipe, int ranks, const std::string& path) {
   agree(*world(), [&] {
     if (world()->getRank() == 0) write_mesh_parts(recipe, ranks, path);
@@ -124,7 +124,8 @@ TEST(MeshPartsFile, RefusesOtherRanksAndOtherMeshes) {
   EXPECT_CONTAINS(refusal(recipe(box("quad9", 8, 4), {{}, {"top"}}), path), "surfaces in contact: top");
 }
 
-/// What one rank alone sees ends both alike: a bit of rank 1's coordinates has changed, or the file is cut short.
+/// An error that one rank alone sees is thrown on both: a bit of rank 1's coordinates has changed, or the file is cut
+/// short.
 TEST(MeshPartsFile, RefusesWhatIsDamaged) {
   Folder folder;
   const std::string path = folder / "parts.h5";
@@ -136,7 +137,7 @@ TEST(MeshPartsFile, RefusesWhatIsDamaged) {
     if (world()->getRank() == 0) std::ofstream(path, std::ios::binary) << text;
     world()->barrier();
   };
-  // the coordinates of a node that lies in the second part alone
+  // coordinates of a node that lies in the second part only
   const auto mesh = read_mesh_parts(world(), how, path);
   double at[2] = {mesh->place(mesh->num_owned_nodes() / 2)[0], mesh->place(mesh->num_owned_nodes() / 2)[1]};
   Teuchos::broadcast(*world(), 1, 2, at);

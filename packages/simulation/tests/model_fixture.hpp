@@ -13,7 +13,7 @@ namespace mudline::testing {
 
 /// A model built from deck text, with everything it refers to.
 struct ModelFixture {
-  /// `more`: registers types of the test's own.
+  /// `more`: registers further types of a test.
   explicit ModelFixture(const std::string& xml, const std::function<void(Registries&)>& more = {}) {
     deck.overlay(xml, "test.xml");
     register_all(registries);
@@ -27,7 +27,7 @@ struct ModelFixture {
   std::unique_ptr<Model> model;
 };
 
-/// "<ParameterList name=...>body</ParameterList>" and parameters, to keep decks in tests short.
+/// Text of "<ParameterList name=...>body</ParameterList>" and of parameters, to keep decks in tests short.
 inline std::string list(const std::string& name, const std::string& body) {
   return "<ParameterList name=\"" + name + "\">" + body + "</ParameterList>\n";
 }

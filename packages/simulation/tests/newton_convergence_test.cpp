@@ -37,8 +37,8 @@ TEST(Newton, ConvergesQuadratically) {
       const std::vector<double> r = history(cell, geometry);
       int squared = 0;
       for (std::size_t k = 1; k < r.size(); ++k) {
-        if (r[k - 1] > 0.1 || r[k - 1] < 1e-8) continue;  // on the way, or the next one is rounding
-        // the factor is one over the size that residuals are measured in, here what acts in the step
+        if (r[k - 1] > 0.1 || r[k - 1] < 1e-8) continue;  // not yet in the quadratic range, or the next one is rounding
+        // the factor is the inverse of the size by which residuals are scaled, here the forces of the step
         EXPECT_LT(r[k], std::max(50 * r[k - 1] * r[k - 1], 2 * tolerance)) << "iteration " << k;
         ++squared;
       }

@@ -1,4 +1,4 @@
-// A stressed block that turns as a whole carries its effective stress with it, whatever the size of the steps.
+// The effective stress of a block in rigid rotation rotates with it, for any size of steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ std::string stressed(double overconsolidation = 1) {
                                    number("overconsolidation ratio", overconsolidation));
 }
 
-/// A quarter turn about the origin within 90 s.
+/// Conditions that turn the block by a quarter about the origin within 90 s.
 std::string turning() {
   return move_all_sides("x*cos(pi*t/180) - y*sin(pi*t/180) - x", "x*sin(pi*t/180) + y*cos(pi*t/180) - y");
 }
@@ -42,8 +42,8 @@ void expect_turned(Block& block, const State& state, double angle) {
   }
 }
 
-/// The rotated block fulfils the equations, and its trial state is the rotated one. (Newton is not asked: with the
-/// interior left behind, the first guess of so large a step would be folded.)
+/// The rotated block fulfils the equations, and its trial state is the rotated one. (Newton's method is not used: with
+/// the interior left behind, the first guess of so large a step would be folded.)
 void turn(Block& block, int steps) {
   Model& model = block.model();
   const auto& initial = model.mesh().coordinates();
@@ -59,7 +59,8 @@ void turn(Block& block, int steps) {
         data(dof + 1, 0) = X * std::sin(angle) + Y * std::cos(angle) - Y;
       }
     }
-    ASSERT_TRUE(model.stepper().jacobian(x));  // from it the stepper knows how far the rounding of x shows
+    // from the Jacobian the stepper estimates how far the rounding of x affects the residual
+    ASSERT_TRUE(model.stepper().jacobian(x));
     ASSERT_TRUE(model.stepper().residual(x, f));
     for (const double ratio : model.stepper().residual_ratios(f)) EXPECT_LT(ratio, 1);
     model.store().accept();
@@ -73,9 +74,9 @@ void turn(const std::string& cell, const std::string& skeleton, int steps) {
   turn(block, steps);
 }
 
-constexpr int many = 12;  // tensors
+constexpr int many = 12;  // number of tensors
 
-/// Elastic in volume only, with tensors that are carried along: 1, 2, ... times the same one.
+/// A law that is elastic in volume only, with tensors that rotate with the material: 1, 2, ... times the same one.
 struct ManyTensors {
   static constexpr double tensor[6] = {3, 1, 2, 0, 0, 0.5};
   void parameters(Parameters&) {}
@@ -137,7 +138,7 @@ TEST(Objectivity, ClayKeepsItsState) {
 
 TEST(Objectivity, NewtonFindsTheRotation) {
   for (const std::string& skeleton : {elastic_skeleton(), cam_clay_skeleton()}) {
-    // not on the yield surface, where a turn without strain sits on the kink between loading and unloading
+    // inside the yield surface; on it a rotation without strain would be at the kink between loading and unloading
     Block block("tri6", "plane strain", skeleton, turning(), stressed(1.5));
     for (int n = 1; n <= 3; ++n) {
       const StepReport report = block.step(1.0, {1e-6, 1e-10, 1e-13});

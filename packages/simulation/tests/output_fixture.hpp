@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of the output files share: a folder that goes away, and a small mesh of both quadratic shapes.
+// Fixtures of the tests of output files: a temporary folder, and a small mesh of both quadratic shapes.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <unistd.h>

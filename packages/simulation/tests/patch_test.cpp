@@ -1,4 +1,5 @@
-// Patch tests: fields that the elements hold exactly must come out exactly on distorted meshes, in both geometries.
+// Patch tests: fields that the elements represent exactly must be found exactly on distorted meshes, in both
+// geometries.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +26,7 @@ std::vector<Patch> patches() {
 
 StepTolerances tight() { return {1e-11, 1e-9, 1e-12}; }
 
-/// Largest difference of a field from exact(X, component), over its largest value.
+/// Largest difference of a field from exact(X, component), over the field's largest value.
 double error(Model& model, const State& state, const std::string& field,
              const std::function<double(double, double, int)>& exact) {
   const Space& space = model.space();

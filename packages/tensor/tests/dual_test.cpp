@@ -7,7 +7,7 @@
 namespace mudline {
 namespace {
 
-// Every operator and function once, in a way that no derivative vanishes.
+// Uses every operator and function once so that no derivative vanishes.
 template <class T>
 T everything(const T& x, const T& y) {
   T a = x * y + 2.0 * x - y / 3.0 + (1.0 - x) * (-y);

@@ -21,7 +21,7 @@ Mat<double, D> inverse(const Mat<double, D>& x) {
   return r;
 }
 
-/// The rule for a deformation gradient of the step; H = 2 (F - 1) (F + 1)^-1.
+/// The midpoint rule for the deformation gradient F of a step; H = 2 (F - 1) (F + 1)^-1.
 template <int D>
 MidpointRule<D> rule_of(const Mat<double, D>& F, double hoop = 0) {
   const Mat<double, D> half = inverse(unit_plus(F));
@@ -71,7 +71,8 @@ TEST(MidpointRule, VolumeIsThatOfTheMotion) {
 }
 
 TEST(MidpointRule, StrainIsOfSecondOrderUnderStretchAndRotation) {
-  // ln of the stretch along x that a rotation of 0.8 turns with: the error of one step falls with its cube
+  // error of one step against the exact logarithmic strain of a stretch along x with simultaneous rotation; it falls
+  // with the cube of the size
   const auto error = [](double size) {
     Mat<double, 3> F = rotation({0, 0, 1}, size);
     for (int i = 0; i < 3; ++i) F[i][0] *= std::exp(size);

@@ -1,4 +1,4 @@
-"""The ball in saturated clay of tests/mpi, on triangles that are made anew on the way."""
+"""The ball in saturated clay of tests/mpi, on triangles that are remeshed during the run."""
 import os
 import re
 

@@ -25,7 +25,7 @@ class Footing(MudlineCase):
         other = np.array([-ale.at(column, t) for t in times])
         if os.environ.get("MUDLINE_SHOW_ERRORS"):
             print("N at the end:", one[-1] / STRENGTH, other[-1] / STRENGTH, "largest difference:", np.abs(other / one - 1).max())
-        self.assertGreater(one[-1], 4.5 * STRENGTH)  # near collapse: half the width of 2 m carries
+        self.assertGreater(one[-1], 4.5 * STRENGTH)  # near collapse: half the width of 2 m bears
         self.assertLess(np.abs(other / one - 1).max(), 1e-2)
 
 

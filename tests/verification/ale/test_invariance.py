@@ -1,5 +1,5 @@
 """The mesh may move as it likes: the solution must not notice. Interior nodes swing by a sixth of an element (swinging_mesh.py),
-and what is carried over at every step is compared with the same run on a mesh that goes with the soil."""
+and the state transferred at every step is compared with the same run on a mesh that goes with the soil."""
 import os
 import unittest
 

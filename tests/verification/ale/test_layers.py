@@ -173,7 +173,7 @@ class Layers(MudlineCase):
 class StartsAnew(MudlineCase):
     def test_it_is_told_once_and_counted(self):
         """A wedge that runs out to nothing: no point is in its thin end at the start. A mesh that swings through it brings points there which
-        have no soil of the wedge within an element; their laws start anew."""
+        have no soil of the wedge within an element; their laws start again from stress and void ratio."""
         wedge = "0.5+0.04*x"
         deck = self.write("wedge.xml", deck_text("wedge", {
             "mesh": {"type": "box", "cell": "quad9", "cells": [10, 10], "upper": [1.0, 1.0]},

@@ -1,4 +1,4 @@
-"""The region is meshed anew on the way: constant stresses stay what they are, an answer changes by less than a thousandth, what is
+"""The region is remeshed during the run: constant stresses stay what they are, an answer changes by less than a thousandth, what is
 conserved stays, a restart goes on on the last mesh bit for bit, and ranks agree."""
 import os
 import re
@@ -12,7 +12,7 @@ from remeshed_ball import ADAPTIVE, ESTIMATE, FOCUS, WALL, ball, remeshing
 
 
 def block(cells):
-    """A block on rough ground, pressed from above: the stress is singular in the two corners at its foot."""
+    """A block on rough ground, pressed from above: the stress is singular in the two corners at its base."""
     skeleton = {"type": "linear elastic", "Young's modulus": 1e7, "Poisson's ratio": 0.3}
     return deck_text("block", {
         "mesh": {"type": "box", "cell": "tri6", "cells": [cells, cells], "upper": [1.0, 1.0]},
@@ -141,7 +141,7 @@ class Remeshing(MudlineCase):
 
 
 class Ball(MudlineCase):
-    """A ball pushed dynamically into saturated clay, on triangles that are made anew every five steps."""
+    """A ball pushed dynamically into saturated clay, on triangles that are remeshed every five steps."""
 
     def setUp(self):
         super().setUp()
@@ -181,7 +181,7 @@ class Ball(MudlineCase):
         self.assert_same_run(runs[1], runs[2], names, "ranks")
 
     def test_a_restart_between_stages_and_what_a_stage_dissipates(self):
-        """The ball is held behind its push; the mesh is made anew in both stages. The run that has only the push, and goes on with the
+        """The ball is held behind its push; the region is remeshed in both stages. The run that has only the push, and goes on with the
         second stage behind a restart, is the run of both, bit for bit, and both say how far the pressures on the wall have fallen."""
         held = self.write("held.xml", deck_text("held", {"stages": {"held": {
             "type": "quasi-static", "duration": 1e3, "motions": {"ball": {"type": "held"}},

@@ -1,4 +1,4 @@
-"""A cavity that expands in undrained clay, on triangles that move and are not made anew: soil from which no water can go keeps its void
+"""A cavity that expands in undrained clay, on triangles that move and are not remeshed: soil from which no water can go keeps its void
 ratio, and by symmetry the wall has one pore pressure."""
 import os
 import unittest
@@ -46,7 +46,7 @@ class UndrainedCavity(MudlineCase):
             start, last = file["mesh/coordinates"][:], file["steps"][max(file["steps"])]
             radius, pore, ratio = np.hypot(*last["coordinates"][:, :2].T), last["nodal/pore_pressure"][:].ravel(), last["cell/void_ratio"][:]
         wall = np.abs(np.hypot(*start[:, :2].T) - RADIUS) < 1e-6
-        corners = wall & (pore != 0)  # pressures are linear: fields have none at middle nodes
+        corners = wall & (pore != 0)  # pressures are linear: fields have none at mid-side nodes
         self.assertGreater(corners.sum(), 5)
         uneven = 0.5 * np.ptp(pore[corners]) / pore[corners].mean()
         if os.environ.get("MUDLINE_SHOW_ERRORS"):

@@ -70,7 +70,7 @@ class Blocks(MudlineCase):
         history = self.run_deck([plain, overlay], name="punch")
         self.assertLess(abs(history["contact/face/reaction y"][-1] / 1000 - 1), 1e-6)
         load, _ = contact.circular_punch(2.275e-5, 0.1, contact.plane_modulus(2e8, 0.3))
-        settlement = -history["body/punch/displacement y"][-1] - 1e-7  # less the way to the surface
+        settlement = -history["body/punch/displacement y"][-1] - 1e-7  # less the distance to the surface
         self.assertLess(abs(settlement / (2.275e-5 * 1000 / load) - 1), 0.03)
 
 

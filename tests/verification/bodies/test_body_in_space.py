@@ -57,8 +57,8 @@ class BodyInSpace(MudlineCase):
 
 class Tops(BodyInSpace):
     def test_torque_free(self):
-        """100 turns about the axis of the smallest, the middle and the largest moment of inertia, with the default tolerances:
-        energy and angular momentum stay, and about the middle axis the body tumbles (Dzhanibekov)."""
+        """100 turns about the axis of the smallest, the intermediate and the largest moment of inertia, with the default tolerances:
+        energy and angular momentum stay, and about the intermediate axis the body tumbles (Dzhanibekov)."""
         for axis in range(3):
             spin = np.full(3, 0.01)
             spin[axis] = 1.0
@@ -134,7 +134,7 @@ class Water(BodyInSpace):
 
     def loads(self, drag=True, line=None):
         def act(t, x, turn, v, w):
-            arm = -self.CENTRE  # of the middle of the volume
+            arm = -self.CENTRE  # of the centre of the volume
             buoyancy = turn.T @ [0, 0, G * self.DENSITY * self.VOLUME]
             force, moment = turn.T @ [0, 0, -MASS * G] + buoyancy, np.cross(arm, buoyancy)
             if drag:
@@ -221,7 +221,7 @@ class Prescribed(BodyInSpace):
                             self.assertLess(np.abs(self.vectors(history, what) - expected).max(), 1e-12)
 
     def test_of_a_released_body(self):
-        """Free in two directions, moved in the other four: the free ones feel nothing of it but the turning inertia."""
+        """Free in two directions, moved in the other four: the free ones depend on it by the turning inertia only."""
         free = EXACT + motion(freedom="{z,rotation z}", initial_spin="{0,0,0.4}", force_z=12.0, prescribed_velocity__velocity_x=0.5,
                               prescribed_velocity__velocity_y="-0.2*t")
         history = self.turn(free, 0.1, 2.0)

@@ -87,7 +87,7 @@ class EnergyOfImpacts(MudlineCase):
                 self.assertGreater(lost[-1], -1e-7, (resolution, radius))
                 self.assertLess(lost[-1], 0.06, (resolution, radius))
                 # while it touches, energy is where the conjugate positions are, which the velocities do not show; at 30
-                # radians per step several sets of touching points balance, and Newton's way decides which is found
+                # radians per step several sets of touching points balance, and Newton's iterates decide which is found
                 self.assertGreater(lost.min(), -1e-2, (resolution, radius))
 
     def test_rigid_ground(self):

@@ -11,7 +11,7 @@ SHEAR, RADIUS, SPEED, FRICTION = 1e6, 1.0, 0.1, 0.1  # Pa, m, m/s
 TOUCHING = 0.05  # largest radius of what touches [m]
 APPROACH = TOUCHING**2 / RADIUS
 STEPS = 20  # of an impact
-PENALTY = 100 * SHEAR / TOUCHING  # gives way by 2 % of the approach
+PENALTY = 100 * SHEAR / TOUCHING  # is compressed by 2 % of the approach
 
 
 class ObliqueImpact(MudlineCase):

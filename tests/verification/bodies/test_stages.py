@@ -22,7 +22,7 @@ class Stages(MudlineCase):
         self.assertTrue(np.all(np.abs(v[flight] + 1) < 9.81 * t[flight]))
         self.assertTrue(np.all(history["body/anchor/acceleration y"][flight] < -5))
         self.assertGreater(v[fall].max(), 0.5)  # it is thrown back
-        # at rest the soil carries the weight less the water displaced above the mudline
+        # at rest the soil bears the weight less the water displaced above the mudline
         self.assertLess(np.abs(reaction[rest] + load[rest]).max(), 1e-5 * WEIGHT)
         self.assertLess(abs(v[rest][-1]), 1e-6)
         # the pull: the prescribed velocity after its ramp, and the force that it takes
@@ -49,7 +49,7 @@ class Stages(MudlineCase):
         self.run_deck(CYCLE, settings + ("output/name=whole",), ranks, name="whole")
         self.run_deck(CYCLE, settings + ("output/name=parts",), ranks, ("--steps", "30"), name="parts")
         parts = self.run_deck(CYCLE, settings + ("output/name=parts",), ranks, ("--restart",), name="parts")
-        self.assertGreater(parts["contact/seabed/active points"][29], 2)  # in the middle of the impact
+        self.assertGreater(parts["contact/seabed/active points"][29], 2)  # during the impact
         self.assertEqual(self.content("whole"), self.content("parts"))
 
     def content(self, name):

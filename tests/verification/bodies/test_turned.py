@@ -52,7 +52,7 @@ class BodyCase(MudlineCase):
 
 class Turned(BodyCase):
     def test_a_quarter_turn_in_space(self):
-        """A block that hits the ground on an edge: turned by 90 degrees about x, or drawn so, with its mass off the middle and the
+        """A block that hits the ground on an edge: turned by 90 degrees about x, or drawn so, with its mass off the centre and the
         products of inertia that belong to it."""
         free = {"type": "free", "initial velocity": [0.3, 0.1, -1.0], "initial spin": [0.5, 2.0, 1.0]}
         body = {"position": [0.0, 0.0, 0.26], "mass": 80.0}
@@ -79,7 +79,7 @@ class Turned(BodyCase):
         self.same(turned, drawn, "space", 1e-6)
 
     def test_in_the_plane(self):
-        """A plate that falls on its edge, its weight off the middle."""
+        """A plate that falls on its edge, its weight off the centre."""
         free = {"type": "free", "freedom": ["x", "y", "rotation"], "initial velocity": [0.2, -1.0]}
         body = {"position": [0.1, 0.01], "mass": 300.0, "moment of inertia": 12.0, "motion": free}
 
@@ -146,7 +146,7 @@ class Moments(BodyCase):
     PRESS = {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.25}}
 
     def test_in_space(self):
-        """A block that a force presses off its middle: the ground's moment about the reference point, and its force, balance it."""
+        """A block that a force presses off its centre: the ground's moment about the reference point, and its force, balance it."""
         point, force = np.array([0.08, -0.05, 0.4]), np.array([0.0, 0.0, -2e4])
         motion = {"type": "force", "freedom": ["z", "rotation x", "rotation y"],
                   "loads": {"push": {"point": [float(v) for v in point], "force z": "-2e4*t"}}}
@@ -169,7 +169,7 @@ class Moments(BodyCase):
         self.assertEqual(history.units["contact/touch/moment x"], "N m")
 
     def test_in_the_plane(self):
-        """Counter-clockwise: a force to the right of the reference point makes the ground press there, and turn the body that way."""
+        """Counter-clockwise: a force to the right of the reference point makes the ground press there, and turn the body in that direction."""
         motion = {"type": "force", "freedom": ["y", "rotation"], "loads": {"push": {"point": [0.1, 0.3], "force y": "-3e4*t"}}}
         body = {"position": [0.0, 0.0], "centre of mass": [-0.05, 0.1], "mass": 10.0, "moment of inertia": 1.0, "motion": motion,
                 "contour": {"type": "strip", "extent": "full", "width": 1.0, "thickness": 0.3, "corner radius": 0.02}}

@@ -37,7 +37,7 @@ PULL = {"type": "quasi-static", "duration": 1.0, "time step": {"initial": 0.5}}
 class WishedInPlace(MudlineCase):
     def deck(self, name, geometry, soil=DRY, order=2, around=12, out=8, quads=False, contact=None, penalty=1e12, stages=None, initial=None,
              gravity=None, layers=6):
-        """quads: quadrilaterals. penalty [Pa/m]: so stiff that the pull's pressures of some kPa penetrate 1e-4 of its way."""
+        """quads: quadrilaterals. penalty [Pa/m]: so stiff that the pull's pressures of some kPa penetrate 1e-4 of its displacement."""
         physics, material, water = soil
         space = geometry == "space"
         self.write("ring.geo", RING % (around, out, 1.25, "Recombine Surface {1, 2};" if quads else ""))
@@ -78,7 +78,7 @@ class WishedInPlace(MudlineCase):
         self.assert_error(f"{name} {options}: pulled", abs(found[-1] / expected - 1), 0.01)
 
     def assert_released(self, geometry, **options):
-        """The wall's way in after the body is gone, 1 %."""
+        """The inward displacement of the wall after the body is gone, 1 %."""
         name = geometry.replace(" ", "_")
         gone = {"type": "quasi-static", "duration": 1.0, "contacts": ["none"], "time step": {"initial": 1.0}}
         history = self.run_deck(self.deck(name, geometry, stages={"gone": gone}, **options))

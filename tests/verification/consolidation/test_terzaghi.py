@@ -48,7 +48,7 @@ class Terzaghi(ConsolidationCase):
 
     def test_dynamic_integrator_at_late_times(self):
         """With inertia, at times long against height over wave speed (13 ms). The first step is as long as a wave takes:
-        accelerations consistent with the sudden load would be carried over it as if they lasted, so they start from zero."""
+        accelerations consistent with the sudden load would be extrapolated over it as if they lasted, so they start from zero."""
         with open(self.deck("terzaghi")) as file:
             text = file.read().replace('value="quasi-static"', 'value="dynamic"')
         integrator = """<ParameterList name="integrator">

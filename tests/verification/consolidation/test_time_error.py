@@ -1,4 +1,4 @@
-"""Steps chosen by their time error: Terzaghi's column against fine steps on the same mesh, and a second load on the way."""
+"""Steps chosen by their time error: Terzaghi's column against fine steps on the same mesh, and a second load during the run."""
 import os
 import unittest
 

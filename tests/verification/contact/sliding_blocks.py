@@ -49,7 +49,7 @@ class SlidingBlocks(ContactCase):
             return file.read(), History(os.path.join(self.folder, "results", "blocks.csv"))
 
     def check_sliding_blocks(self, *overlays):
-        """Forces and heat once all slides, a restart in the middle and more ranks. The history of the run on one rank."""
+        """Forces and heat once all slides, a restart halfway and more ranks. The history of the run on one rank."""
         decks = list(overlays) + [self.write("slide.xml", SLIDE)]
         text, history = self.table(decks)
         drag, force = history["contact/face/force on slave x"], history["contact/face/force on slave y"]

@@ -42,7 +42,7 @@ class PartialSlip(ContactCase):
 
     def test_augmented_lagrangian(self):
         """The stretch of what sticks is followed as far as the load deserves, without a tolerance in the deck."""
-        # with so soft a penalty the multipliers of corners and middles differ by up to 0.2 of the limit, however small the tolerance
+        # with so soft a penalty the multipliers of corners and mid-side nodes differ by up to 0.2 of the limit, however small the tolerance
         history = self.cattaneo_mindlin(("contacts/face/enforcement=augmented Lagrangian", "contacts/face/penalty factor=2"), 0.25, 0.06)
         self.assertLess(history["step/newton iterations"].mean(), 20)
 

@@ -81,7 +81,7 @@ class Nodes(SlidingBlocks):
             self.assert_within(surface, pressure[pressure != 0], 100, 1e-6)
 
     def cylinders(self, *settings):
-        """Distance from the middle, in half widths, and contact pressure over Hertz' largest, of the nodes that touch."""
+        """Distance from the centre, in half widths, and contact pressure over Hertz' largest, of the nodes that touch."""
         history = self.run_deck([self.deck("cylinders"), self.overlay], settings)
         a, p0 = reference.hertz_line(2 * history["contact/face/force on slave y"][-1], 0.5, 0.5 * reference.plane_modulus(2e8, 0.3))
         _, now, pressure = self.last_step("cylinders")
@@ -120,8 +120,8 @@ class Nodes(SlidingBlocks):
         self.check_sliding_blocks(self.overlay)
 
     def test_friction_on_a_moving_mesh(self):
-        """The inside of both blocks swings, or their outer sides slide, remap after remap: stick, slip and the whole way are those of the
-        material mesh. Nodes of the surfaces stay where they are here; that history goes along when they slide is convection_test.cpp's."""
+        """The inside of both blocks swings, or their outer sides slide, transfer after transfer: stick, slip and the path slid are those of the
+        material mesh. Nodes of the surfaces stay where they are here; convection_test.cpp tests the transfer of history when they slide."""
         slide = self.write("slide.xml", SLIDE)
         motion, focus = self.write("motion.xml", MOTION), self.write("focus.xml", FOCUS)
         for kind, overlays in (("mortar", []), ("node to segment", [self.overlay])):

@@ -1,4 +1,4 @@
-"""A block at rest whose rollers give way to absorbing boundaries stays at rest: each takes over what nobody else holds."""
+"""A block at rest whose rollers are replaced by absorbing boundaries stays at rest: each holds what nothing else holds."""
 import unittest
 
 import numpy as np

@@ -140,7 +140,7 @@ class AbsorbingWaves(DynamicsCase):
         soil = sand(conductivity)
         history = self.run_deck(self.write("column.xml", saturated_column(conductivity)))
         t, p = history.time, history["probe/middle/pore pressure"]
-        between = 0.0215  # [s] the pulse is past the middle on its way down, nothing has come back yet
+        between = 0.0215  # [s] the pulse is past the middle and goes down, nothing has come back yet
         incident, reflected = np.where(t < between, p, 0), np.where(t < between, 0, p)
         dt, n = t[1] - t[0], 8 * len(t)
         frequencies, spectrum = 2 * np.pi * np.fft.rfftfreq(n, dt), np.fft.rfft(incident, n)

@@ -93,7 +93,7 @@ class Heat(MudlineCase):
         self.assertLess(np.abs(history["balance/heat/error"]).max(), 1e-8)
 
     def test_heat_through_mesh_motion(self):
-        """A pile that is pushed into warm clay: what steps do to heat is kept apart from what the remap does, and that is little."""
+        """A pile that is pushed into warm clay: what steps do to heat is kept apart from what the transfer does, and that is little."""
         overlay = self.write("warm.xml", WARM.format(material="clay", more="""
             <Parameter name="reference temperature" type="double" value="10.0"/>
             <Parameter name="initial temperature" type="string" value="10-2*y"/>

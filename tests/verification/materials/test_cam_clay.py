@@ -73,7 +73,7 @@ class CamClayTests(MudlineCase):
                 self.assertAlmostEqual(cu["void ratio"][row], 1.0, delta=1e-12)
 
     def test_implicit(self):
-        """Two hundred increments to 20 % axial strain: 0.1 % on the whole way; the error is of second order."""
+        """Two hundred increments to 20 % axial strain: 0.1 % over the whole path; the error is of second order."""
         implicit = dict({name: value for name, value in CLAY.items() if name != "stress tolerance"}, integration="implicit")
         worst = {}
         for steps in (200, 400):

@@ -37,7 +37,7 @@ def serendipity(nodes, xi):
 
 class Grid:
     """The unit box (or one with other upper corners) of equal cells with so many nodes each. `move` takes places (node,
-    dimension) to others: of the corners only, the others stay in the middle between them, or with `curved` of all."""
+    dimension) to others: of the corners only, the others stay midway between them, or with `curved` of all."""
 
     def __init__(self, nodes_of_cell, cells, upper=None, move=None, curved=False):
         self.nodes_of_cell, self.cells_along = nodes_of_cell, np.array(cells)

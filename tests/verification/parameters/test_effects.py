@@ -139,7 +139,7 @@ class MeshMotion(BallCase):
         self.assertGreater(free["mesh/quality"][-1], held["mesh/quality"][-1] + 1e-3)
 
     def test_largest_motion(self):
-        # in parts or at once the mesh goes to the same place, and what it carries differs by the remap's error only
+        # in parts or at once the mesh goes to the same place, and the state differs by the error of the transfer only
         once, parts = self.moved("mesh motion/largest motion=10"), self.moved("mesh motion/largest motion=0.001")
         self.assertNotEqual(once[FORCE][-1], parts[FORCE][-1])
         self.assertAlmostEqual(parts[FORCE][-1] / once[FORCE][-1], 1, delta=2e-3)
@@ -161,7 +161,7 @@ class MeshMotion(BallCase):
         self.assertLess(equilateral, 0.9)
 
     def test_remap(self):
-        # ways to carry the state that differ by the remap's error only
+        # transfers of the state, which differ by their own error only
         usual = self.moved()[FORCE][-1]
         for setting in ("scheme=incremental", "limited=false"):
             other = self.moved(f"{MOTION}remap/type=convection", f"{MOTION}remap/{setting}")[FORCE][-1]

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-END = 1 - 1e-13  # of the way to the critical state, which is reached at infinite strain
+END = 1 - 1e-13  # of the distance to the critical state, which is reached at infinite strain
 
 
 class CamClay:

@@ -7,7 +7,7 @@ def plane_modulus(young, poisson):
 
 
 def hertz_line(load, radius, modulus):
-    """Half width of the contact and largest pressure under a rigid cylinder that carries `load` per metre."""
+    """Half width of the contact and largest pressure under a rigid cylinder that bears `load` per metre."""
     half_width = np.sqrt(4 * load * radius / (np.pi * modulus))
     return half_width, 2 * load / (np.pi * half_width)
 
@@ -17,7 +17,7 @@ def hertz_pressure(x, half_width, largest):
 
 
 def circular_punch(settlement, radius, modulus):
-    """Load on a rigid flat punch and pressure in its middle."""
+    """Load on a rigid flat punch and pressure in its centre."""
     load = 2 * modulus * radius * settlement
     return load, load / (2 * np.pi * radius**2)
 

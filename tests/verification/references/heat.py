@@ -57,7 +57,7 @@ def heated_surface(clay, rise, depth, t):
 
 
 def front(rise, speed, diffusivity, x, t):
-    """Temperature [K] at x [m] in a half space through which it is carried with `speed` [m/s], warmed at x = 0 since 0."""
+    """Temperature [K] at x [m] in a half space through which it is convected with `speed` [m/s], warmed at x = 0 since 0."""
     width = 2 * np.sqrt(diffusivity * t)
     early, late = (x - speed * t) / width, (x + speed * t) / width
     return 0.5 * rise * (erfc(early) + np.exp(-early * early) * erfcx(late))  # exp(v x / D) erfc(late)

@@ -43,7 +43,7 @@ class Rings:
         self.areas = 2 * np.pi / 3 * outer**2 @ to_amplitudes
 
     def tractions(self, displacement, way, limit):
-        """Those after a way of the sphere, where |q| <= limit: rings stick, or slip in the direction of their traction."""
+        """Those after a displacement of the sphere, where |q| <= limit: rings stick, or slip in the direction of their traction."""
         touching = limit > 0
         stick, direction = touching.copy(), np.zeros(len(limit))
         for _ in range(200):

@@ -27,8 +27,8 @@ def rotation(axis=(1.0, 2.0, -0.7), angle=0.9):
 
 
 class BoxMesh:
-    """A box of hexahedra, or of six tetrahedra in each, whose nodes may be moved: by `move` the corners, the others stay in
-    the middle (straight sides), or with `curved` all of them."""
+    """A box of hexahedra, or of six tetrahedra in each, whose nodes may be moved: by `move` the corners, the others stay
+    midway (straight sides), or with `curved` all of them."""
 
     def __init__(self, cell, cells, upper=(1.0, 1.0, 1.0), move=None, curved=False):
         self.cell = cell
@@ -68,7 +68,7 @@ class BoxMesh:
             at = 0 if i % 2 == 0 else size[i // 2] - 1
             on = grid[:, i // 2] == at
             if cell.startswith("hex"):
-                wanted = [0, 1, 2, 3, 4, 5, 6, 7, 8]  # corners round, middles, centre
+                wanted = [0, 1, 2, 3, 4, 5, 6, 7, 8]  # corners round, mid-side nodes, centre
                 local = {0: [0, 4, 7, 3, 16, 15, 19, 11, 20], 1: [1, 2, 6, 5, 9, 18, 13, 17, 21], 2: [0, 1, 5, 4, 8, 17, 12, 16, 22],
                          3: [3, 7, 6, 2, 19, 14, 18, 10, 23], 4: [0, 3, 2, 1, 11, 10, 9, 8, 24], 5: [4, 5, 6, 7, 12, 13, 14, 15, 25]}[i]
                 assert set(local) == set(faces[i])

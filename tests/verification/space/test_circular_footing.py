@@ -11,7 +11,7 @@ ROUGH = ("boundary conditions/footing/x=0.0", "boundary conditions/footing/y=0.0
 
 class CircularFooting(SpaceCase):
     def factor(self, deck, settings, area):
-        """Bearing capacity factor of a quarter of the footing, and how much it still grows over the last tenth of the way."""
+        """Bearing capacity factor of a quarter of the footing, and how much it still grows over the last tenth of the path."""
         history = self.run_deck(self.input(deck), settings)
         factor = -history["reaction/footing z"] / area / STRENGTH
         return factor[-1], factor[-1] / np.interp(0.9, history.time, factor) - 1
@@ -29,7 +29,7 @@ class CircularFooting(SpaceCase):
         self.assert_collapse("rough", ROUGH, 6.048)
 
     def test_deep_plate(self):
-        """A thin plate deep in clay moves what is above it as what is below: the plane of the plate carries no change of normal stress beside it, and
+        """A thin plate deep in clay moves what is above it as what is below: the plane of the plate has no change of normal stress beside it, and
         no motion along it. So half of its capacity, 12.42 s_u (smooth) or 13.11 (rough; Martin and Randolph 2001), is that of a footing
         on such a surface."""
         across = ("boundary conditions/beside/type=fixed", "boundary conditions/beside/set=surface", "boundary conditions/beside/components=x y",

@@ -1,5 +1,5 @@
 """A smooth cone wished in place in saturated Modified Cam Clay and pushed on: a quarter in space against the same section in the
-axisymmetric program. The ground is weightless under one stress, which the contact does not carry: it acts on the hole too."""
+axisymmetric program. The ground is weightless under one stress, which the contact does not bear: it acts on the hole too."""
 import unittest
 
 from mudline_case import deck_text

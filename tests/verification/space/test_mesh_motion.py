@@ -1,4 +1,4 @@
-"""The mesh inside may move as it likes in space too: its vertices swing, and what is carried over at every step is compared with the same
+"""The mesh inside may move as it likes in space too: its vertices swing, and the state transferred at every step is compared with the same
 run on a mesh that goes with the soil."""
 import os
 import unittest

@@ -1,5 +1,5 @@
 """A slice of a pile pushed sideways through Tresca clay, a quarter of it in ten-node tetrahedra: rough, and smooth by a pressure that grows
-with the way into the pile. Randolph and Houlsby (1984); for the smooth one also Martin and Randolph (2006)."""
+with the displacement into the pile. Randolph and Houlsby (1984); for the smooth one also Martin and Randolph (2006)."""
 import os
 import re
 import unittest

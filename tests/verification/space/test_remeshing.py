@@ -1,4 +1,4 @@
-"""In space the inside of the region is meshed anew on the way: constant stresses stay what they are, an answer changes by less than a
+"""In space the inside of the region is remeshed during the run: constant stresses stay what they are, an answer changes by less than a
 thousandth, what is conserved stays, a restart goes on on the last mesh bit for bit, and ranks agree."""
 import os
 import re
@@ -16,7 +16,7 @@ BALL = os.path.join(ROOT, "inputs", "space", "ball.xml")
 
 
 def remeshing(steps, swing=None, wall=0.0, **motion):
-    """An overlay: the mesh is made anew after so many steps, whatever its quality; `swing`: the period in which the vertices inside swing
+    """An overlay: the region is remeshed after so many steps, whatever its quality; `swing`: the period in which the vertices inside swing
     [s]; `wall`: size at a body [m]."""
     parts = {"remeshing": {"when quality below": 0.0, "when side above": 0.1, "least steps": steps, "wall size": wall}, **motion}
     return deck_text("remeshing", swinging_mesh(0.2, swing, **parts) if swing else {"mesh motion": parts})

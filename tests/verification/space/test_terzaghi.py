@@ -60,7 +60,7 @@ class Terzaghi(SpaceCase):
                 self.assert_near("reaction of the base", force, 10.0 * 0.01, 1e-6)
 
     def test_along_a_slanting_axis(self):
-        """Rollers on slanting sides are pressures that grow with the way outwards, so stiff that they give way by some 1e-4 of the settlement; the residual has
+        """Rollers on slanting sides are pressures that grow with the displacement outwards, so stiff that they are displaced by some 1e-4 of the settlement; the residual has
         the rounding of places times that stiffness."""
         load, turn = 1000.0, rotation()
         column = biot.Column(biot.INCOMPRESSIBLE, load=load)

@@ -16,7 +16,7 @@ CIRCLE = ("mesh/geometry=axisymmetric",)
 
 class BearingCapacity(StrengthCase):
     def factor(self, deck, settings, area=1.0):
-        """Bearing capacity factor, and how much it still grows over the last tenth of the way."""
+        """Bearing capacity factor, and how much it still grows over the last tenth of the path."""
         decks = [deck] if isinstance(deck, str) else deck
         history = self.run_deck([self.deck("bearing_capacity", d) for d in decks], settings)
         factor = -history["reaction/footing y"] / area / COHESION

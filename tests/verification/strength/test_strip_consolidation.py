@@ -18,7 +18,7 @@ def conductivity(k):
 
 class StripFooting(StrengthCase):
     def capacity(self, cells, settings):
-        """q/c', and how much of it came over the last tenth of the way."""
+        """q/c', and how much of it came over the last tenth of the path."""
         history = self.run_deck(self.deck("consolidation", "strip_footing"), (f"mesh/parameters/cells={cells}",) + settings)
         factor = -history["reaction/footing y"] / COHESION
         return factor[-1], factor[-1] / np.interp(0.9, history.time, factor) - 1
