@@ -2,7 +2,7 @@
 # Trilinos 13.2 (plain variables) and 14+ (imported targets) differ only here. The installed package includes this
 # same file, so all targets are imported ones: an export then names them and the user's machine finds them anew.
 find_package(MPI REQUIRED COMPONENTS C CXX)
-set(mudline_trilinos_components Tpetra Belos MueLu Ifpack2 NOX Thyra Teuchos Kokkos)
+set(mudline_trilinos_components Tpetra Belos MueLu Ifpack2 NOX Teuchos KokkosKernels Kokkos)
 find_package(Trilinos REQUIRED COMPONENTS ${mudline_trilinos_components})
 
 add_library(mudline::trilinos INTERFACE IMPORTED)

@@ -73,10 +73,6 @@ Ale::Ale(const Space& space, const Soil& soil, const std::map<std::string, std::
   deck_.parameters(p);
   p.finish();
   interior_ = registries.motions.create(section.section_of_type("interior", "optimisation"));
-  if (mesh_.dimension() == 3 && !interior_->in_space()) {
-    const Section interior = section.section("interior");
-    interior.fail(interior.text("type") + " is for meshes of the plane", "type");
-  }
   for (const SoilBlock& b : soil_.blocks) patches_.emplace_back(mesh_, b);
   remap_ = registries.remaps.create(section.section_of_type("remap", "convection"));
   deck_.boundary.bind(mesh_, source_, bodies, section.section("boundary"), renewed);
@@ -136,15 +132,17 @@ void Ale::place_middles(Positions& x) const {
     };
     for (int a = corners; a < middles; ++a) {
       const auto [from, to] = edge_corners(shape, a - corners);
-      for (int d = 0; d < place_size && !mesh_.on_boundary(n[a]); ++d) x[n[a]][d] = 0.5 * (x[n[from]][d] + x[n[to]][d]);
+      if (!mesh_.on_boundary(n[a]))
+        for (int d = 0; d < place_size; ++d) x[n[a]][d] = 0.5 * (x[n[from]][d] + x[n[to]][d]);
     }
     if (is_simplex(shape)) continue;
     // centres are transfinite: exact for straight edges
     const auto centre = [&](const int* quadrilateral) {  // its corners, middles and centre
       const int* edges = quadrilateral + 4;
       const int at = n[quadrilateral[8]];
-      for (int d = 0; d < place_size && !mesh_.on_boundary(at); ++d)
-        x[at][d] = 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
+      if (!mesh_.on_boundary(at))
+        for (int d = 0; d < place_size; ++d)
+          x[at][d] = 0.5 * sum(edges, edges + 4, d) - 0.25 * sum(quadrilateral, edges, d);
     };
     if (shape == CellShape::quad9) centre(all);
     if (shape != CellShape::hex27) continue;
@@ -166,8 +164,9 @@ std::string Ale::new_positions(const Positions& x_old, const State& state, const
     const double share = done + part;
     for (int node = 0; node < mesh_.num_nodes(); ++node) {
       if (!mesh_.on_boundary(node)) continue;
-      for (int d = 0; share < 1 && d < place_size; ++d)
-        curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
+      if (share < 1)
+        for (int d = 0; d < place_size; ++d)
+          curve[node][d] = x_old[node][d] + share * (boundary[node][d] - x_old[node][d]);
       next[node] = curve[node];
     }
     corners_.add_tangents(curve, next);
@@ -208,11 +207,13 @@ void Ale::keep_volume(double volume, const State& state, const Constraints& cons
   const FreeBoundary free(mesh_, soil_, deck_.boundary.freedom(x, state), prescribed(soil_.displacement, constraints),
                           x);
   if (!(free.area > 0)) return;
-  for (int k = 0; k < 4 && matters(part); ++k, part = missing()) {
+  for (int k = 0; k < 4; ++k) {
+    if (!matters(part)) break;
     for (const auto& mover : free.movers)
       for (int d = 0; d < place_size; ++d) x[mover.node][d] += part / free.area * mover.normal[d];
     mesh_.fill(x);
     place_middles(x);
+    part = missing();
   }
 }
 
@@ -267,8 +268,9 @@ void Ale::carry_block(const BlockPoints& before, const StateStore& old_store, co
     int column = 0;
     for (int handle = 0; handle < store.num_arrays(); ++handle) {
       const ArrayInfo& info = store.info(handle);
-      for (std::size_t c = 0; info.block == b.block && c < to.arrays[handle].extent(1); ++c, ++column)
-        visit(handle, static_cast<int>(c), column);
+      if (info.block == b.block)
+        for (std::size_t c = 0; c < to.arrays[handle].extent(1); ++c, ++column)
+          visit(handle, static_cast<int>(c), column);
     }
   };
   PointView table("", b_old.elements * b_old.points, columns.columns);
@@ -303,8 +305,9 @@ void Ale::carry_block(const BlockPoints& before, const StateStore& old_store, co
         rows(e * b.points + q, c) =
             now[static_cast<std::size_t>(after.mesh.first_row(own[e], b.points) + q) * columns.columns + column];
   });
-  for (int row = 0; b.origin >= 0 && row < b.elements * b.points; ++row)  // a number, without rounding
-    to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
+  if (b.origin >= 0)
+    for (int row = 0; row < b.elements * b.points; ++row)  // a number, without rounding
+      to.arrays[b.origin](row, 0) = std::round(to.arrays[b.origin](row, 0));
 }
 
 void Ale::carry_points(const StateStore& store, const Positions& x_old, const Positions& x_new, State& to,

@@ -6,8 +6,8 @@
 
 #include "ale/interior_motion.hpp"
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
 #include "core/text.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -126,7 +126,7 @@ void BoundaryMotion::take_sizes(const Positions& source, const SizeField& size) 
   for (const SurfaceFace& face : surfaces_.surfaces().faces) {
     if (num_corners(face.shape) != 3) continue;
     const Point &a = source[face.nodes[0]], &b = source[face.nodes[1]], &c = source[face.nodes[2]];
-    const double area = 0.5 * length(cross(minus(b, a), minus(c, a)));
+    const double area = 0.5 * length(cross(b - a, c - a));
     for (int k = 0; k < 3; ++k) {
       relative_sizes_[face.nodes[k]] += 2 * std::sqrt(area / std::sqrt(3.0)) / size(source[face.nodes[k]]);
       ++around[face.nodes[k]];
@@ -214,12 +214,13 @@ void BoundaryMotion::move_path(std::size_t p, const State& state, const SizeFiel
     if (std::abs(slide) > 1e-12 * std::min(before, after))
       s[i] = old + std::clamp(slide, -largest_slide_ * before, largest_slide_ * after);
   }
-  for (int i = 1; stride == 2 && i < last; i += 2) {
-    s[i] = 0.5 * (s[i - 1] + s[i + 1]);
-    if (s[i - 1] == curve.parameter(i - 1) && s[i + 1] == curve.parameter(i + 1) &&
-        std::abs(s[i] - curve.parameter(i)) < 1e-9 * (s[i + 1] - s[i - 1]))
-      s[i] = curve.parameter(i);
-  }
+  if (stride == 2)
+    for (int i = 1; i < last; i += 2) {
+      s[i] = 0.5 * (s[i - 1] + s[i + 1]);
+      if (s[i - 1] == curve.parameter(i - 1) && s[i + 1] == curve.parameter(i + 1) &&
+          std::abs(s[i] - curve.parameter(i)) < 1e-9 * (s[i + 1] - s[i - 1]))
+        s[i] = curve.parameter(i);
+    }
   for (int i = 1; i < last; ++i)
     if (s[i] != curve.parameter(i)) x[path.nodes[i]] = places.at(s[i], s[i + 1] - s[i - 1]);
 }

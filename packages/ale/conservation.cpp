@@ -6,6 +6,7 @@
 #include "discretisation/cell_map.hpp"
 #include "framework/coordinates.hpp"
 #include "tensor/dual.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -18,7 +19,7 @@ struct PointMap : CellMap<dim> {
   double factor = 0;
 
   PointMap(const GhostedMesh::Element& element, const SoilBlock& block, int q, const Positions& x, Geometry geometry) {
-    double gradient[dim][dim] = {};
+    Mat<double, dim> gradient = {};
     for (int i = 0; i < dim; ++i) {
       place[i] = Dual<dim>(0, i);
       for (int a = 0; a < block.u.nodes; ++a) {
@@ -33,7 +34,7 @@ struct PointMap : CellMap<dim> {
   }
   double volume() const { return factor * this->det; }
   /// Adds the derivative of the volume by the place of node a.
-  void add_gradient(const SoilBlock& block, int q, int a, std::array<double, dim>& to) const {
+  void add_gradient(const SoilBlock& block, int q, int a, Vec<double, dim>& to) const {
     double slope[1][dim];
     this->gradients(&block.u.dN(q, a, 0), slope);
     for (int i = 0; i < dim; ++i)
@@ -81,10 +82,10 @@ FreeBoundary::FreeBoundary(const GhostedMesh& mesh, const Soil& soil, const std:
 template <int dim>
 void FreeBoundary::find(const GhostedMesh& mesh, const Soil& soil, const std::vector<double>& freedom,
                         const std::vector<double>& held, const Positions& x) {
-  const auto length = [](const std::array<double, dim>& g) {
+  const auto length = [](const Vec<double, dim>& g) {
     return dim == 2 ? std::hypot(g[0], g[1]) : std::hypot(g[0], g[1], g[dim - 1]);
   };
-  std::vector<std::array<double, dim>> gradient(mesh.num_nodes(), std::array<double, dim>{});  // of the volume
+  std::vector<Vec<double, dim>> gradient(mesh.num_nodes(), Vec<double, dim>{});  // of the volume
   for (const SoilBlock& block : soil.blocks)
     for (int e : mesh.block_elements(block.block)) {
       const auto& element = mesh.elements()[e];
@@ -176,7 +177,8 @@ std::vector<double> solve_small(const std::vector<double>& A, const std::vector<
   const std::size_t n = b.size();
   std::vector<double> x(n, 0.0);
   double change = 1, size = 0;
-  for (int sweep = 0; sweep < 200 && change > 1e-16 * size; ++sweep) {
+  for (int sweep = 0; sweep < 200; ++sweep) {
+    if (!(change > 1e-16 * size)) break;
     change = size = 0;
     for (std::size_t i = 0; i < n; ++i) {
       if (!(A[i * n + i] > 0)) continue;
@@ -242,8 +244,9 @@ std::vector<Grains> restore_grains(const PointTransfer& t, const Soil& soil, int
     jumped[i] += by_shares;
   }
   std::vector<double> weights(is.parts.size(), 1.0);
-  for (std::size_t row = 0; t.moved() && row < weights.size(); ++row)
-    weights[row] = std::min(1.0, distance(is.parts[row].place, was.parts[row].place) / was.parts[row].size);
+  if (t.moved())
+    for (std::size_t row = 0; row < weights.size(); ++row)
+      weights[row] = std::min(1.0, distance(is.parts[row].place, was.parts[row].place) / was.parts[row].size);
   add_grains(t, void_ratio, is, weights, lost);
   for (std::size_t i = 0; i < count; ++i) {
     grains[i].missing = lost[i];

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "ale/interior_motion.hpp"
-#include "core/pi.hpp"
 #include "discretisation/cell_map.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -20,7 +20,7 @@ class ElasticMesh {
     for (int i = 0; i < mesh.corners.of_elements; ++i) {
       const Simplex& t = mesh.corners.simplices[i];
       CellMap<Dim> map;
-      double edges[Dim][Dim];  // dx_i / dxi_k
+      Mat<double, Dim> edges;  // dx_i / dxi_k
       for (int i = 0; i < Dim; ++i)
         for (int k = 0; k < Dim; ++k) edges[i][k] = from[t[k + 1]][i] - from[t[0]][i];
       map.compute(edges);
@@ -45,7 +45,8 @@ class ElasticMesh {
     for (std::size_t e = 0; e < gradients_.size(); ++e) {
       const Simplex& t = mesh_.corners.simplices[e];
       const Gradients& g = gradients_[e];
-      double slope[Dim][Dim] = {}, spread = 0;  // du_i / dx_j
+      Mat<double, Dim> slope = {};
+      double spread = 0;  // du_i / dx_j
       for (int a = 0; a <= Dim; ++a)
         for (int i = 0; i < Dim; ++i)
           for (int j = 0; j < Dim; ++j) slope[i][j] += u[Dim * t[a] + i] * g[a][j];
@@ -69,14 +70,14 @@ class ElasticMesh {
   double diagonal(std::size_t i) const { return diagonal_[i]; }
 
  private:
-  using Gradients = std::array<std::array<double, Dim>, Dim + 1>;  // of the corners' shapes [1/m]
+  using Gradients = std::array<Vec<double, Dim>, Dim + 1>;  // of the corners' shapes [1/m]
   const InteriorMesh& mesh_;
   double lambda_, shear_;
   std::vector<Gradients> gradients_;
   std::vector<double> diagonal_;
 };
 
-/// Of what is zero but at this rank's free nodes.
+/// Dot product over this rank's free nodes, where alone the vectors are not zero.
 double dot(const GhostedMesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -98,7 +99,8 @@ void move_elastically(const InteriorMesh& mesh, const Positions& from, double po
   p = z;
   double rz = dot(mesh.mesh, r, z);
   const double goal = 1e-20 * rz, all = mesh.mesh.sum(static_cast<double>(Dim * mesh.mesh.owned_nodes().size()));
-  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(all)) && rz > goal; ++k) {
+  for (int k = 0; k < 20 * static_cast<int>(std::sqrt(all)); ++k) {
+    if (!(rz > goal)) break;
     std::vector<double> around = p;
     mesh.mesh.fill(around, Dim);
     const std::vector<double> kp = elastic.apply(around);
@@ -130,32 +132,6 @@ void ElasticMotion::move(const InteriorMesh& mesh, Positions& x) const {
   const Positions& from = from_ == From::source ? mesh.source : mesh.before;
   mesh.corners.dimension() == 2 ? move_elastically<2>(mesh, from, poisson_, x)
                                 : move_elastically<3>(mesh, from, poisson_, x);
-}
-
-void ArtificialMotion::parameters(Parameters& p) {
-  ElasticMotion::parameters(p);
-  p.add("amplitude", amplitude_, "-", closed(0, 0.25),
-        "of the swing, as a share of the smallest side at the vertex in the source's mesh");
-  p.required("period", period_, "s", positive(), "of the swing");
-}
-
-void ArtificialMotion::move(const InteriorMesh& mesh, Positions& x) const {
-  ElasticMotion::move(mesh, x);
-  const double turn = 2 * pi;
-  for (int node : mesh.mesh.owned_nodes()) {
-    if (!mesh.movable[node]) continue;
-    double side = 1e300;
-    for (int t : mesh.corners.at_node[node])
-      for (int k : mesh.corners.simplices[t])
-        if (k != node) side = std::min(side, distance(mesh.source[k], mesh.source[node]));
-    const double id = static_cast<double>(mesh.mesh.node_id(node));
-    const double swing = amplitude_ * side * std::sin(turn * mesh.time / period_), direction = 2.4 * id;
-    const double up = mesh.corners.dimension() == 2 ? 0.0 : std::sin(1.1 * id), across = std::sqrt(1 - up * up);
-    x[node][0] += swing * across * std::cos(direction);
-    x[node][1] += swing * across * std::sin(direction);
-    x[node][2] += swing * up;
-  }
-  mesh.mesh.fill(x);
 }
 
 }  // namespace mudline

@@ -6,16 +6,16 @@ FaceLocator::FaceLocator(const std::vector<SurfaceFace>& faces, const Positions&
   for (std::size_t f = 0; f < faces.size(); ++f) {
     Bounds box = Bounds::nothing();
     for (int a = 0; a < num_nodes(faces[f].shape); ++a) box.enclose(x[faces[f].nodes[a]]);
-    const Point half = scaled(0.5, minus(box.high, box.low));
+    const Point half = 0.5 * (box.high - box.low);
     // a curved face does not bulge far out of the box of its nodes
-    balls_[faces[f].patch].push_back({static_cast<int>(f), plus(box.low, 1, half), 1.5 * length(half)});
+    balls_[faces[f].patch].push_back({static_cast<int>(f), box.low + half, 1.5 * length(half)});
   }
 }
 
 void FaceLocator::look(const std::vector<Ball>& balls, const Point& point, Nearest& best) const {
   for (const Ball& ball : balls) {
     const double reach = best.distance + ball.radius;
-    const Point off = minus(point, ball.centre);
+    const Point off = point - ball.centre;
     if (dot(off, off) > reach * reach) continue;
     const NearestOnFace there = nearest_on_face(faces_[ball.face], point, x_);
     if (there.distance < best.distance) best = {{ball.face, there.place}, there.distance};
@@ -37,10 +37,10 @@ SurfacePlace FaceLocator::over(int patch, const Point& point) const {
   const Point direction = normal(place);
   Point found = at(place);
   for (int k = 0; k < 20; ++k) {
-    const Point off = minus(found, point), before = found;
-    place = nearest(patch, plus(point, dot(off, direction), direction), place.face);
+    const Point off = found - point, before = found;
+    place = nearest(patch, point + dot(off, direction) * direction, place.face);
     found = at(place);
-    if (length(minus(found, before)) <= 1e-14 * (length(off) + length(point))) break;
+    if (length(found - before) <= 1e-14 * (length(off) + length(point))) break;
   }
   return place;
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ale/mesh_surfaces.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/element_map.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -20,15 +20,15 @@ struct FaceMap {
     double N[9], dN[18];
     evaluate_shape(face.shape, place.data(), N, dN);
     for (int a = 0; a < num_nodes(face.shape); ++a) {
-      at = plus(at, N[a], x[face.nodes[a]]);
-      for (int k = 0; k < 2; ++k) along[k] = plus(along[k], dN[2 * a + k], x[face.nodes[a]]);
+      at += N[a] * x[face.nodes[a]];
+      for (int k = 0; k < 2; ++k) along[k] += dN[2 * a + k] * x[face.nodes[a]];
     }
   }
 };
 
 /// The step in reference coordinates towards a point, by the method of Gauss and Newton: faces are nearly flat.
 FacePlace step_towards(const FaceMap& map, const Point& point) {
-  const Point off = minus(point, map.at);
+  const Point off = point - map.at;
   const double a = dot(map.along[0], map.along[0]), b = dot(map.along[0], map.along[1]),
                c = dot(map.along[1], map.along[1]);
   const double p = dot(map.along[0], off), q = dot(map.along[1], off), det = a * c - b * b;
@@ -49,10 +49,10 @@ double nearest_share(const SurfaceFace& face, int edge, const Point& point, cons
   double share = 0.5;
   for (int k = 0; k < 30; ++k) {
     const FaceMap map(face, on_edge(face, edge, share), x);
-    const Point way = plus(scaled(b[0] - a[0], map.along[0]), b[1] - a[1], map.along[1]);
+    const Point way = (b[0] - a[0]) * map.along[0] + (b[1] - a[1]) * map.along[1];
     const double square = dot(way, way);
     if (!(square > 0)) break;
-    const double next = std::clamp(share + dot(way, minus(point, map.at)) / square, 0.0, 1.0);
+    const double next = std::clamp(share + dot(way, point - map.at) / square, 0.0, 1.0);
     const bool done = std::abs(next - share) < rounding;
     share = next;
     if (done) break;
@@ -82,11 +82,10 @@ NearestOnFace nearest_on_face(const SurfaceFace& face, const Point& point, const
     if (std::abs(step[0]) + std::abs(step[1]) > rounding) continue;
     break;
   }
-  if (outside_cell(face.shape, place.data()) <= 0)
-    return {place, length(minus(point, face_point(face, place, x))), true};
+  if (outside_cell(face.shape, place.data()) <= 0) return {place, length(point - face_point(face, place, x)), true};
   for (int edge = 0; edge < num_edges(face.shape); ++edge) {
     const FacePlace there = on_edge(face, edge, nearest_share(face, edge, point, x));
-    const double distance = length(minus(point, face_point(face, there, x)));
+    const double distance = length(point - face_point(face, there, x));
     if (distance < best.distance) best = {there, distance, false};
   }
   return best;

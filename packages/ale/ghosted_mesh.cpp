@@ -9,9 +9,9 @@
 
 #include "algebra/raw_communicator.hpp"
 #include "algebra/tpetra_compat.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "geometry/box_tree.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -151,10 +151,10 @@ class Neighbourhood {
           for (int d = 0; d < mesh_.dimension(); ++d) place[d] = wanted.x(block.nodes(e, a), d);
           box.enclose(place);
         }
-        const Point across = minus(box.high, box.low);
+        const Point across = box.high - box.low;
         const double reach = dot(across, across);  // twice as far as its nodes, for what bulges
         std::fill(asks.begin(), asks.end(), 0);
-        tree.search(plus(box.low, 0.5, across), reach, [&](int i) { asks[rank_of[i]] = 1; });
+        tree.search(box.low + 0.5 * across, reach, [&](int i) { asks[rank_of[i]] = 1; });
         const long long* record = records.at(block.global_ids[e]);
         for (std::size_t rank = 0; rank < to.size(); ++rank)
           if (asks[rank] != 0) to[rank].insert(to[rank].end(), record, record + Records::length(record));
@@ -443,7 +443,8 @@ std::vector<double> GhostedMesh::gather(const Space& space, int field, const Con
   std::vector<double> table(static_cast<std::size_t>(components) * num_nodes(), 0.0);
   for (int i = 0; i < mesh_.num_owned_nodes(); ++i) {
     const int dof = space.node_dof(field)(i);
-    for (int c = 0; dof >= 0 && c < components; ++c) table[components * of_mesh_[i] + c] = values(dof + c);
+    if (dof >= 0)
+      for (int c = 0; c < components; ++c) table[components * of_mesh_[i] + c] = values(dof + c);
   }
   fill(table, components);
   return table;
@@ -453,7 +454,8 @@ void GhostedMesh::scatter(const Space& space, int field, const std::vector<doubl
   const int components = space.field(field).components;
   for (int i = 0; i < mesh_.num_nodes(); ++i) {
     const int dof = space.node_dof(field)(i);
-    for (int c = 0; dof >= 0 && c < components; ++c) to(dof + c) = from[components * of_mesh_[i] + c];
+    if (dof >= 0)
+      for (int c = 0; c < components; ++c) to(dof + c) = from[components * of_mesh_[i] + c];
   }
 }
 

@@ -11,6 +11,7 @@
 #include "algebra/types.hpp"
 #include "framework/space.hpp"
 #include "framework/state.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -18,7 +19,7 @@ constexpr int place_size = 3;          // coordinates of a node; in the plane th
 using Positions = std::vector<Point>;  // [m] by node of a GhostedMesh
 
 /// A place of a mesh in the plane.
-inline Point on_plane(const std::array<double, 2>& place) { return {place[0], place[1], 0}; }
+inline Point on_plane(const Vec<double, 2>& place) { return {place[0], place[1], 0}; }
 /// [m]
 inline double distance(const Point& a, const Point& b) {
   return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "algebra/raw_communicator.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -144,7 +144,7 @@ void CornerSimplices::add_tangents(const Positions& curve, Positions& x) const {
 double determinant(const Simplex& t, const Positions& x) {
   const Point &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
   if (t.corners == 3) return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  return dot(minus(b, a), cross(minus(c, a), minus(x[t[3]], a)));
+  return dot(b - a, cross(c - a, x[t[3]] - a));
 }
 
 double size(const Simplex& t, const Positions& x) {
@@ -152,60 +152,9 @@ double size(const Simplex& t, const Positions& x) {
   return t.corners == 3 ? std::sqrt(content) : std::cbrt(content);
 }
 
-void SweepLimits::parameters(Parameters& p) {
-  p.add("sweeps", sweeps, "-", closed(1, 100000), "largest number of passes over the vertices");
-  p.add("sweep tolerance", tolerance, "-", positive(),
-        "passes end when no vertex moves by more than this share of its elements' size");
-}
-
-void LaplaceMotion::move(const InteriorMesh& mesh, Positions& x) const {
-  const auto& simplices = mesh.corners.simplices;
-  std::vector<std::vector<int>> neighbours(mesh.movable.size());
-  for (const auto& nodes : mesh.colours)
-    for (int node : nodes) {
-      std::set<int> around;
-      for (int t : mesh.corners.at_node[node])
-        if (t < mesh.corners.of_elements) around.insert(simplices[t].begin(), simplices[t].end());
-      around.erase(node);
-      neighbours[node].assign(around.begin(), around.end());
-    }
-  sweep_by_colours(mesh, limits_, x, [&](int node) {
-    Point mean{};
-    double size = 0;
-    for (int other : neighbours[node])
-      for (int d = 0; d < place_size; ++d) mean[d] += x[other][d] / neighbours[node].size();
-    for (int other : neighbours[node]) size = std::max(size, distance(x[other], mean));
-    const double way = distance(mean, x[node]) / size;
-    x[node] = mean;
-    return way;
-  });
-}
-
-void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
-                      const std::function<double(int node)>& place) {
-  const int colours = static_cast<int>(mesh.colours.size());
-  for (int sweep = 0; sweep < limits.sweeps; ++sweep) {
-    double largest = 0;
-    for (int k = 0; k < colours; ++k) {
-      for (int node : mesh.colours[sweep % 2 == 0 ? k : colours - 1 - k]) {
-        const double way = place(node);
-        if (mesh.mesh.owns(node)) largest = std::max(largest, way);
-      }
-      // with every colour the outermost ghosts that are still right are one layer further in
-      if ((k + 1) % mesh.mesh.layers() == 0 || k + 1 == colours) mesh.mesh.fill(x);
-    }
-    if (mesh.mesh.largest(largest) < limits.tolerance) break;
-  }
-}
-
 void register_interior_motions(Registry<InteriorMotion>& registry) {
   registry.add<OptimisationMotion>("optimisation", "best element shapes, never folds an element");
-  registry.add<WinslowMotion>("Winslow",
-                              "harmonic map back to the source's mesh, for the plane; never folds an element");
   registry.add<ElasticMotion>("elastic", "elastic re-analysis with the boundary's displacements");
-  registry.add<ArtificialMotion>("artificial",
-                                 "elastic, and a swing of every vertex: shows what the remap does to a solution");
-  registry.add<LaplaceMotion>("Laplace", "every vertex at the mean of its neighbours");
 }
 
 }  // namespace mudline

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -78,22 +77,7 @@ class InteriorMotion {
   /// `x` holds the boundary's new positions and the interior's old ones, and no simplex of it is folded. Collective;
   /// the result does not depend on the number of ranks.
   virtual void move(const InteriorMesh& mesh, Positions& x) const = 0;
-  /// Whether it is one for meshes in space too.
-  virtual bool in_space() const { return true; }
 };
-
-/// When passes over the vertices end.
-struct SweepLimits {
-  int sweeps = 40;
-  double tolerance = 1e-3;
-  void parameters(Parameters& p);
-};
-
-/// Passes over the vertices that may move, colour after colour, to and fro. `place` gives a vertex of `x` its new place
-/// and returns how far that is, as a share of its elements' size. Ranks place ghosts too, so that they must meet only
-/// every few colours. Collective.
-void sweep_by_colours(const InteriorMesh& mesh, const SweepLimits& limits, Positions& x,
-                      const std::function<double(int node)>& place);
 
 /// Vertex by vertex, lowers the sum of squared inverse mean ratios of the simplices around it (Knupp 2001; Freitag &
 /// Knupp 2002), mu = |T|^2 / (d det T^(2/d)) in d dimensions, T the map from the ideal simplex: 1 at best, infinite for
@@ -108,31 +92,12 @@ class OptimisationMotion : public InteriorMotion {
   void move(const InteriorMesh& mesh, Positions& x) const override;
 
  private:
+  template <int Dim>
+  void sweep(const InteriorMesh& mesh, Positions& x) const;
+
   Ideal ideal_ = Ideal::source;
-  SweepLimits limits_;
-};
-
-/// The map from the source's mesh is harmonic in the inverse direction (Winslow 1967): vertex by vertex, lowers its
-/// Dirichlet energy, in the plane the sum of mu weighted by the areas of the source's triangles. As smooth as
-/// Laplace's, and no element folds.
-class WinslowMotion : public InteriorMotion {
- public:
-  void parameters(Parameters& p) { limits_.parameters(p); }
-  void move(const InteriorMesh& mesh, Positions& x) const override;
-  bool in_space() const override { return false; }
-
- private:
-  SweepLimits limits_;
-};
-
-/// Every vertex goes to the mean of its neighbours. Simple, and may fold elements at re-entrant corners.
-class LaplaceMotion : public InteriorMotion {
- public:
-  void parameters(Parameters& p) { limits_.parameters(p); }
-  void move(const InteriorMesh& mesh, Positions& x) const override;
-
- private:
-  SweepLimits limits_{200, 1e-4};
+  int sweeps_ = 40;
+  double tolerance_ = 1e-3;
 };
 
 /// Elastic re-analysis (Nazem, Sheng & Carter 2006): the mesh as an elastic body, in plane strain or in space, whose
@@ -147,17 +112,6 @@ class ElasticMotion : public InteriorMotion {
   enum class From { source, present };
   From from_ = From::source;
   double poisson_ = 0.3;
-};
-
-/// The elastic motion, and on top a swing of every vertex about its place by a share of the smallest side around it: no
-/// use but to show what the remap does to a solution.
-class ArtificialMotion : public ElasticMotion {
- public:
-  void parameters(Parameters& p);
-  void move(const InteriorMesh& mesh, Positions& x) const override;
-
- private:
-  double amplitude_ = 0.1, period_ = 1;
 };
 
 void register_interior_motions(Registry<InteriorMotion>& registry);

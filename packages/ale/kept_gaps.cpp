@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -23,7 +23,7 @@ Point KeptGaps::kept(const SurfaceFace& face, const FacePlace& place, const Poin
   gap = std::clamp(gap, least, most);
   if (gap >= 0.25 * span) return at;
   const NearBody here = *body_(at);
-  return plus(at, gap - here.gap, here.normal);
+  return at + (gap - here.gap) * here.normal;
 }
 
 }  // namespace mudline

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "core/space_vector.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -21,10 +21,10 @@ struct Spread {
   double along[3] = {};
   Point direction[3] = {};
 
-  Spread(int dim, const double (&moments)[3][3]) { dim == 2 ? in_plane(moments) : in_space(moments); }
+  Spread(int dim, const Mat<double, 3>& moments) { dim == 2 ? in_plane(moments) : in_space(moments); }
 
  private:
-  void in_plane(const double (&m)[3][3]) {
+  void in_plane(const Mat<double, 3>& m) {
     const double middle = 0.5 * (m[0][0] + m[1][1]), radius = std::hypot(0.5 * (m[0][0] - m[1][1]), m[0][1]),
                  angle = 0.5 * std::atan2(2 * m[0][1], m[0][0] - m[1][1]);
     along[0] = middle + radius;
@@ -33,8 +33,8 @@ struct Spread {
     direction[1] = {-std::sin(angle), std::cos(angle), 0};
   }
   /// Jacobi's rotations.
-  void in_space(const double (&m)[3][3]) {
-    double a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // v: the directions as columns
+  void in_space(const Mat<double, 3>& m) {
+    Mat<double, 3> a, v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // v: the directions as columns
     std::copy(&m[0][0], &m[0][0] + 9, &a[0][0]);
     for (int sweep = 0; sweep < 20; ++sweep)
       for (int p = 0; p < 3; ++p) {
@@ -68,20 +68,20 @@ class PatchMetric {
     const double share = 1.0 / static_cast<double>(places.size());
     for (const Point& x : places)
       for (int d = 0; d < dim; ++d) centre_[d] += share * x[d];
-    double moments[3][3] = {};
+    Mat<double, 3> moments = {};
     for (const Point& place : places) {
-      const Point x = minus(place, centre_);
+      const Point x = place - centre_;
       for (int d = 0; d < dim; ++d)
         for (int k = 0; k < dim; ++k) moments[d][k] += share * x[d] * x[k];
     }
     const Spread spread(dim, moments);
     for (int k = 0; k < dim; ++k)
-      for (int d = 0; d < dim && spread.along[k] > 0; ++d)
-        axis_[k][d] = spread.direction[k][d] / std::sqrt(spread.along[k]);
+      if (spread.along[k] > 0)
+        for (int d = 0; d < dim; ++d) axis_[k][d] = spread.direction[k][d] / std::sqrt(spread.along[k]);
   }
   /// [-]
   Point operator()(const Point& place) const {
-    const Point x = minus(place, centre_);
+    const Point x = place - centre_;
     Point result{};
     for (int k = 0; k < dim_; ++k)
       for (int d = 0; d < dim_; ++d) result[k] += axis_[k][d] * x[d];
@@ -104,10 +104,10 @@ class Planes {
       for (int d = 0; d < dim; ++d) centre_[d] += share * places[i][d];
       for (int c = 0; c < columns; ++c) mean_[c] += share * rows[i][c];
     }
-    double moments[3][3] = {};
+    Mat<double, 3> moments = {};
     std::vector<double> by(dim * columns, 0.0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Point x = minus(places[i], centre_);
+      const Point x = places[i] - centre_;
       for (int d = 0; d < dim; ++d)
         for (int k = 0; k < dim; ++k) moments[d][k] += x[d] * x[k];
       for (int c = 0; c < columns; ++c)
@@ -310,8 +310,9 @@ LayerChanges LayerRemap::transfer(const PointTransfer& t, const SoilTable& table
       const Version& version = versions.at(material);
       t.now[first + table.origin] = material;
       result.changed += t.moved() && result.was[row] != material;
-      for (int c = 0; c < t.columns && version.near[row]; ++c)
-        if (c < table.origin || c > table.origin + mesh.dimension()) t.now[first + c] = version.now[first + c];
+      if (version.near[row])
+        for (int c = 0; c < t.columns; ++c)
+          if (c < table.origin || c > table.origin + mesh.dimension()) t.now[first + c] = version.now[first + c];
       if (version.near[row]) continue;
       ++result.started;
       const std::string at = place_text(Recovery::position(mesh.elements()[e], block, q, x), mesh.dimension()),

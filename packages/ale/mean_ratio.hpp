@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "ale/ghosted_mesh.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
 /// Matrix of the cofactors of a; its determinant.
 template <int Dim>
-double cofactors(const double (&a)[Dim][Dim], double (&c)[Dim][Dim]) {
+double cofactors(const Mat<double, Dim>& a, Mat<double, Dim>& c) {
   if constexpr (Dim == 2) {
     c[0][0] = a[1][1];
     c[0][1] = -a[1][0];
@@ -38,7 +39,7 @@ template <int Dim>
 struct IdealSimplex {
   double w[Dim + 1][Dim];
   explicit IdealSimplex(const std::array<Point, Dim + 1>& ideal) {
-    double edges[Dim][Dim], c[Dim][Dim];
+    Mat<double, Dim> edges, c;
     for (int i = 0; i < Dim; ++i)
       for (int k = 0; k < Dim; ++k) edges[i][k] = ideal[i + 1][k] - ideal[0][k];
     const double det = cofactors(edges, c), scale = edge_of_content<Dim>(std::abs(det));  // size does not count
@@ -52,21 +53,18 @@ struct IdealSimplex {
   }
 };
 
-enum class Measure { mean_ratio, mean_ratio_squared };
-
-/// Sum of the inverse mean ratios mu = |T|^2 / (d det T^(2/d)), or their squares, of the simplices around one vertex, a
-/// convex function of its position, and its derivatives. The Hessian's upper half.
+/// Sum of the squared inverse mean ratios mu = |T|^2 / (d det T^(2/d)) of the simplices around one vertex, a convex
+/// function of its position, and its derivatives. The Hessian's upper half.
 template <int Dim>
 struct MeanRatio {
-  Measure measure;
   double value = 0, gradient[Dim] = {}, hessian[Dim][Dim] = {};
   bool valid = true;  // no simplex is flat or folded
 
   /// `corner(v)`: position of corner v; `moving` is the corner of the vertex.
   template <class Corner>
-  void add(const IdealSimplex<Dim>& ideal, double weight, int moving, const Corner& corner) {
+  void add(const IdealSimplex<Dim>& ideal, int moving, const Corner& corner) {
     constexpr double power = 2.0 / Dim;
-    double t[Dim][Dim] = {}, c[Dim][Dim];
+    Mat<double, Dim> t = {}, c;
     for (int v = 0; v <= Dim; ++v) {
       const Point& x = corner(v);
       for (int i = 0; i < Dim; ++i)
@@ -97,20 +95,16 @@ struct MeanRatio {
       return ((i == j ? ddn : 0.0) - power * (dn[i] * dd[j] + dd[i] * dn[j]) / det) / (Dim * size) +
              power * (power + 1) / Dim * n * dd[i] * dd[j] / (size * det * det);
     };
-    // f(mu) with its first and second derivative
-    const bool squared = measure == Measure::mean_ratio_squared;
-    const double f = weight * (squared ? mu * mu : mu), f1 = weight * (squared ? 2 * mu : 1),
-                 f2 = squared ? 2 * weight : 0;
-    value += f;
+    value += mu * mu;
     for (int i = 0; i < Dim; ++i) {
-      gradient[i] += f1 * dmu[i];
-      for (int j = i; j < Dim; ++j) hessian[i][j] += f1 * second(i, j) + f2 * dmu[i] * dmu[j];
+      gradient[i] += 2 * mu * dmu[i];
+      for (int j = i; j < Dim; ++j) hessian[i][j] += 2 * mu * second(i, j) + 2 * dmu[i] * dmu[j];
     }
   }
 
   /// Newton's step; false where there is none.
   bool step(double (&to)[Dim]) {
-    double c[Dim][Dim];
+    Mat<double, Dim> c;
     for (int i = 1; i < Dim; ++i)
       for (int j = 0; j < i; ++j) hessian[i][j] = hessian[j][i];
     const double det = cofactors(hessian, c);

@@ -203,8 +203,9 @@ double MeshRenewal::largest_edge(const Positions& x, const State& state) const {
   std::set<std::pair<int, int>> kept_edges;  // on curves
   for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
     const MeshPath& path = boundary_.paths()[p];
-    for (std::size_t i = path.stride; kept(p) && i < path.nodes.size(); i += path.stride)
-      kept_edges.insert(std::minmax(path.nodes[i - path.stride], path.nodes[i]));
+    if (kept(p))
+      for (std::size_t i = path.stride; i < path.nodes.size(); i += path.stride)
+        kept_edges.insert(std::minmax(path.nodes[i - path.stride], path.nodes[i]));
   }
   std::vector<double> size(x.size(), 0.0);
   double largest = 0;
@@ -267,9 +268,10 @@ DividedPath MeshRenewal::divided(std::size_t p, const Positions& x, const State&
     else
       result.vertices.push_back(in_plane(places.at(s[v], (s[v + 1] - s[v - 1]) / path.stride)));
   }
-  for (int k = 0; path.stride == 2 && k < sides; ++k)
-    result.middles.push_back(
-        in_plane(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k])));
+  if (path.stride == 2)
+    for (int k = 0; k < sides; ++k)
+      result.middles.push_back(
+          in_plane(kept(p) ? x[path.nodes[2 * k + 1]] : places.at(0.5 * (s[k] + s[k + 1]), s[k + 1] - s[k])));
   return result;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -10,6 +9,7 @@
 #include "ale/boundary_motion.hpp"
 #include "ale/renewed_mesh.hpp"
 #include "ale/wanted_sizes.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -26,8 +26,8 @@ struct RenewalParameters {
 
 /// A path divided into new sides.
 struct DividedPath {
-  std::vector<std::array<double, 2>> vertices;  // the ends among them
-  std::vector<std::array<double, 2>> middles;   // (side) of quadratic elements
+  std::vector<Vec<double, 2>> vertices;  // the ends among them
+  std::vector<Vec<double, 2>> middles;   // (side) of quadratic elements
 };
 
 /// What lies on either side of a path.

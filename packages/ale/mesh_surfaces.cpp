@@ -5,7 +5,7 @@
 #include <map>
 
 #include "ale/face_place.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -98,14 +98,14 @@ class SurfaceSplitter {
 
   /// Of the edge at one of its ends, away from it.
   Point direction(int edge, int node) const {
-    const Point chord = minus(x_[other_end(edge, node)], x_[node]);
+    const Point chord = x_[other_end(edge, node)] - x_[node];
     if (edges_[edge].middle < 0) return chord;
-    return plus(scaled(4, minus(x_[edges_[edge].middle], x_[node])), -1, chord);
+    return 4 * (x_[edges_[edge].middle] - x_[node]) - chord;
   }
 
   bool is_end(int node, const std::vector<int>& touching) const {
     if (touching.size() != 2 || corners_.count(node)) return true;
-    if (angle_between(direction(touching[0], node), scaled(-1, direction(touching[1], node))) <= angle_) return false;
+    if (angle_between(direction(touching[0], node), -direction(touching[1], node)) <= angle_) return false;
     return !(on_body_(other_end(touching[0], node)) && on_body_(node) && on_body_(other_end(touching[1], node)));
   }
 

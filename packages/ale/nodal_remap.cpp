@@ -7,7 +7,7 @@
 
 #include "ale/face_locator.hpp"
 #include "ale/point_locator.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

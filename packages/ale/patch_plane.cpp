@@ -18,7 +18,7 @@ SharedCoordinates::SharedCoordinates(const Positions& places) {
   Point beside{};
   double extent = 0;
   for (const Point& place : places) {
-    extent = std::max(extent, length(minus(place, value)));
+    extent = std::max(extent, length(place - value));
     for (int d = 0; d < 3; ++d) beside[d] = std::max(beside[d], std::abs(place[d] - value[d]));
   }
   for (int d = 0; d < 3; ++d) shared[d] = beside[d] < rounding * extent;
@@ -35,13 +35,13 @@ PatchPlane::PatchPlane(const MeshSurfaces& surfaces, int patch, const Positions&
   Point sum{};
   for (int f : surfaces.patches[patch].faces) {
     const SurfaceFace& face = surfaces.faces[f];
-    sum = plus(sum, 1, face_normal(face, {0.3, 0.3}, x));
+    sum += face_normal(face, {0.3, 0.3}, x);
     for (int a = 0; a < num_nodes(face.shape); ++a) places.push_back(x[face.nodes[a]]);
   }
   normal = unit(sum);
   double extent = 0, off = 0;
   for (const Point& place : places) {
-    const Point from = minus(place, places.front());
+    const Point from = place - places.front();
     extent = std::max(extent, length(from));
     off = std::max(off, std::abs(dot(from, normal)));
   }

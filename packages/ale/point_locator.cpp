@@ -5,8 +5,8 @@
 #include <limits>
 #include <set>
 
-#include "core/space_vector.hpp"
 #include "discretisation/element_map.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -52,7 +52,7 @@ class SeenLine {
     double N[3], dN[3];
     evaluate_line(count_, t, N, dN);
     Point result{};
-    for (int a = 0; a < count_; ++a) result = plus(result, (slope ? dN : N)[a], off_[a]);
+    for (int a = 0; a < count_; ++a) result += (slope ? dN : N)[a] * off_[a];
     return result;
   }
   int count_;
@@ -64,10 +64,10 @@ class SeenSide {
  public:
   SeenSide(const GhostedMesh::Element& element, int side, const Positions& x, const Point& point)
       : shape_(side_shape(element.shape)) {
-    for (int a : side_nodes(element.shape, side)) off_.push_back(minus(x[element.nodes[a]], point));
+    for (int a : side_nodes(element.shape, side)) off_.push_back(x[element.nodes[a]] - point);
   }
   /// The nearest place, by the side's own coordinates, where its distance [m] is below `least`, which it replaces.
-  bool nearer(double& least, std::array<double, 2>& place) const {
+  bool nearer(double& least, Vec<double, 2>& place) const {
     if (dimension(shape_) == 1) {
       const auto [t, here] = SeenLine(static_cast<int>(off_.size()), off_.data()).nearest(least);
       return take({t, 0}, here, least, place);
@@ -89,26 +89,27 @@ class SeenSide {
   }
 
  private:
-  static bool take(const std::array<double, 2>& at, double here, double& least, std::array<double, 2>& place) {
+  static bool take(const Vec<double, 2>& at, double here, double& least, Vec<double, 2>& place) {
     if (here >= least) return false;
     least = here;
     place = at;
     return true;
   }
   /// Inside of the face, by Gauss and Newton's method from its middle and from halfway to each corner.
-  bool inside(double& least, std::array<double, 2>& place) const {
+  bool inside(double& least, Vec<double, 2>& place) const {
     bool found = false;
     const auto centre = cell_centre(shape_);
     for (int start = 0; start <= num_corners(shape_); ++start) {
-      std::array<double, 2> xi{centre[0], centre[1]};
-      for (int k = 0; k < 2 && start > 0; ++k) xi[k] = 0.5 * (xi[k] + reference_node(shape_, start - 1)[k]);
+      Vec<double, 2> xi{centre[0], centre[1]};
+      if (start > 0)
+        for (int k = 0; k < 2; ++k) xi[k] = 0.5 * (xi[k] + reference_node(shape_, start - 1)[k]);
       for (int iteration = 0; iteration < 60; ++iteration) {
         double N[9], dN[18];
         evaluate_shape(shape_, xi.data(), N, dN);
         Point r{}, along[2] = {};
         for (std::size_t a = 0; a < off_.size(); ++a) {
-          r = plus(r, N[a], off_[a]);
-          for (int k = 0; k < 2; ++k) along[k] = plus(along[k], dN[2 * a + k], off_[a]);
+          r += N[a] * off_[a];
+          for (int k = 0; k < 2; ++k) along[k] += dN[2 * a + k] * off_[a];
         }
         const double aa = dot(along[0], along[0]), ab = dot(along[0], along[1]), bb = dot(along[1], along[1]),
                      ra = dot(r, along[0]), rb = dot(r, along[1]), det = aa * bb - ab * ab;
@@ -138,7 +139,8 @@ MeshPlace PointLocator::find(const Point& point, int guess) const {
   std::set<int> seen;
   Found found;
   int here = guess;
-  for (int step = 0; step < 200 && here >= 0; ++step) {
+  for (int step = 0; step < 200; ++step) {
+    if (here < 0) break;
     seen.insert(here);
     double xi[3] = {0, 0, 0};
     if (!invert(here, point, xi)) break;  // far off a curved element
@@ -209,7 +211,7 @@ MeshPlace PointLocator::nearest_on_boundary(const Point& point) const {
     const auto& element = mesh_.elements()[e];
     for (int s = 0; s < num_sides(element.shape); ++s) {
       if (element.neighbours[s] != GhostedMesh::outside) continue;
-      std::array<double, 2> nearest;
+      Vec<double, 2> nearest;
       if (!SeenSide(element, s, x_, point).nearer(least, nearest)) continue;
       best.element = e;
       const auto place = on_side(element.shape, s, nearest);

@@ -207,10 +207,11 @@ std::vector<double> Recovery::bounded_nodes() const {
         }
   }
   for (int node = 0; node < mesh_.num_nodes(); ++node)
-    for (int c = 0; c < columns_ && !mesh_.on_boundary(node); ++c) {
-      const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
-      if (low[i] <= high[i]) bounded[i] = std::clamp(nodal_[i], low[i], high[i]);
-    }
+    if (!mesh_.on_boundary(node))
+      for (int c = 0; c < columns_; ++c) {
+        const std::size_t i = static_cast<std::size_t>(node) * columns_ + c;
+        if (low[i] <= high[i]) bounded[i] = std::clamp(nodal_[i], low[i], high[i]);
+      }
   mesh_.fill(bounded, columns_);
   return bounded;
 }

@@ -8,12 +8,13 @@
 #include "ale/simplex_mesh.hpp"
 #include "ale/size_around.hpp"
 #include "discretisation/triangulation.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
 namespace {
 
-using Place = std::array<double, 2>;
+using Place = Vec<double, 2>;
 using Ends = SimplexMesh::Ends;
 
 double twice_area(const std::vector<int>& loop, const std::vector<Place>& x) {
@@ -108,7 +109,7 @@ void PlaneBuilder::add_path(std::size_t p, const DividedPath& divided) {
   }
   for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
     const Point a = on_plane(divided.vertices[k]), b = on_plane(divided.vertices[k + 1]);
-    size_.add(scaled(0.5, plus(a, 1, b)), distance(a, b));
+    size_.add(0.5 * (a + b), distance(a, b));
     if (!divided.middles.empty()) simplices_.bend(chain[k], chain[k + 1], on_plane(divided.middles[k]));
   }
   chains_.push_back(std::move(chain));

@@ -13,10 +13,10 @@
 #include "ale/size_around.hpp"
 #include "ale/vertex_colours.hpp"
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/disjoint_sets.hpp"
 #include "discretisation/element_map.hpp"
 #include "discretisation/triangulation.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -31,8 +31,7 @@ double six_volumes(const Point& a, const Point& b, const Point& c) { return dot(
 double six_volumes(const Faces& faces, const Positions& x) {
   const Point& origin = x[faces[0][0]];
   double sum = 0;
-  for (const Face& f : faces)
-    sum += six_volumes(minus(x[f[0]], origin), minus(x[f[1]], origin), minus(x[f[2]], origin));
+  for (const Face& f : faces) sum += six_volumes(x[f[0]] - origin, x[f[1]] - origin, x[f[2]] - origin);
   return sum;
 }
 
@@ -40,7 +39,7 @@ double six_volumes(const Faces& faces, const Positions& x) {
 bool around(const Faces& faces, const Point& point, const Positions& x) {
   double angle = 0;
   for (const Face& f : faces) {
-    const Point a = minus(x[f[0]], point), b = minus(x[f[1]], point), c = minus(x[f[2]], point);
+    const Point a = x[f[0]] - point, b = x[f[1]] - point, c = x[f[2]] - point;
     const double la = length(a), lb = length(b), lc = length(c);
     angle += 2 * std::atan2(six_volumes(a, b, c), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }
@@ -101,7 +100,7 @@ void straighten(GlobalMesh& mesh, Free&& free) {
         const long long middle = block.nodes[e + a];
         if (!free(static_cast<int>(middle))) continue;
         const Point &x = mesh.coordinates[block.nodes[e + from]], &y = mesh.coordinates[block.nodes[e + to]];
-        mesh.coordinates[middle] = scaled(0.5, plus(x, 1, y));
+        mesh.coordinates[middle] = 0.5 * (x + y);
       }
   }
 }
@@ -129,7 +128,7 @@ void optimise(GlobalMesh& made, Geometry geometry) {
   const auto bent = [&](double share) {
     Positions next = x;
     for (int node = 0; node < whole.num_nodes(); ++node)
-      if (whole.on_boundary(node)) next[node] = plus(start[node], share, minus(made.coordinates[node], start[node]));
+      if (whole.on_boundary(node)) next[node] = start[node] + share * (made.coordinates[node] - start[node]);
     corners.add_tangents(next, next);
     return next;
   };
@@ -137,15 +136,16 @@ void optimise(GlobalMesh& made, Geometry geometry) {
     motion.move({whole, corners, next, next, movable, colours}, next);
     x = std::move(next);
   };
-  double done = 0;
-  for (double share = 0, part = 1; done < 1 && part > 1.0 / 64; share = std::min(1.0, done + part)) {
+  double done = 0, share = 0, part = 1;
+  while (done < 1 && part > 1.0 / 64) {
     Positions next = bent(share);
     if (folded(corners, next)) {
       part *= 0.5;
-      continue;
+    } else {
+      move(std::move(next));
+      done = share;
     }
-    move(std::move(next));
-    done = share;
+    share = std::min(1.0, done + part);
   }
   if (done < 1) move(bent(1));  // beside what is folded nothing moves
   for (int node = 0; node < whole.num_nodes(); ++node)
@@ -237,8 +237,8 @@ void SpaceBuilder::fill() {
     }
     for (const Face& f : faces_[b]) {
       const Point &a = vertices[f[0]], &b = vertices[f[1]], &c = vertices[f[2]];
-      const double area = 0.5 * length(cross(minus(b, a), minus(c, a)));
-      size_.add(scaled(1.0 / 3, plus(plus(a, 1, b), 1, c)), 2 * std::sqrt(area / std::sqrt(3.0)));  // if regular
+      const double area = 0.5 * length(cross(b - a, c - a));
+      size_.add(1.0 / 3 * (a + b + c), 2 * std::sqrt(area / std::sqrt(3.0)));  // if regular
     }
   }
   Tetrahedra made = tetrahedra_in(

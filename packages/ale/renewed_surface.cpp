@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "ale/kept_gaps.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -110,7 +110,7 @@ void SurfaceRenewal::place_middles() {
       const auto [found, added] = number.emplace(ends(a, b), made_.middles.size());
       const auto on_curve = on_curves.find(ends(a, b));
       const double edge = distance(made_.places[a], made_.places[b]);
-      const Point centre = scaled(0.5, plus(made_.places[a], 1, made_.places[b]));
+      const Point centre = 0.5 * (made_.places[a] + made_.places[b]);
       if (added) {
         const int node = old_middle(a, b);
         made_.middles.push_back({{a, b}, {}, node});
@@ -125,10 +125,11 @@ void SurfaceRenewal::place_middles() {
       middle.place = without_bulge(middle.place, centre, normal, edge);
     }
   for (const RemeshedSurface::Face& face : made_.mesh.faces)  // planes stay planes
-    for (int k = 0; planes_[face.patch].flat && k < 3; ++k) {
-      RenewedSurface::Middle& middle = made_.middles[number.at(ends(face.vertices[k], face.vertices[(k + 1) % 3]))];
-      if (middle.node < 0) middle.place = planes_[face.patch].of_all.kept(middle.place);
-    }
+    if (planes_[face.patch].flat)
+      for (int k = 0; k < 3; ++k) {
+        RenewedSurface::Middle& middle = made_.middles[number.at(ends(face.vertices[k], face.vertices[(k + 1) % 3]))];
+        if (middle.node < 0) middle.place = planes_[face.patch].of_all.kept(middle.place);
+      }
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/space_vector.hpp"
 #include "discretisation/space_filling_curve.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -49,7 +49,7 @@ long long SimplexMesh::number_of_middle(int a, int b, GlobalMesh& mesh) {
 Point SimplexMesh::middle_place(int a, int b) const {
   const Ends ends = ascending(a, b);
   const auto curved = curved_.find(ends);
-  return curved != curved_.end() ? curved->second : scaled(0.5, plus(places[ends.first], 1, places[ends.second]));
+  return curved != curved_.end() ? curved->second : 0.5 * (places[ends.first] + places[ends.second]);
 }
 
 GlobalMesh SimplexMesh::number() {

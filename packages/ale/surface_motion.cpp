@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/space_vector.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -62,11 +62,12 @@ void SurfaceMotion::put_on(Middle& middle, const std::vector<int>& faces) const 
 
 void SurfaceMotion::add_curve_middles(const std::vector<std::vector<int>>& touching) {
   for (const MeshPath& curve : surfaces_.curves)
-    for (std::size_t i = 1; curve.stride == 2 && i < curve.nodes.size(); i += 2) {
-      Middle middle{curve.nodes[i], {curve.nodes[i - 1], curve.nodes[i + 1]}, {}};
-      put_on(middle, touching[middle.node]);
-      curve_middles_.push_back(std::move(middle));
-    }
+    if (curve.stride == 2)
+      for (std::size_t i = 1; i < curve.nodes.size(); i += 2) {
+        Middle middle{curve.nodes[i], {curve.nodes[i - 1], curve.nodes[i + 1]}, {}};
+        put_on(middle, touching[middle.node]);
+        curve_middles_.push_back(std::move(middle));
+      }
 }
 
 void SurfaceMotion::add_node(const SurfaceFace& face, int a, Patch& patch) {
@@ -77,7 +78,8 @@ void SurfaceMotion::add_node(const SurfaceFace& face, int a, Patch& patch) {
   }
   Middle middle{face.nodes[a], {}, {}};
   for (int c : corners_around(face.shape, a)) middle.ends.push_back(face.nodes[c]);
-  for (int k = 0; a == 2 * corners && k < corners; ++k) middle.sides.push_back(face.nodes[corners + k]);
+  if (a == 2 * corners)
+    for (int k = 0; k < corners; ++k) middle.sides.push_back(face.nodes[corners + k]);
   patch.middles.push_back(middle);
 }
 
@@ -96,22 +98,23 @@ void SurfaceMotion::add_corners(const SurfaceFace& face, Positions& source) {
   const int corners = num_corners(face.shape);
   const auto corner = [&](int i) { return face.nodes[(i + corners) % corners]; };
   for (int i = 0; i < (corners == 3 ? 1 : 4); ++i) add_corner({corner(i), corner(i + 1), corner(i - 1)}, source);
-  for (int i = 0; order(face.shape) == 2 && i < corners; ++i) {
-    const int a = corner(i), b = corner(i + 1), middle = face.nodes[corners + i];
-    if (surfaces_.patch_of[middle] >= 0) continue;
-    const int end = static_cast<int>(source.size());
-    for (const Tangent& tangent : {Tangent{a, b, middle}, Tangent{b, a, middle}}) {
-      tangents_.push_back(tangent);
-      source.push_back(tangent_end(tangent, source));
+  if (order(face.shape) == 2)
+    for (int i = 0; i < corners; ++i) {
+      const int a = corner(i), b = corner(i + 1), middle = face.nodes[corners + i];
+      if (surfaces_.patch_of[middle] >= 0) continue;
+      const int end = static_cast<int>(source.size());
+      for (const Tangent& tangent : {Tangent{a, b, middle}, Tangent{b, a, middle}}) {
+        tangents_.push_back(tangent);
+        source.push_back(tangent_end(tangent, source));
+      }
+      add_corner({a, end, corner(i - 1)}, source);
+      add_corner({end + 1, b, corner(i + 2)}, source);
     }
-    add_corner({a, end, corner(i - 1)}, source);
-    add_corner({end + 1, b, corner(i + 2)}, source);
-  }
 }
 
 Point SurfaceMotion::tangent_end(const Tangent& tangent, const Positions& x) {
   // derivative of the quadratic edge at its end, over a reference length of 1
-  return plus(plus(scaled(4, x[tangent.middle]), -2, x[tangent.at]), -1, x[tangent.other]);
+  return 4 * x[tangent.middle] - 2 * x[tangent.at] - x[tangent.other];
 }
 
 std::array<Point, 4> SurfaceMotion::corners_of(const BoundarySimplex& simplex, const Positions& x) {
@@ -136,10 +139,10 @@ void SurfaceMotion::add_tangents(Positions& x) const {
 }
 
 void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions& source) {
-  const Point p = minus(source[nodes[1]], source[nodes[0]]), q = minus(source[nodes[2]], source[nodes[0]]);
+  const Point p = source[nodes[1]] - source[nodes[0]], q = source[nodes[2]] - source[nodes[0]];
   const Point e = unit(p);
-  const double a = length(p), b = dot(q, e), c = length(plus(q, -b, e)), scale = std::sqrt(a * c);  // size is free
-  const double inverse[2][2] = {{scale / a, -b * scale / (a * c)}, {0, scale / c}};
+  const double a = length(p), b = dot(q, e), c = length(q - b * e), scale = std::sqrt(a * c);  // size is free
+  const Mat<double, 2> inverse = {{{scale / a, -b * scale / (a * c)}, {0, scale / c}}};
   Corner corner{nodes, {}};
   for (int k = 0; k < 2; ++k) {
     corner.w[1][k] = inverse[0][k];
@@ -152,29 +155,29 @@ void SurfaceMotion::add_corner(const std::array<int, 3>& nodes, const Positions&
 }
 
 double SurfaceMotion::edge_of(const Middle& middle, const Positions& x) {
-  return length(minus(x[middle.ends[1]], x[middle.ends[0]]));
+  return length(x[middle.ends[1]] - x[middle.ends[0]]);
 }
 
 Point SurfaceMotion::middle_of(const Middle& middle, const Positions& x) {
   Point sum{};
   if (middle.sides.empty()) {
-    for (int node : middle.ends) sum = plus(sum, 0.5, x[node]);
+    for (int node : middle.ends) sum += 0.5 * x[node];
     return sum;
   }
-  for (int node : middle.sides) sum = plus(sum, 0.5, x[node]);  // transfinite: exact for straight edges
-  for (int node : middle.ends) sum = plus(sum, -0.25, x[node]);
+  for (int node : middle.sides) sum += 0.5 * x[node];  // transfinite: exact for straight edges
+  for (int node : middle.ends) sum -= 0.25 * x[node];
   return sum;
 }
 
 Point SurfaceMotion::normal_at(const Middle& middle, const Positions& x) const {
   Point sum{};
-  for (const auto& [face, place] : middle.on) sum = plus(sum, 1, unit(face_normal(surfaces_.faces[face], place, x)));
+  for (const auto& [face, place] : middle.on) sum += unit(face_normal(surfaces_.faces[face], place, x));
   return unit(sum);
 }
 
 double SurfaceMotion::drift_of(const Middle& middle, const Positions& x) const {
-  const Point off = minus(x[middle.node], middle_of(middle, x)), normal = normal_at(middle, x);
-  return length(plus(off, -dot(off, normal), normal)) / edge_of(middle, x);
+  const Point off = x[middle.node] - middle_of(middle, x), normal = normal_at(middle, x);
+  return length(off - dot(off, normal) * normal) / edge_of(middle, x);
 }
 
 Point SurfaceMotion::at(const SurfacePlace& place, const Positions& x) const {
@@ -193,9 +196,9 @@ SurfacePlace SurfaceMotion::nearest(int node, int guess, const Positions& x_old,
     const SurfaceFace& face = surfaces_.faces[f];
     Bounds box = Bounds::nothing();
     for (int a = 0; a < num_nodes(face.shape); ++a) box.enclose(x_old[face.nodes[a]]);
-    const Point across = scaled(0.5, minus(box.high, box.low));
+    const Point across = 0.5 * (box.high - box.low);
     // a curved face is not far outside the box of its nodes
-    if (length(minus(point, plus(box.low, 1, across))) - 1.5 * length(across) > least) continue;
+    if (length(point - (box.low + across)) - 1.5 * length(across) > least) continue;
     const NearestOnFace there = look(f);
     if (there.distance >= least) continue;
     least = there.distance;
@@ -231,7 +234,7 @@ double SurfaceMotion::shortest_edge(int node, const Positions& x) const {
   double shortest = 1e300;
   for (int c : at_[node])
     for (int other : corners_[c].nodes)
-      if (other != node && other < nodes_) shortest = std::min(shortest, length(minus(x[other], x[node])));
+      if (other != node && other < nodes_) shortest = std::min(shortest, length(x[other] - x[node]));
   return shortest;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -104,7 +104,7 @@ void SurfaceRemesher::find_normals() {
     for (int k = 0; k < 3; ++k) {
       const auto xi = reference_node(CellShape::tri3, k);
       Point& sum = vertices_[faces_[f].corners[k]].normals[faces_[f].patch];
-      sum = plus(sum, 1, unit(face_normal(surfaces_.faces[f], {xi[0], xi[1]}, x_)));
+      sum += unit(face_normal(surfaces_.faces[f], {xi[0], xi[1]}, x_));
     }
   for (Vertex& vertex : vertices_)
     for (auto& [patch, normal] : vertex.normals) normal = unit(normal);
@@ -141,7 +141,7 @@ SurfaceRemesher::Vertex SurfaceRemesher::between(int a, int b, const std::vector
   Vertex made;
   const auto on_curve = curve_edges_.find(ends(a, b));
   if (on_curve == curve_edges_.end()) {
-    put_on_patch(made, faces_[around[0]].patch, scaled(0.5, plus(vertices_[a].place, 1, vertices_[b].place)));
+    put_on_patch(made, faces_[around[0]].patch, 0.5 * (vertices_[a].place + vertices_[b].place));
   } else {
     for (int f : around) made.normals[faces_[f].patch];
     put_on_curve(made, on_curve->second.curve, 0.5 * (on_curve->second.low + on_curve->second.high));
@@ -150,14 +150,14 @@ SurfaceRemesher::Vertex SurfaceRemesher::between(int a, int b, const std::vector
 }
 
 double SurfaceRemesher::ratio(int a, int b) const {
-  return 2 * length(minus(vertices_[a].place, vertices_[b].place)) / (vertices_[a].size + vertices_[b].size);
+  return 2 * length(vertices_[a].place - vertices_[b].place) / (vertices_[a].size + vertices_[b].size);
 }
 
 SurfaceRemesher::Shape SurfaceRemesher::shape(const Corners& corners, int patch) const {
   const Point &a = vertices_[corners[0]].place, &b = vertices_[corners[1]].place, &c = vertices_[corners[2]].place;
-  const Point ab = minus(b, a), bc = minus(c, b), ca = minus(a, c), area = cross(ab, bc);
+  const Point ab = b - a, bc = c - b, ca = a - c, area = cross(ab, bc);
   Point outwards{};
-  for (int corner : corners) outwards = plus(outwards, 1, vertices_[corner].normals.at(patch));
+  for (int corner : corners) outwards += vertices_[corner].normals.at(patch);
   const double facing = dot(area, unit(outwards));
   const double squares = dot(ab, ab) + dot(bc, bc) + dot(ca, ca);
   return {2 * std::sqrt(3.0) * facing / std::max(squares, 1e-300), facing / std::max(length(area), 1e-300)};
@@ -193,7 +193,8 @@ bool SurfaceRemesher::keeps_edge(int a, int b, const std::vector<int>& around) c
 std::vector<SurfaceRemesher::Ends> SurfaceRemesher::edges() const {
   std::set<Ends> all;
   for (const Face& face : faces_)
-    for (int k = 0; face.patch >= 0 && k < 3; ++k) all.insert(ends(face.corners[k], face.corners[(k + 1) % 3]));
+    if (face.patch >= 0)
+      for (int k = 0; k < 3; ++k) all.insert(ends(face.corners[k], face.corners[(k + 1) % 3]));
   std::vector<std::pair<double, Ends>> sorted;
   for (const Ends& edge : all) sorted.emplace_back(-ratio(edge.first, edge.second), edge);
   std::sort(sorted.begin(), sorted.end());
@@ -352,22 +353,22 @@ Point SurfaceRemesher::middle_of_faces(int vertex) const {
     Point centre{};
     double size = 0;
     for (int corner : corners) {
-      centre = plus(centre, 1.0 / 3, vertices_[corner].place);
+      centre += 1.0 / 3 * vertices_[corner].place;
       size += vertices_[corner].size / 3;
     }
     const Point &a = vertices_[corners[0]].place, &b = vertices_[corners[1]].place, &c = vertices_[corners[2]].place;
-    const double weight = length(cross(minus(b, a), minus(c, a))) / (size * size);
-    sum = plus(sum, weight, centre);
+    const double weight = length(cross(b - a, c - a)) / (size * size);
+    sum += weight * centre;
     weights += weight;
   }
-  return scaled(1 / weights, sum);
+  return 1 / weights * sum;
 }
 
 void SurfaceRemesher::move(int v, double share) {
   Vertex& vertex = vertices_[v];
   if (vertex.curve < 0) {
     const Point to = middle_of_faces(v);
-    put_on_patch(vertex, faces_[vertex.faces[0]].patch, plus(vertex.place, share, minus(to, vertex.place)));
+    put_on_patch(vertex, faces_[vertex.faces[0]].patch, vertex.place + share * (to - vertex.place));
     return;
   }
   double sum = 0, weights = 0;
@@ -386,7 +387,7 @@ bool SurfaceRemesher::improve(int v) {
   const Shape was = worst_around(v);
   for (double share : {1.0, 0.5, 0.25}) {
     move(v, share);
-    const double way = length(minus(vertices_[v].place, before.place));
+    const double way = length(vertices_[v].place - before.place);
     const Shape now = worst_around(v);
     const bool better = now.quality >= std::min(was.quality, good) && now.facing >= std::min(facing_enough, was.facing);
     if (way > 0.01 * before.size && better) {
@@ -412,9 +413,10 @@ int SurfaceRemesher::change_edges() {
 
 void SurfaceRemesher::flip_edges() {
   constexpr int sweeps = 10;
-  for (int sweep = 0, flips = 1; flips > 0 && sweep < sweeps; ++sweep) {
-    flips = 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    int flips = 0;
     for (const auto& [a, b] : edges()) flips += flip(a, b);
+    if (flips == 0) break;
   }
 }
 
@@ -431,12 +433,13 @@ void SurfaceRemesher::smooth() {
 
 RemeshedSurface SurfaceRemesher::remesh() {
   constexpr int rounds = 12;
-  for (int round = 0, changes = 1; changes > 0 && round < rounds; ++round) {
-    changes = change_edges();
+  for (int round = 0; round < rounds; ++round) {
+    const int changes = change_edges();
     wake_poor();
     flip_edges();
     smooth();
     flip_edges();
+    if (changes == 0) break;
   }
   return result();
 }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "ale/surface_motion.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -18,12 +18,12 @@ std::array<Point, 2> tangents(const Point& normal) {
     if (std::abs(normal[i]) < std::abs(normal[least])) least = i;
   axis[least] = 1;
   const Point one = cross(normal, axis);
-  const Point first = scaled(1 / length(one), one);
+  const Point first = 1 / length(one) * one;
   return {first, cross(normal, first)};
 }
 
 Point area_vector(const std::array<int, 3>& nodes, const Positions& x) {
-  return cross(minus(x[nodes[1]], x[nodes[0]]), minus(x[nodes[2]], x[nodes[0]]));
+  return cross(x[nodes[1]] - x[nodes[0]], x[nodes[2]] - x[nodes[0]]);
 }
 
 /// Sum over corners of the squared inverse mean ratio, by the place of one vertex, with its gradient and a positive
@@ -35,7 +35,7 @@ struct RingObjective {
            const std::array<Point, 2>& along) {
     Point t[2] = {};
     for (int v = 0; v < 3; ++v)
-      for (int k = 0; k < 2; ++k) t[k] = plus(t[k], w[v][k], x[nodes[v]]);
+      for (int k = 0; k < 2; ++k) t[k] += w[v][k] * x[nodes[v]];
     const Point area = cross(t[0], t[1]);
     const double J = length(area), n = dot(t[0], t[0]) + dot(t[1], t[1]), mu = n / (2 * J);
     const double* own = w[moving];
@@ -43,7 +43,7 @@ struct RingObjective {
     double dn[2], dJ[2], dmu[2];
     for (int i = 0; i < 2; ++i) {
       dn[i] = 2 * (own[0] * dot(along[i], t[0]) + own[1] * dot(along[i], t[1]));
-      dJ[i] = dot(area, plus(scaled(own[0], cross(along[i], t[1])), own[1], cross(t[0], along[i]))) / J;
+      dJ[i] = dot(area, own[0] * cross(along[i], t[1]) + own[1] * cross(t[0], along[i])) / J;
       dmu[i] = (dn[i] - 2 * mu * dJ[i]) / (2 * J);
     }
     const auto second = [&](int i, int j) {
@@ -89,7 +89,7 @@ class SurfaceMotion::Step {
     for (const Tetrahedron& tetrahedron : surface.tetrahedra_) {
       const std::array<Point, 4> corners = corners_of(tetrahedron.on, x_old);
       std::array<Point, 4> ahead;
-      for (int k = 0; k < 4; ++k) ahead[k] = minus(corners[k], x_old[tetrahedron.on.nodes[k]]);
+      for (int k = 0; k < 4; ++k) ahead[k] = corners[k] - x_old[tetrahedron.on.nodes[k]];
       ahead_.push_back(ahead);
       counts_.push_back(!folded(tetrahedron, ahead));
     }
@@ -138,7 +138,7 @@ class SurfaceMotion::Step {
       Point sum{};
       for (const auto& [f, place] : middle.on) {
         const SurfaceFace& face = surface_.surfaces_.faces[f];
-        if (!planes_[face.patch].flat) sum = plus(sum, 1, unit(face_normal(face, place, x_old_)));
+        if (!planes_[face.patch].flat) sum += unit(face_normal(face, place, x_old_));
       }
       limit_bulge(middle, unit(sum));
     }
@@ -160,8 +160,8 @@ class SurfaceMotion::Step {
   }
   bool folded(const Tetrahedron& tetrahedron, const std::array<Point, 4>& ahead) const {
     const std::array<int, 4>& nodes = tetrahedron.on.nodes;
-    MeanRatio<3> ratio{Measure::mean_ratio_squared};
-    ratio.add(tetrahedron.ideal, 1, 0, [&](int k) { return plus(x_[nodes[k]], 1, ahead[k]); });
+    MeanRatio<3> ratio;
+    ratio.add(tetrahedron.ideal, 0, [&](int k) { return x_[nodes[k]] + ahead[k]; });
     return !ratio.valid;
   }
   bool folded_at(int node) const {
@@ -171,7 +171,7 @@ class SurfaceMotion::Step {
 
   Point normal_at(int node, const Positions& x) const {
     Point sum{};
-    for (int c : surface_.at_[node]) sum = plus(sum, 1, unit(area_vector(surface_.corners_[c].nodes, x)));
+    for (int c : surface_.at_[node]) sum += unit(area_vector(surface_.corners_[c].nodes, x));
     return unit(sum);
   }
 
@@ -183,12 +183,12 @@ class SurfaceMotion::Step {
           static_cast<int>(std::find(corner.nodes.begin(), corner.nodes.end(), node) - corner.nodes.begin());
       result.add(corner.nodes, corner.w, moving, x_, along);
     }
-    MeanRatio<3> space{Measure::mean_ratio_squared};
+    MeanRatio<3> space;
     for (int t : surface_.tetrahedra_at_[node]) {
       if (!counts_[t]) continue;
       const std::array<int, 4>& nodes = surface_.tetrahedra_[t].on.nodes;
       const int moving = static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
-      space.add(surface_.tetrahedra_[t].ideal, 1, moving, [&](int k) { return plus(x_[nodes[k]], 1, ahead_[t][k]); });
+      space.add(surface_.tetrahedra_[t].ideal, moving, [&](int k) { return x_[nodes[k]] + ahead_[t][k]; });
     }
     result.add(space, along);
     return result;
@@ -212,10 +212,10 @@ class SurfaceMotion::Step {
     const SurfacePlace place = on_[node];
     double factor = 1;
     for (int cut = 0; cut < 12; ++cut, factor *= 0.5) {
-      const Point to = plus(plus(from, factor * step[0], along[0]), factor * step[1], along[1]);
+      const Point to = from + factor * step[0] * along[0] + factor * step[1] * along[1];
       x_[node] = on_surface(node, limited(node, to), plane);
       if (folded_at(node) || !(objective(node, along).value <= now.value)) continue;
-      return length(minus(x_[node], from)) / size;
+      return length(x_[node] - from) / size;
     }
     x_[node] = from;
     on_[node] = place;
@@ -224,11 +224,11 @@ class SurfaceMotion::Step {
 
   /// No farther from where the vertex was than it may slide at once.
   Point limited(int node, const Point& to) const {
-    const Point way = minus(to, x_old_[node]);
+    const Point way = to - x_old_[node];
     const double far = length(way);
     if (!(far > 0)) return to;
     const double limit = surface_.largest_slide_ * reach(node, way);
-    return far <= limit ? to : plus(x_old_[node], limit / far, way);
+    return far <= limit ? to : x_old_[node] + limit / far * way;
   }
 
   /// From a vertex to the edges opposite to it, in the direction of a way and in its tangent plane.
@@ -238,11 +238,11 @@ class SurfaceMotion::Step {
     const double size = std::hypot(u[0], u[1]);
     double nearest = 1e300;
     for (int c : surface_.at_[node]) {
-      double ends[2][2];
+      Mat<double, 2> ends;
       int count = 0;
       for (int other : surface_.corners_[c].nodes) {
         if (other == node) continue;
-        for (int i = 0; i < 2; ++i) ends[count][i] = dot(minus(x_old_[other], x_old_[node]), along[i]);
+        for (int i = 0; i < 2; ++i) ends[count][i] = dot(x_old_[other] - x_old_[node], along[i]);
         ++count;
       }
       const double edge[2] = {ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]};
@@ -269,11 +269,12 @@ class SurfaceMotion::Step {
     const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
     const double rounding = 1e-14 * edge_of(middle, x_);
     Point at = on_surface(middle.node, centre, plane);
-    for (int k = 0; k < 20 && !plane.flat; ++k) {
-      const Point before = at;
-      at = on_surface(middle.node, plus(centre, dot(minus(at, centre), normal), normal), plane);
-      if (length(minus(at, before)) <= rounding) break;
-    }
+    if (!plane.flat)
+      for (int k = 0; k < 20; ++k) {
+        const Point before = at;
+        at = on_surface(middle.node, centre + dot(at - centre, normal) * normal, plane);
+        if (length(at - before) <= rounding) break;
+      }
     return at;
   }
 
@@ -308,12 +309,13 @@ void SurfaceMotion::move(const Positions& x_old, const BodySearch& body, Positio
   add_tangents(with_tangents);
   x = with_tangents;
   Step step(*this, with_tangents, x);
-  for (double done = 0, part = 1; done < 1 && part >= 1.0 / 64;) {
+  double done = 0, part = 1;
+  while (done < 1 && part >= 1.0 / 64) {
     const double share = done + part;
     const Positions before = x;
     for (const MeshPath& curve : surfaces_.curves)
       for (int node : curve.nodes)
-        x[node] = share < 1 ? plus(x_old[node], share, minus(wanted[node], x_old[node])) : wanted[node];
+        x[node] = share < 1 ? x_old[node] + share * (wanted[node] - x_old[node]) : wanted[node];
     add_tangents(x);
     if (step.folded()) {
       x = before;

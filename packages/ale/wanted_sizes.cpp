@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "ale/point_locator.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -69,7 +70,7 @@ void WantedSizes::bound_growth(double growth) {
   }
 }
 
-double WantedSizes::in_block(const std::array<double, 2>& place, std::size_t block, double& outside) const {
+double WantedSizes::in_block(const Vec<double, 2>& place, std::size_t block, double& outside) const {
   const MeshPlace found = PointLocator(*mesh_, x_).find(on_plane(place), nearby_[block]);
   nearby_[block] = found.element;
   const auto& element = mesh_->elements()[found.element];
@@ -85,9 +86,10 @@ double WantedSizes::in_block(const std::array<double, 2>& place, std::size_t blo
   return sum / all;
 }
 
-double WantedSizes::operator()(const std::array<double, 2>& place) const {
+double WantedSizes::operator()(const Vec<double, 2>& place) const {
   double result = 0, least = 1e300;
-  for (std::size_t block = 0; block < nearby_.size() && least > 0; ++block) {
+  for (std::size_t block = 0; block < nearby_.size(); ++block) {
+    if (!(least > 0)) break;
     if (nearby_[block] < 0) continue;
     double outside;
     const double size = in_block(place, block, outside);

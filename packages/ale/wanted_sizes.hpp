@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ale/ghosted_mesh.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -20,13 +21,13 @@ class WantedSizes {
   WantedSizes(std::shared_ptr<const GhostedMesh> mesh, const Positions& x, const std::vector<double>& by_element,
               const Bounds& bounds);
   /// [m] at a place; outside of the mesh that of its edge.
-  double operator()(const std::array<double, 2>& place) const;
+  double operator()(const Vec<double, 2>& place) const;
   /// The largest ratio of the size that an element has to the one that is wanted of it.
   double largest_ratio() const;
 
  private:
   void bound_growth(double growth);
-  double in_block(const std::array<double, 2>& place, std::size_t block, double& outside) const;
+  double in_block(const Vec<double, 2>& place, std::size_t block, double& outside) const;
 
   std::shared_ptr<const GhostedMesh> mesh_;
   Positions x_;

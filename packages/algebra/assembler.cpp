@@ -111,8 +111,10 @@ std::vector<MatrixScatter::Place> find_places(const HostElements& group, const B
   std::vector<MatrixScatter::Place> places;
   for (int a = 0; a < static_cast<int>(group.extent(1)); ++a) {
     bool goes_on = a > 0;
-    for (std::size_t e = 0; e < group.extent(0) && goes_on; ++e)
+    for (std::size_t e = 0; e < group.extent(0); ++e) {
+      if (!goes_on) break;
       goes_on = group(e, a) == group(e, a - 1) + 1 && bundles.of[group(e, a)] == bundles.of[group(e, a - 1)];
+    }
     if (goes_on)
       places.push_back({places.back().node, places.back().component + 1});
     else

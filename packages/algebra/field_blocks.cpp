@@ -138,8 +138,11 @@ std::vector<char> isolated_rows(const CrsMatrix& matrix, LocalOrdinal begin, Loc
   for (LocalOrdinal row = begin; row < end; ++row) {
     const LocalOrdinal diagonal = matrix.getColMap()->getLocalElement(matrix.getRowMap()->getGlobalElement(row));
     char alone = 1;
-    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1) && alone; ++k)
-      if (local.graph.entries(k) != diagonal && local.values(k) != 0) alone = 0;
+    for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k) {
+      if (local.graph.entries(k) == diagonal || local.values(k) == 0) continue;
+      alone = 0;
+      break;
+    }
     result.push_back(alone);
   }
   return result;

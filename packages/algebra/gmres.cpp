@@ -125,18 +125,20 @@ int gmres(const Operator& matrix, const Operator& preconditioner, const Vector& 
   Vector residual(b, Teuchos::Copy), direction(b.getMap());
   x.putScalar(0);
   int iterations = 0;
-  for (double norm = residual.norm2(); norm > tolerance && iterations < max_iterations; norm = residual.norm2()) {
+  double norm = residual.norm2();
+  while (norm > tolerance && iterations < max_iterations) {
     Basis basis;
     LeastSquares problem(norm);
-    for (double length = norm;
-         problem.residual() > tolerance && iterations < max_iterations && basis.size() < most_directions && length > 0;
-         ++iterations) {
+    double length = norm;
+    while (problem.residual() > tolerance && iterations < max_iterations && basis.size() < most_directions &&
+           length > 0) {
       basis.push(residual, length);
       preconditioner.apply(basis.back(), direction);
       matrix.apply(direction, residual);
       const std::vector<double> column = basis.take_off(residual);
       length = residual.norm2();
       problem.add(column, length);
+      ++iterations;
     }
     residual.putScalar(0);
     basis.add(problem.solution(), 1, residual);
@@ -145,6 +147,7 @@ int gmres(const Operator& matrix, const Operator& preconditioner, const Vector& 
     if (!(problem.residual() > tolerance)) break;
     matrix.apply(x, residual);
     residual.update(1, b, -1);
+    norm = residual.norm2();
   }
   return iterations;
 }

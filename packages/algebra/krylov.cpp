@@ -81,7 +81,8 @@ KrylovResult FieldGmres::solve(const RCP<const CrsMatrix>& matrix, const RCP<con
   residual.assign(b);
 
   // The references follow x, so a second round may be needed when the first guess misjudged them.
-  for (int round = 0; round < 4 && result.iterations < max_iterations; ++round) {
+  for (int round = 0; round < 4; ++round) {
+    if (result.iterations >= max_iterations) break;
     const RCP<Vector> scale = row_scale(state);
     Vector correction(dofs_->owned()), right(dofs_->owned());
     right.elementWiseMultiply(1, *scale, residual, 0);

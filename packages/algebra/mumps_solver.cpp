@@ -153,7 +153,8 @@ LinearReport MumpsSolver::solve_by_factor(const Vector& b, Vector& x, const Line
   LinearReport report;
   factor_->apply(b, x);
   report.relative_residual = (*evaluate_)(*matrix_, b, x, residual).relative();
-  for (int step = 0; step < 2 && report.relative_residual > tolerance.relative; ++step) {
+  for (int step = 0; step < 2; ++step) {
+    if (!(report.relative_residual > tolerance.relative)) break;
     factor_->apply(residual, correction);
     x.update(1, correction, 1);
     report.relative_residual = (*evaluate_)(*matrix_, b, x, residual).relative();

@@ -77,7 +77,8 @@ double NodalChebyshev::estimate_largest() const {
       values(i, 0) = scattered(matrix_->getDomainMap()->getGlobalElement(static_cast<LocalOrdinal>(i)));
   }
   double norm = x.getVector(0)->norm2();
-  for (int iteration = 0; iteration < power_iterations && norm > 0; ++iteration) {
+  for (int iteration = 0; iteration < power_iterations; ++iteration) {
+    if (!(norm > 0)) break;
     x.scale(1 / norm);
     matrix_->apply(x, residual_);
     add_inverse(1, residual_, 0, x);

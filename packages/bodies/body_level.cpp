@@ -104,8 +104,8 @@ BodyNumber generalised(const RigidBody& body, const BodyLevel& level, const Body
 
 BodyInertiaForce::BodyInertiaForce(const RigidBody& body, const BodyLevel& level) {
   if (body.dimension() == 3) in_space(body, level);
-  for (int k = 0; body.dimension() == 2 && k < body.unknowns().count; ++k)
-    force_[k] = moving_mass(body) * level.arc_acceleration[k];
+  if (body.dimension() == 2)
+    for (int k = 0; k < body.unknowns().count; ++k) force_[k] = moving_mass(body) * level.arc_acceleration[k];
 }
 
 void BodyInertiaForce::in_space(const RigidBody& body, const BodyLevel& level) {

@@ -33,8 +33,9 @@ void PointLoad::parameters(Parameters& p) {
     p.add(std::string("force ") + axis_names[i], force[i], "N",
           "force along the axis, a function of time and of the reference point's position");
   if (!space || p.documenting()) p.add("moment", moment[2], "N m", "in the plane: moment, counter-clockwise");
-  for (int i = 0; i < 3 && space; ++i)
-    p.add(std::string("moment ") + axis_names[i], moment[i], "N m", "in space: moment about the axis, right-handed");
+  if (space)
+    for (int i = 0; i < 3; ++i)
+      p.add(std::string("moment ") + axis_names[i], moment[i], "N m", "in space: moment about the axis, right-handed");
   p.add("turns with the body", turns, "whether the axes are those of the body, which turn with it, or the model's");
 }
 

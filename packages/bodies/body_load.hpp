@@ -3,6 +3,7 @@
 #include "bodies/body_numbers.hpp"
 #include "bodies/contour_volume.hpp"
 #include "core/parameters.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -22,7 +23,7 @@ inline bool may_move(Geometry geometry, int direction) { return geometry != Geom
 struct BodyProperties {
   double mass = 0;               // [kg]
   double moment_of_inertia = 0;  // [kg m2] in the plane, about the centre of mass
-  double inertia[3][3] = {};     // [kg m2] in space, about the centre of mass, along the body's axes
+  Mat<double, 3> inertia = {};   // [kg m2] in space, about the centre of mass, along the body's axes
   double volume = 0;             // [m3]; 0: unknown
   Geometry geometry = Geometry::plane_strain;
   const ContourVolume* enclosed = nullptr;  // in the plane

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/rotation.hpp"
-#include "tensor/spatial_vector.hpp"
+#include "tensor/rotation.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -10,7 +10,7 @@ constexpr int body_directions = 6;
 
 /// What a body's balance is made of: numbers with their derivatives by the body's unknowns.
 using BodyNumber = Dual<body_directions>;
-using BodyVector = SpatialVector<BodyNumber, 3>;
+using BodyVector = Vec<BodyNumber, 3>;
 
 inline BodyVector constant_vector(const Point& x) { return {BodyNumber(x[0]), BodyNumber(x[1]), BodyNumber(x[2])}; }
 inline Point plain_vector(const BodyVector& x) { return {x[0].v, x[1].v, x[2].v}; }

@@ -75,8 +75,8 @@ void BodyInertia::histories(const StepView& view, Report& values) {
     }
     const BodyMomentum now = momentum(*body, state);
     values[name + "kinetic energy"] = {"J", now.kinetic};
-    for (int i = 0; i < 3 && axes == 3; ++i)
-      values[name + "angular momentum " + axis_names[i]] = {"N m s", now.angular[i]};
+    if (axes == 3)
+      for (int i = 0; i < 3; ++i) values[name + "angular momentum " + axis_names[i]] = {"N m s", now.angular[i]};
   }
 }
 

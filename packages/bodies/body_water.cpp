@@ -107,7 +107,7 @@ void BodyWater::act_in_plane(const BodyProperties& body, const Point& gravity, c
 void BodyWater::act_in_space(const BodyProperties& body, const Point& gravity, const BodyInstant& at,
                              BodyLoad& load) const {
   const BodyVector middle = constant_vector(body.middle), arm = at.axes.outward(middle);
-  load.add(constant_vector(scaled(-density * body.volume, gravity)), arm);
+  load.add(constant_vector(-density * body.volume * gravity), arm);
   if (drags_at_all()) {
     // past the middle of the volume, along the body's axes
     const BodyVector past = at.axes.inward(at.velocity) + cross(at.spin, middle);

@@ -49,13 +49,13 @@ void PrescribedDisplacement::refuse_rest(Parameters& p) const {
 BodyState PrescribedDisplacement::advance(const BodyState& old, double t_old, double t_end) const {
   BodyState now = old;
   const double dt = t_end - t_old, per_time = dt > 0 ? 1 / dt : 0.0;
-  const Point increment = minus(at(along_, t_end), at(along_, t_old));
-  now.displacement = plus(old.displacement, 1, increment);
+  const Point increment = at(along_, t_end) - at(along_, t_old);
+  now.displacement = old.displacement + increment;
   for (int i = 0; i < 3; ++i) now.velocity[i] = dt > 0 ? increment[i] / dt : 0.0;
   if (turns()) {
     const Rotation more = Rotation::by(at(about_, t_end)) * Rotation::by(at(about_, t_old)).inverse();
     now.turn = more * old.turn;
-    now.spin = scaled(per_time, more.vector());
+    now.spin = per_time * more.vector();
   }
   now.moving_time += dt;
   return now;
@@ -100,10 +100,10 @@ BodyState PrescribedVelocity::advance(const BodyState& old, double t_old, double
   if (split > 0) integrate(0, split);
   integrate(split, dt);
   now.moving_time += dt;
-  now.velocity = scaled(ramp(now.moving_time), at(along_, t_end));
+  now.velocity = ramp(now.moving_time) * at(along_, t_end);
   if (turns()) {
     now.turn = Rotation::by(turned) * old.turn;
-    now.spin = scaled(ramp(now.moving_time), at(about_, t_end));
+    now.spin = ramp(now.moving_time) * at(about_, t_end);
   }
   return now;
 }

@@ -4,7 +4,7 @@
 
 #include "core/function.hpp"
 #include "core/registry.hpp"
-#include "core/rotation.hpp"
+#include "tensor/rotation.hpp"
 
 namespace mudline {
 

@@ -24,8 +24,10 @@ void ReleasedMotion::common_parameters(Parameters& p) {
   if (!space || p.documenting())
     p.add("moment", moment_[2], "N m",
           "in the plane: moment on the body about its centre of mass, counter-clockwise, a function of time");
-  for (int i = 0; i < 3 && space; ++i)
-    p.add(std::string("moment ") + axis_names[i], moment_[i], "N m",
+  if (space)
+    for (int i = 0; i < 3; ++i)
+      p.add(
+          std::string("moment ") + axis_names[i], moment_[i], "N m",
           std::string("in space: moment on the body about the ") + axis_names[i] + " axis through its centre of mass");
   p.passes_on("loads", "Forces and moments at points of the body (an eye, a line), by name; see the loads of a body");
   p.section("prescribed velocity", others_, "how the body moves in the directions that its freedom lacks");
@@ -80,10 +82,10 @@ BodyLoad ReleasedMotion::load(const BodyProperties& body, const BodyInstant& now
     for (int i = 0; i < 3; ++i) v[i] = at(f[i], now.time, now.position, dimension_);
     return v;
   };
-  result.force = vector(force_) + constant_vector(scaled(body.mass, gravity_));
+  result.force = vector(force_) + constant_vector(body.mass * gravity_);
   result.moment = vector(moment_);
   for (const PointLoad& load : loads_) {
-    const BodyVector arm = now.axes.outward(constant_vector(minus(load.point, body.centre)));
+    const BodyVector arm = now.axes.outward(constant_vector(load.point - body.centre));
     const BodyVector force = vector(load.force), moment = vector(load.moment);
     result.add(load.turns ? now.axes.outward(force) : force, arm);
     result.moment = result.moment + (load.turns ? now.axes.outward(moment) : moment);
@@ -104,10 +106,11 @@ void ReleasedMotion::check_body(const BodyProperties& body, const Section& secti
   for (int i = 0; i < dimension_; ++i)
     if (!releases(i) && !force_[i].is_zero()) refuse(section, i, std::string("force ") + axis_names[i]);
   // about the model's axes: any rotation of a body in space may answer
-  for (int axis = 0; axis < 3 && !rotates(); ++axis)
-    if (!moment_[axis].is_zero())
-      refuse(section, dimension_ == 2 ? 2 : 3 + axis,
-             dimension_ == 2 ? "moment" : std::string("moment ") + axis_names[axis]);
+  if (!rotates())
+    for (int axis = 0; axis < 3; ++axis)
+      if (!moment_[axis].is_zero())
+        refuse(section, dimension_ == 2 ? 2 : 3 + axis,
+               dimension_ == 2 ? "moment" : std::string("moment ") + axis_names[axis]);
   check_others(section);
   if (!rotates() || body.mass <= 0) return;
   if (dimension_ == 2 && body.moment_of_inertia <= 0)

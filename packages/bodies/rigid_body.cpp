@@ -2,6 +2,7 @@
 
 #include "core/guarded.hpp"
 #include "core/pi.hpp"
+#include "tensor/vec.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,7 @@ void RigidBody::read_surface(const Section& section, const BodyRegistries& regis
   constexpr double coarse = 0.01;  // of its extent; [m] where it goes on for ever
   const double extent = surface_->bounds().extent();
   outline_ = surface_->triangles(coarse * (std::isfinite(extent) ? extent : 1.0)).points;
-  for (const Point& x : outline_) reach_ = std::max(reach_, length(minus(x, centre_)));
+  for (const Point& x : outline_) reach_ = std::max(reach_, length(x - centre_));
 }
 
 void RigidBody::read_rotation(const Section& section) {
@@ -112,8 +113,7 @@ void RigidBody::read_rotation(const Section& section) {
                         : "expected 1 number, the angle in degrees, given ") +
                      std::to_string(rotation_.size()),
                  "rotation");
-  const Point vector =
-      scaled(pi / 180, space ? Point{rotation_[0], rotation_[1], rotation_[2]} : Point{0, 0, rotation_[0]});
+  const Point vector = pi / 180 * (space ? Point{rotation_[0], rotation_[1], rotation_[2]} : Point{0, 0, rotation_[0]});
   properties_.turned = length(vector) > 0;
   if (properties_.turned && contour_ && contour().extent() == ContourExtent::half)
     section.fail(
@@ -129,7 +129,7 @@ void RigidBody::fill_evenly(const Section& section) {
   const double size = closed ? std::cbrt(moments.volume) : 1.0;
   if (closed && !has_centre_ && properties_.mass > 0) centre_ = moments.centroid();
   properties_.centre = centre_;
-  if (closed) properties_.middle = minus(moments.centroid(), centre_);
+  if (closed) properties_.middle = moments.centroid() - centre_;
   if (properties_.volume == 0) properties_.volume = moments.volume;
   if (closed) {
     const SurfaceTriangles triangles = surface_->triangles(1e-3 * size);
@@ -140,15 +140,16 @@ void RigidBody::fill_evenly(const Section& section) {
   auto& tensor = properties_.inertia;
   if (inertia_.empty()) {
     const bool elsewhere = length(properties_.middle) > 1e-6 * size;
-    for (int i = 0; i < 3 && closed && !elsewhere; ++i)
-      for (int j = 0; j < 3; ++j) tensor[i][j] = properties_.mass / moments.volume * moments.inertia()[i][j];
+    if (closed && !elsewhere)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) tensor[i][j] = properties_.mass / moments.volume * moments.inertia()[i][j];
     return;
   }
   if (inertia_.size() != 3 && inertia_.size() != 6)
     section.fail("needs three numbers, xx, yy, zz, or six, xx, yy, zz, yz, xz, xy", "inertia tensor");
   for (int i = 0; i < 3; ++i) tensor[i][i] = inertia_[i];
-  for (int i = 0; i < 3 && inertia_.size() == 6; ++i)
-    tensor[(i + 1) % 3][(i + 2) % 3] = tensor[(i + 2) % 3][(i + 1) % 3] = inertia_[3 + i];
+  if (inertia_.size() == 6)
+    for (int i = 0; i < 3; ++i) tensor[(i + 1) % 3][(i + 2) % 3] = tensor[(i + 2) % 3][(i + 1) % 3] = inertia_[3 + i];
   const double minor = tensor[0][0] * tensor[1][1] - tensor[0][1] * tensor[0][1];
   const double whole =
       dot(Point{tensor[0][0], tensor[0][1], tensor[0][2]},
@@ -195,12 +196,12 @@ void RigidBody::declare_state(StateStore& store) {
     info.variables.push_back({std::string("displacement ") + axis_names[i], 1, "m"});
   for (int i = 0; i < dimension(); ++i) info.variables.push_back({std::string("velocity ") + axis_names[i], 1, "m/s"});
   info.variables.push_back({"moving time", 1, "s"});
-  for (int i = 0; i < 3 && dimension() == 3; ++i)
-    info.variables.push_back({std::string("rotation ") + axis_names[i], 1, "rad"});
-  for (int i = 0; i < 3 && dimension() == 3; ++i)
-    info.variables.push_back({std::string("spin ") + axis_names[i], 1, "rad/s"});
-  for (int i = 0; i < 3 && dimension() == 3 && may_be_free_; ++i)  // of the unknowns when the rotation was that
-    info.variables.push_back({std::string("arc ") + axis_names[i], 1, "m"});
+  if (dimension() == 3) {
+    for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("rotation ") + axis_names[i], 1, "rad"});
+    for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("spin ") + axis_names[i], 1, "rad/s"});
+    if (may_be_free_)  // the unknowns when the rotation was that
+      for (int i = 0; i < 3; ++i) info.variables.push_back({std::string("arc ") + axis_names[i], 1, "m"});
+  }
   array_ = store.find(info.name);
   if (array_ < 0) array_ = store.declare(std::move(info), 1);
 }
@@ -340,7 +341,7 @@ double RigidBody::speed(const State& state, double dt) const {
     const double from = state.time + dt * i / parts, to = state.time + dt * (i + 1) / parts;
     const BodyState next = motion_->advance(at, from, to);
     const double path =
-        length(minus(next.displacement, at.displacement)) + reach_ * length((next.turn * at.turn.inverse()).vector());
+        length(next.displacement - at.displacement) + reach_ * length((next.turn * at.turn.inverse()).vector());
     fastest = std::max(fastest, path / (to - from));
     at = next;
   }
@@ -357,8 +358,7 @@ BodyInstant RigidBody::initial_instant() const {
 BodyPlacement RigidBody::placement(const State& state) const {
   const BodyState now = state_of(state);
   const bool turned_on = dimension() == 3 && unknowns_.count > 0;
-  return {plus(initial_placement().centre, 1, now.displacement), now.turn,
-          turned_on ? increment(state, nullptr) : Point{}};
+  return {initial_placement().centre + now.displacement, now.turn, turned_on ? increment(state, nullptr) : Point{}};
 }
 
 BodyPlacement RigidBody::placement(const State& state, const ConstNodalView& ahead) const {
@@ -382,27 +382,27 @@ Point BodyPlacement::turning(int component) const {
   Point unit{};
   unit[component] = 1;
   const Rotation before = turn * Rotation::by_increment(increment).inverse();
-  const Point turned = plus(unit, 0.5, cross(increment, unit));
-  return before(scaled(1 / (1 + 0.25 * dot(increment, increment)), turned));
+  const Point turned = unit + 0.5 * cross(increment, unit);
+  return before(1 / (1 + 0.25 * dot(increment, increment)) * turned);
 }
 
 Point RigidBody::position(const State& state) const {
   const BodyPlacement at = placement(state);
-  return plus(at.centre, 1, arm(at));
+  return at.centre + arm(at);
 }
 
 Point RigidBody::displacement(const State& state) const {
   const BodyState now = state_of(state);
-  return plus(plus(now.displacement, 1, start_turn_(centre_)), -1, now.turn(centre_));
+  return now.displacement + start_turn_(centre_) - now.turn(centre_);
 }
 
 Point RigidBody::velocity(const State& state) const {
   const BodyState now = state_of(state);
-  return plus(now.velocity, -1, cross(now.spin, now.turn(centre_)));
+  return now.velocity - cross(now.spin, now.turn(centre_));
 }
 
 Point RigidBody::in_frame(const BodyPlacement& placement, const Point& x) const {
-  return plus(placement.turn.back(minus(x, placement.centre)), 1, centre_);
+  return placement.turn.back(x - placement.centre) + centre_;
 }
 
 ContourFoot RigidBody::closest(const BodyPlacement& placement, const PlanePoint& x) const {
@@ -416,7 +416,7 @@ ContourFoot RigidBody::closest(const BodyPlacement& placement, const PlanePoint&
 }
 
 SurfaceFoot RigidBody::foot(const BodyPlacement& placement, const Point& x) const {
-  return PlacedSurface{surface_, plus(placement.centre, 1, arm(placement)), placement.turn}.closest(x);
+  return PlacedSurface{surface_, placement.centre + arm(placement), placement.turn}.closest(x);
 }
 
 std::vector<Point> RigidBody::outline(const BodyPlacement& placement) const {
@@ -440,7 +440,7 @@ double RigidBody::own_height() const {
 
 double RigidBody::way(const BodyPlacement& from, const BodyPlacement& to) const {
   double longest = 0;
-  for (const Point& x : outline_) longest = std::max(longest, length(minus(from_frame(to, x), from_frame(from, x))));
+  for (const Point& x : outline_) longest = std::max(longest, length(from_frame(to, x) - from_frame(from, x)));
   return longest;
 }
 

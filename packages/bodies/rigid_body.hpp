@@ -11,6 +11,7 @@
 #include "framework/term.hpp"
 #include "geometry/shadow.hpp"
 #include "geometry/surface_shape.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -71,7 +72,7 @@ class RigidBody {
   const BodyProperties& properties() const { return properties_; }
   /// Of the reference point before any motion [m].
   const Point& initial_position() const { return position_; }
-  BodyPlacement initial_placement() const { return {plus(position_, 1, start_turn_(centre_)), start_turn_}; }
+  BodyPlacement initial_placement() const { return {position_ + start_turn_(centre_), start_turn_}; }
   /// As it is placed at the start, at rest, at time 0: for what asks its loads before the first step.
   BodyInstant initial_instant() const;
   /// Height [m] above the reference point, in the body's frame, below which contact counts as the tip's.
@@ -155,9 +156,9 @@ class RigidBody {
   Rotation turn_of_row(const State& state) const;
   Point in_frame(const BodyPlacement& placement, const Point& x) const;
   /// Of the reference point from the centre of mass, as the body is turned.
-  Point arm(const BodyPlacement& placement) const { return scaled(-1, placement.turn(centre_)); }
+  Point arm(const BodyPlacement& placement) const { return -placement.turn(centre_); }
   Point from_frame(const BodyPlacement& placement, const Point& x) const {
-    return plus(placement.centre, 1, placement.turn(minus(x, centre_)));
+    return placement.centre + placement.turn(x - centre_);
   }
   std::string name_;
   Point position_{}, centre_{};   // reference point in the mesh; centre of mass in the body's frame

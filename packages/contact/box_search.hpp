@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "core/space_vector.hpp"
 #include "framework/state.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

@@ -17,8 +17,8 @@ BodyPlacement moved_ahead(const RigidBody& body, const State& state, const Const
   if (body.unknowns().count > 0) return body.placement(state, ahead);
   BodyPlacement result = body.placement(state);
   const BodyState now = body.state_of(state);
-  result.centre = plus(result.centre, lead, now.velocity);
-  result.turn = Rotation::by(scaled(lead, now.spin)) * result.turn;
+  result.centre += lead * now.velocity;
+  result.turn = Rotation::by(lead * now.spin) * result.turn;
   return result;
 }
 

@@ -34,7 +34,7 @@ struct ContactContext {
 };
 
 /// An array of a contact whose rows belong to places along its surface: when the mesh is made anew they go over to the
-/// places of the new rows. No places: nothing in it outlives a step.
+/// places of the new rows.
 struct SurfaceRows {
   int array;
   std::vector<Point> places;  // [m] by row

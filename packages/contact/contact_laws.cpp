@@ -56,8 +56,7 @@ void ContactLaws::check_linear(const Section& section, bool multipliers, bool co
   if (normal_->linear()) return;
   const Section law = section.section("normal law");
   if (multipliers)
-    law.fail("multipliers and active sets need pressures in proportion to the penetration; allowed here: linear",
-             "type");
+    law.fail("multipliers need pressures in proportion to the penetration; allowed here: linear", "type");
   if (conserving)
     law.fail("'impact' = conserving needs pressures in proportion to the penetration; allowed here: linear", "type");
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

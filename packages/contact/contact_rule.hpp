@@ -8,6 +8,7 @@
 #include "discretisation/side_map.hpp"
 #include "framework/coordinates.hpp"
 #include "framework/state.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -54,7 +55,7 @@ struct ContactTables {
 /// The tables of a side's shape, and what is looked up on the host only.
 struct ContactRule : ContactTables {
   ContactRule(ContactPoints kind, CellShape side, int degree);
-  std::vector<std::array<double, 3>> xi;  // (point) reference coordinates
+  std::vector<Vec<double, 3>> xi;  // (point) reference coordinates
 };
 
 /// Current areas of the contact points of a side [m2], in plane strain per metre of depth, from the nodes' positions

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -23,7 +23,7 @@ double size_of(const Mesh& mesh, CellShape shape, Node&& node) {
     Point along[3] = {{}, {0, 1, 0}, {0, 0, 1}};
     for (int k = 0; k < parameters; ++k) {
       along[k] = {};
-      for (int a = 0; a < corners; ++a) along[k] = plus(along[k], dN[parameters * a + k], mesh.place(node(a)));
+      for (int a = 0; a < corners; ++a) along[k] += dN[parameters * a + k] * mesh.place(node(a));
     }
     // a line's or a face's size is that of its column of height 1
     const Point normal = cross(along[0], parameters == 1 ? Point{0, 0, 1} : along[1]);
@@ -46,7 +46,7 @@ std::pair<double, double> edges(const SurfaceSide& side, const ConstCoordinateVi
   std::pair<double, double> result{1e300, 0};
   const int corners = num_corners(side.shape);
   for (int a = 0; a < corners; ++a) {
-    const Point edge = minus(place_of(x, side.node[(a + 1) % corners]), place_of(x, side.node[a]));
+    const Point edge = place_of(x, side.node[(a + 1) % corners]) - place_of(x, side.node[a]);
     result = {std::min(result.first, length(edge)), std::max(result.second, length(edge))};
   }
   return result;

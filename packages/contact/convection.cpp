@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -10,14 +10,14 @@ namespace {
 
 /// Directions along a side: of its first edge, and in space across that; in the plane the second is 0.
 std::array<Point, 2> directions(CellShape side, const SideCoordinates& nodes) {
-  const Point chord = minus(nodes[1], nodes[0]);
+  const Point chord = nodes[1] - nodes[0];
   const double length_of_chord = std::hypot(std::hypot(chord[0], chord[1]), chord[2]);
   std::array<Point, 2> along{};
   for (int i = 0; i < 3; ++i) along[0][i] = chord[i] / length_of_chord;
   if (dimension(side) == 1) return along;
-  const Point other = minus(nodes[num_corners(side) - 1], nodes[0]);
-  const Point across = plus(other, -dot(other, along[0]), along[0]);
-  along[1] = scaled(1 / length(across), across);
+  const Point other = nodes[num_corners(side) - 1] - nodes[0];
+  const Point across = other - dot(other, along[0]) * along[0];
+  along[1] = 1 / length(across) * across;
   return along;
 }
 
@@ -38,7 +38,7 @@ void SideShifts::measure(const std::vector<Point>& from, const std::vector<Point
                          const SideCoordinates& nodes) {
   const std::array<Point, 2> along = directions(side, nodes);
   for (std::size_t c = 0; c < from.size(); ++c) {
-    const Point way = minus(to[c], from[c]);
+    const Point way = to[c] - from[c];
     at_.push_back({dot(from[c], along[0]), dot(from[c], along[1])});
     shift_.push_back({dot(way, along[0]), dot(way, along[1])});
   }

@@ -4,6 +4,7 @@
 
 #include "contact/contact_rule.hpp"
 #include "contact/contact_surface.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -20,7 +21,7 @@ class SideShifts {
   void convect(const PointView& rows, int first, int column) const;
 
  private:
-  using Along = std::array<double, 2>;  // [m] in the side's directions; in the plane the second is 0
+  using Along = Vec<double, 2>;  // [m] in the side's directions; in the plane the second is 0
   void measure(const std::vector<Point>& from, const std::vector<Point>& to, CellShape side,
                const SideCoordinates& nodes);
   /// Least squares.

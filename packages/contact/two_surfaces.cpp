@@ -106,9 +106,9 @@ double closing_limit(const Space& space, const ContactSurface& slave, const Mast
   Point mean{};
   double nodes = 0, fastest[2] = {0, 0}, nearest = 1e300;
   for (const auto& side : master.sides())
-    for (int a = 0; a < side.count; ++a, ++nodes) mean = plus(mean, 1, velocity(side.node[a]));
-  mean = scaled(1 / std::max(1.0, nodes), mean);
-  const auto speed = [&](int node) { return length(minus(velocity(node), mean)); };
+    for (int a = 0; a < side.count; ++a, ++nodes) mean += velocity(side.node[a]);
+  mean = 1 / std::max(1.0, nodes) * mean;
+  const auto speed = [&](int node) { return length(velocity(node) - mean); };
   for (const SurfaceSide& side : slave.sides()) {
     for (int a = 0; a < side.count; ++a) fastest[0] = std::max(fastest[0], speed(side.node[a]));
     const auto box = side_box(side.node, side.count, x);

@@ -22,8 +22,7 @@ void EnforcementParameters::parameters(Parameters& p) {
            "(Uzawa) until the gap tolerance is met");
   p.add("gap tolerance", gap_tolerance, "m", non_negative(),
         "Augmented Lagrangian: largest gap of what touches, weighted by the multipliers' shapes, and stretch where it "
-        "sticks (where there is an "
-        "active set in an outer loop, also how far its chatter guard lets a point off); 0: a millionth of the "
+        "sticks; 0: a millionth of the "
         "surface's (the slave's) shortest side, and for the stretch a hundredth of the penetration that the "
         "penalty alone would leave under the largest pressure, where that is more");
   p.add("most augmentations", most_augmentations, "-", closed(1, 10000),
@@ -31,10 +30,10 @@ void EnforcementParameters::parameters(Parameters& p) {
         "is cut");
 }
 
-void EnforcementParameters::check(const Section& section, bool guarded) const {
+void EnforcementParameters::check(const Section& section) const {
   if (augmented()) return;
   for (const char* entry : {"gap tolerance", "most augmentations"})
-    if (section.has_parameter(entry) && !(guarded && std::string(entry) == "gap tolerance"))
+    if (section.has_parameter(entry))
       section.fail("has a meaning only with 'enforcement' = augmented Lagrangian; here it is penalty", entry);
 }
 

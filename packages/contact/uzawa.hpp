@@ -25,9 +25,8 @@ struct EnforcementParameters {
   /// step. `stiffness`: of the soil by block and element [Pa].
   void start_penalties(const ContactSurface& surface, const std::function<double(int, int)>& stiffness,
                        const PointView& rows) const;
-  /// InputError for entries that have no meaning with the penalty method. `guarded`: an active set's guard has a gap
-  /// tolerance too.
-  void check(const Section& section, bool guarded = false) const;
+  /// InputError for entries that have no meaning with the penalty method.
+  void check(const Section& section) const;
 };
 
 /// Sums over a rank's sides for Misfit, by local node: of stresses less multipliers [N/m], lengths, lengths times

@@ -1,14 +1,12 @@
 #pragma once
 
 #include "core/function.hpp"
-#include "tensor/spatial_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
 template <class T>
-using PlaneVector = SpatialVector<T, 2>;
-template <class T>
-KOKKOS_INLINE_FUNCTION PlaneVector<T> vector(const T (&x)[2]) {
+KOKKOS_INLINE_FUNCTION Vec<T, 2> vector(const T (&x)[2]) {
   return {x[0], x[1]};
 }
 
@@ -22,28 +20,28 @@ KOKKOS_INLINE_FUNCTION T unknown(double value, int direction) {
 }
 /// A point of the plane whose coordinates are the unknowns `first` and `first` + 1.
 template <class T, class Place>
-KOKKOS_INLINE_FUNCTION PlaneVector<T> unknown(const Place& x, int first) {
+KOKKOS_INLINE_FUNCTION Vec<T, 2> unknown(const Place& x, int first) {
   return {unknown<T>(x[0], first), unknown<T>(x[1], first + 1)};
 }
 template <class T, class Place>
-KOKKOS_INLINE_FUNCTION PlaneVector<T> constant(const Place& x) {
+KOKKOS_INLINE_FUNCTION Vec<T, 2> constant(const Place& x) {
   return {T(x[0]), T(x[1])};
 }
 template <class T>
-Point plain(const PlaneVector<T>& a) {
+Point plain(const Vec<T, 2>& a) {
   return {value(a[0]), value(a[1]), 0};
 }
 
 /// sum_a weight_a x_a.
 template <class T, class W>
-KOKKOS_INLINE_FUNCTION PlaneVector<T> combine(int count, const W* weight, const PlaneVector<T>* x) {
-  PlaneVector<T> sum{T(0.0), T(0.0)};
+KOKKOS_INLINE_FUNCTION Vec<T, 2> combine(int count, const W* weight, const Vec<T, 2>* x) {
+  Vec<T, 2> sum{T(0.0), T(0.0)};
   for (int a = 0; a < count; ++a) sum = sum + x[a] * weight[a];
   return sum;
 }
 /// The transpose: adds weight_a force to node a of `to`, node after node, component after component.
 template <class T, class W>
-KOKKOS_INLINE_FUNCTION void spread(int count, const W* weight, const PlaneVector<T>& force, T* to) {
+KOKKOS_INLINE_FUNCTION void spread(int count, const W* weight, const Vec<T, 2>& force, T* to) {
   for (int a = 0; a < count; ++a) {
     to[2 * a] += weight[a] * force[0];
     to[2 * a + 1] += weight[a] * force[1];

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "tensor/vec.hpp"
+
 namespace mudline {
 
-using Point = std::array<double, 3>;  // [m]; plane strain: x, y, 0; axisymmetric: r, z, 0; in space x, y, z
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};  // in decks and histories; in the plane the first two
 
 constexpr const char* geometry_in_space = "three-dimensional";  // word of the deck's "mesh/geometry"; others: plane

@@ -9,6 +9,7 @@
 #include "core/entry.hpp"
 #include "core/errors.hpp"
 #include "core/text.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -83,7 +84,7 @@ void convert(const Teuchos::ParameterEntry& entry, const Range& /*range*/, std::
   }
 }
 
-void convert(const Teuchos::ParameterEntry& entry, const Range& range, std::array<double, 2>& member) {
+void convert(const Teuchos::ParameterEntry& entry, const Range& range, Vec<double, 2>& member) {
   std::vector<double> values;
   convert(entry, range, values);
   if (values.size() != 2) throw Fault("expected 2 numbers, given " + std::to_string(values.size()));
@@ -119,7 +120,7 @@ const char* type_of(int) { return "int"; }
 const char* type_of(bool) { return "bool"; }
 const char* type_of(const std::string&) { return "string"; }
 const char* type_of(const std::vector<double>&) { return "array of doubles"; }
-const char* type_of(const std::array<double, 2>&) { return "array of doubles"; }
+const char* type_of(const Vec<double, 2>&) { return "array of doubles"; }
 const char* type_of(const std::vector<std::string>&) { return "array of strings"; }
 
 }  // namespace
@@ -243,8 +244,7 @@ void Parameters::add(const std::string& name, std::vector<double>& member, const
 void Parameters::add(const std::string& name, std::vector<std::string>& member, const std::string& doc) {
   value(name, member, "", any(), "", doc, false);
 }
-void Parameters::add(const std::string& name, std::array<double, 2>& member, const std::string& unit,
-                     const std::string& doc) {
+void Parameters::add(const std::string& name, Vec<double, 2>& member, const std::string& unit, const std::string& doc) {
   value(name, member, unit, any(), "2 numbers", doc, false);
 }
 void Parameters::add(const std::string& name, Point& member, const std::string& unit, const std::string& doc) {
@@ -272,7 +272,7 @@ void Parameters::required(const std::string& name, std::vector<double>& member, 
 void Parameters::required(const std::string& name, std::vector<std::string>& member, const std::string& doc) {
   value(name, member, "", any(), "", doc, true);
 }
-void Parameters::required(const std::string& name, std::array<double, 2>& member, const std::string& unit,
+void Parameters::required(const std::string& name, Vec<double, 2>& member, const std::string& unit,
                           const std::string& doc) {
   value(name, member, unit, any(), "2 numbers", doc, true);
 }

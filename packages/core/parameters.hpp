@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "core/function.hpp"
 #include "core/section.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -58,7 +58,7 @@ class Parameters {
   void add(const std::string& name, std::vector<double>& member, const std::string& unit, Range range,
            const std::string& doc);
   void add(const std::string& name, std::vector<std::string>& member, const std::string& doc);
-  void add(const std::string& name, std::array<double, 2>& member, const std::string& unit, const std::string& doc);
+  void add(const std::string& name, Vec<double, 2>& member, const std::string& unit, const std::string& doc);
   /// A place or a vector: as many numbers as the mesh has dimensions; in the plane the third stays 0.
   void add(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void add(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
@@ -68,8 +68,7 @@ class Parameters {
   void required(const std::string& name, std::vector<double>& member, const std::string& unit, Range range,
                 const std::string& doc);
   void required(const std::string& name, std::vector<std::string>& member, const std::string& doc);
-  void required(const std::string& name, std::array<double, 2>& member, const std::string& unit,
-                const std::string& doc);
+  void required(const std::string& name, Vec<double, 2>& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, Point& member, const std::string& unit, const std::string& doc);
   void required(const std::string& name, Function& member, const std::string& unit, const std::string& doc);
 

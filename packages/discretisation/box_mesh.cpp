@@ -6,6 +6,7 @@
 
 #include "core/pi.hpp"
 #include "core/text.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -253,7 +254,7 @@ std::vector<std::vector<BoxMesh::Index>> BoxMesh::elements(const Index& cell) co
   if (is_simplex(cell_)) return dimension_ == 2 ? triangles(cell) : tetrahedra(cell);
   std::vector<Index> corners;
   for (int c = 0; c < num_corners(cell_); ++c) {
-    const std::array<double, 3> place = reference_node(cell_, c);
+    const Vec<double, 3> place = reference_node(cell_, c);
     Index at = cell;
     for (int d = 0; d < dimension_; ++d) at[d] += place[d] > 0;
     corners.push_back(at);

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "tensor/small_matrix.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
 /// The isoparametric map of a cell at one point: x = sum_a N_a(xi) x_a.
 template <int Dim>
 struct CellMap {
-  double slope[Dim][Dim];    // dx_i / dxi_k [m]
-  double inverse[Dim][Dim];  // dxi_k / dx_i [1/m]; not finite where det is 0
+  Mat<double, Dim> slope;    // dx_i / dxi_k [m]
+  Mat<double, Dim> inverse;  // dxi_k / dx_i [1/m]; not finite where det is 0
   double det;                // of `slope` [m^Dim]; not positive in a folded cell
 
   /// x: places of the nodes (node, i) [m]; dN: reference gradients of their shapes (node, k), row-major.
@@ -22,7 +22,7 @@ struct CellMap {
     finish();
   }
   /// From the gradient itself.
-  KOKKOS_INLINE_FUNCTION void compute(const double (&gradient)[Dim][Dim]) {
+  KOKKOS_INLINE_FUNCTION void compute(const Mat<double, Dim>& gradient) {
     for (int i = 0; i < Dim; ++i)
       for (int k = 0; k < Dim; ++k) slope[i][k] = gradient[i][k];
     finish();

@@ -10,7 +10,8 @@ using Tag = CentreNodes::Tag;
 
 std::vector<std::vector<int>> faces_of(CellShape shape) {
   std::vector<std::vector<int>> faces;
-  for (int s = 0; mudline::dimension(shape) == 3 && s < num_sides(shape); ++s) faces.push_back(side_nodes(shape, s));
+  if (mudline::dimension(shape) == 3)
+    for (int s = 0; s < num_sides(shape); ++s) faces.push_back(side_nodes(shape, s));
   return faces;
 }
 

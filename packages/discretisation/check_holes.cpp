@@ -6,7 +6,7 @@
 #include "core/pi.hpp"
 #include "discretisation/disjoint_sets.hpp"
 #include "discretisation/seam_sides.hpp"
-#include "tensor/small_matrix.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -121,7 +121,7 @@ void Surfaces::check() const {
     surface.named = surface.named || !sides_[s].sets.empty();
     for (const Point& point : x) surface.all.enclose(point);
     for (const auto& piece : sides_[s].pieces) {
-      double v[3][3];
+      Mat<double, 3> v;
       for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 3; ++i) v[k][i] = x[piece[k]][i] - origin[i];
       surface.volume += determinant(v) / 6;

@@ -9,6 +9,7 @@
 #include "discretisation/distribute.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "discretisation/side_table.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -142,15 +143,15 @@ void check_edges(const GlobalMesh& mesh) {
 
 /// Where the Jacobian is looked at: the points of the usual quadrature, and the corners, where a curved side folds an
 /// element first.
-std::vector<std::array<double, 3>> jacobian_points(CellShape shape) {
-  std::vector<std::array<double, 3>> points = cell_quadrature(shape, 4).points;
+std::vector<Vec<double, 3>> jacobian_points(CellShape shape) {
+  std::vector<Vec<double, 3>> points = cell_quadrature(shape, 4).points;
   for (int c = 0; c < num_corners(shape); ++c) points.push_back(reference_node(shape, c));
   return points;
 }
 
 void check_jacobians(const GlobalMesh& mesh) {
   const GlobalMesh::Block* current = nullptr;
-  std::vector<std::array<double, 3>> points;
+  std::vector<Vec<double, 3>> points;
   for_each_element(mesh, [&](const GlobalMesh::Block& block, const long long* nodes) {
     if (&block != current) points = jacobian_points(block.shape);
     current = &block;

@@ -6,6 +6,7 @@
 #include "core/errors.hpp"
 #include "discretisation/box_grid.hpp"
 #include "discretisation/seam_sides.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -194,9 +195,9 @@ void Seams::check_overlap() {
   for (const SeamSide& side : sides_) {
     const ElementMap map = element_map(mesh_, side.at.place.block, side.at.place.element);
     const CellShape shape = map.shape();
-    const std::array<double, 3> middle = cell_centre(shape);
+    const Vec<double, 3> middle = cell_centre(shape);
     for (const auto& sample : side_samples(side_shape(shape), true)) {
-      std::array<double, 3> xi = on_side(shape, side.at.place.side, sample);
+      Vec<double, 3> xi = on_side(shape, side.at.place.side, sample);
       for (int i = 0; i < dimension(shape); ++i)
         xi[i] += seam_closeness * (middle[i] - xi[i]) * (is_simplex(shape) ? num_corners(shape) : 2);
       const Point x = map.at(xi.data());

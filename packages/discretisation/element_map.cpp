@@ -1,4 +1,5 @@
 #include "discretisation/element_map.hpp"
+#include "tensor/mat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +17,11 @@ struct Reference {
   struct Side {
     int direction = -1;  // in which the side is flat; -1: the slanted side of a triangle or tetrahedron
     double at = 0;       // its coordinate there
-    std::array<double, 3> corner{}, along[2]{};
+    Vec<double, 3> corner{}, along[2]{};
   };
   std::vector<Side> sides;
-  std::vector<std::array<int, 3>> edges;     // (corner): those that span it
-  std::vector<std::array<double, 3>> nodes;  // places of corners, of a quadratic cell of all nodes, and the centre
+  std::vector<std::array<int, 3>> edges;  // (corner): those that span it
+  std::vector<Vec<double, 3>> nodes;      // places of corners, of a quadratic cell of all nodes, and the centre
 
   explicit Reference(CellShape shape);
   static const Reference& of(CellShape shape);
@@ -94,16 +95,16 @@ double outside_cell(CellShape shape, const double* xi) {
   return worst;
 }
 
-std::array<double, 3> cell_centre(CellShape shape) {
-  std::array<double, 3> centre{};
+Vec<double, 3> cell_centre(CellShape shape) {
+  Vec<double, 3> centre{};
   if (!is_simplex(shape)) return centre;
   for (int d = 0; d < dimension(shape); ++d) centre[d] = 1.0 / num_corners(shape);
   return centre;
 }
 
-std::array<double, 3> on_side(CellShape shape, int side, const std::array<double, 2>& place) {
+Vec<double, 3> on_side(CellShape shape, int side, const Vec<double, 2>& place) {
   const Reference::Side& s = Reference::of(shape).sides[side];
-  std::array<double, 3> result = s.corner;
+  Vec<double, 3> result = s.corner;
   const CellShape own = side_shape(shape);
   for (int k = 0; k < dimension(own); ++k)
     for (int d = 0; d < 3; ++d) result[d] += (is_simplex(own) ? place[k] : 0.5 * (1 + place[k])) * s.along[k][d];
@@ -111,8 +112,9 @@ std::array<double, 3> on_side(CellShape shape, int side, const std::array<double
 }
 
 template <int Dim>
-CellMap<Dim> ElementMap::map(const double* xi, std::array<double, 3>& x) const {
-  double N[27], dN[27 * Dim], slope[Dim][Dim] = {};
+CellMap<Dim> ElementMap::map(const double* xi, Vec<double, 3>& x) const {
+  Mat<double, Dim> slope = {};
+  double N[27], dN[27 * Dim];
   evaluate_shape(shape_, xi, N, dN);
   x = {};
   for (int a = 0; a < nodes_; ++a)
@@ -127,11 +129,11 @@ CellMap<Dim> ElementMap::map(const double* xi, std::array<double, 3>& x) const {
 
 ElementSize ElementMap::size() const {
   const auto difference = [&](int a, int b) {
-    std::array<double, 3> d{};
+    Vec<double, 3> d{};
     for (int i = 0; i < dimension_; ++i) d[i] = x_[b][i] - x_[a][i];
     return d;
   };
-  const auto length = [](const std::array<double, 3>& d) { return std::hypot(d[0], d[1], d[2]); };
+  const auto length = [](const Vec<double, 3>& d) { return std::hypot(d[0], d[1], d[2]); };
   ElementSize result{1e300, 0, 0};
   for (int edge = 0; edge < num_edges(shape_); ++edge) {
     const std::array<int, 2> ends = edge_corners(shape_, edge);
@@ -144,9 +146,9 @@ ElementSize ElementMap::size() const {
   for (int s = 0; s < num_sides(shape_); ++s) {
     const std::vector<int> nodes = side_nodes(shape_, s);
     const int corners = num_corners(side_shape(shape_));
-    std::array<double, 3> area, middle{};
+    Vec<double, 3> area, middle{};
     for (int c = 0; c < corners; ++c) {
-      const std::array<double, 3> from_first = difference(0, nodes[c]);
+      const Vec<double, 3> from_first = difference(0, nodes[c]);
       for (int i = 0; i < 3; ++i) middle[i] += from_first[i] / corners;
     }
     if (dimension_ == 2) {
@@ -163,22 +165,22 @@ ElementSize ElementMap::size() const {
   return result;
 }
 
-std::array<double, 3> ElementMap::mean_of_corners() const {
-  std::array<double, 3> mean{};
+Vec<double, 3> ElementMap::mean_of_corners() const {
+  Vec<double, 3> mean{};
   const int corners = num_corners(shape_);
   for (int c = 0; c < corners; ++c)
     for (int i = 0; i < dimension_; ++i) mean[i] += x_[c][i] / corners;
   return mean;
 }
 
-std::array<double, 3> ElementMap::at(const double* xi) const {
-  std::array<double, 3> x;
+Vec<double, 3> ElementMap::at(const double* xi) const {
+  Vec<double, 3> x;
   dimension_ == 2 ? void(map<2>(xi, x)) : void(map<3>(xi, x));
   return x;
 }
 
 double ElementMap::determinant(const double* xi) const {
-  std::array<double, 3> x;
+  Vec<double, 3> x;
   return dimension_ == 2 ? map<2>(xi, x).det : map<3>(xi, x).det;
 }
 
@@ -188,10 +190,10 @@ bool ElementMap::invert(const double* point, double* xi) const {
 
 template <int Dim>
 bool ElementMap::invert_in(const double* point, double* xi) const {
-  const std::array<double, 3> middle = cell_centre(shape_);
+  const Vec<double, 3> middle = cell_centre(shape_);
   std::copy(middle.begin(), middle.begin() + Dim, xi);
   for (int iteration = 0; iteration < 30; ++iteration) {
-    std::array<double, 3> x;
+    Vec<double, 3> x;
     const CellMap<Dim> here = map<Dim>(xi, x);
     if (!(std::abs(here.det) > 0)) return false;
     double r[Dim], step[Dim];

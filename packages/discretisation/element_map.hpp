@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
-
 #include "discretisation/cell_map.hpp"
 #include "discretisation/shapes.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -27,10 +26,10 @@ class ElementMap {
   /// (dimension) [m]
   const double* node(int a) const { return x_[a]; }
   /// [m]; in the plane its third coordinate is 0.
-  std::array<double, 3> mean_of_corners() const;
+  Vec<double, 3> mean_of_corners() const;
   ElementSize size() const;
   /// The place that reference coordinates stand for; in the plane its third coordinate is 0.
-  std::array<double, 3> at(const double* xi) const;
+  Vec<double, 3> at(const double* xi) const;
   /// Determinant of the map's gradient [m^dimension].
   double determinant(const double* xi) const;
   /// Reference coordinates (dimension) of a point (dimension), by Newton's method. False where it finds none.
@@ -45,7 +44,7 @@ class ElementMap {
  private:
   /// The map at a place, and where the place is.
   template <int Dim>
-  CellMap<Dim> map(const double* xi, std::array<double, 3>& x) const;
+  CellMap<Dim> map(const double* xi, Vec<double, 3>& x) const;
   template <int Dim>
   bool invert_in(const double* point, double* xi) const;
 
@@ -59,12 +58,12 @@ double beyond_side(CellShape shape, int side, const double* xi);
 /// How far they lie outside the cell; negative inside.
 double outside_cell(CellShape shape, const double* xi);
 /// Reference coordinates of a cell's centre; those that it has not are 0.
-std::array<double, 3> cell_centre(CellShape shape);
+Vec<double, 3> cell_centre(CellShape shape);
 /// Reference coordinates in the cell of a place on one of its sides, which is given by those of the side's own shape.
-std::array<double, 3> on_side(CellShape shape, int side, const std::array<double, 2>& place);
+Vec<double, 3> on_side(CellShape shape, int side, const Vec<double, 2>& place);
 /// The same in the plane: the place t in [-1, 1].
-inline std::array<double, 3> on_side(CellShape shape, int side, double t) {
-  return on_side(shape, side, std::array<double, 2>{t, 0});
+inline Vec<double, 3> on_side(CellShape shape, int side, double t) {
+  return on_side(shape, side, Vec<double, 2>{t, 0});
 }
 
 }  // namespace mudline

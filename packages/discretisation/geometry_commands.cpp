@@ -121,7 +121,8 @@ void Scanner::script(const std::filesystem::path& file) {
   const std::string text = content.str();
   Place at{file, 1};
   const std::set<Reading> outside = std::exchange(readings_, {Reading{}});
-  for (std::size_t from = 0; from < text.size() && found_.empty(); ++at.line) {
+  for (std::size_t from = 0; from < text.size(); ++at.line) {
+    if (!found_.empty()) break;
     const std::size_t end = std::min(text.find('\n', from), text.size());
     std::string here = text.substr(from, end - from);
     if (!here.empty() && here.back() == '\r') here.pop_back();

@@ -31,12 +31,6 @@ std::vector<std::string> names_of(const std::map<std::string, std::vector<Side>>
   return names;
 }
 
-[[noreturn]] void fail_unknown(const Section& section, const std::string& entry, const std::string& what,
-                               const std::string& name, const std::vector<std::string>& known) {
-  section.fail(
-      "unknown " + what + " '" + name + "'" + (known.empty() ? "; the mesh has none" : suggestion(name, known)), entry);
-}
-
 }  // namespace
 
 int dimension(Geometry geometry) { return geometry == Geometry::space ? 3 : 2; }
@@ -114,15 +108,9 @@ void require_side_set(const Mesh& mesh, const Section& section, const std::strin
   if (mesh.has_set(name))
     section.fail("'" + name + "' is a set of points, a set of sides is needed; allowed: " + join(mesh.side_set_names()),
                  entry);
-  fail_unknown(section, entry, "side set", name, mesh.side_set_names());
-}
-
-void require_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
-  if (!mesh.has_set(name)) fail_unknown(section, entry, "mesh set", name, mesh.set_names());
-}
-
-void require_region(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name) {
-  if (mesh.region_bounds().count(name) == 0) fail_unknown(section, entry, "region", name, mesh.regions());
+  const std::vector<std::string> known = mesh.side_set_names();
+  section.fail("unknown side set '" + name + "'" + (known.empty() ? "; the mesh has none" : suggestion(name, known)),
+               entry);
 }
 
 namespace {

@@ -4,7 +4,6 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
 
-#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -160,9 +159,6 @@ Geometry declare_geometry(Parameters& p);
 
 /// Fail with "unknown side set 'tpo' (did you mean 'top'?)" at `entry` of `section` unless the mesh has it.
 void require_side_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
-/// A side set or a node set.
-void require_set(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
-void require_region(const Mesh& mesh, const Section& section, const std::string& entry, const std::string& name);
 
 /// "box", "extruded", "revolved" and, when built with Gmsh, "gmsh"; a plain list.
 void register_mesh_sources(Registry<MeshSource>& registry);

@@ -140,7 +140,8 @@ void Reader::read_nodes(const std::string& section) {
       if (!parametric) continue;
       const int on = in_.integer();  // a point, curve, surface or volume, and its number
       in_.integer();
-      for (int d = 0; d < on && on < 3; ++d) in_.number();
+      if (on < 3)
+        for (int d = 0; d < on; ++d) in_.number();
       continue;
     }
     const std::string wanted = "expected node " + std::to_string(k + 1) + " (number x y z), given ";

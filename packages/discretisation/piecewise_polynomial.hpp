@@ -1,14 +1,14 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <vector>
 
 #include "discretisation/byte_stream.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
-using CurvePoint = std::array<double, 2>;  // [m]
+using CurvePoint = Vec<double, 2>;  // [m]
 
 /// A run of a plane curve, x(t) = sum_k coefficients[k] T_k(2 t - 1) for t in [0, 1], with Chebyshev's polynomials.
 struct PolynomialRun {

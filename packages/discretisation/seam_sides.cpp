@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -20,7 +20,7 @@ int divisions(CellShape side) {
 void divide(const ElementMap& map, SeamSide& side) {
   const int face = side.at.place.side, n = divisions(side_shape(map.shape()));
   const auto add = [&](double s, double t) {
-    side.points.push_back(map.at(on_side(map.shape(), face, std::array<double, 2>{s, t}).data()));
+    side.points.push_back(map.at(on_side(map.shape(), face, Vec<double, 2>{s, t}).data()));
   };
   if (side.corners == 2) {
     for (int k = 0; k <= n; ++k) add(-1 + 2.0 * k / n, 0);
@@ -48,16 +48,15 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
   const auto corner = [&](int c) { return mesh.coordinates[side.at.nodes[c % side.corners]]; };
   side.edge = std::numeric_limits<double>::max();
   for (int c = 0; c < (side.corners == 2 ? 1 : side.corners); ++c) {
-    const Point way = minus(corner(c + 1), corner(c));
+    const Point way = corner(c + 1) - corner(c);
     side.edge = std::min(side.edge, std::sqrt(dot(way, way)));
   }
   if (side.corners == 2) {
-    const Point way = minus(corner(1), corner(0));
+    const Point way = corner(1) - corner(0);
     side.normal = {way[1], -way[0], 0};
   } else {
     const int last = side.corners == 3 ? 0 : 1;  // of a quadrilateral: half the product of its diagonals
-    side.normal =
-        cross(minus(corner(side.corners == 3 ? 1 : 2), corner(0)), minus(corner(side.corners - 1), corner(last)));
+    side.normal = cross(corner(side.corners == 3 ? 1 : 2) - corner(0), corner(side.corners - 1) - corner(last));
     for (double& n : side.normal) n *= 0.5;
   }
   side.measure = std::sqrt(dot(side.normal, side.normal));
@@ -70,7 +69,7 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
 
 /// Distance of a point from a triangle (Ericson 2005, 5.1.5).
 double distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
-  const Point ab = minus(b, a), ac = minus(c, a), n = cross(ab, ac), ap = minus(p, a);
+  const Point ab = b - a, ac = c - a, n = cross(ab, ac), ap = p - a;
   const double square = dot(n, n);
   if (square > 0) {
     const double v = dot(cross(ap, ac), n) / square, w = dot(cross(ab, ap), n) / square;
@@ -101,8 +100,8 @@ std::vector<SeamSide> seam_sides(const GlobalMesh& mesh) {
   return result;
 }
 
-std::vector<std::array<double, 2>> side_samples(CellShape side, bool few) {
-  std::vector<std::array<double, 2>> samples;
+std::vector<Vec<double, 2>> side_samples(CellShape side, bool few) {
+  std::vector<Vec<double, 2>> samples;
   if (dimension(side) == 1) {
     for (double t : {-0.8, -0.4, 0.0, 0.4, 0.8})
       if (!few || std::abs(t) != 0.4) samples.push_back({t, 0});
@@ -120,7 +119,7 @@ std::vector<std::array<double, 2>> side_samples(CellShape side, bool few) {
 }
 
 double distance_to_piece(const Point& point, const Point& a, const Point& b) {
-  const Point way = minus(b, a), off = minus(point, a);
+  const Point way = b - a, off = point - a;
   const double square = dot(way, way);
   const double t = square > 0 ? std::min(std::max(dot(off, way) / square, 0.0), 1.0) : 0.0;
   const Point rest{off[0] - t * way[0], off[1] - t * way[1], off[2] - t * way[2]};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "discretisation/mesh_topology.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -29,7 +30,7 @@ struct SeamSide {
 std::vector<SeamSide> seam_sides(const GlobalMesh& mesh);
 
 /// Places on a side by the coordinates of its own shape: all over it, or a few.
-std::vector<std::array<double, 2>> side_samples(CellShape side, bool few);
+std::vector<Vec<double, 2>> side_samples(CellShape side, bool few);
 
 /// Distance [m] of a point from a side's pieces.
 double distance_to(const SeamSide& side, const Point& point);

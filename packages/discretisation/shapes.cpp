@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tensor/vec.hpp"
+
 namespace mudline {
 
 namespace {
@@ -110,10 +112,10 @@ std::vector<int> corners_around(CellShape shape, int node) {
   return around;
 }
 
-std::array<double, 3> reference_node(CellShape shape, int node) {
+Vec<double, 3> reference_node(CellShape shape, int node) {
   const Frame& f = frame(shape);
   const std::vector<int> around = corners_around(shape, node);
-  std::array<double, 3> place{};
+  Vec<double, 3> place{};
   for (const int c : around)
     for (int i = 0; i < 3; ++i) place[i] += f.corner[c][i] / static_cast<double>(around.size());
   return place;

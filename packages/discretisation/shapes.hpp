@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tensor/vec.hpp"
+
 namespace mudline {
 
 /// Node order: corners, then edge middles, then face centres (hex27), then the cell's centre (quad9, hex27); in two
@@ -35,7 +37,7 @@ int num_edges(CellShape shape);
 /// The corners in whose middle a node is: itself, the ends of an edge, the corners of a face or of the whole cell.
 std::vector<int> corners_around(CellShape shape, int node);
 /// Reference coordinates of a node; those that the cell has not are 0.
-std::array<double, 3> reference_node(CellShape shape, int node);
+Vec<double, 3> reference_node(CellShape shape, int node);
 
 /// Shape functions and reference gradients at one reference point. Triangles and tetrahedra: area or volume coordinates
 /// xi, eta, zeta in the unit simplex; the others: [-1, 1] in each direction. N: (nodes), dN: (nodes, dimension).
@@ -44,8 +46,8 @@ void evaluate_shape(CellShape shape, const double* xi, double* N, double* dN);
 void evaluate_line(int nodes, double xi, double* N, double* dN);
 
 struct QuadratureRule {
-  std::vector<std::array<double, 3>> points;  // reference coordinates; those that the cell has not are 0
-  std::vector<double> weights;                // sum = size of the reference cell
+  std::vector<Vec<double, 3>> points;  // reference coordinates; those that the cell has not are 0
+  std::vector<double> weights;         // sum = size of the reference cell
 };
 /// Exact for polynomials of this total degree (triangles 1-8, tetrahedra 1-6) or degree per direction (the others,
 /// 1-11). Throws std::invalid_argument beyond.

@@ -114,11 +114,12 @@ std::vector<std::vector<Corner>> Sweeper::prisms_cut(const Element& element) con
 /// Of an edge between two corners of a cell.
 long long Sweeper::middle(const Element& element, const Corner& a, const Corner& b) {
   int local = a.node;
-  for (int e = 0; a.node != b.node && e < num_edges(element.shape); ++e) {
-    const std::array<int, 2> ends = edge_corners(element.shape, e);
-    if ((ends[0] == a.node && ends[1] == b.node) || (ends[1] == a.node && ends[0] == b.node))
-      local = num_corners(element.shape) + e;
-  }
+  if (a.node != b.node)
+    for (int e = 0; e < num_edges(element.shape); ++e) {
+      const std::array<int, 2> ends = edge_corners(element.shape, e);
+      if ((ends[0] == a.node && ends[1] == b.node) || (ends[1] == a.node && ends[0] == b.node))
+        local = num_corners(element.shape) + e;
+    }
   const int at_a = level(element, a.end), at_b = level(element, b.end);
   int at = (at_a + at_b) / 2;
   if (fixed(element, a.node)) at = at_b;

@@ -13,6 +13,7 @@
 #include "discretisation/mesh_topology.hpp"
 #include "discretisation/msh_element.hpp"
 #include "discretisation/space_filling_curve.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -46,10 +47,10 @@ CellShape cell_shape(int type, int order, int dimension, const std::string& regi
 std::vector<int> turned_over(CellShape shape) {
   std::vector<int> result;
   for (int a = 0; a < num_nodes(shape); ++a) {
-    std::array<double, 3> place = reference_node(shape, a);
+    Vec<double, 3> place = reference_node(shape, a);
     std::swap(place[0], place[1]);
     for (int b = 0; b < num_nodes(shape); ++b) {
-      const std::array<double, 3> other = reference_node(shape, b);
+      const Vec<double, 3> other = reference_node(shape, b);
       const double off = std::abs(place[0] - other[0]) + std::abs(place[1] - other[1]) + std::abs(place[2] - other[2]);
       if (off < 1e-6) result.push_back(b);
     }

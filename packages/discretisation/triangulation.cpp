@@ -9,9 +9,9 @@
 #include <unordered_map>
 
 #include "core/child_process.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/byte_stream.hpp"
 #include "discretisation/gmsh_session.hpp"
+#include "tensor/vec.hpp"
 #endif
 
 namespace mudline {
@@ -20,7 +20,7 @@ namespace mudline {
 
 bool has_triangulation() { return false; }
 
-Triangulation triangulate(const std::vector<std::array<double, 2>>&, const std::vector<OutlinedRegion>&,
+Triangulation triangulate(const std::vector<Vec<double, 2>>&, const std::vector<OutlinedRegion>&,
                           const std::function<double(double x, double y)>&, double) {
   throw NoTriangulation("this program was built without Gmsh (MUDLINE_GMSH=OFF)");
 }
@@ -35,7 +35,7 @@ Tetrahedra tetrahedra_in(const std::vector<Point>&, const std::vector<EnclosedRe
 namespace {
 
 /// The sides as lines of one element each, the regions as surfaces. Tags are numbers from 1.
-void outline(const std::vector<std::array<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions) {
+void outline(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions) {
   for (std::size_t v = 0; v < vertices.size(); ++v)
     gmsh::model::geo::addPoint(vertices[v][0], vertices[v][1], 0, 0, static_cast<int>(v) + 1);
   std::map<std::pair<int, int>, int> lines;  // by their ends, as they were added
@@ -63,7 +63,7 @@ void outline(const std::vector<std::array<double, 2>>& vertices, const std::vect
 }
 
 template <class Chain>
-double twice_area(const std::vector<std::array<double, 2>>& x, const Chain& chain) {
+double twice_area(const std::vector<Vec<double, 2>>& x, const Chain& chain) {
   double sum = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto &a = x[chain[i]], &b = x[chain[(i + 1) % chain.size()]], &origin = x[chain[0]];
@@ -83,7 +83,7 @@ void check_areas(const Triangulation& mesh, const std::vector<OutlinedRegion>& r
 }
 
 /// A place of the plane or of space in Gmsh's coordinates.
-void set_place(const double* from, std::array<double, 2>& place) { place = {from[0], from[1]}; }
+void set_place(const double* from, Vec<double, 2>& place) { place = {from[0], from[1]}; }
 void set_place(const double* from, Point& place) { place = {from[0], from[1], from[2]}; }
 
 /// What Gmsh has made in the regions: their simplices, turned so that `size_of` them is positive. `numbers`: the given
@@ -134,7 +134,7 @@ void generate(int dimension) {
   if (const std::string error = gmsh_error(); !error.empty()) throw NoTriangulation("Gmsh: " + error);
 }
 
-Triangulation in_plane(const std::vector<std::array<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
+Triangulation in_plane(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
                        const std::function<double(double x, double y)>& size) {
   outline(vertices, regions);
   take_sizes([&](double x, double y, double /*z*/) { return size(x, y); });
@@ -203,7 +203,7 @@ void enclose(const std::vector<Point>& vertices, const std::vector<EnclosedRegio
 }
 
 double six_volumes(const std::vector<Point>& x, const std::array<int, 4>& t) {
-  return dot(minus(x[t[1]], x[t[0]]), cross(minus(x[t[2]], x[t[0]]), minus(x[t[3]], x[t[0]])));
+  return dot(x[t[1]] - x[t[0]], cross(x[t[2]] - x[t[0]], x[t[3]] - x[t[0]]));
 }
 
 /// A surface that cuts itself encloses something else than its tetrahedra fill.
@@ -275,8 +275,7 @@ Result made_in_gmsh(double time_limit, Work&& work) {
 
 bool has_triangulation() { return true; }
 
-Triangulation triangulate(const std::vector<std::array<double, 2>>& vertices,
-                          const std::vector<OutlinedRegion>& regions,
+Triangulation triangulate(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit) {
   return made_in_gmsh<Triangulation>(time_limit, [&] { return in_plane(vertices, regions, size); });
 }

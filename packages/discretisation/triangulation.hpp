@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/function.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -16,7 +17,7 @@ struct OutlinedRegion {
 };
 
 struct Triangulation {
-  std::vector<std::array<double, 2>> points;               // [m] the given vertices first
+  std::vector<Vec<double, 2>> points;                      // [m] the given vertices first
   std::vector<std::vector<std::array<int, 3>>> triangles;  // by region, counter-clockwise
 };
 
@@ -43,8 +44,7 @@ bool has_triangulation();
 /// Triangles of the regions whose sides on the chains are the given ones, undivided, and inside are as long as `size`
 /// asks [m]. By Gmsh, in a process of its own that is given up after `time_limit` seconds; the same input gives the
 /// same triangles. Throws NoTriangulation, and ChildLost where that process is lost, which says nothing of the regions.
-Triangulation triangulate(const std::vector<std::array<double, 2>>& vertices,
-                          const std::vector<OutlinedRegion>& regions,
+Triangulation triangulate(const std::vector<Vec<double, 2>>& vertices, const std::vector<OutlinedRegion>& regions,
                           const std::function<double(double x, double y)>& size, double time_limit);
 
 /// Tetrahedra of the regions whose faces on the surfaces are the given ones, likewise. Regions that touch have common

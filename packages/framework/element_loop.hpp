@@ -10,6 +10,7 @@
 #include "framework/tangent_kernel.hpp"
 #include "framework/vector_scatter.hpp"
 #include "tensor/dual.hpp"
+#include "tensor/mat.hpp"
 #include "tensor/midpoint_rule.hpp"
 
 // g++ unrolls a short loop completely before it looks whether the loop can be vectorised, and then it cannot.
@@ -162,7 +163,7 @@ struct ElementLoop {
         f.hoop_rate += s.h[a] * n.rate[a][0];
       }
     }
-    double back[D][D];
+    Mat<double, D> back;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) back[i][j] = (i == j ? 1.0 : 0.0) - f.moved[i][j];
     const double ratio = determinant(back) * (1 - f.hoop_moved);
@@ -256,7 +257,7 @@ struct ElementLoop {
   }
 
   /// Work of a stress on a unit displacement of node a in direction i, per volume.
-  KOKKOS_INLINE_FUNCTION static double work_of(const Shape& s, int a, int i, const double (&stress)[D][D],
+  KOKKOS_INLINE_FUNCTION static double work_of(const Shape& s, int a, int i, const Mat<double, D>& stress,
                                                double hoop_stress) {
     double work = Coordinates::hoop && i == 0 ? hoop_stress * s.h[a] : 0.0;
     for (int j = 0; j < D; ++j) work += stress[i][j] * s.g[a][j];

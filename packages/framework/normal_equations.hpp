@@ -16,9 +16,12 @@ int solve_normal(double (&a)[n][n], std::vector<double>& b) {
   int resolved = 0;
   for (int k = 0; k < n; ++k) {
     out[k] = a[k][k] <= 1e-8 * diagonal[k];
-    if (!out[k]) ++resolved;
-    for (std::size_t c = 0; out[k] && c < b.size(); c += n) b[c + k] = 0;
-    for (int i = k + 1; !out[k] && i < n; ++i) {
+    if (out[k]) {
+      for (std::size_t c = 0; c < b.size(); c += n) b[c + k] = 0;
+      continue;
+    }
+    ++resolved;
+    for (int i = k + 1; i < n; ++i) {
       const double factor = a[i][k] / a[k][k];
       for (int j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
       for (std::size_t c = 0; c < b.size(); c += n) b[c + i] -= factor * b[c + k];

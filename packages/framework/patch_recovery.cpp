@@ -51,8 +51,9 @@ void PatchRecovery::basis(int vertex, const Point& x, double* powers) const {
   for (int i = 0; i < dimension_; ++i) d[i] = x[i] - centre[i];
   *powers++ = 1;
   for (int i = 0; i < dimension_; ++i) *powers++ = d[i];
-  for (int i = 0; degree_ == 2 && i < dimension_; ++i)
-    for (int j = i; j < dimension_; ++j) *powers++ = (i == j ? 0.5 : 1.0) * d[i] * d[j];
+  if (degree_ == 2)
+    for (int i = 0; i < dimension_; ++i)
+      for (int j = i; j < dimension_; ++j) *powers++ = (i == j ? 0.5 : 1.0) * d[i] * d[j];
 }
 
 void PatchRecovery::add(const Point& x, const double* values) {
@@ -79,9 +80,10 @@ int PatchRecovery::solve_terms(const double* moments, double* coefficients) cons
   // Where all samples lie in planes through the vertex, a product of two offsets is nothing, or what a small
   // deformation of the mesh makes of it: its scale must not blow that up.
   int term = 1 + dimension_;
-  for (int i = 0; degree_ == 2 && i < dimension_; ++i)
-    for (int j = i; j < dimension_; ++j, ++term)
-      if (samples * a[term][term] < 1e-8 * a[1 + i][1 + i] * a[1 + j][1 + j]) scale[term] = 0;
+  if (degree_ == 2)
+    for (int i = 0; i < dimension_; ++i)
+      for (int j = i; j < dimension_; ++j, ++term)
+        if (samples * a[term][term] < 1e-8 * a[1 + i][1 + i] * a[1 + j][1 + j]) scale[term] = 0;
   for (int r = 0; r < n; ++r)
     for (int s = 0; s < n; ++s) a[r][s] *= scale[r] * scale[s];
   std::vector<double> b(moments, moments + n * columns_);
@@ -146,11 +148,12 @@ void PatchRecovery::recentre(int from, int to, double* coefficients) const {
     for (int k = 0; k < terms_; ++k) value += powers[k] * coefficients[k];
     coefficients[0] = value;
     int term = 1 + dimension_;
-    for (int i = 0; degree_ == 2 && i < dimension_; ++i)
-      for (int j = i; j < dimension_; ++j, ++term) {
-        coefficients[1 + i] += coefficients[term] * d[j];
-        if (j != i) coefficients[1 + j] += coefficients[term] * d[i];
-      }
+    if (degree_ == 2)
+      for (int i = 0; i < dimension_; ++i)
+        for (int j = i; j < dimension_; ++j, ++term) {
+          coefficients[1 + i] += coefficients[term] * d[j];
+          if (j != i) coefficients[1 + j] += coefficients[term] * d[i];
+        }
   }
 }
 
@@ -159,8 +162,9 @@ void PatchRecovery::spread(std::vector<char>& fitted) {
   for (int layer = 0; layer < 2; ++layer) {
     std::vector<double> sums(node_.size() * (size + 1), 0.0), own(size);
     for (std::size_t e = 0, begin = 0; e < ends_.size(); begin = ends_[e++])
-      for (int i = static_cast<int>(begin); i < ends_[e]; ++i)
-        for (int j = static_cast<int>(begin); !fitted[corners_[i]] && j < ends_[e]; ++j) {
+      for (int i = static_cast<int>(begin); i < ends_[e]; ++i) {
+        if (fitted[corners_[i]]) continue;
+        for (int j = static_cast<int>(begin); j < ends_[e]; ++j) {
           if (!fitted[corners_[j]]) continue;
           std::copy_n(polynomial(corners_[j]), size, own.begin());
           recentre(corners_[j], corners_[i], own.data());
@@ -168,6 +172,7 @@ void PatchRecovery::spread(std::vector<char>& fitted) {
           to[0] += 1;
           for (int k = 0; k < size; ++k) to[1 + k] += own[k];
         }
+      }
     sum_shared(sums, size + 1);
     for (std::size_t v = 0; v < node_.size(); ++v) {
       const double* sum = &sums[v * (size + 1)];
@@ -195,11 +200,12 @@ void PatchRecovery::evaluate(const int* corners, int count, const double* N, con
       double* slope = gradients + c * dimension_;
       for (int i = 0; i < dimension_; ++i) slope[i] += N[a] * p[1 + i];
       int term = 1 + dimension_;
-      for (int i = 0; degree_ == 2 && i < dimension_; ++i)
-        for (int j = i; j < dimension_; ++j, ++term) {
-          slope[i] += N[a] * p[term] * powers[1 + j];
-          if (j != i) slope[j] += N[a] * p[term] * powers[1 + i];
-        }
+      if (degree_ == 2)
+        for (int i = 0; i < dimension_; ++i)
+          for (int j = i; j < dimension_; ++j, ++term) {
+            slope[i] += N[a] * p[term] * powers[1 + j];
+            if (j != i) slope[j] += N[a] * p[term] * powers[1 + i];
+          }
     }
   }
 }

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tensor/vec.hpp"
+
 namespace mudline {
 
 namespace {
 
 constexpr double same_direction = 1e-10;  // 1 - cos of the angle below which a joint counts as smooth (1.4e-5 rad)
 
-double dot(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
-PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
 PlanePoint right_of(const PlanePoint& t) { return {t[1], -t[0]}; }
 
 /// The foot lies at a corner or at an open end: the gap is the distance to that point, its sign that of `outward`.
@@ -80,7 +80,7 @@ ContourFoot Contour::closest(const PlanePoint& x) const {
   result.piece = -1;
   for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
     const double candidate = pieces_[i]->closest(x);
-    const PlanePoint d = minus(x, pieces_[i]->point(candidate));
+    const PlanePoint d = x - pieces_[i]->point(candidate);
     const double square = dot(d, d);
     if (result.piece >= 0 && square >= best) continue;
     best = square;
@@ -90,7 +90,7 @@ ContourFoot Contour::closest(const PlanePoint& x) const {
   const ContourPiece& piece = *pieces_[result.piece];
   result.foot = piece.point(s);
   result.arc_length = start_[result.piece] + s;
-  const PlanePoint d = minus(x, result.foot), own = right_of(piece.tangent(s));
+  const PlanePoint d = x - result.foot, own = right_of(piece.tangent(s));
   PlanePoint other = own;
   const bool at_end = s == 0 || s == piece.length();
   const bool open_end = at_end && !neighbour_normal(result.piece, s == 0 ? 0 : 1, other);

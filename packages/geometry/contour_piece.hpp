@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <memory>
+
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
-using PlanePoint = std::array<double, 2>;  // [m]; plane strain: x, y; axisymmetric: r, z
 /// The first two coordinates.
 template <class Place>
 PlanePoint in_plane(const Place& x) {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tensor/vec.hpp"
+
 namespace mudline {
 
 namespace {
@@ -15,9 +17,6 @@ constexpr double gauss_at[gauss_points] = {-0.9324695142031521, -0.6612093864662
                                            0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
 constexpr double gauss_weight[gauss_points] = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
                                                0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
-
-double dot(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
-PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
 /// The mirror image about x = 0, backwards.
 class MirroredCurve : public ParametricCurve {
@@ -85,7 +84,7 @@ double CurvePiece::closest(const PlanePoint& x) const {
   int nearest = 0;
   double best = 1e300;
   for (int i = 0; i <= runs; ++i) {
-    const PlanePoint d = minus(x, sample_[i]);
+    const PlanePoint d = x - sample_[i];
     if (dot(d, d) >= best) continue;
     best = dot(d, d);
     nearest = i;
@@ -93,7 +92,7 @@ double CurvePiece::closest(const PlanePoint& x) const {
   // f(t) = (x - x(t)) . x'(t), half the slope of minus the squared distance: positive where the foot lies ahead
   const auto ahead = [&](double t) {
     const ParametricCurve::Point p = curve_->at(t);
-    return dot(minus(x, p.x), p.d);
+    return dot(x - p.x, p.d);
   };
   double low = std::max(0, nearest - 1) / static_cast<double>(runs),
          high = std::min(runs, nearest + 1) / static_cast<double>(runs);
@@ -102,7 +101,7 @@ double CurvePiece::closest(const PlanePoint& x) const {
   double t = static_cast<double>(nearest) / runs;
   for (int i = 0; i < 60; ++i) {
     const ParametricCurve::Point p = curve_->at(t);
-    const PlanePoint d = minus(x, p.x);
+    const PlanePoint d = x - p.x;
     const double f = dot(d, p.d), slope = dot(d, p.dd) - dot(p.d, p.d);
     (f > 0 ? low : high) = t;
     double next = t - f / slope;
@@ -141,13 +140,13 @@ NurbsSpan::NurbsSpan(int degree, std::vector<double> knots, std::vector<PlanePoi
 // De Boor's algorithm on homogeneous coordinates (w x, w y, w); the derivatives are splines of their control points'
 // divided differences.
 ParametricCurve::Point NurbsSpan::at(double t) const {
-  using Homogeneous = std::array<double, 3>;
+  using Homogeneous = Vec<double, 3>;
   const double width = knots_[span_ + 1] - knots_[span_], u = knots_[span_] + t * width;
   std::vector<Homogeneous> control;
   for (int i = span_ - degree_; i <= span_; ++i)
     control.push_back({weights_[i] * points_[i][0], weights_[i] * points_[i][1], weights_[i]});
   Homogeneous level[3] = {};
-  for (int order = 0; order < 3 && order <= degree_; ++order) {
+  for (int order = 0; order <= std::min(2, degree_); ++order) {
     const int p = degree_ - order;
     if (order > 0) {  // control points of the derivative
       std::vector<Homogeneous> next;
@@ -188,7 +187,7 @@ ContourPieces hermite_pieces(const std::vector<PlanePoint>& points, const PlaneP
     const double size = std::hypot(v[0], v[1]);
     return PlanePoint{v[0] / size, v[1] / size};
   };
-  for (std::size_t i = 1; i + 1 < n; ++i) tangent[i] = unit(minus(points[i + 1], points[i - 1]));
+  for (std::size_t i = 1; i + 1 < n; ++i) tangent[i] = unit(points[i + 1] - points[i - 1]);
   // the chord of a parabola is the mean of the tangents at its ends
   const auto end = [&](const PlanePoint& given, const PlanePoint& chord, const PlanePoint& inner) {
     if (given[0] != 0 || given[1] != 0) return unit(given);
@@ -197,8 +196,8 @@ ContourPieces hermite_pieces(const std::vector<PlanePoint>& points, const PlaneP
     const double along = dot(inner, c);
     return PlanePoint{2 * along * c[0] - inner[0], 2 * along * c[1] - inner[1]};
   };
-  tangent.front() = end(first, minus(points[1], points[0]), tangent[1]);
-  tangent.back() = end(last, minus(points[n - 1], points[n - 2]), tangent[n - 2]);
+  tangent.front() = end(first, points[1] - points[0], tangent[1]);
+  tangent.back() = end(last, points[n - 1] - points[n - 2], tangent[n - 2]);
   ContourPieces pieces;
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const PlanePoint a = points[i], b = points[i + 1];

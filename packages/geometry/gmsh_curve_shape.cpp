@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "geometry/curve_chain.hpp"
 #include "geometry/path_shape.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -24,15 +25,12 @@ class PolynomialCurve : public ParametricCurve {
   PolynomialRun run_;
 };
 
-double cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
-PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
-
 /// An arc through four points at equal angles from each other.
 std::shared_ptr<const ContourPiece> arc(const std::vector<PlanePoint>& x) {
-  const PlanePoint a = minus(x[1], x[0]), b = minus(x[2], x[0]);
+  const PlanePoint a = x[1] - x[0], b = x[2] - x[0];
   const double area = 2 * cross(a, b), aa = a[0] * a[0] + a[1] * a[1], bb = b[0] * b[0] + b[1] * b[1];
   const PlanePoint centre{x[0][0] + (b[1] * aa - a[1] * bb) / area, x[0][1] + (a[0] * bb - b[0] * aa) / area};
-  const PlanePoint from = minus(x[0], centre), third = minus(x[1], centre);
+  const PlanePoint from = x[0] - centre, third = x[1] - centre;
   const double step = std::atan2(cross(from, third), from[0] * third[0] + from[1] * third[1]);
   return std::make_shared<ArcPiece>(centre, std::hypot(from[0], from[1]), std::atan2(from[1], from[0]), 3 * step);
 }
@@ -127,9 +125,10 @@ void GmshCurveShape::check(const Section& section) {
   for (const CadCurve& curve : chain)
     for (auto& piece : pieces_of(curve)) pieces_.push_back(std::move(piece));
   for (const auto& piece : pieces_)
-    for (int i = 0; i <= 8 && extent_ == ContourExtent::half; ++i)
-      if (piece->point(piece->length() * i / 8)[0] < -tolerance * scale_)
-        section.fail("a half contour has no points left of its axis", entry);
+    if (extent_ == ContourExtent::half)
+      for (int i = 0; i <= 8; ++i)
+        if (piece->point(piece->length() * i / 8)[0] < -tolerance * scale_)
+          section.fail("a half contour has no points left of its axis", entry);
   continue_open_end(pieces_, extent_);
 }
 

@@ -6,6 +6,7 @@
 #include "discretisation/gmsh_curve.hpp"
 #include "geometry/contour_shape.hpp"
 #include "geometry/curve_piece.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -26,8 +27,8 @@ class GmshCurveShape : public ContourShape {
   GmshFile file_;
   std::string group_;
   std::vector<double> curves_;
-  std::array<double, 2> origin_{};  // in the file's unit
-  double scale_ = 1;                // [m] per unit of the file
+  Vec<double, 2> origin_{};  // in the file's unit
+  double scale_ = 1;         // [m] per unit of the file
   SourcePosition position_;
   ContourPieces pieces_;
 };

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/pi.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -27,7 +28,7 @@ class PathLine : public PathPiece {
   ContourPieces build(const PlanePoint& from) const override { return {std::make_shared<LinePiece>(from, to_)}; }
 
  private:
-  std::array<double, 2> to_{};
+  Vec<double, 2> to_{};
 };
 
 class PathArc : public PathPiece {
@@ -53,7 +54,7 @@ class PathArc : public PathPiece {
   }
 
  private:
-  std::array<double, 2> to_{};
+  Vec<double, 2> to_{};
   double radius_ = 0;
   bool large_ = false;
 };
@@ -105,7 +106,7 @@ class PathHermite : public PathPiece {
 
  private:
   std::vector<double> x_, y_;
-  std::array<double, 2> first_{}, last_{};
+  Vec<double, 2> first_{}, last_{};
 };
 
 class PathNurbs : public PathPiece {

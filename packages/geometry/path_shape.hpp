@@ -4,6 +4,7 @@
 
 #include "geometry/contour_shape.hpp"
 #include "geometry/curve_piece.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -29,7 +30,7 @@ class PathShape : public ContourShape {
   Contour build() const override { return Contour(pieces_, extent_); }
 
  private:
-  std::array<double, 2> start_{};
+  Vec<double, 2> start_{};
   ContourPieces pieces_;
 };
 

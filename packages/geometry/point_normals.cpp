@@ -6,8 +6,8 @@
 #include <set>
 
 #include "core/errors.hpp"
-#include "core/space_vector.hpp"
 #include "core/text.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -45,7 +45,7 @@ class NormalFinder {
   explicit NormalFinder(const SurfaceTriangles& surface) : surface_(surface), around_(surface.points.size()) {
     for (std::size_t f = 0; f < surface.facets.size(); ++f) {
       const Point area = surface.area_vector(f);
-      facet_normals_.push_back(scaled(1 / length(area), area));
+      facet_normals_.push_back(1 / length(area) * area);
       for (const int point : surface.facets[f]) around_[point].push_back(static_cast<int>(f));
     }
   }
@@ -55,13 +55,13 @@ class NormalFinder {
     Point sum{};
     double area = 0;
     for (const int f : around_[point]) {
-      sum = plus(sum, 1, surface_.area_vector(f));
+      sum += surface_.area_vector(f);
       area += length(surface_.area_vector(f));
     }
     const double size = length(sum);
     if (size < 1e-6 * area)
       throw InputError("the facets around " + tuple_text(surface_.points[point].data(), 3) + " have no common normal");
-    return scaled(1 / size, sum);
+    return 1 / size * sum;
   }
 
   /// The normal of the cubic surface, or the mean.
@@ -78,7 +78,7 @@ class NormalFinder {
     ring.erase(point);
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const int neighbour : ring) {
-      const double distance = length(minus(surface_.points[neighbour], surface_.points[point]));
+      const double distance = length(surface_.points[neighbour] - surface_.points[point]);
       nearest = std::min(nearest, distance);
       farthest = std::max(farthest, distance);
     }
@@ -87,12 +87,12 @@ class NormalFinder {
     Point axis{};
     axis[flat] = 1;
     Point first = cross(normal, axis);
-    first = scaled(1 / length(first), first);
+    first = 1 / length(first) * first;
     const Point second = cross(normal, first);
     double a[unknowns][unknowns] = {}, b[unknowns] = {}, scale = 0;
-    for (const int p : wide) scale = std::max(scale, length(minus(surface_.points[p], surface_.points[point])));
+    for (const int p : wide) scale = std::max(scale, length(surface_.points[p] - surface_.points[point]));
     for (const int p : wide) {
-      const Point d = scaled(1 / scale, minus(surface_.points[p], surface_.points[point]));
+      const Point d = 1 / scale * (surface_.points[p] - surface_.points[point]);
       const double u = dot(d, first), v = dot(d, second), weight = 1 / dot(d, d);
       const double row[unknowns] = {u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v};
       for (int i = 0; i < unknowns; ++i) {
@@ -101,8 +101,8 @@ class NormalFinder {
       }
     }
     if (!solve(a, b)) return normal;
-    Point result = plus(plus(normal, -b[0], first), -b[1], second);
-    result = scaled(1 / length(result), result);
+    Point result = normal - b[0] * first - b[1] * second;
+    result = 1 / length(result) * result;
     double least = 1;
     for (const int f : around_[point]) least = std::min(least, dot(facet_normals_[f], normal));
     return dot(result, normal) >= least ? result : normal;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -34,10 +34,11 @@ SurfaceFoot RoundedBox::closest(const Point& x) const {
     result.gap = distance - radius_;
     for (int i = 0; i < 3; ++i) result.normal[i] = sign[i] * beyond[i] / distance;
     const bool centre = distance <= 1e-9 * radius_;
-    for (int i = 0; i < 3 && !centre; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (beyond[i] > 0 && beyond[j] > 0)
-          result.turning[i][j] = ((i == j ? 1.0 : 0.0) - result.normal[i] * result.normal[j]) / distance;
+    if (!centre)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          if (beyond[i] > 0 && beyond[j] > 0)
+            result.turning[i][j] = ((i == j ? 1.0 : 0.0) - result.normal[i] * result.normal[j]) / distance;
   } else {
     result.gap = depth - radius_;
     result.normal[nearest] = sign[nearest];
@@ -47,7 +48,7 @@ SurfaceFoot RoundedBox::closest(const Point& x) const {
       for (int i = 0; i < 3; ++i) result.normal[i] = std::abs(x[i]) == core_[i] ? sign[i] / std::sqrt(sides) : 0.0;
     }
   }
-  result.foot = plus(x, -result.gap, result.normal);
+  result.foot = x - result.gap * result.normal;
   return result;
 }
 

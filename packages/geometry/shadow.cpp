@@ -1,23 +1,20 @@
 #include "geometry/shadow.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mudline {
 
 namespace {
 
-using Vec = std::array<double, 2>;
-
-double turn(const Vec& a, const Vec& b, const Vec& c) {
+double turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
 /// Corners of the convex hull, counter-clockwise (Andrew's monotone chains).
-std::vector<Vec> hull_of(std::vector<Vec> points) {
+std::vector<PlanePoint> hull_of(std::vector<PlanePoint> points) {
   std::sort(points.begin(), points.end());
-  std::vector<Vec> hull;
+  std::vector<PlanePoint> hull;
   const auto add_chain = [&](auto first, auto last) {
     const std::size_t start = hull.size();
     for (auto p = first; p != last; ++p) {
@@ -32,9 +29,9 @@ std::vector<Vec> hull_of(std::vector<Vec> points) {
 }
 
 /// Extent of the hull along a unit vector.
-double extent(const std::vector<Vec>& hull, const Vec& along) {
+double extent(const std::vector<PlanePoint>& hull, const PlanePoint& along) {
   double low = 1e300, high = -1e300;
-  for (const Vec& x : hull) {
+  for (const PlanePoint& x : hull) {
     const double at = x[0] * along[0] + x[1] * along[1];
     low = std::min(low, at);
     high = std::max(high, at);
@@ -42,7 +39,7 @@ double extent(const std::vector<Vec>& hull, const Vec& along) {
   return high - low;
 }
 
-Point unit(const Point& x) { return scaled(1 / length(x), x); }
+Point unit(const Point& x) { return 1 / length(x) * x; }
 
 }  // namespace
 
@@ -51,16 +48,16 @@ Shadow shadow_in_space(const std::vector<Point>& points, const Point& direction)
   Point axis{};
   axis[std::abs(d[0]) < 0.7 ? 0 : 1] = 1;
   const Point first = unit(cross(d, axis)), second = cross(d, first);
-  std::vector<Vec> seen;
+  std::vector<PlanePoint> seen;
   for (const Point& x : points) seen.push_back({dot(first, x), dot(second, x)});
-  const std::vector<Vec> hull = hull_of(std::move(seen));
+  const std::vector<PlanePoint> hull = hull_of(std::move(seen));
   // the narrowest pair of parallel lines has an edge of the hull on one of them
   Shadow result{1e300, 0};
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vec &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    const PlanePoint &a = hull[i], &b = hull[(i + 1) % hull.size()];
     const double edge = std::hypot(b[0] - a[0], b[1] - a[1]);
     if (!(edge > 0)) continue;
-    const Vec along{(b[0] - a[0]) / edge, (b[1] - a[1]) / edge};
+    const PlanePoint along{(b[0] - a[0]) / edge, (b[1] - a[1]) / edge};
     const double width = extent(hull, {-along[1], along[0]});
     if (width < result.width) result = {width, extent(hull, along)};
   }

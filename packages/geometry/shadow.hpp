@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -33,15 +33,15 @@ Jet inverse(const Jet& p) {
 }
 
 void add(const Jet& weight, double factor, const Point& x, PatchPoint& sum) {
-  sum.x = plus(sum.x, factor * weight.f, x);
-  sum.da = plus(sum.da, factor * weight.a, x);
-  sum.db = plus(sum.db, factor * weight.b, x);
-  sum.daa = plus(sum.daa, factor * weight.aa, x);
-  sum.dab = plus(sum.dab, factor * weight.ab, x);
-  sum.dbb = plus(sum.dbb, factor * weight.bb, x);
+  sum.x += factor * weight.f * x;
+  sum.da += factor * weight.a * x;
+  sum.db += factor * weight.b * x;
+  sum.daa += factor * weight.aa * x;
+  sum.dab += factor * weight.ab * x;
+  sum.dbb += factor * weight.bb * x;
 }
 
-Point unit(const Point& a) { return scaled(1 / length(a), a); }
+Point unit(const Point& a) { return 1 / length(a) * a; }
 
 /// A quadratic function of (a, b) from a place in the triangle: its gradient and its matrix there.
 struct Quadratic {
@@ -80,44 +80,43 @@ void descend(const Quadratic& q, double& a, double& b) {
 }  // namespace
 
 SmoothPatch::SmoothPatch(const std::array<Point, 3>& corner, const std::array<Point, 3>& normal)
-    : edge_a_(minus(corner[1], corner[0])), edge_b_(minus(corner[2], corner[0])) {
+    : edge_a_(corner[1] - corner[0]), edge_b_(corner[2] - corner[0]) {
   for (int edge = 0; edge < 3; ++edge) set_edge(edge, corner, normal);
   for (int edge = 0; edge < 3; ++edge) set_inside(edge, normal);
   bounds_ = Bounds::nothing();
   const auto reach = [&](const Point& x, const std::array<int, 3>& m) {
     bounds_.enclose(x);
-    const Point flat = plus(plus(corner[0], 0.25 * m[1], edge_a_), 0.25 * m[2], edge_b_);
-    bulge_ = std::max(bulge_, length(minus(x, flat)));
+    const Point flat = corner[0] + 0.25 * m[1] * edge_a_ + 0.25 * m[2] * edge_b_;
+    bulge_ = std::max(bulge_, length(x - flat));
   };
   for (int j = 0; j <= 4; ++j)
     for (int k = 0; j + k <= 4; ++k) reach(control_[number({4 - j - k, j, k})], {4 - j - k, j, k});
   for (int c = 0; c < 3; ++c) {
     std::array<int, 3> m{1, 1, 1};
     m[c] = 2;
-    reach(plus(control_[number(m)], 1, twist_[c]), m);
+    reach(control_[number(m)] + twist_[c], m);
   }
 }
 
 // The cubic curve along an edge, which leaves both ends at right angles to their normals, as a quartic.
 void SmoothPatch::set_edge(int edge, const std::array<Point, 3>& corner, const std::array<Point, 3>& normal) {
   const int s = edge, t = (edge + 1) % 3;
-  const Point chord = minus(corner[t], corner[s]);
+  const Point chord = corner[t] - corner[s];
   const double size = length(chord);
   const auto handle = [&](const Point& n) {
-    const Point d = plus(chord, -dot(chord, n), n);
+    const Point d = chord - dot(chord, n) * n;
     const double cosine = length(d) / size;
     // so long that the curve between two points of a circle is one, to the sixth order of its angle
-    return scaled(2 / (3 * cosine * (1 + cosine)), d);
+    return 2 / (3 * cosine * (1 + cosine)) * d;
   };
-  const Point cubic[4] = {corner[s], plus(corner[s], 1, handle(normal[s])), plus(corner[t], -1, handle(normal[t])),
-                          corner[t]};
+  const Point cubic[4] = {corner[s], corner[s] + handle(normal[s]), corner[t] - handle(normal[t]), corner[t]};
   for (int j = 0; j <= 4; ++j) {
     std::array<int, 3> m{};
     m[s] = 4 - j;
     m[t] = j;
     Point x{};
-    if (j > 0) x = plus(x, 0.25 * j, cubic[j - 1]);
-    if (j < 4) x = plus(x, 1 - 0.25 * j, cubic[j]);
+    if (j > 0) x += 0.25 * j * cubic[j - 1];
+    if (j < 4) x += (1 - 0.25 * j) * cubic[j];
     control_[number(m)] = x;
   }
 }
@@ -134,29 +133,27 @@ void SmoothPatch::set_inside(int edge, const std::array<Point, 3>& normal) {
     return control_[number(m)];
   };
   // differences of the cubic's control points, from those of the quartic
-  const Point first = scaled(4.0 / 3, minus(control(1, 0), control(0, 0)));
-  const Point last = scaled(4.0 / 3, minus(control(4, 0), control(3, 0)));
-  const Point middle = minus(minus(minus(control(4, 0), control(0, 0)), first), last);
+  const Point first = 4.0 / 3 * (control(1, 0) - control(0, 0));
+  const Point last = 4.0 / 3 * (control(4, 0) - control(3, 0));
+  const Point middle = control(4, 0) - control(0, 0) - first - last;
   const Point across_s = unit(cross(normal[s], first)), across_t = unit(cross(normal[t], last));
-  const Point across = unit(plus(across_s, 1, across_t));
+  const Point across = unit(across_s + across_t);
   const auto split = [&](int j, const Point& along, const Point& side, double& on_along, double& on_side) {
-    const Point d = minus(control(j, 1), scaled(0.5, plus(control(j, 0), 1, control(j + 1, 0))));
+    const Point d = control(j, 1) - 0.5 * (control(j, 0) + control(j + 1, 0));
     on_along = dot(d, along) / dot(along, along);
     on_side = dot(d, side);
   };
   double l0, l1, m0, m1;
   split(0, first, across_s, l0, m0);
   split(3, last, across_t, l1, m1);
-  const Point near_s =
-      scaled(1.0 / 3, plus(plus(plus(scaled(l1, first), 2 * l0, middle), m1, across_s), 2 * m0, across));
-  const Point near_t =
-      scaled(1.0 / 3, plus(plus(plus(scaled(2 * l1, middle), l0, last), 2 * m1, across), m0, across_t));
-  const Point inner_s = plus(near_s, 0.5, plus(control(1, 0), 1, control(2, 0)));
-  const Point inner_t = plus(near_t, 0.5, plus(control(2, 0), 1, control(3, 0)));
+  const Point near_s = 1.0 / 3 * (l1 * first + 2 * l0 * middle + m1 * across_s + 2 * m0 * across);
+  const Point near_t = 1.0 / 3 * (2 * l1 * middle + l0 * last + 2 * m1 * across + m0 * across_t);
+  const Point inner_s = near_s + 0.5 * (control(1, 0) + control(2, 0));
+  const Point inner_t = near_t + 0.5 * (control(2, 0) + control(3, 0));
   // at corner c the inner point is B + la / (la + lb) (A - B): A of the edge that starts there, B of the one that ends
   control(2, 1) = inner_t;
-  twist_[t] = minus(twist_[t], inner_t);
-  twist_[s] = plus(twist_[s], 1, inner_s);
+  twist_[t] -= inner_t;
+  twist_[s] += inner_s;
 }
 
 PatchPoint SmoothPatch::at(double a, double b) const {
@@ -200,11 +197,11 @@ PatchPoint SmoothPatch::at(double a, double b) const {
 }
 
 double SmoothPatch::closest_flat(const Point& x, double& a, double& b) const {
-  const Point d = minus(control_[0], x);
+  const Point d = control_[0] - x;
   a = b = 0;
   descend({dot(d, edge_a_), dot(d, edge_b_), dot(edge_a_, edge_a_), dot(edge_a_, edge_b_), dot(edge_b_, edge_b_)}, a,
           b);
-  return length(plus(plus(d, a, edge_a_), b, edge_b_));
+  return length(d + a * edge_a_ + b * edge_b_);
 }
 
 double SmoothPatch::flat_distance(const Point& x) const {
@@ -221,14 +218,14 @@ PatchPoint SmoothPatch::closest(const Point& x) const {
   constexpr double start[4][2] = {{1.0 / 3, 1.0 / 3}, {0.1, 0.1}, {0.8, 0.1}, {0.1, 0.8}};
   for (const auto& from : start) {
     const PatchPoint other = closest_from(x, from[0], from[1]);
-    if (length(minus(other.x, x)) < length(minus(best.x, x))) best = other;
+    if (length(other.x - x) < length(best.x - x)) best = other;
   }
   return best;
 }
 
 PatchPoint SmoothPatch::closest_from(const Point& x, double a, double b) const {
   PatchPoint best = at(a, b);
-  Point d = minus(best.x, x);
+  Point d = best.x - x;
   double square = dot(d, d);
   for (int i = 0; i < 50; ++i) {
     Quadratic q{dot(d, best.da), dot(d, best.db), dot(best.da, best.da), dot(best.da, best.db), dot(best.db, best.db)};
@@ -246,7 +243,7 @@ PatchPoint SmoothPatch::closest_from(const Point& x, double a, double b) const {
     for (;; share *= 0.5) {
       const double trial_a = a + share * (to_a - a), trial_b = b + share * (to_b - b);
       const PatchPoint trial = at(trial_a, trial_b);
-      const Point e = minus(trial.x, x);
+      const Point e = trial.x - x;
       // a short step changes the distance by less than rounding
       if (dot(e, e) > square * (1 + 1e-12) && step > 1e-6) {
         if (share * step < 1e-9) return best;

@@ -1,10 +1,10 @@
 #include "geometry/solid_moments.hpp"
 
-#include "core/space_vector.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
-Point SolidMoments::centroid() const { return volume == 0 ? Point{} : scaled(1 / volume, first); }
+Point SolidMoments::centroid() const { return volume == 0 ? Point{} : 1 / volume * first; }
 
 std::array<Point, 3> SolidMoments::inertia() const {
   const Point c = centroid();
@@ -21,7 +21,7 @@ std::array<Point, 3> SolidMoments::inertia() const {
 
 void SolidMoments::add(const SolidMoments& other, double factor) {
   volume += factor * other.volume;
-  first = plus(first, factor, other.first);
+  first += factor * other.first;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) second[i][j] += factor * other.second[i][j];
 }
@@ -29,7 +29,7 @@ void SolidMoments::add(const SolidMoments& other, double factor) {
 void SolidMoments::add_block(const Point& centre, const Point& lengths, double factor) {
   const double part = factor * lengths[0] * lengths[1] * lengths[2];
   volume += part;
-  first = plus(first, part, centre);
+  first += part * centre;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) second[i][j] += part * centre[i] * centre[j];
     second[i][i] += part * lengths[i] * lengths[i] / 12;
@@ -40,18 +40,18 @@ void SolidMoments::add_side(const Point& at, const Point& area) {
   // div x = 3, div (x_i x) = 4 x_i, div (x_i x_j x) = 5 x_i x_j
   const double flux = dot(at, area);
   volume += flux / 3;
-  first = plus(first, flux / 4, at);
+  first += flux / 4 * at;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) second[i][j] += flux / 5 * at[i] * at[j];
 }
 
-SolidMoments SolidMoments::placed(const double (&rotation)[3][3], const Point& shift) const {
+SolidMoments SolidMoments::placed(const Mat<double, 3>& rotation, const Point& shift) const {
   SolidMoments result;
   result.volume = volume;
   Point turned{};
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) turned[i] += rotation[i][k] * first[k];
-  result.first = plus(turned, volume, shift);
+  result.first = turned + volume * shift;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       double sum = volume * shift[i] * shift[j] + turned[i] * shift[j] + shift[i] * turned[j];

@@ -3,14 +3,15 @@
 #include <array>
 
 #include "core/function.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
 /// The volume of a solid and its moments about the origin of its frame; those of solids side by side add up.
 struct SolidMoments {
-  double volume = 0;      // [m3]
-  Point first{};          // int x dV [m4]
-  double second[3][3]{};  // int x x^T dV [m5]
+  double volume = 0;        // [m3]
+  Point first{};            // int x dV [m4]
+  Mat<double, 3> second{};  // int x x^T dV [m5]
 
   Point centroid() const;
   /// int (|r|^2 1 - r r^T) dV [m5], r from the centroid: the inertia tensor of a solid of density 1 kg/m3.
@@ -24,7 +25,7 @@ struct SolidMoments {
   /// points out of the solid.
   void add_side(const Point& at, const Point& area);
   /// The same solid after it has been turned by `rotation` about the origin and then shifted [m].
-  SolidMoments placed(const double (&rotation)[3][3], const Point& shift) const;
+  SolidMoments placed(const Mat<double, 3>& rotation, const Point& shift) const;
 };
 
 }  // namespace mudline

@@ -6,12 +6,12 @@
 
 #include "core/log.hpp"
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
 #include "core/text.hpp"
 #include "geometry/revolved_surface.hpp"
 #include "geometry/rounded_box.hpp"
 #include "geometry/stl_file.hpp"
 #include "geometry/triangulated_surface.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -47,7 +47,7 @@ void SurfaceShape::check_placement(const Section& section) const {
 }
 
 PlacedSurface SurfaceShape::placed() const {
-  return {build(), to_point(position_), Rotation::by(scaled(pi / 180, to_point(rotation_)))};
+  return {build(), to_point(position_), Rotation::by(pi / 180 * to_point(rotation_))};
 }
 
 std::shared_ptr<const Surface> SurfaceShape::surface() const {
@@ -124,7 +124,7 @@ void TriangulationShape::check(const Section& section) {
   check_three(section, "origin", origin_);
   try {
     SurfaceTriangles triangles = read_stl(file_);
-    for (Point& x : triangles.points) x = scaled(scale_, minus(x, to_point(origin_)));
+    for (Point& x : triangles.points) x = scale_ * (x - to_point(origin_));
     const auto smooth = std::make_shared<TriangulatedSurface>(triangles);
     const double angle = smooth->largest_angle() * 180 / pi;
     if (angle > smooth_angle)

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "core/errors.hpp"
-#include "core/space_vector.hpp"
 #include "core/text.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -29,7 +29,7 @@ class PointWelder {
           const auto found = cells_.find(cell);
           if (found == cells_.end()) continue;
           for (const int candidate : found->second)
-            if (length(minus(points[candidate], x)) <= tolerance_) return candidate;
+            if (length(points[candidate] - x) <= tolerance_) return candidate;
         }
     for (int i = 0; i < 3; ++i) cell[i] = std::llround(std::floor(x[i] / (2 * tolerance_)));
     cells_[cell].push_back(static_cast<int>(points.size()));
@@ -53,7 +53,7 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 
 Point SurfaceTriangles::area_vector(std::size_t facet) const {
   const auto& corner = facets[facet];
-  return cross(minus(points[corner[1]], points[corner[0]]), minus(points[corner[2]], points[corner[0]]));
+  return cross(points[corner[1]] - points[corner[0]], points[corner[2]] - points[corner[0]]);
 }
 
 void SurfaceTriangles::add(const SurfaceTriangles& other) {
@@ -88,7 +88,7 @@ std::vector<FacetEdge> closed_edges(const SurfaceTriangles& triangles) {
     for (int k = 0; k < 3; ++k) {
       const int a = facets[f][k], b = facets[f][(k + 1) % 3];
       sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(f), k, a < b});
-      longest = std::max(longest, length(minus(triangles.points[a], triangles.points[b])));
+      longest = std::max(longest, length(triangles.points[a] - triangles.points[b]));
     }
     if (length(triangles.area_vector(f)) > 1e-9 * longest * longest) continue;
     if (flat++ == 0) first_flat = f;
@@ -103,7 +103,7 @@ std::vector<FacetEdge> closed_edges(const SurfaceTriangles& triangles) {
   std::size_t open = 0, crowded = 0, against = 0;
   Point open_at{}, crowded_at{}, against_at{};
   const auto note = [&](std::size_t& count, Point& at, const Side& side) {
-    if (count++ == 0) at = scaled(0.5, plus(triangles.points[side.low], 1, triangles.points[side.high]));
+    if (count++ == 0) at = 0.5 * (triangles.points[side.low] + triangles.points[side.high]);
   };
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;

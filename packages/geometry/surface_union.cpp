@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/rotation.hpp"
 #include "geometry/surface.hpp"
+#include "tensor/rotation.hpp"
 
 namespace mudline {
 
@@ -14,8 +14,8 @@ struct PlacedSurface {
   Point position{};  // [m]
   Rotation rotation{};
 
-  Point to_frame(const Point& x) const { return rotation.back(minus(x, position)); }
-  Point from_frame(const Point& x) const { return plus(position, 1, rotation(x)); }
+  Point to_frame(const Point& x) const { return rotation.back(x - position); }
+  Point from_frame(const Point& x) const { return position + rotation(x); }
   /// Of the surface, in the other frame.
   SurfaceFoot closest(const Point& x) const;
   Bounds bounds() const;

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/errors.hpp"
-#include "core/space_vector.hpp"
 #include "core/text.hpp"
 #include "geometry/point_normals.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -25,7 +25,7 @@ double enclosed_volume(const SurfaceTriangles& surface) {
   // from the first point: less rounding far from the origin
   double sum = 0;
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
-    sum += dot(minus(surface.points[surface.facets[f][0]], surface.points[0]), surface.area_vector(f)) / 6;
+    sum += dot(surface.points[surface.facets[f][0]] - surface.points[0], surface.area_vector(f)) / 6;
   return sum;
 }
 
@@ -41,20 +41,21 @@ void check_folds(const SurfaceTriangles& surface, const std::vector<Point>& norm
 /// First and second derivatives of the gap where the foot is at a patch's point: normal and turning.
 void differentiate(const PatchPoint& at, SurfaceFoot& foot) {
   const Point area = cross(at.da, at.db);
-  foot.normal = scaled(1 / length(area), area);
-  const double metric[2][2] = {{dot(at.da, at.da), dot(at.da, at.db)}, {dot(at.da, at.db), dot(at.db, at.db)}};
+  foot.normal = 1 / length(area) * area;
+  const Mat<double, 2> metric = {{{dot(at.da, at.da), dot(at.da, at.db)}, {dot(at.da, at.db), dot(at.db, at.db)}}};
   const double aa = -dot(at.daa, foot.normal), ab = -dot(at.dab, foot.normal), bb = -dot(at.dbb, foot.normal);
-  const double bend[2][2] = {{aa, ab}, {ab, bb}};  // dn = bend, lowered: n_a . x_b
+  const Mat<double, 2> bend = {{{aa, ab}, {ab, bb}}};  // dn = bend, lowered: n_a . x_b
   // dn/dx = sum of x_c (metric^-1 bend (metric + gap bend)^-1)_cd x_d
-  double offset[2][2];
+  Mat<double, 2> offset;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) offset[i][j] = metric[i][j] + foot.gap * bend[i][j];
   const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
   const double offset_det = offset[0][0] * offset[1][1] - offset[0][1] * offset[1][0];
   if (std::abs(offset_det) <= 1e-9 * det) return;  // the centre of a curvature
-  const double inverse[2][2] = {{metric[1][1] / det, -metric[0][1] / det}, {-metric[1][0] / det, metric[0][0] / det}};
-  const double offset_inverse[2][2] = {{offset[1][1] / offset_det, -offset[0][1] / offset_det},
-                                       {-offset[1][0] / offset_det, offset[0][0] / offset_det}};
+  const Mat<double, 2> inverse = {
+      {{metric[1][1] / det, -metric[0][1] / det}, {-metric[1][0] / det, metric[0][0] / det}}};
+  const Mat<double, 2> offset_inverse = {{{offset[1][1] / offset_det, -offset[0][1] / offset_det},
+                                          {-offset[1][0] / offset_det, offset[0][0] / offset_det}}};
   const Point side[2] = {at.da, at.db};
   for (int c = 0; c < 2; ++c)
     for (int d = 0; d < 2; ++d) {
@@ -106,7 +107,7 @@ SurfaceFoot TriangulatedSurface::closest(const Point& x) const {
   });
   PatchPoint nearest = patches_[first].closest(x);
   const auto square_distance = [&](const PatchPoint& at) {
-    const Point d = minus(x, at.x);
+    const Point d = x - at.x;
     return dot(d, d);
   };
   square = square_distance(nearest);
@@ -121,7 +122,7 @@ SurfaceFoot TriangulatedSurface::closest(const Point& x) const {
   SurfaceFoot result{};
   result.foot = nearest.x;
   result.gap = std::sqrt(square);
-  if (dot(minus(x, nearest.x), cross(nearest.da, nearest.db)) < 0) result.gap = -result.gap;
+  if (dot(x - nearest.x, cross(nearest.da, nearest.db)) < 0) result.gap = -result.gap;
   differentiate(nearest, result);
   return result;
 }
@@ -160,7 +161,7 @@ SolidMoments TriangulatedSurface::moments() const {
   for (const SmoothPatch& patch : patches_)
     for (const auto& q : at) {
       const PatchPoint p = patch.at(q[0], q[1]);
-      result.add_side(p.x, scaled(q[2], cross(p.da, p.db)));
+      result.add_side(p.x, q[2] * cross(p.da, p.db));
     }
   return result;
 }

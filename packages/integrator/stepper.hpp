@@ -195,7 +195,6 @@ class Stepper : public NonlinearProblem {
   int evaluate_terms();
   /// Term::residual into `force`, behind `to`; one that throws, or gives what is not finite, counts as failed.
   int evaluate_term(Term& term, const NodalView& force, const ResidualView& to);
-  void export_sum(const NodalView& overlap, Vector& owned) const;
   /// Sizes of what acts and of rounding at the last evaluation.
   void measure();
   /// Rounding of the residual that the unknowns' own rounding makes through the matrix.

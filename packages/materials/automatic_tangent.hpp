@@ -24,7 +24,8 @@ struct AutomaticTangent : Law {
     const bool ok = !in.want_tangent ? this->update(in, in.strain, state_old, out.stress, state)
                     : in.plane       ? differentiate<4>(in, state_old, state, out)
                                      : differentiate<6>(in, state_old, state, out);
-    for (int i = 0; !ok && i < 6; ++i) out.stress[i] = in.stress[i];
+    if (!ok)
+      for (int i = 0; i < 6; ++i) out.stress[i] = in.stress[i];
     return ok;
   }
 

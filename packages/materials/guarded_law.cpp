@@ -30,7 +30,8 @@ std::string not_finite(const SkeletonWorkset& w, int i) {
 void show_old_state(const SkeletonWorkset& w, int i) {
   for (int c = 0; c < 6; ++c) w.stress(i, c) = w.stress_old(i, c);
   for (std::size_t c = 0; c < w.state.extent(1); ++c) w.state(i, c) = w.state_old(i, c);
-  for (int c = 0; c < 36 && w.want_tangent; ++c) w.tangent(i, c) = 0.0;
+  if (w.want_tangent)
+    for (int c = 0; c < 36; ++c) w.tangent(i, c) = 0.0;
 }
 
 }  // namespace

@@ -218,11 +218,12 @@ class ImplicitReturn : public PlasticPath<T, Model> {
       }
       double y[unknowns], fraction = 1.0, new_size;
       bool lower = false;
-      for (int cut = 0; cut < 7 && !lower; ++cut, fraction *= 0.5) {
+      for (int cut = 0; cut < 7; ++cut, fraction *= 0.5) {
         for (int i = 0; i < unknowns; ++i) y[i] = x[i] + fraction * step[i];
         // shorter steps are tried without derivatives first, at a fraction of the cost
         lower = (cut == 0 || lowers(y, start, scales, fraction, size)) && evaluate(y, start, scales, r, new_size) &&
                 new_size < (1.0 - 1e-3 * fraction) * size;
+        if (lower) break;
       }
       if (!lower) return false;
       copy_plain(y, x, unknowns);
@@ -241,7 +242,8 @@ class ImplicitReturn : public PlasticPath<T, Model> {
     copy_plain(start.stress, x, N);
     copy_plain(start.h, x + N, H);
     x[unknowns - 1] = 0.0;
-    for (int attempt = 0; attempt < 60 && done < 1.0 && step > 1e-4; ++attempt) {
+    for (int attempt = 0; attempt < 60; ++attempt) {
+      if (!(done < 1.0 && step > 1e-4)) break;
       for (int i = 0; i < N; ++i) part.strain[i] = (done + step) * start.strain[i];
       model_.elastic_step(part.stress, part.strain, part.middle_volume, y);
       copy_plain(start.h, y + N, H);

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <atomic>
-#include <exception>
 #include <memory>
 #include <type_traits>
 
+#include "core/caught_in_kernel.hpp"
 #include "materials/skeleton.hpp"
 
 namespace mudline {
@@ -24,44 +23,23 @@ struct SkeletonResponse {
   double tangent[36];  // [Pa] row-major, written when want_tangent
 };
 
-/// The first exception thrown in a kernel on host threads: none may leave a parallel region.
-class CaughtInKernel {
- public:
-  /// action(), or false where it throws. On a device, which knows no exceptions, just action().
-  template <class Action>
-  KOKKOS_INLINE_FUNCTION static bool run(CaughtInKernel* caught, const Action& action) {
-#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__) || defined(__SYCL_DEVICE_ONLY__)
-    (void)caught;
-    return action();
-#else
-    try {
-      return action();
-    } catch (...) {
-      if (!caught->taken_.test_and_set()) caught->thrown_ = std::current_exception();
-      return false;
-    }
-#endif
-  }
-  /// After the kernel: throws what was caught.
-  void rethrow() const {
-    if (thrown_) std::rethrow_exception(thrown_);
-  }
-
- private:
-  std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
-  std::exception_ptr thrown_;
-};
-
-/// Turns a trivially copyable law with
-///     KOKKOS_FUNCTION bool operator()(const SkeletonPoint&, const double* state_old, double* state, SkeletonResponse&)
-///     const; static std::vector<StateVariable> state(); std::string initialise(const InitialPoint&, double* state)
-///     const; ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const; void
-///     parameters(Parameters&); void check(const Section&);              [optional] rules across parameters void
-///     prepare();                          [optional] computes constants from the parameters, once double k0(double
-///     ocr) const;             [optional] double void_ratio(const InitialPoint&) const;   [optional]
-///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;         [optional]
-///     EarthPressures earth_pressures(double vertical, double height) const;                            [optional]
-/// into a Skeleton: the only loop over points. Returning false marks the point as failed; the step is then cut.
+// clang-format off
+/// Turns a trivially copyable law into a Skeleton: the only loop over points. The law has these members:
+///     KOKKOS_FUNCTION bool operator()(const SkeletonPoint&, const double* state_old, double* state,
+///                                     SkeletonResponse&) const;
+///     static std::vector<StateVariable> state();
+///     std::string initialise(const InitialPoint&, double* state) const;
+///     ElasticModuli moduli(const double* stress, double void_ratio, const double* state) const;
+///     void parameters(Parameters&);
+/// It may have these too:
+///     void check(const Section&);                          rules across parameters
+///     void prepare();                                      computes constants from the parameters, once
+///     double k0(double ocr) const;
+///     double void_ratio(const InitialPoint&) const;
+///     SoilState soil_state(const double* stress, double void_ratio, const double* state) const;
+///     EarthPressures earth_pressures(double vertical, double height) const;
+/// Where the operator returns false, the point has failed; the step is then cut.
+// clang-format on
 template <class Law>
 class PointwiseSkeleton : public Skeleton {
   static_assert(std::is_trivially_copyable_v<Law>, "a law is captured by value in kernels");

@@ -9,6 +9,7 @@
 #include "framework/coordinates.hpp"
 #include "framework/normal_equations.hpp"
 #include "physics/soil_points.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -145,7 +146,7 @@ bool map_point(const FieldBlock& b, int e, int q, const ConstCoordinateView& x, 
       nodes[a][i] = x(b.nodes(e, a), i);
       place[i] += b.u.N(q, a) * nodes[a][i];
     }
-  double slope[Dim][Dim] = {};
+  Mat<double, Dim> slope = {};
   for (int a = 0; a < b.u.nodes; ++a)
     for (int i = 0; i < Dim; ++i)
       for (int k = 0; k < Dim; ++k) slope[i][k] += nodes[a][i] * b.u.dN(q, a, k);
@@ -157,7 +158,8 @@ bool map_point(const FieldBlock& b, int e, int q, const ConstCoordinateView& x, 
 template <int Dim>
 void strain_rate(const FieldBlock& b, int e, int q, const CellMap<Dim>& map, const ConstNodalView& rate, bool hoop,
                  double radius, double* d) {
-  double grad[3][3] = {}, radial = 0;
+  Mat<double, 3> grad = {};
+  double radial = 0;
   for (int a = 0; a < b.u.nodes; ++a) {
     double g[Dim];
     for (int j = 0; j < Dim; ++j) {
@@ -224,11 +226,12 @@ ErrorEstimator::BlockTables ErrorEstimator::tabulate_block(int k, const State& s
         strain_rate(b, e, q, map, state.rate, C::hoop, t.places[row][0], values + tensor);
         if (b.porous()) pressure_at(b, e, q, map, excess, t.pressure[row], t.slope[row]);
       }
-    for (int e = 0; b.porous() && e < b.elements; ++e)
-      for (int c = 0; c < t.corners; ++c) {
-        t.corner_pressure.push_back(excess(b.dofs(e, C::dim * b.u.nodes + c)));
-        t.corner_places.push_back(place_of(state.coordinates, b.nodes(e, c)));
-      }
+    if (b.porous())
+      for (int e = 0; e < b.elements; ++e)
+        for (int c = 0; c < t.corners; ++c) {
+          t.corner_pressure.push_back(excess(b.dofs(e, C::dim * b.u.nodes + c)));
+          t.corner_places.push_back(place_of(state.coordinates, b.nodes(e, c)));
+        }
   });
   return t;
 }

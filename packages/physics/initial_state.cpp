@@ -161,8 +161,9 @@ void InitialState::apply(const Soil& soil, StateStore& store, const Gravity& gra
           rest = at_rest(point, ground->total_stress(point.height) - pressure, soil.up, material);
         }
         if (rest.empty()) rest = material.find_void_ratio(point);
-        for (int c = 0; b.origin >= 0 && c < static_cast<int>(state.arrays[b.origin].extent(1)); ++c)
-          state.arrays[b.origin](row, c) = c == 0 ? b.start(row, 0) : point.position[c - 1];
+        if (b.origin >= 0)
+          for (int c = 0; c < static_cast<int>(state.arrays[b.origin].extent(1)); ++c)
+            state.arrays[b.origin](row, c) = c == 0 ? b.start(row, 0) : point.position[c - 1];
         for (int c = 0; c < 6; ++c) state.arrays[b.stress](row, c) = point.stress[c];
         state.arrays[b.void_ratio](row, 0) = state.arrays[b.void_ratio](row, 1) = point.void_ratio;
         const std::string reason = rest.empty()

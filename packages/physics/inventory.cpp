@@ -27,8 +27,9 @@ Inventory take_inventory(const Soil& soil, const State& state) {
       using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
       const Loop loop{b, level};
       for (int e = 0; e < b.elements; ++e) {
-        for (int q = 0; made_of > 1 && q < b.points; ++q)
-          for (int d = 0; d < Loop::D; ++d) starts[q][d] = state.arrays[b.origin](e * b.points + q, 1 + d);
+        if (made_of > 1)
+          for (int q = 0; q < b.points; ++q)
+            for (int d = 0; d < Loop::D; ++d) starts[q][d] = state.arrays[b.origin](e * b.points + q, 1 + d);
         if (made_of > 1) shares = soil.layer_shares(b, starts);
         loop.template for_each_point<true>(e, [&](int q, const typename Loop::Shape& s,
                                                   const typename Loop::Fields& at) {

@@ -8,11 +8,11 @@
 #include <numeric>
 
 #include "core/guarded.hpp"
-#include "core/space_vector.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -148,7 +148,7 @@ double SoilMaterial::storage(double porosity) const {
 
 Point Soil::water_weight(int block, double time) const {
   const SoilMaterial& material = any_of(blocks[block]);
-  return material.porous() ? scaled(material.fluid->density(), water_gravity(time)) : Point{};
+  return material.porous() ? material.fluid->density() * water_gravity(time) : Point{};
 }
 
 double Soil::uplift(const SoilMaterial& material) const {

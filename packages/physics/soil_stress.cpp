@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/space_vector.hpp"
 #include "physics/soil_points.hpp"
+#include "tensor/mat.hpp"
 #include "tensor/small_lu.hpp"
 
 namespace mudline {
@@ -16,8 +16,9 @@ std::vector<double> fit_weights(const std::vector<Point>& points, int dimension,
   const double count = static_cast<double>(points.size());
   std::vector<double> weights(points.size(), 1 / count);
   Point mean{};
-  for (const Point& x : points) mean = plus(mean, 1 / count, x);
-  double spread[3][3] = {}, size = 0;
+  for (const Point& x : points) mean += 1 / count * x;
+  Mat<double, 3> spread = {};
+  double size = 0;
   for (const Point& x : points)
     for (int i = 0; i < dimension; ++i)
       for (int j = 0; j < dimension; ++j) spread[i][j] += (x[i] - mean[i]) * (x[j] - mean[j]);
@@ -35,8 +36,7 @@ std::vector<double> fit_weights(const std::vector<Point>& points, int dimension,
   for (int i = 0; i < 3; ++i)
     if (std::abs(lu.a[i][i]) < flat) return weights;
   lu.solve(slope);
-  for (std::size_t q = 0; q < points.size(); ++q)
-    weights[q] += dot({slope[0], slope[1], slope[2]}, minus(points[q], mean));
+  for (std::size_t q = 0; q < points.size(); ++q) weights[q] += dot({slope[0], slope[1], slope[2]}, points[q] - mean);
   return weights;
 }
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "simulation/body_setup.hpp"
+#include "tensor/mat.hpp"
 #include "tensor/sym6.hpp"
 
 namespace mudline {
@@ -31,7 +31,7 @@ Point load_at(const BodySetup& of, const ReleasedMotion& motion, double mass, do
 /// The acceleration by which a released body has its weight [m/s2].
 Point gravity_of(const BodySetup& of, const ReleasedMotion& motion) {
   const double mass = of.body.properties().mass;
-  return scaled(1 / mass, minus(load_at(of, motion, mass, 0), load_at(of, motion, 0, 0)));
+  return 1 / mass * (load_at(of, motion, mass, 0) - load_at(of, motion, 0, 0));
 }
 
 void size(const BodySetup& of, const Judge& judge) {
@@ -163,9 +163,9 @@ void volume(const BodySetup& of, const Judge& judge) {
 }
 
 /// Principal values of a symmetric tensor, the largest first.
-std::array<double, 3> principal(const double (&a)[3][3]) {
+Vec<double, 3> principal(const Mat<double, 3>& a) {
   const double components[6] = {a[0][0], a[1][1], a[2][2], a[1][2], a[0][2], a[0][1]};
-  std::array<double, 3> values;
+  Vec<double, 3> values;
   sym6::principal_values(components, values.data());
   return values;
 }
@@ -250,7 +250,7 @@ void prescribed_speed(const BodySetup& of, const Judge& judge) {
   double fastest = 0;
   for (std::size_t i = 1; i < of.places.size(); ++i)
     if (of.places[i].time > of.places[i - 1].time)
-      fastest = std::max(fastest, length(minus(of.places[i].displacement, of.places[i - 1].displacement)) /
+      fastest = std::max(fastest, length(of.places[i].displacement - of.places[i - 1].displacement) /
                                       (of.places[i].time - of.places[i - 1].time));
   if (of.surfaces.sides > 0)
     judge(fastest, of.called() + ": its prescribed speed", "give it in m/s (mm/s and km/h are larger numbers)");
@@ -353,7 +353,7 @@ void soil_gravity(const BodySetup& of, const Judge& judge) {
     // soil in total stresses may have the weight under water by a smaller gravity
     const double scale = of.model.soil()->pressure >= 0 ? 1.0 : length(own) / length(soil);
     if (length(own) > 0)
-      judge(length(minus(own, scaled(scale, soil))) / length(own),
+      judge(length(own - scale * soil) / length(own),
             of.called() + ": the difference of its gravity in stage '" + motion.stage + "', {" + told(own[0]) + ", " +
                 told(own[1]) + (of.dim == 3 ? ", " + told(own[2]) : "") + "} m/s2, from that of physics, over its own,",
             "give the motion's 'gravity' as 'physics' has it");
@@ -411,7 +411,7 @@ void load_points(const BodySetup& of, const Judge& judge) {
       Point at{};
       Parameters(loads.section(name)).add("point", at, "", "");
       double outside = 0;
-      const Point x = plus(of.body.initial_placement().turn(at), 1, of.body.initial_position());
+      const Point x = of.body.initial_placement().turn(at) + of.body.initial_position();
       for (int i = 0; i < of.dim; ++i) outside = std::max({outside, of.box.low[i] - x[i], x[i] - of.box.high[i]});
       judge(outside / of.size,
             of.called() + ": how far the point of load '" + name + "' is outside of it, in its extents,",

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -28,18 +28,17 @@ SideFigures figures(const Mesh& mesh, const Side& side) {
   SideFigures result;
   for (int c = 0; c < count; ++c) {
     result.corners.push_back(mesh.place(block.nodes(side.element, local[c])));
-    result.middle = plus(result.middle, 1.0 / count, result.corners.back());
+    result.middle += 1.0 / count * result.corners.back();
   }
   for (int c = 0; c < (count == 2 ? 1 : count); ++c) {
-    const double edge = length(minus(result.corners[(c + 1) % count], result.corners[c]));
+    const double edge = length(result.corners[(c + 1) % count] - result.corners[c]);
     result.shortest = std::min(result.shortest, edge);
     result.longest = std::max(result.longest, edge);
   }
-  const Point along = minus(result.corners[1], result.corners[0]);
-  const Point across =
-      count == 2 ? Point{along[1], -along[0], 0} : cross(along, minus(result.corners[2], result.corners[0]));
+  const Point along = result.corners[1] - result.corners[0];
+  const Point across = count == 2 ? Point{along[1], -along[0], 0} : cross(along, result.corners[2] - result.corners[0]);
   const double size = length(across);
-  if (size > 0) result.normal = scaled(1 / size, across);
+  if (size > 0) result.normal = 1 / size * across;
   return result;
 }
 
@@ -89,12 +88,13 @@ void BodySetup::follow(const Section& deck) {
                        own.has_section(body.name()) ? own.section(body.name()) : entry.section("motion")});
     if (law->released() && !release) release = law->released();
     const double dt = stage->duration / parts_of_a_stage;
-    for (int i = 0; i < parts_of_a_stage && !release; ++i) {
-      const BodyState next = law->advance(now, time + i * dt, time + (i + 1) * dt);
-      angle += length((next.turn * now.turn.inverse()).vector());
-      now = next;
-      places.push_back({time + (i + 1) * dt, now.displacement, angle});
-    }
+    if (!release)
+      for (int i = 0; i < parts_of_a_stage; ++i) {
+        const BodyState next = law->advance(now, time + i * dt, time + (i + 1) * dt);
+        angle += length((next.turn * now.turn.inverse()).vector());
+        now = next;
+        places.push_back({time + (i + 1) * dt, now.displacement, angle});
+      }
     time += stage->duration;
   }
 }

@@ -5,15 +5,15 @@
 #include <map>
 #include <set>
 
+#include "tensor/vec.hpp"
+
 namespace mudline {
 
 namespace {
 
 constexpr int parts_of_a_stage = 200;
 
-using Vec = std::array<double, 2>;
-
-double distance(const Vec& a, const Vec& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double distance(const PlanePoint& a, const PlanePoint& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
 }  // namespace
 
@@ -38,10 +38,11 @@ void BodyWay::follow(const Model& model) {
     if (motion != before) now.moving_time = 0;
     before = motion;
     const double dt = stage->duration / parts_of_a_stage;
-    for (int i = 0; i < parts_of_a_stage && motion && !release_ && dt > 0; ++i) {
-      now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
-      places_.push_back({time + (i + 1) * dt, in_plane(now.displacement)});
-    }
+    if (motion && !release_ && dt > 0)
+      for (int i = 0; i < parts_of_a_stage; ++i) {
+        now = motion->advance(now, time + i * dt, time + (i + 1) * dt);
+        places_.push_back({time + (i + 1) * dt, in_plane(now.displacement)});
+      }
     time += stage->duration;
   }
 }
@@ -103,7 +104,7 @@ void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
     if (side.other < 0 || !side.first) continue;
     if (blocks[side.block].region == blocks[side.other].region) continue;
     if (!model.ale() && model.soil()->blocks[side.block].made_of == model.soil()->blocks[side.other].made_of) continue;
-    const Vec a = in_plane(positions_[side.nodes[0]]), b = in_plane(positions_[side.nodes[1]]);
+    const PlanePoint a = in_plane(positions_[side.nodes[0]]), b = in_plane(positions_[side.nodes[1]]);
     const std::string name = "'" + blocks[side.block].region + "' and '" + blocks[side.other].region + "'";
     const double length = distance(a, b);
     boundaries_.push_back({a, {(b[0] - a[0]) / length, (b[1] - a[1]) / length}, name});
@@ -111,13 +112,13 @@ void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   }
 }
 
-ContourFoot BodyWay::foot_at(const Vec& displacement, const Vec& point) const {
+ContourFoot BodyWay::foot_at(const PlanePoint& displacement, const PlanePoint& point) const {
   BodyPlacement placement = body_.initial_placement();
   for (int i = 0; i < 2; ++i) placement.centre[i] += displacement[i];
   return body_.closest(placement, point);
 }
 
-double BodyWay::gap(const Vec& displacement) const {
+double BodyWay::gap(const PlanePoint& displacement) const {
   double least = 1e300;
   for (int node : surface_) least = std::min(least, gap_at(displacement, in_plane(positions_[node])));
   return least;
@@ -137,7 +138,7 @@ std::optional<std::size_t> BodyWay::arrival() const {
 
 bool BodyWay::leaves() const {
   const double rounding = 1e-3 * radius_, start = first_gap();
-  Vec step{0, 0};
+  PlanePoint step{0, 0};
   if (places_.size() > 1) {
     double least = 1e300;
     for (std::size_t i = 0; i < places_.size(); i += 10) least = std::min(least, gap(places_[i].displacement));
@@ -169,7 +170,7 @@ double BodyWay::lowest() const {
   return lowest + down;
 }
 
-std::array<double, 2> BodyWay::start_of_fall() const {
+Vec<double, 2> BodyWay::start_of_fall() const {
   if (!release()) return {0, 0};
   Point velocity{}, spin{};
   release()->initial_velocity(velocity, spin);
@@ -187,7 +188,7 @@ std::string BodyWay::crossing() const {
     double left = gap_at({0, 0}, boundary.at);
     if (left < 0) continue;
     for (std::size_t i = 1; i < places_.size(); ++i) {
-      const Vec &now = places_[i].displacement, &before = places_[i - 1].displacement;
+      const PlanePoint &now = places_[i].displacement, &before = places_[i - 1].displacement;
       const double step = distance(now, before);
       left -= step;
       if (left > inside || step == 0) continue;
@@ -203,7 +204,7 @@ std::string BodyWay::crossing() const {
 
 std::string BodyWay::crossing_below(double below) const {
   if (!release() || !release()->releases(1)) return "";
-  const Vec& last = places_.back().displacement;
+  const PlanePoint& last = places_.back().displacement;
   const double tip = body_.initial_position()[1] + last[1], middle = body_.initial_position()[0] + last[0];
   for (const Boundary& boundary : boundaries_)
     if (std::abs(boundary.along[0]) > 0.5 && std::abs(boundary.at[0] - middle) < radius_ && boundary.at[1] < tip &&

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ale/ghosted_mesh.hpp"
 #include "simulation/model.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -15,8 +15,8 @@ namespace mudline {
 class BodyWay {
  public:
   struct Place {
-    double time;                         // [s]
-    std::array<double, 2> displacement;  // [m]
+    double time;                  // [s]
+    Vec<double, 2> displacement;  // [m]
   };
   /// Collective for the caller's `mesh` only.
   BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions);
@@ -44,28 +44,27 @@ class BodyWay {
   std::string crossing() const;
   std::string crossing_below(double below) const;
   /// How a released body starts: velocity and acceleration in y [m/s, m/s2].
-  std::array<double, 2> start_of_fall() const;
+  Vec<double, 2> start_of_fall() const;
   /// Sides of the surfaces under the body, of the caller's mesh, and the radius of the surface's corner that fits it
   /// best (0: it has none).
   const std::vector<const GhostedMesh::BoundarySide*>& sides_under() const { return under_; }
   double surface_corner() const { return corner_; }
-  double surface_reach() const { return reach_; }
   /// Heights [m]: the top of those surfaces, and the lowest that the body may come to, for a released one the mesh's.
   double surface_top() const { return top_; }
   double lowest() const;
 
  private:
   struct Boundary {
-    std::array<double, 2> at, along;
+    Vec<double, 2> at, along;
     std::string name;
   };
   void follow(const Model& model);
   void find_surface(const Model& model, const GhostedMesh& mesh);
   void find_corner(const GhostedMesh& mesh, const std::string& surface);
   void find_boundaries(const Model& model, const GhostedMesh& mesh);
-  double gap(const std::array<double, 2>& displacement) const;
-  ContourFoot foot_at(const std::array<double, 2>& displacement, const std::array<double, 2>& point) const;
-  double gap_at(const std::array<double, 2>& displacement, const std::array<double, 2>& point) const {
+  double gap(const Vec<double, 2>& displacement) const;
+  ContourFoot foot_at(const Vec<double, 2>& displacement, const Vec<double, 2>& point) const;
+  double gap_at(const Vec<double, 2>& displacement, const Vec<double, 2>& point) const {
     return foot_at(displacement, point).gap;
   }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 #include "simulation/output/collective.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

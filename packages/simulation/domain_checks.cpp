@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/shapes.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
 #include "simulation/setup.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 #include "simulation/setup.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -313,10 +313,11 @@ Findings drawdown(const Setup& setup) {
   for (const auto& condition : setup.model().conditions()) {
     const Stage* first = nullptr;
     double begin = 0;
-    for (std::size_t i = 0; i < stages.size() && !first; ++i) {
+    for (std::size_t i = 0; i < stages.size(); ++i) {
       if (stages[i]->type == Stage::Type::geostatic || !Setup::acts(condition->name, *stages[i])) continue;
       first = stages[i].get();
       begin = setup.begin(i);
+      break;
     }
     if (!first) continue;
     Constraints held(setup.model().space().dofs()->num_overlap_dofs());

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil.hpp"
 #include "simulation/setup.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 

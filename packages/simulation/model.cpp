@@ -51,7 +51,6 @@ ContactSets contact_sets(const Section& deck) {
     if (contact.has_parameter("surface")) sets.surfaces.push_back(contact.text("surface"));
     if (!contact.has_parameter("slave") || !contact.has_parameter("master")) continue;
     sets.pairs.emplace_back(contact.text("slave"), contact.text("master"));
-    if (contact.has_parameter("two-pass")) sets.pairs.emplace_back(contact.text("master"), contact.text("slave"));
   }
   for (const auto& pair : sets.pairs) sets.surfaces.push_back(pair.first);
   return sets;

@@ -46,7 +46,6 @@ class Model {
   std::vector<const Term*> all_terms() const;
   /// Mesh motion; null: the mesh goes with the soil.
   const Ale* ale() const { return ale_.get(); }
-  LinearSolver& linear_solver() { return *solver_; }
   const StepTolerances& tolerances() const { return tolerances_; }
   const NewtonOptions& newton() const { return newton_; }
 

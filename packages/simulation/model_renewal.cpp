@@ -109,8 +109,6 @@ void carry_contacts(Model& from, Model& to) {
     for (std::size_t i = 0; i < after.size(); ++i) {
       const ArrayInfo& info = to.store().info(after[i].array);
       const PointView& rows = to.store().committed().arrays[after[i].array];
-      // all ranks skip what nothing outlives a step of
-      if (max_over_ranks(*to.mesh().comm(), after[i].places.empty() ? 0.0 : 1.0) == 0) continue;
       carrier.carry(info, from.store().committed().arrays[before[i].array], before[i], rows, after[i]);
     }
   }

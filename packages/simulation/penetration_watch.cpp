@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/log.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/element_map.hpp"
 #include "integrator/overlap.hpp"
 #include "simulation/pressed_direction.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -56,8 +56,8 @@ double PenetrationWatch::way(const Model& model, const ContactPartners& partners
     return partners.body->way(record.placement, partners.body->placement(model.store().committed()));
   const std::vector<Point> now = places(model, partners);
   double farthest = 0;
-  for (std::size_t i = 0; i < now.size() && i < record.places.size(); ++i)
-    farthest = std::max(farthest, length(minus(now[i], record.places[i])));
+  for (std::size_t i = 0; i < std::min(now.size(), record.places.size()); ++i)
+    farthest = std::max(farthest, length(now[i] - record.places[i]));
   return max_over_ranks(*model.mesh().comm(), farthest);
 }
 
@@ -69,9 +69,9 @@ double PenetrationWatch::shortest_side(const Model& model, const std::string& su
     const std::vector<int> local = side_nodes(block.shape, side.side);
     const int corners = num_corners(side_shape(block.shape));
     for (int c = 0; c < (corners == 2 ? 1 : corners); ++c)
-      shortest = std::min(
-          shortest, length(minus(place_of(state.coordinates, block.nodes(side.element, local[c])),
-                                 place_of(state.coordinates, block.nodes(side.element, local[(c + 1) % corners])))));
+      shortest =
+          std::min(shortest, length(place_of(state.coordinates, block.nodes(side.element, local[c])) -
+                                    place_of(state.coordinates, block.nodes(side.element, local[(c + 1) % corners]))));
   }
   return min_over_ranks(*model.mesh().comm(), shortest);
 }
@@ -93,8 +93,7 @@ PenetrationWatch::Pressed PenetrationWatch::pressed(const Model& model, const st
       const int node = block.nodes(sides[s].element, local[c]),
                 next = block.nodes(sides[s].element, local[(c + 1) % corners]);
       most = std::max(most, pressure[node]);
-      if (c < edges)
-        edge += length(minus(place_of(state.coordinates, node), place_of(state.coordinates, next))) / edges;
+      if (c < edges) edge += length(place_of(state.coordinates, node) - place_of(state.coordinates, next)) / edges;
     }
     if (!(most > 0)) continue;
     const double height =

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,6 @@ class Plausibility {
   /// Reads "plausibility". InputError, also for bodies whose prescribed way crosses a boundary of regions. Collective.
   Plausibility(Model& model, const Section& deck);
   static void document(Parameters& p);
-  const std::vector<std::string>& facts() const { return facts_; }
   const std::vector<std::string>& doubts() const { return usual_.lines(); }
   /// What is usual of the quantities that checks look at, those during a run among them.
   const Doubts& usual() const { return usual_; }

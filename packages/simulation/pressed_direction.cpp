@@ -1,7 +1,7 @@
 #include "simulation/pressed_direction.hpp"
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -29,17 +29,17 @@ Point pressed_direction(const Model& model, const Contact& contact) {
       at.push_back(place_of(state.coordinates, node));
       mean += pressure[node] / corners;
     }
-    const Point along = minus(at[1], at[0]);
+    const Point along = at[1] - at[0];
     Point area{along[1], -along[0], 0};
-    if (corners == 3) area = scaled(0.5, cross(along, minus(at[2], at[0])));
-    if (corners == 4) area = scaled(0.5, cross(minus(at[2], at[0]), minus(at[3], at[1])));
+    if (corners == 3) area = 0.5 * cross(along, at[2] - at[0]);
+    if (corners == 4) area = 0.5 * cross(at[2] - at[0], at[3] - at[1]);
     for (int i = 0; i < 3; ++i) sum[i] += mean * area[i];
     sum[3] += mean * length(area);
   }
   sum = sum_over_ranks(*mesh.comm(), sum);
   const Point resultant{sum[0], sum[1], sum[2]};
   const double size = length(resultant);
-  return size > least * sum[3] ? scaled(1 / size, resultant) : vertical;
+  return size > least * sum[3] ? 1 / size * resultant : vertical;
 }
 
 double pressed_half_width(const Model& model, const Contact& contact) {

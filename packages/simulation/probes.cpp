@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -64,8 +64,9 @@ Probes::NodeProbe Probes::nearest_node(const ProbeSettings& settings) const {
     probe.dof.push_back(owner == comm.getRank() ? dof : -1);
     if (space.field(f).name != "pore pressure") continue;
     long long mine_is = -1, nearest_node = -1;
-    for (int node = 0; owner == comm.getRank() && node < model_.mesh().num_owned_nodes(); ++node)
-      if (space.node_dof(f)(node) == dof) mine_is = model_.mesh().node_ids()[node];
+    if (owner == comm.getRank())
+      for (int node = 0; node < model_.mesh().num_owned_nodes(); ++node)
+        if (space.node_dof(f)(node) == dof) mine_is = model_.mesh().node_ids()[node];
     Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 1, &mine_is, &nearest_node);
     probe.around = elements_at(nearest_node);
   }
@@ -93,7 +94,7 @@ Point Probes::place(const ProbeSettings& probe, const State& state) const {
   if (probe.moves_with.empty()) return probe.point;
   const RigidBody& body = *model_.bodies().at(probe.moves_with);
   const BodyPlacement start = body.initial_placement(), now = body.placement(state);
-  return plus(now.centre, 1, now.turn(start.turn.back(minus(probe.point, start.centre))));
+  return now.centre + now.turn(start.turn.back(probe.point - start.centre));
 }
 
 double Probes::distance(const MeshPlace& place, const Point& at, const Positions& x) const {
@@ -102,7 +103,7 @@ double Probes::distance(const MeshPlace& place, const Point& at, const Positions
   double N[27], dN[81];
   evaluate_shape(element.shape, place.xi, N, dN);
   Point off = at;
-  for (int a = 0; a < num_nodes(element.shape); ++a) off = plus(off, -N[a], x[element.nodes[a]]);
+  for (int a = 0; a < num_nodes(element.shape); ++a) off -= N[a] * x[element.nodes[a]];
   return length(off);
 }
 
@@ -112,13 +113,14 @@ MeshPlace Probes::place_in_soil(const Point& at, const PointLocator& locator, co
   for (int e = 0; e < static_cast<int>(mesh_->elements().size()); ++e) {
     const auto& element = mesh_->elements()[e];
     bool near = true;  // a curved element stays within its nodes' box, half as large again on each side
-    for (int i = 0; i < mesh_->dimension() && near; ++i) {
+    for (int i = 0; i < mesh_->dimension(); ++i) {
       double low = 1e300, high = -1e300;
       for (int a = 0; a < num_nodes(element.shape); ++a) {
         low = std::min(low, x[element.nodes[a]][i]);
         high = std::max(high, x[element.nodes[a]][i]);
       }
       near = std::abs(at[i] - 0.5 * (low + high)) <= high - low;
+      if (!near) break;
     }
     MeshPlace here{e};
     if (!near || !locator.invert(e, at, here.xi)) continue;

@@ -125,7 +125,8 @@ void redistribute(const std::vector<double>& from, const std::vector<long long>&
   std::vector<double> sums(to.rows.shares ? from.size() : 0, 0.0);
   for (std::size_t row = 0; row < ids.size(); ++row) {
     const std::size_t place = first.emplace(ids[row], row).first->second;
-    for (std::size_t c = 0; to.rows.shares && c < columns; ++c) sums[place * columns + c] += from[row * columns + c];
+    if (to.rows.shares)
+      for (std::size_t c = 0; c < columns; ++c) sums[place * columns + c] += from[row * columns + c];
   }
   const std::vector<double>& values = to.rows.shares ? sums : from;
   for (std::size_t row = 0; row < rows; ++row) {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/run_error.hpp"
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 #include "simulation/output/collective.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -26,13 +26,13 @@ BodyOutline outline_of(const RigidBody& body) {
   }
   const BodyPlacement start = body.initial_placement();
   const Point at = body.initial_position();
-  for (Point& point : outline.points) point = plus(start.turn(point), 1, at);
+  for (Point& point : outline.points) point = start.turn(point) + at;
   return outline;
 }
 
 BodyPose pose_of(const RigidBody& body, const State& state) {
   const BodyPlacement now = body.placement(state), start = body.initial_placement();
-  return {minus(now.centre, start.centre), now.turn * start.turn.inverse(), start.centre};
+  return {now.centre - start.centre, now.turn * start.turn.inverse(), start.centre};
 }
 
 }  // namespace

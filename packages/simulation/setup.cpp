@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -103,11 +103,12 @@ Span Setup::given(const Section& section, const std::string& name, double from, 
   const auto value = function(section, name);
   if (!value) return span;
   Bounds box = mesh().bounds();
-  for (int i = 0; i < dimension() && where; ++i)
-    if (where->box[i].known()) {
-      box.low[i] = where->box[i].low;
-      box.high[i] = where->box[i].high;
-    }
+  if (where)
+    for (int i = 0; i < dimension(); ++i)
+      if (where->box[i].known()) {
+        box.low[i] = where->box[i].low;
+        box.high[i] = where->box[i].high;
+      }
   const int corners = value->is_constant() ? 0 : 1 << dimension(), times = value->steady() ? 0 : moments;
   for (int corner = 0; corner <= corners; ++corner) {  // the last: the middle
     Point x{};
@@ -181,8 +182,8 @@ const Setup::SetFigures& Setup::set(const std::string& name) const {
       const std::vector<int> local = side_nodes(block.shape, side.side);
       const auto at = [&](int a) { return mesh().place(block.nodes(side.element, local[a])); };
       const int corners = num_corners(side_shape(block.shape));
-      const Point across = minus(at(corners == 4 ? 2 : 1), at(0));
-      const Point other = dimension() == 3 ? minus(at(corners == 4 ? 3 : 2), at(corners == 4 ? 1 : 0)) : Point{0, 0, 1};
+      const Point across = at(corners == 4 ? 2 : 1) - at(0);
+      const Point other = dimension() == 3 ? at(corners == 4 ? 3 : 2) - at(corners == 4 ? 1 : 0) : Point{0, 0, 1};
       const Point normal = cross(across, other);
       sums[0] += 1;
       for (int i = 0; i < 3; ++i) sums[1 + i] += normal[i];
@@ -200,10 +201,11 @@ const Setup::SetFigures& Setup::set(const std::string& name) const {
     figures.box[i] = {min_over_ranks(comm, figures.box[i].low), max_over_ranks(comm, figures.box[i].high)};
   figures.order = static_cast<int>(max_over_ranks(comm, order));
   figures.sides = static_cast<int>(sums[0]);
-  for (int i = 0; i < 3 && sums[4] > 0; ++i) {
-    figures.normal[i] = sums[1 + i] / sums[4];
-    figures.side[i] = sums[5 + i] / sums[0];
-  }
+  if (sums[4] > 0)
+    for (int i = 0; i < 3; ++i) {
+      figures.normal[i] = sums[1 + i] / sums[4];
+      figures.side[i] = sums[5 + i] / sums[0];
+    }
   return figures;
 }
 

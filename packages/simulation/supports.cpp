@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
 #include "integrator/overlap.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -22,8 +22,8 @@ Point axis(int direction) {
 /// Unit normal of the plane through the first corners of a side.
 Point side_normal(const Mesh& mesh, const std::vector<int>& nodes) {
   const Point a = mesh.place(nodes[0]), b = mesh.place(nodes[1]);
-  const Point normal = cross(minus(b, a), mesh.dimension() == 3 ? minus(mesh.place(nodes[2]), a) : axis(2));
-  return scaled(1 / length(normal), normal);
+  const Point normal = cross(b - a, mesh.dimension() == 3 ? mesh.place(nodes[2]) - a : axis(2));
+  return 1 / length(normal) * normal;
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ class Supports::Gram {
   explicit Gram(int size) : size_(size), entries_(static_cast<std::size_t>(size) * size, 0.0) {}
   void add(const Row& row) {
     for (int i = 0; i < size_; ++i)
-      for (int j = 0; row[i] != 0 && j < size_; ++j) entries_[i * size_ + j] += row[i] * row[j];
+      if (row[i] != 0)
+        for (int j = 0; j < size_; ++j) entries_[i * size_ + j] += row[i] * row[j];
   }
   /// Adds up what the ranks have.
   void sum(const Comm& comm) { entries_ = sum_over_ranks(comm, entries_); }
@@ -156,7 +157,7 @@ void Supports::Collector::displace(int mover, const Point& at, const Point& alon
     if (motions_[k].mover != mover) continue;
     const Mover& m = movers_[mover];
     const int direction = motions_[k].direction;
-    const Point moment = cross(minus(at, m.centre), along);
+    const Point moment = cross(at - m.centre, along);
     row[k] += factor * (direction < axes ? along[direction] : moment[axes == 2 ? 2 : direction - 3] / m.size);
   }
 }
@@ -192,8 +193,10 @@ void Supports::Collector::add_contact(const ContactPartners& contact, bool press
       const int part = supports_.mesh_parts_.of_node[node];
       const Point p = mesh.place(node);
       const int other = contact.body ? body : supports_.nearest_part(contact.opposite, p);
-      if (!all_directions) resist(part, other, p, normal);
-      for (int i = 0; all_directions && i < supports_.dimension(); ++i) resist(part, other, p, axis(i));
+      if (all_directions)
+        for (int i = 0; i < supports_.dimension(); ++i) resist(part, other, p, axis(i));
+      else
+        resist(part, other, p, normal);
     }
   }
 }
@@ -236,7 +239,7 @@ int Supports::nearest_part(const std::string& set, const Point& at) const {
   int nearest = 0;
   double least = 1e300;
   for (int node : model_.mesh().nodes_of_set(set)) {
-    const double here = length(minus(model_.mesh().place(node), at));
+    const double here = length(model_.mesh().place(node) - at);
     if (here >= least) continue;
     least = here;
     nearest = mesh_parts_.of_node[node];

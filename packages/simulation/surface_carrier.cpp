@@ -196,7 +196,8 @@ std::vector<SurfaceCarrier::Origin> SurfaceCarrier::origins(const std::vector<do
     std::vector<FacePlace> places;
     for (int row : near) places.push_back(xi[row]);
     const std::vector<double> weights = fit_weights(places, there.xi);
-    for (std::size_t k = 0; k < near.size() && !origin.same; ++k) origin.weights.emplace_back(near[k], weights[k]);
+    if (!origin.same)
+      for (std::size_t k = 0; k < near.size(); ++k) origin.weights.emplace_back(near[k], weights[k]);
     if (origin.weights.empty()) origin.weights.emplace_back(origin.nearest, 1.0);
     result.push_back(std::move(origin));
   }
@@ -215,10 +216,11 @@ void SurfaceCarrier::carry_in_space(const ArrayInfo& info, const PointView& old,
       for (std::size_t row = 0; row < old.extent(0); ++row) values.push_back(old(row, column));
       values = of_all_ranks(comm_, values);
       double total = 0;
-      for (std::size_t row = 0; kind == Kind::total && row < values.size(); ++row) {
-        total += values[row];
-        values[row] /= std::max(areas[row], 1e-300);
-      }
+      if (kind == Kind::total)
+        for (std::size_t row = 0; row < values.size(); ++row) {
+          total += values[row];
+          values[row] /= std::max(areas[row], 1e-300);
+        }
       std::vector<double> made;
       for (const Origin& origin : made_of) {
         double sum = 0, least = 1e300, most = -1e300;

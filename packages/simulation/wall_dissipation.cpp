@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/space_vector.hpp"
 #include "discretisation/side_map.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
 #include "simulation/pressed_direction.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -35,7 +35,7 @@ std::array<double, 2> extents(const ElementBlock& block, const SoilBlock& b, con
     result[0] += rule.weights[q] * map.stretch;
   }
   for (int q = 0; q < b.points; ++q) {
-    double slope[Dim][Dim] = {};
+    Mat<double, Dim> slope = {};
     for (int a = 0; a < b.u.nodes; ++a)
       for (int i = 0; i < Dim; ++i)
         for (int k = 0; k < Dim; ++k) slope[i][k] += x(block.nodes(side.element, a), i) * b.u.dN(q, a, k);
@@ -105,7 +105,7 @@ std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, cons
     const double width = pressed_half_width(model, *contact);
     const Wall now = look(model, *contact, excess);
     // the set-up of a body that rests
-    const bool rested = length(minus(body.position(model.store().committed()), start->second.position)) < 0.01 * width;
+    const bool rested = length(body.position(model.store().committed()) - start->second.position) < 0.01 * width;
     if (!rested || !(now.area > 0) || !(start->second.pressure > 0) || now.pressure >= start->second.pressure) continue;
     char text[300];
     const double way = std::sqrt(now.diffusivity * duration);

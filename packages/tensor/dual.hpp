@@ -2,7 +2,7 @@
 
 #include <math.h>  // the unqualified functions exist on every device, std:: ones need compiler flags
 
-#include <Kokkos_Core.hpp>
+#include <Kokkos_Macros.hpp>
 
 #include <type_traits>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Kokkos_Core.hpp>
+#include <Kokkos_Macros.hpp>
 
 #include <cmath>
 
-#include "tensor/small_matrix.hpp"
+#include "tensor/mat.hpp"
 #include "tensor/sym6.hpp"
 
 namespace mudline {
@@ -28,14 +28,16 @@ struct MidpointRule {
   /// Place of component k among the six.
   KOKKOS_FORCEINLINE_FUNCTION static constexpr int place(int k) { return Dim == 2 && k == 3 ? 5 : k; }
 
-  double gradient[Dim][Dim], hoop_gradient;  // H
-  double spin[spins];                        // axial vector of skew H [-]
-  double rotation[Dim][Dim], half[Dim][Dim];
-  double strain[Dim][Dim], hoop;  // increment, tensor components, axes of the end
-  double log_volume;              // ln J, J = dv_{n+1} / dv_n
+  Mat<double, Dim> gradient;
+  double hoop_gradient;  // H
+  double spin[spins];    // axial vector of skew H [-]
+  Mat<double, Dim> rotation, half;
+  Mat<double, Dim> strain;
+  double hoop;        // increment, tensor components, axes of the end
+  double log_volume;  // ln J, J = dv_{n+1} / dv_n
 
   /// `valid`: the configurations are not inverted; otherwise ln J is 0 and the increment means nothing.
-  KOKKOS_FORCEINLINE_FUNCTION void evaluate(const double (&H)[Dim][Dim], double hoop_of_H, bool valid) {
+  KOKKOS_FORCEINLINE_FUNCTION void evaluate(const Mat<double, Dim>& H, double hoop_of_H, bool valid) {
     double trace = 0;
     for (int i = 0; i < Dim; ++i) {
       trace += H[i][i];
@@ -87,7 +89,7 @@ struct MidpointRule {
   /// answers. `turn`: the rotation [-] of that displacement.
   KOKKOS_FORCEINLINE_FUNCTION void variation(int j, int m, double* e, double (&turn)[spins]) const {
     // dH = (1 - H/2) G (1 + H/2), exactly: the midpoint moves with half the displacement
-    double dH[Dim][Dim];
+    Mat<double, Dim> dH;
     for (int i = 0; i < Dim; ++i)
       for (int l = 0; l < Dim; ++l)
         dH[i][l] = ((i == j ? 1.0 : 0.0) - 0.5 * gradient[i][j]) * ((m == l ? 1.0 : 0.0) + 0.5 * gradient[m][l]);
@@ -95,13 +97,13 @@ struct MidpointRule {
   }
   /// The same for a unit of u_r / r.
   KOKKOS_FORCEINLINE_FUNCTION void hoop_variation(double* e, double (&turn)[spins]) const {
-    const double dH[Dim][Dim] = {};
+    const Mat<double, Dim> dH = {};
     vary(dH, (1 - 0.5 * hoop_gradient) * (1 + 0.5 * hoop_gradient), 1.0, e, turn);
   }
 
   /// W s - s W of a symmetric tensor of six stress-like components, W the skew tensor of a spin.
   KOKKOS_FORCEINLINE_FUNCTION static void turn_stress(const double (&w)[spins], const double* s, double* out) {
-    double full[Dim][Dim], change[Dim][Dim];
+    Mat<double, Dim> full, change;
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) full[i][j] = s[six(i, j)];
     commute(w, full, change);
@@ -111,7 +113,7 @@ struct MidpointRule {
   }
 
  private:
-  KOKKOS_FORCEINLINE_FUNCTION static void axial(const double (&a)[Dim][Dim], double (&w)[spins]) {
+  KOKKOS_FORCEINLINE_FUNCTION static void axial(const Mat<double, Dim>& a, double (&w)[spins]) {
     if constexpr (Dim == 3) {
       w[0] = 0.5 * (a[2][1] - a[1][2]);
       w[1] = 0.5 * (a[0][2] - a[2][0]);
@@ -120,7 +122,7 @@ struct MidpointRule {
       w[0] = 0.5 * (a[1][0] - a[0][1]);
     }
   }
-  KOKKOS_FORCEINLINE_FUNCTION static void skew(const double (&w)[spins], double (&out)[Dim][Dim]) {
+  KOKKOS_FORCEINLINE_FUNCTION static void skew(const double (&w)[spins], Mat<double, Dim>& out) {
     const double z = w[spins - 1];
     for (int i = 0; i < Dim; ++i) out[i][i] = 0;
     out[0][1] = -z;
@@ -134,8 +136,8 @@ struct MidpointRule {
   }
   /// The rotation of the quaternion (s, v), whose length is free; square = v.v.
   KOKKOS_FORCEINLINE_FUNCTION static void turn_by(double s, const double (&v)[spins], double square,
-                                                  double (&out)[Dim][Dim]) {
-    double V[Dim][Dim];
+                                                  Mat<double, Dim>& out) {
+    Mat<double, Dim> V;
     skew(v, V);
     const double factor = 1.0 / (s * s + square);
     for (int i = 0; i < Dim; ++i)
@@ -146,9 +148,9 @@ struct MidpointRule {
       }
   }
   /// W a - a W.
-  KOKKOS_FORCEINLINE_FUNCTION static void commute(const double (&w)[spins], const double (&a)[Dim][Dim],
-                                                  double (&out)[Dim][Dim]) {
-    double W[Dim][Dim];
+  KOKKOS_FORCEINLINE_FUNCTION static void commute(const double (&w)[spins], const Mat<double, Dim>& a,
+                                                  Mat<double, Dim>& out) {
+    Mat<double, Dim> W;
     skew(w, W);
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) {
@@ -156,7 +158,7 @@ struct MidpointRule {
         for (int k = 0; k < Dim; ++k) out[i][j] += W[i][k] * a[k][j] - a[i][k] * W[k][j];
       }
   }
-  KOKKOS_FORCEINLINE_FUNCTION static void set_volume(double (&e)[Dim][Dim], double& out_of_plane, double volume) {
+  KOKKOS_FORCEINLINE_FUNCTION static void set_volume(Mat<double, Dim>& e, double& out_of_plane, double volume) {
     double trace = Dim == 2 ? out_of_plane : 0.0;
     for (int i = 0; i < Dim; ++i) trace += e[i][i];
     const double shift = (volume - trace) / 3;
@@ -164,8 +166,8 @@ struct MidpointRule {
     out_of_plane += shift;
   }
   /// From the axes of the midpoint to those of the end.
-  KOKKOS_FORCEINLINE_FUNCTION void turn_half(double (&e)[Dim][Dim]) const {
-    double left[Dim][Dim];
+  KOKKOS_FORCEINLINE_FUNCTION void turn_half(Mat<double, Dim>& e) const {
+    Mat<double, Dim> left;
     for (int i = 0; i < Dim; ++i)
       for (int l = 0; l < Dim; ++l) {
         left[i][l] = 0;
@@ -177,7 +179,7 @@ struct MidpointRule {
         for (int l = 0; l < Dim; ++l) e[i][j] += left[i][l] * half[j][l];
       }
   }
-  KOKKOS_FORCEINLINE_FUNCTION static void to_six(const double (&e)[Dim][Dim], double out_of_plane, double* out) {
+  KOKKOS_FORCEINLINE_FUNCTION static void to_six(const Mat<double, Dim>& e, double out_of_plane, double* out) {
     for (int c = 0; c < 6; ++c) out[c] = 0;
     out[2] = out_of_plane;
     for (int i = 0; i < Dim; ++i) {
@@ -185,9 +187,10 @@ struct MidpointRule {
       for (int j = i + 1; j < Dim; ++j) out[six(i, j)] = e[i][j] + e[j][i];
     }
   }
-  KOKKOS_FORCEINLINE_FUNCTION void vary(const double (&dH)[Dim][Dim], double dhoop, double volume, double* e,
+  KOKKOS_FORCEINLINE_FUNCTION void vary(const Mat<double, Dim>& dH, double dhoop, double volume, double* e,
                                         double (&turn)[spins]) const {
-    double d[Dim][Dim], dw[spins];
+    Mat<double, Dim> d;
+    double dw[spins];
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) d[i][j] = 0.5 * (dH[i][j] + dH[j][i]);
     set_volume(d, dhoop, volume);
@@ -204,7 +207,8 @@ struct MidpointRule {
       for (int k = 0; k < 3; ++k)
         cross[k] = 0.5 * (v[(k + 1) % 3] * dw[(k + 2) % 3] - v[(k + 2) % 3] * dw[(k + 1) % 3]);
     const double root = ::sqrt(1 + square), s = 1 + root, ds = along / root;
-    double less[spins], change[Dim][Dim];
+    Mat<double, Dim> change;
+    double less[spins];
     for (int k = 0; k < spins; ++k) {
       turn[k] = 2 * (0.5 * dw[k] + cross[k]) / (1 + square);
       less[k] = 2 * (s * 0.5 * dw[k] - ds * v[k] + cross[k]) / (s * s + square) - turn[k];

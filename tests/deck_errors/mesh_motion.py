@@ -23,7 +23,9 @@ def part_of(name, *parameters):
 DECKS = [
     Wrong("mesh motion type", part("interior", "optimization"),
           "mesh motion/interior/type: unknown mesh motion type 'optimization' (did you mean 'optimisation'?); "
-          "known types: optimisation, Winslow, elastic, artificial, Laplace", ranks=BOTH),
+          "known types: optimisation, elastic", ranks=BOTH),
+    Wrong("mesh motion of old", part("interior", "Winslow"),
+          "mesh motion/interior/type: unknown mesh motion type 'Winslow'; known types: optimisation, elastic"),
     Wrong("remap type", part("remap", "convektion"),
           "mesh motion/remap/type: unknown remap type 'convektion' (did you mean 'convection'?); known types: convection"),
     Wrong("mesh motion part", motion('<ParameterList name="boundry"/>'), "mesh motion/boundry: unknown section (did you mean 'boundary'?)"),
@@ -44,6 +46,4 @@ DECKS = [
           "mesh motion/remeshing/when quality below: 1 is out of range; allowed: [0, 1)"),
     Wrong("remeshing of quadrilaterals", part_of("remeshing"),
           "mesh motion/remeshing: the mesh has cells quad9; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be made anew", ranks=BOTH),
-    Wrong("artificial motion without period", part("interior", "artificial"),
-          "mesh motion/interior: required parameter 'period' is missing"),
 ]

@@ -217,8 +217,6 @@ DECKS = [
     with_pair("pair of too high a degree", parameter("quadrature degree", "int", "9"), "contacts/face/quadrature degree: 9 is out of range; allowed: [1, 8]"),
     with_pair("pair without a master", parameter("mster", "string", "bottom"), "contacts/face/mster: unknown parameter (did you mean 'master'?)"),
     with_ball("unknown body in space", [(BODY, parameter("body", "string", "bal"))], "contacts/face/body: unknown body 'bal' (did you mean 'ball'?)", at=parameter("body", "string", "bal")),
-    wrong("motion of the plane", with_section("mesh motion", "interior", parameter("type", "string", "Winslow")),
-          "mesh motion/interior/type: Winslow is for meshes of the plane", ranks=BOTH),
     wrong("sliding boundary", with_section("mesh motion", "boundary", parameter("material sides", "Array(string)", "{tops}")),
           "mesh motion/boundary/material sides: unknown side set 'tops' (did you mean 'top'?)", ranks=BOTH),
     wrong("remeshing of hexahedra", [with_section("mesh motion", "remeshing", parameter("least steps", "int", "5")), (CELL, parameter("cell", "string", "hex27"))],

@@ -13,11 +13,11 @@ import sys
 # siblings, and so are physics and bodies; contact and materials see no matrices, so that their kernels stay light and
 # portable.
 ARROWS = {
-    "core": [],
     "tensor": [],
-    "algebra": ["core"],
+    "core": ["tensor"],
+    "algebra": ["core", "tensor"],
     "discretisation": ["core", "tensor", "algebra"],
-    "geometry": ["core", "discretisation"],
+    "geometry": ["core", "tensor", "discretisation"],
     "materials": ["core", "tensor"],
     "framework": ["core", "tensor", "algebra", "discretisation", "materials"],
     "physics": ["core", "tensor", "algebra", "discretisation", "materials", "framework"],

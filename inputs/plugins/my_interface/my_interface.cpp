@@ -7,32 +7,35 @@
 
 namespace {
 
-// Trivially copyable, so that kernels can take it along, to a device too.
-struct WeakeningInterface {
-  double peak = 0, residual = 0, length = 1;
-
+class WeakeningInterface : public mudline::Friction {
+ public:
   void parameters(mudline::Parameters& p) {
-    p.required("peak coefficient", peak, "-", mudline::non_negative(),
+    p.required("peak coefficient", peak_, "-", mudline::non_negative(),
                "Friction coefficient of a point that has not slid");
-    p.required("residual coefficient", residual, "-", mudline::non_negative(), "Friction coefficient after a long way");
-    p.required("weakening length", length, "m", mudline::positive(),
+    p.required("residual coefficient", residual_, "-", mudline::non_negative(),
+               "Friction coefficient after a long way");
+    p.required("weakening length", length_, "m", mudline::positive(),
                "Path over which the strength falls by a factor of e");
+    interface_parameters(p);  // those that all laws share
   }
   void check(const mudline::Section& section) const {
-    if (residual > peak) section.fail("must not be above the peak coefficient", "residual coefficient");
+    if (residual_ > peak_) section.fail("must not be above the peak coefficient", "residual coefficient");
   }
-  static constexpr bool reads_slip = true;
+  bool reads_slip() const override { return true; }
   // Pure. `at.slip` is the path at the start of the step: within a step the coefficient is constant, the slope exact.
-  KOKKOS_FUNCTION mudline::ShearStrength operator()(const mudline::FrictionPoint& at) const {
-    const double coefficient = residual + (peak - residual) * std::exp(-at.slip / length);
+  mudline::ShearStrength strength(const mudline::FrictionPoint& at) const override {
+    const double coefficient = residual_ + (peak_ - residual_) * std::exp(-at.slip / length_);
     if (at.normal <= 0) return {0, 0};
     return {coefficient * at.normal, coefficient};
   }
+
+ private:
+  double peak_ = 0, residual_ = 0, length_ = 1;
 };
 
 }  // namespace
 
 MUDLINE_PLUGIN(registries) {
-  registries.frictions.add<mudline::PointwiseFriction<WeakeningInterface>>(
-      "weakening interface", "Friction coefficient that falls with the path slid");
+  registries.frictions.add<WeakeningInterface>("weakening interface",
+                                               "Friction coefficient that falls with the path slid");
 }

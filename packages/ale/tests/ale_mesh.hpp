@@ -9,6 +9,7 @@
 #include "ale/ghosted_mesh.hpp"
 #include "core/deck.hpp"
 #include "physics/soil.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline::testing {
 
@@ -60,13 +61,14 @@ inline std::unique_ptr<Mesh> box(CellShape shape, int n, double distortion = 0.2
   }
   // middle nodes between their ends, centres between all
   const int nodes = num_nodes(shape), corners = num_corners(shape);
-  for (std::size_t e = 0; order(shape) == 2 && e < block.nodes.size(); e += nodes)
-    for (int s = 0; s < corners; ++s)
-      for (int d = 0; d < 2; ++d) {
-        const auto &a = global.coordinates[block.nodes[e + s]],
-                   &b = global.coordinates[block.nodes[e + (s + 1) % corners]];
-        global.coordinates[block.nodes[e + corners + s]][d] = 0.5 * (a[d] + b[d]);
-      }
+  if (order(shape) == 2)
+    for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
+      for (int s = 0; s < corners; ++s)
+        for (int d = 0; d < 2; ++d) {
+          const auto &a = global.coordinates[block.nodes[e + s]],
+                     &b = global.coordinates[block.nodes[e + (s + 1) % corners]];
+          global.coordinates[block.nodes[e + corners + s]][d] = 0.5 * (a[d] + b[d]);
+        }
   if (shape == CellShape::quad9)
     for (std::size_t e = 0; e < block.nodes.size(); e += nodes)
       for (int d = 0; d < 2; ++d) {
@@ -119,7 +121,8 @@ inline double grains(const GhostedMesh& mesh, const SoilBlock& block, const Posi
   for (int e : mesh.block_elements(block.block)) {
     const auto& nodes = mesh.elements()[e].nodes;
     for (int q = 0; q < block.points; ++q) {
-      double j[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, r = 0;
+      Mat<double, 3> j = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+      double r = 0;
       for (int i = 0; i < mesh.dimension(); ++i)
         for (int k = 0; k < mesh.dimension(); ++k) {
           j[i][k] = 0;

@@ -5,6 +5,7 @@
 
 #include "ale/conservation.hpp"
 #include "ale_mesh.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -140,8 +141,8 @@ TEST(LayerRemap, FieldsThatAreLinearInEachLayerSurviveWhereverItsPointsGo) {
 }
 
 /// Volumes of the grains of each layer, by the shares of each point, written out independently.
-std::array<double, 2> grains_of(const Layers& layers, const std::vector<double>& rows, const Positions& x) {
-  std::array<double, 2> sum{};
+Vec<double, 2> grains_of(const Layers& layers, const std::vector<double>& rows, const Positions& x) {
+  Vec<double, 2> sum{};
   for (int e : layers.whole.block_elements(0)) {
     const auto& nodes = layers.whole.elements()[e].nodes;
     const auto of = [&](int q) {

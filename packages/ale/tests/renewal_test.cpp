@@ -7,8 +7,8 @@
 #include "ale/recovery.hpp"
 #include "ale_mesh.hpp"
 #include "core/deck.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/triangulation.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -188,7 +188,7 @@ struct RenewedCube {
       for (int a = num_corners(shape); a < num_nodes(shape); ++a) {
         const auto [from, to] = edge_corners(shape, a - num_corners(shape));
         if (!whole.on_boundary(element.nodes[a]))
-          x[element.nodes[a]] = scaled(0.5, plus(x[element.nodes[from]], 1, x[element.nodes[to]]));
+          x[element.nodes[a]] = 0.5 * (x[element.nodes[from]] + x[element.nodes[to]]);
       }
     made = plan->make(x, State(), 0.05, nullptr);
     next = std::make_unique<Mesh>(Tpetra::getDefaultComm(), Geometry::space, made.mesh);
@@ -227,7 +227,7 @@ TEST(MeshRenewalInSpace, TheBoundaryIsMeshedAnewAndEverythingKeepsItsName) {
         const auto& element = cube.anew->elements()[side.element];
         const std::vector<int> at = side_nodes(element.shape, side.side);
         const auto corner = [&](int k) { return cube.now[element.nodes[at[k]]]; };
-        area[name] += 0.5 * length(cross(minus(corner(1), corner(0)), minus(corner(2), corner(0))));
+        area[name] += 0.5 * length(cross(corner(1) - corner(0), corner(2) - corner(0)));
         for (int a : at) {
           if (name == "bottom") EXPECT_EQ(cube.now[element.nodes[a]][2], 0.0);
           if (name == "back") EXPECT_EQ(cube.now[element.nodes[a]][1], 1.1);
@@ -283,10 +283,10 @@ TEST(MeshRenewalInSpace, ElementsOnARidgeAreSound) {
     const auto& element = cube.anew->elements()[side.element];
     std::vector<Point> x;
     for (int a : side_nodes(element.shape, side.side)) x.push_back(cube.now[element.nodes[a]]);
-    const Point area = cross(minus(x[1], x[0]), minus(x[2], x[0]));
+    const Point area = cross(x[1] - x[0], x[2] - x[0]);
     for (int k = 0; k < 3; ++k) {
-      const Point centre = scaled(0.5, plus(x[k], 1, x[(k + 1) % 3]));
-      const double bulge = dot(minus(x[3 + k], centre), unit(area)) / distance(x[k], x[(k + 1) % 3]);
+      const Point centre = 0.5 * (x[k] + x[(k + 1) % 3]);
+      const double bulge = dot(x[3 + k] - centre, unit(area)) / distance(x[k], x[(k + 1) % 3]);
       if (old.count(x[3 + k])) continue;
       EXPECT_LT(bulge, 0.13);  // 0.1 along the normal of the old surface
       limited += bulge > 0.07;

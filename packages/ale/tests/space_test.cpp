@@ -10,6 +10,7 @@
 #include "ale/surface_motion.hpp"
 #include "ale/vertex_colours.hpp"
 #include "ale_mesh.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -134,7 +135,7 @@ TEST_P(EveryCellOfSpace, NearestOnTheBoundaryBeatsEveryOtherPointOfIt) {
         const bool triangle = is_simplex(GetParam());
         for (int i = 0; i <= 20; ++i)
           for (int j = 0; j <= (triangle ? 20 - i : 20); ++j) {
-            std::array<double, 2> on{i / 20.0, j / 20.0};
+            Vec<double, 2> on{i / 20.0, j / 20.0};
             for (double& c : on) c = triangle ? c : 2 * c - 1;
             MeshPlace there{e, {}};
             const auto xi = on_side(GetParam(), s, on);
@@ -176,16 +177,13 @@ TEST_P(EveryCellOfSpace, TheInsideFollowsThePushedBoundaryAndNothingFolds) {
   corners.add_tangents(pushed, pushed);
   const double before = lowest_determinant(pushed);
   ASSERT_GT(before, 0);
-  for (int type = 0; type < 3; ++type) {
+  for (int type = 0; type < 2; ++type) {
     std::unique_ptr<InteriorMotion> motion;
     if (type == 0) motion = std::make_unique<OptimisationMotion>();
     if (type == 1) motion = std::make_unique<ElasticMotion>();
-    if (type == 2) motion = std::make_unique<LaplaceMotion>();
     Positions x = pushed;
     motion->move({whole, corners, source, source, movable, colours}, x);
-    if (type < 2) {
-      EXPECT_GT(lowest_determinant(x), 1.2 * before) << type;
-    }
+    EXPECT_GT(lowest_determinant(x), 1.2 * before) << type;
     int moved = 0;
     for (int node = 0; node < whole.num_nodes(); ++node) {
       moved += x[node] != pushed[node];
@@ -201,7 +199,8 @@ TEST_P(EveryCellOfSpace, TheInsideFollowsThePushedBoundaryAndNothingFolds) {
 TEST_P(EveryCellOfSpace, OptimisationBringsTheMeshBack) {
   Positions source = start, x = start;
   for (int node = 0; node < whole.num_nodes(); ++node)
-    for (int d = 0; d < 3 && movable[node]; ++d) x[node][d] += 0.06 * std::sin(1.7 * node + 2.1 * d);
+    if (movable[node])
+      for (int d = 0; d < 3; ++d) x[node][d] += 0.06 * std::sin(1.7 * node + 2.1 * d);
   corners.add_tangents(start, source);
   corners.add_tangents(start, x);
   ASSERT_GT(lowest_determinant(x), 0);
@@ -313,8 +312,9 @@ TEST_P(EveryCellOfSpace, BoundaryNodesSlideInTheirPlanesAndTheirValuesComeFromTh
   // vertices inside the faces are off along them; middles, and nodes inside, follow
   Positions x_old = start;
   for (int node = 0; node < whole.num_nodes(); ++node)
-    for (int d = 0; whole.is_vertex(node) && surfaces.patch_of[node] >= 0 && d < 3; ++d)
-      if (start[node][d] != 0 && start[node][d] != 1) x_old[node][d] += 0.05 * std::sin(1.7 * node + d);
+    if (whole.is_vertex(node) && surfaces.patch_of[node] >= 0)
+      for (int d = 0; d < 3; ++d)
+        if (start[node][d] != 0 && start[node][d] != 1) x_old[node][d] += 0.05 * std::sin(1.7 * node + d);
   for (const auto& element : whole.elements())
     for (int a = num_corners(element.shape); a < num_nodes(element.shape); ++a) {
       const std::vector<int> around = corners_around(element.shape, a);

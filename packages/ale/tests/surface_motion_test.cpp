@@ -6,7 +6,7 @@
 
 #include "ale/surface_motion.hpp"
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -31,7 +31,7 @@ struct Grid {
   void add(std::array<int, 9> nodes) { faces.push_back({shape, nodes, {"wall"}}); }
   /// Nodes at map(u, v), the vertices inside moved by `skew` of a cell, middles between them in u and v.
   Places places(const Map& map, double skew) const {
-    std::vector<std::array<double, 2>> uv(columns * rows);
+    std::vector<Vec<double, 2>> uv(columns * rows);
     const double cell[2] = {2.0 / (columns - 1), 2.0 / (rows - 1)};
     for (int j = 0; j < rows; j += 2)
       for (int i = 0; i < columns; i += 2) {
@@ -76,7 +76,7 @@ std::optional<NearBody> no_body(const Point&) { return {}; }
 
 double distance_from(const Places& x, const Places& y) {
   double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, length(minus(x[i], y[i])));
+  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, length(x[i] - y[i]));
   return largest;
 }
 
@@ -87,7 +87,7 @@ bool sound(const Grid& grid, const Places& x, const std::function<Point(const Po
     for (int c = 0; c < corners; ++c) {
       const Point &at = x[face.nodes[c]], &next = x[face.nodes[(c + 1) % corners]],
                   &before = x[face.nodes[(c + corners - 1) % corners]];
-      if (!(dot(cross(minus(next, at), minus(before, at)), outward(at)) > 0)) return false;
+      if (!(dot(cross(next - at, before - at), outward(at)) > 0)) return false;
     }
   }
   return true;
@@ -137,7 +137,7 @@ TEST(FacePlace, NearestPointOfACurvedFace) {
   const SurfaceFace& face = grid.faces[5];
   for (const FacePlace& place : {FacePlace{0.2, -0.7}, FacePlace{-0.9, 0.4}}) {
     const Point n = face_normal(face, place, x);
-    const NearestOnFace found = nearest_on_face(face, plus(face_point(face, place, x), 0.05 / length(n), n), x);
+    const NearestOnFace found = nearest_on_face(face, face_point(face, place, x) + 0.05 / length(n) * n, x);
     EXPECT_TRUE(found.inside);
     EXPECT_NEAR(found.distance, 0.05, 1e-12);
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(found.place[i], place[i], 1e-11);
@@ -207,11 +207,11 @@ TEST(SurfaceMotion, MiddlesOfEdgesThatBulgeFarDoNotSwing) {
     Places x = source;
     const int middle = grid.id(1, 2), ends[] = {grid.id(0, 2), grid.id(2, 2)};
     x[middle] = wrapped(0.25 + 0.02, 0.5);
-    const Point chord = minus(x[ends[1]], x[ends[0]]);
+    const Point chord = x[ends[1]] - x[ends[0]];
     const Places before = x;
     grid.motion(source).move(before, no_body, x);
     const auto along = [&](const Places& places) {
-      return dot(minus(places[middle], source[middle]), chord) / dot(chord, chord);
+      return dot(places[middle] - source[middle], chord) / dot(chord, chord);
     };
     EXPECT_GT(along(before), 0.04);
     EXPECT_LT(std::abs(along(x)), 1e-9);

@@ -7,7 +7,7 @@
 #include "ale/surface_remesher.hpp"
 #include "ale_mesh.hpp"
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -52,7 +52,7 @@ Measures measures(const RemeshedSurface& made) {
   for (const auto& face : made.faces) {
     const Point &a = made.vertices[face.vertices[0]].place, &b = made.vertices[face.vertices[1]].place,
                 &c = made.vertices[face.vertices[2]].place;
-    const Point ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
+    const Point ab = b - a, ac = c - a, bc = c - b;
     const double twice = length(cross(ab, ac));
     result.area += 0.5 * twice;
     result.volume += dot(a, cross(b, c)) / 6;

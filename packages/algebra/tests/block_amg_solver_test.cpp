@@ -187,7 +187,8 @@ class InnerInverse : public Operator {
     }
     for (int k = 0; k < n; ++k)
       for (int i = 0; i < n; ++i)
-        for (int j = n; i != k && j >= k; --j) m[i][j] -= m[i][k] / m[k][k] * m[k][j];
+        if (i != k)
+          for (int j = n; j >= k; --j) m[i][j] -= m[i][k] / m[k][k] * m[k][j];
     for (int i = 0; i < n; ++i) to(i, 0) = m[i][n] / m[i][i];
   }
 

@@ -10,6 +10,7 @@
 
 #include "algebra/tests/model_problem.hpp"
 #include "algebra/tpetra_compat.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline::model {
 
@@ -93,7 +94,7 @@ class ProblemInSpace {
 
  private:
   using Barycentric = std::array<double, 4>;
-  using Gradients = std::array<std::array<double, 3>, 4>;
+  using Gradients = std::array<Vec<double, 3>, 4>;
   struct Tetrahedron {
     std::array<std::array<int, 3>, 10> nodes;  // positions on the grid of half cells
   };
@@ -132,8 +133,8 @@ class ProblemInSpace {
     for (int e = 0; e < 6; ++e) N[4 + e] = 4 * l[edges[e][0]] * l[edges[e][1]];
     return N;
   }
-  static std::array<std::array<double, 3>, 10> shape_gradient(const Barycentric& l, const Gradients& dl) {
-    std::array<std::array<double, 3>, 10> dN{};
+  static std::array<Vec<double, 3>, 10> shape_gradient(const Barycentric& l, const Gradients& dl) {
+    std::array<Vec<double, 3>, 10> dN{};
     for (int d = 0; d < 3; ++d) {
       for (int i = 0; i < 4; ++i) dN[i][d] = (4 * l[i] - 1) * dl[i][d];
       for (int e = 0; e < 6; ++e)
@@ -252,12 +253,14 @@ inline FieldLayout ProblemInSpace::layout(const char* name, int components, int 
   const int step = components == 1 ? 2 : 1;  // the pressure is at the corners only
   local.assign(static_cast<std::size_t>(id(0, 0, line())), -1);
   const auto add_levels = [&](int from, int to) {
-    for (int k = from; k <= to; ++k)
-      for (int j = 0; k % step == 0 && j < line(); j += step)
+    for (int k = from; k <= to; ++k) {
+      if (k % step != 0) continue;
+      for (int j = 0; j < line(); j += step)
         for (int i = 0; i < line(); i += step) {
           local[id(i, j, k)] = static_cast<int>(field.node_ids.size());
           field.node_ids.push_back(id(i, j, k));
         }
+    }
   };
   add_levels(first_owned, last);
   field.num_owned = static_cast<int>(field.node_ids.size());

@@ -13,6 +13,7 @@
 
 #include "algebra/assembler.hpp"
 #include "algebra/linear_solver.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline::model {
 
@@ -37,7 +38,7 @@ struct Settings {
 
 /// Six-point rule of degree 4 on the triangle, barycentric, weights summing to one.
 struct Rule {
-  std::array<std::array<double, 3>, 6> points;
+  std::array<Vec<double, 3>, 6> points;
   std::array<double, 6> weights;
 };
 inline Rule six_points() {
@@ -136,13 +137,13 @@ class Problem {
   double step() const { return settings_.size / settings_.cells; }
   double area() const { return 0.5 * step() * step(); }
 
-  static std::array<double, 6> shape(const std::array<double, 3>& l) {
+  static std::array<double, 6> shape(const Vec<double, 3>& l) {
     return {l[0] * (2 * l[0] - 1), l[1] * (2 * l[1] - 1), l[2] * (2 * l[2] - 1),
             4 * l[0] * l[1],       4 * l[1] * l[2],       4 * l[2] * l[0]};
   }
-  static std::array<std::array<double, 2>, 6> shape_gradient(const std::array<double, 3>& l,
-                                                             const std::array<std::array<double, 2>, 3>& dl) {
-    std::array<std::array<double, 2>, 6> dN{};
+  static std::array<Vec<double, 2>, 6> shape_gradient(const Vec<double, 3>& l,
+                                                      const std::array<Vec<double, 2>, 3>& dl) {
+    std::array<Vec<double, 2>, 6> dN{};
     for (int i = 0; i < 3; ++i)
       for (int d = 0; d < 2; ++d) {
         dN[i][d] = (4 * l[i] - 1) * dl[i][d];
@@ -152,8 +153,8 @@ class Problem {
   }
 
   /// Gradients of the barycentric coordinates; the triangles are the two halves of a square cell.
-  std::array<std::array<double, 2>, 3> barycentric_gradients(int e) const {
-    std::array<std::array<double, 2>, 3> x{}, dl{};
+  std::array<Vec<double, 2>, 3> barycentric_gradients(int e) const {
+    std::array<Vec<double, 2>, 3> x{}, dl{};
     for (int i = 0; i < 3; ++i)
       for (int d = 0; d < 2; ++d) x[i][d] = 0.5 * step() * elements_[e][i][d];
     for (int i = 0; i < 3; ++i) {

@@ -9,6 +9,7 @@
 
 #include "algebra/tpetra_compat.hpp"
 #include "core/pi.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 namespace {
@@ -18,7 +19,7 @@ constexpr int nodes = 60;
 /// A chain of nodes, each joined to its neighbours by the same unsymmetric block: the eigenvalues of D^-1 A are
 /// 1 - cos(k pi/(nodes + 1)), those of the chain, whatever the block.
 RCP<CrsMatrix> chain(int n) {
-  const double block[3][3] = {{5e6, 2e6, -1e6}, {-3e6, 4, 1}, {1e6, 0, 2e3}};
+  const Mat<double, 3> block = {{{5e6, 2e6, -1e6}, {-3e6, 4, 1}, {1e6, 0, 2e3}}};
   const auto matrix = rcp(new CrsMatrix(make_dense_map(nodes * n, Tpetra::getDefaultComm()), 3 * n));
   for (int a = 0; a < nodes; ++a)
     for (int b = std::max(0, a - 1); b < std::min(nodes, a + 2); ++b)

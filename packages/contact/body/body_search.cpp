@@ -29,7 +29,8 @@ BodyPlace place_of_foot(const SurfaceFoot& foot) {
 
 BodyInStep body_in_step(const RigidBody& body, const BodyPlacement& old, const BodyPlacement& now) {
   BodyInStep step{body.unknowns(), old, now};
-  for (int k = 0; body.surface() && k < 3; ++k) step.turning[k] = now.turning(k);
+  if (body.surface())
+    for (int k = 0; k < 3; ++k) step.turning[k] = now.turning(k);
   return step;
 }
 
@@ -39,13 +40,13 @@ void search(const RigidBody& body, const BodyInStep& step, const ContactTables& 
   start.height = body.height(step.now, at);
   if (body.surface()) {
     start.now = place_of_foot(body.foot(step.now, at));
-    if (looks_back(side, start.shift, start.member, start.now.gap - start.offset))
+    if (looks_back(side, start.shift, start.now.gap - start.offset))
       start.before = place_of_foot(body.foot(step.old, rule.place(point, side.x_old)));
     return;
   }
   const ContourFoot now = body.closest(step.now, in_plane(at));
   start.now = place_of_foot(now);
-  if (!looks_back(side, start.shift, start.member, now.gap - start.offset)) return;
+  if (!looks_back(side, start.shift, now.gap - start.offset)) return;
   const ContourFoot before = body.closest(step.old, in_plane(rule.place(point, side.x_old)));
   start.before = place_of_foot(before);
   start.travelled = body.contour().distance(before, now);

@@ -4,7 +4,7 @@
 
 namespace mudline {
 
-/// A body at the ends of a step, as kernels see it.
+/// A body at the ends of a step, as the loops over the sides see it.
 BodyInStep body_in_step(const RigidBody& body, const BodyPlacement& old, const BodyPlacement& now);
 
 /// Seeks the places of a contact point on the body, on the host: contours and surfaces are virtual. `point`: number on

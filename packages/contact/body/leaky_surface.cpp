@@ -51,9 +51,11 @@ void LeakySurface::for_each_part(const StepView& view, F&& f) const {
   if (!view.flow) return;
   for (const auto& [shape, part] : parts_) {
     const SideBlock& b = part.block;
-    for (int s = 0; s < b.sides; ++s)
-      for (int q = 0; part.open(s) && q < b.points; ++q)
+    for (int s = 0; s < b.sides; ++s) {
+      if (!part.open(s)) continue;
+      for (int q = 0; q < b.points; ++q)
         part.outside(s * b.points + q, 0) = outside_(view.balance.time, b.place(s, q, view.x_old));
+    }
     f(b, side_level(view, b, view.x_old), Leak{{}, b.points, conductance_, part.outside, part.open});
   }
 }

@@ -1,19 +1,13 @@
-// What follows a solve of a step: the active set, and the multipliers of the augmented Lagrangian by Uzawa's method.
+// What follows a solve of a step: the multipliers of the augmented Lagrangian by Uzawa's method.
 #include <algorithm>
 
 #include "contact/body/penalty_contact.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
 void PenaltyContact::check_enforcement(const Section& section) const {
-  deck_.check(section, deck_.active_set.outer());
-  deck_.active_set.check(section);
-  if (deck_.active_set.outer() && deck_.impact == PenaltyParameters::Impact::conserving)
-    section.fail(
-        "conserving is for 'active set' = in newton: a point in tension has no share; allowed with outer loop: "
-        "automatic, interpolated",
-        "impact");
+  deck_.check(section);
   if (!deck_.augmented()) return;
   if (deck_.impact == PenaltyParameters::Impact::conserving)
     section.fail(
@@ -47,48 +41,18 @@ Misfit PenaltyContact::misfit(const State& state) const {
       sums.spring = std::max(sums.spring, rows_.pressure(state, row) / stiffness);
       const double normal = rows_.pressure(state, row) - rows_.normal_multiplier(state, row);
       const Point shear =
-          rows_.sticks(state, row) ? minus(rows_.shear(state, row).shear, rows_.shear_multiplier(state, row)) : Point{};
+          rows_.sticks(state, row) ? rows_.shear(state, row).shear - rows_.shear_multiplier(state, row) : Point{};
       for (int a = 0; a < sides[s].count; ++a) {
         const double weight = r.shape(c, a) * here[c];
-        sums.add(sides[s].node[a], weight, stiffness, weight * normal, scaled(weight, shear));
+        sums.add(sides[s].node[a], weight, stiffness, weight * normal, weight * shear);
       }
     }
   }
   return {*surface_, std::move(sums), laws_.tangential_factor()};
 }
 
-void PenaltyContact::start_active_set(const StepView& view, const BodyPlacement& placement) const {
-  // what pressed, and what the body runs into, or touches, before the soil has moved
-  std::vector<char> presses(first_row_.back(), 0);
-  for (std::size_t s = 0; s < candidate_.size(); ++s) {
-    if (!candidate_[s]) continue;
-    const SurfaceSide& side = surface_->sides()[s];
-    const SideCoordinates x = side_coordinates(side, view.x_end);
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
-      presses[row] =
-          rows_.active(*view.committed, row) ||
-          gap(*view.trial, row, placement, rule(side).place(row - first_row_[s], x)) <= 1e-3 * gap_tolerance_;
-  }
-  active_set_.start(*view.trial, [&](int row) { return presses[row] != 0; });
-}
-
-std::optional<Augmentation> PenaltyContact::update_active_set(const State& trial) const {
-  std::vector<double> pressed(first_row_.back());
-  for (std::size_t s = 0; s < candidate_.size(); ++s)
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row)
-      pressed[row] = rows_.gap(trial, row) -
-                     (deck_.augmented() ? rows_.normal_multiplier(trial, row) / trial.arrays[penalties_](s, 0) : 0.0);
-  return active_set_.update(
-      trial, name_, deck_.active_set, gap_tolerance_, [&](int row) { return pressed[row]; },
-      *context_.space.mesh().comm());
-}
-
 Augmentation PenaltyContact::augment(const StepView& view, int count) {
   const State& trial = *view.trial;
-  if (active_set_.used()) {
-    if (const auto next = update_active_set(trial)) return *next;
-    count -= active_set_.updates(trial);
-  }
   if (!deck_.augmented()) return {};
   const Misfit rest = misfit(trial);
   if (const auto end = end_of_augmentation(name_, deck_, gap_tolerance_, rest, count, *context_.space.mesh().comm()))
@@ -119,9 +83,11 @@ Augmentation PenaltyContact::augment(const StepView& view, int count) {
       for (int a = 0; a < sides[s].count; ++a)
         rows_.normal_multiplier(trial, row) += shape[a] * normal[sides[s].node[a]];
       if (!laws_.friction()) continue;
-      Point shear = rows_.sticks(trial, row) ? rows_.shear_multiplier(trial, row) : rows_.shear(trial, row).shear;
-      for (std::size_t i = 0; rows_.sticks(trial, row) && i < tangential.size(); ++i)
-        for (int a = 0; a < sides[s].count; ++a) shear[i] += shape[a] * tangential[i][sides[s].node[a]];
+      const bool sticks = rows_.sticks(trial, row);
+      Point shear = sticks ? rows_.shear_multiplier(trial, row) : rows_.shear(trial, row).shear;
+      if (sticks)
+        for (std::size_t i = 0; i < tangential.size(); ++i)
+          for (int a = 0; a < sides[s].count; ++a) shear[i] += shape[a] * tangential[i][sides[s].node[a]];
       rows_.set_shear_multiplier(trial, row, shear);
     }
   return {true, ""};

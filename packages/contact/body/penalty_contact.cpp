@@ -9,7 +9,7 @@
 #include "contact/body/body_search.hpp"
 #include "contact/conjugate_position.hpp"
 #include "contact/convection.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -25,7 +25,6 @@ void PenaltyContact::declare_state(StateStore& store) {
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
   for (int i = 0; i < axes(); ++i) sums.push_back({std::string("damping ") + axis_names[i], 1, "N"});
   work_ = declare_rows(store, name() + "/work", sums, {}, true);
-  if (deck_.active_set.outer()) active_set_.declare_state(store, name() + "/", ids);
 }
 
 void PenaltyContact::sparsity(Assembler& assembler) {
@@ -36,7 +35,6 @@ void PenaltyContact::sparsity(Assembler& assembler) {
   }
   starts_ = Kokkos::View<ContactStart*>("starts", first_row_.back());
   happens_ = Kokkos::View<ContactPoint*>("points", first_row_.back());
-  answers_ = LawStore(first_row_.back());
   if (leak_) leak_->sparsity(assembler);
 }
 
@@ -48,11 +46,10 @@ void PenaltyContact::begin(const StepView& view) {
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet
   const double advance = body_->released() ? body_->speed(*view.committed, view.dt) * view.dt
-                                           : length(minus(to.centre, from.centre)) +
+                                           : length(to.centre - from.centre) +
                                                  body_->reach() * length((to.turn * from.turn.inverse()).vector());
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : 2 * surface_->longest(view.x_old) + advance;
   for (std::size_t s = 0; s < candidate_.size(); ++s) candidate_[s] = least_gap(s, view.x_old, to) <= capture_;
-  if (active_set_.used()) start_active_set(view, to);
 }
 
 double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& coordinates_now,
@@ -61,8 +58,8 @@ double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& co
   const SideCoordinates x = side_coordinates(at, coordinates_now);
   Bounds box = Bounds::nothing();
   for (int a = 0; a < at.count; ++a) box.enclose(x[a]);
-  const Point across = minus(box.high, box.low);
-  return body_->gap(placement, plus(box.low, 0.5, across)) - 0.5 * length(across);
+  const Point across = box.high - box.low;
+  return body_->gap(placement, box.low + 0.5 * across) - 0.5 * length(across);
 }
 
 ContactPoint PenaltyContact::away(const StepView& view, int row) const {
@@ -83,14 +80,13 @@ ContactStart PenaltyContact::point_start(const StepView& view, std::size_t side,
   start.force = rows_.total(committed, row);
   start.normal_force = rows_.pressure(committed, row) * rows_.area(committed, row);
   start.soil = laws_.soil(committed, at, rule(at).xi[row - first_row_[side]].data());
-  start.member = active_set_.used() && active_set_.holds(trial, row);
   if (!deck_.augmented()) return start;
   const double penalty = trial.arrays[penalties_](side, 0);
   start.shift = rows_.normal_multiplier(trial, row) / penalty;
   start.shift_old = rows_.normal_multiplier(committed, row) / penalty;
   if (laws_.friction())
-    start.shear.shear = plus(plus(start.shear.shear, 1, rows_.shear_multiplier(trial, row)), -1,
-                             initial_shear_multiplier(committed, row));
+    start.shear.shear =
+        start.shear.shear + rows_.shear_multiplier(trial, row) - initial_shear_multiplier(committed, row);
   return start;
 }
 
@@ -106,7 +102,6 @@ PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const 
 ContactPointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
   ContactPointLaw result = laws_.in_step(view, deck_.damping);
   result.penalty = view.trial->arrays[penalties_](side, 0);
-  result.fixed = active_set_.used();
   result.first_guess = predicting_;
   result.conserves = conserves(view);
   return result;
@@ -141,7 +136,8 @@ std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Posit
     const SurfaceSide& at = surface_->sides()[s];
     SideContact& contact = shapes_.at(at.shape).sides(at.row);
     contact = side_contact(view, positions, s);
-    for (int row = first_row_[s]; contact.near && row < first_row_[s + 1]; ++row) {
+    if (!contact.near) continue;
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const int c = row - first_row_[s];
       starts_(row) = point_start(view, s, row);
       if (contact.film.acts) deck_.film.start(view, row, rule(at).place(c, contact.x_old), starts_(row));
@@ -150,17 +146,14 @@ std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Posit
   }
   std::vector<ContactSides> result;
   for (const auto& [shape, of_shape] : shapes_)
-    result.push_back(
-        {rules_.at(shape), context_.space.mesh().geometry(), body, of_shape.sides, starts_, happens_, answers_});
-  ask_laws(result, laws_.normal(), laws_.friction());
+    result.push_back({rules_.at(shape), context_.space.mesh().geometry(), body, of_shape.sides, starts_, happens_});
   return result;
 }
 
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.kind != StepView::Kind::step) return false;
   if (deck_.impact == PenaltyParameters::Impact::automatic)
-    return !deck_.augmented() && !deck_.has_film() && !active_set_.used() && laws_.normal().linear() &&
-           body_->unknowns().count > 0;
+    return !deck_.augmented() && !deck_.has_film() && laws_.normal().linear() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -226,23 +219,25 @@ PointForce PenaltyContact::local_force(const State& state) const {
   PointForce sum;
   for (int row = 0; row < first_row_.back(); ++row) {
     const PointForce total = rows_.total(state, row);
-    sum = {plus(sum.force, 1, total.force), plus(sum.moment, 1, total.moment)};
+    sum = {sum.force + total.force, sum.moment + total.moment};
   }
   return sum;
 }
 
 double PenaltyContact::work(const PointForce& before, const PointForce& now, const BodyPlacement& from,
                             const BodyPlacement& to) {
-  const Point turned = (to.turn * from.turn.inverse()).vector(), moved = minus(to.centre, from.centre);
-  return 0.5 * (dot(plus(before.force, 1, now.force), moved) + dot(plus(before.moment, 1, now.moment), turned));
+  const Point turned = (to.turn * from.turn.inverse()).vector(), moved = to.centre - from.centre;
+  return 0.5 * (dot(before.force + now.force, moved) + dot(before.moment + now.moment, turned));
 }
 
 int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   const PointView& done = view.trial->arrays[work_];
   done(0, 1) = view.committed->arrays[work_](0, 1);
   for (int i = 0; i < axes(); ++i) done(0, 2 + i) = 0;
-  for (std::size_t s = 0; s < surface_->sides().size(); ++s)
-    for (int row = first_row_[s]; !candidate_[s] && row < first_row_[s + 1]; ++row) happens_(row) = away(view, row);
+  for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
+    if (candidate_[s]) continue;
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) happens_(row) = away(view, row);
+  }
   int failures = 0;
   const std::vector<ContactSides> sides = look(view, positions(view));
   std::size_t k = 0;
@@ -274,8 +269,9 @@ void PenaltyContact::mark_pressed(const State& state, std::vector<char>& nodes) 
   for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
     bool presses = false;
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) presses = presses || rows_.active(state, row);
+    if (!presses) continue;
     const SurfaceSide& side = surface_->sides()[s];
-    for (int a = 0; presses && a < side.count; ++a) nodes[side.node[a]] = 1;
+    for (int a = 0; a < side.count; ++a) nodes[side.node[a]] = 1;
   }
 }
 
@@ -367,8 +363,8 @@ PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
     local[Sums::damping + i] = -done(0, 2 + i);
   }
   // the points tell it about the centre of mass
-  const Point arm = minus(body_->placement(state).centre, body_->position(state));
-  const Point moment = plus(force.moment, 1, cross(arm, force.force));
+  const Point arm = body_->placement(state).centre - body_->position(state);
+  const Point moment = force.moment + cross(arm, force.force);
   for (int i = 0; i < 3; ++i) local[Sums::moment + i] = -moment[i];
   local[Sums::work] = done(0, 0);
   local[Sums::damping_heat] = done(0, 1);
@@ -399,16 +395,15 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   const State& state = *view.committed;
   const Sums all = sums(state);
   const double* const sum = all.of;
-  const auto add_vector = [&](const char* what, int first) {
-    for (int i = 0; i < axes(); ++i) values[name() + "/" + what + " " + axis_names[i]] = {"N", sum[first + i]};
+  const auto add_vector = [&](const char* what, int first, const char* unit = "N") {
+    for (int i = 0; i < axes(); ++i) values[name() + "/" + what + " " + axis_names[i]] = {unit, sum[first + i]};
   };
   const std::string up = axis_names[axes() - 1];
   add_vector("reaction", Sums::reaction);
   values[name() + "/tip reaction " + up] = {"N", sum[Sums::tip]};
   values[name() + "/shaft reaction " + up] = {"N", sum[Sums::reaction + axes() - 1] - sum[Sums::tip]};
   const bool half = axes() == 2 && body_->contour().extent() == ContourExtent::half;
-  for (int i = 0; i < 3 && axes() == 3; ++i)
-    values[name() + "/moment " + axis_names[i]] = {"N m", sum[Sums::moment + i]};
+  if (axes() == 3) add_vector("moment", Sums::moment, "N m");
   if (axes() == 2 && !half) values[name() + "/moment"] = {"N m", sum[Sums::moment + 2]};
   values[name() + "/contact area"] = {"m2", sum[Sums::area]};
   values[name() + "/active points"] = {"-", sum[Sums::active]};
@@ -466,8 +461,8 @@ void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed
   // gaps and pressures are those of the new places, evaluated anew; the shear stress, the path slid, multipliers and
   // initial gaps are history and are convected along the side, see SideShifts
   std::vector<std::pair<int, int>> convected;  // (array, column)
-  for (int column = 0; laws_.friction() && column <= rows_.slip_column(); ++column)
-    convected.emplace_back(rows_.frictions(), column);
+  if (laws_.friction())
+    for (int column = 0; column <= rows_.slip_column(); ++column) convected.emplace_back(rows_.frictions(), column);
   if (deck_.augmented())
     for (int column = 0; column <= rows_.shears(); ++column) convected.emplace_back(rows_.multipliers(), column);
   if (deck_.has_film()) convected.emplace_back(deck_.film.array(), WaterFilm::vapour_column);
@@ -505,7 +500,7 @@ std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView&
     }
     Point centre{};
     const int corners = axes() == 3 ? num_corners(side.shape) : 2;
-    for (int c = 0; c < corners; ++c) centre = plus(centre, 1.0 / corners, at[c]);
+    for (int c = 0; c < corners; ++c) centre += 1.0 / corners * at[c];
     of_sides.places.push_back(centre);
     of_sides.areas.push_back(std::accumulate(area, area + rule(side).points, 0.0));
   }
@@ -518,7 +513,6 @@ std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView&
   for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1,
                     deck_.initial_gap.array()})
     if (array >= 0) add(array, of_points);
-  if (active_set_.used()) add(active_set_.array(), {});
   return result;
 }
 

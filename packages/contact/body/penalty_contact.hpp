@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "contact/active_set.hpp"
 #include "contact/body/initial_gap.hpp"
 #include "contact/body/leaky_surface.hpp"
 #include "contact/body/point_rows.hpp"
@@ -39,7 +38,6 @@ struct PenaltyParameters : EnforcementParameters {
   WaterFilm film;
   InitialGap initial_gap;
   bool has_film() const { return drainage == Drainage::film; }
-  ActiveSetParameters active_set;
 };
 
 /// Contact of a soil surface with a rigid body: R_u -= int N^T (t n + s) dA at n+1, t = penalty <-gap> [Pa], n from
@@ -54,7 +52,7 @@ struct PenaltyParameters : EnforcementParameters {
 /// Initial gap: a point's gap may be counted from that of the state in which the contact first acts (see InitialGap).
 ///
 /// State arrays: those of the points (see PointRows), "contact/<name>/penalty" (a row per side, frozen when the contact
-/// first starts a step), "contact/<name>/active set" (see ActiveSet), "contact/<name>/work" (this rank's share of the
+/// first starts a step), "contact/<name>/work" (this rank's share of the
 /// work done on the soil, trapezoidal in the body's motion; of damping the heat so far and its force on the soil in
 /// the last step).
 ///
@@ -117,10 +115,8 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   /// The multiplier of a point's shear stress with which a step starts [Pa].
   Point initial_shear_multiplier(const State& committed, int row) const;
   void start_multipliers(const StepView& view) const;
-  void start_active_set(const StepView& view, const BodyPlacement& placement) const;
-  std::optional<Augmentation> update_active_set(const State& trial) const;
   Misfit misfit(const State& state) const;
-  /// What kernels need to know of the sides at the linearisation point, the answers of the laws included.
+  /// What is known of the sides at the linearisation point.
   std::vector<ContactSides> look(const StepView& view, const Positions& at) const;
   SideContact side_contact(const StepView& view, const Positions& at, std::size_t side) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
@@ -168,7 +164,6 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   std::shared_ptr<RigidBody> body_;
   std::unique_ptr<ContactSurface> surface_;
   std::unique_ptr<LeakySurface> leak_;      // null unless leaky
-  ActiveSet active_set_;                    // used with the outer loop only
   std::map<CellShape, ContactRule> rules_;  // of the sides
   std::vector<int> first_row_;              // (side) in the points array; one more: number of rows
   std::vector<char> candidate_;             // (side) near enough to be evaluated in this step
@@ -189,7 +184,6 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   std::map<CellShape, ShapeSides> shapes_;
   Kokkos::View<ContactStart*> starts_;  // by row of points, as the next
   Kokkos::View<ContactPoint*> happens_;
-  LawStore answers_;
 };
 
 /// The same without friction, by its own name.

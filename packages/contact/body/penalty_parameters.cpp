@@ -20,7 +20,6 @@ void PenaltyParameters::parameters(Parameters& p) {
   p.add("quadrature degree", quadrature_degree, "-", closed(1, 11),
         "Polynomial degree that the integration over a side is exact for");
   EnforcementParameters::parameters(p);
-  active_set.parameters(p);
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
   p.choice("drainage", drainage,
@@ -85,8 +84,7 @@ void PenaltyContact::check(const Section& section) {
   check_quadrature(section);
   deck_.initial_gap.check(section);
   laws_.read(context_, section);
-  laws_.check_linear(section, deck_.augmented() || deck_.active_set.outer(),
-                     deck_.impact == PenaltyParameters::Impact::conserving);
+  laws_.check_linear(section, deck_.augmented(), deck_.impact == PenaltyParameters::Impact::conserving);
   check_drainage(section);
   if (deck_.has_film()) laws_.ask_for_pore_pressure();
   surface_ = std::make_unique<ContactSurface>(space, deck_.surface, laws_.read_pore_pressure(), body_->unknowns());
@@ -110,8 +108,6 @@ void PenaltyContact::check_drainage(const Section& section) const {
     if (pressure_ < 0)
       section.fail("film needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
     if (deck_.augmented()) section.fail("a film has no multipliers; allowed with it: penalty", "enforcement");
-    if (deck_.active_set.outer())
-      section.fail("a film has no fixed active set; allowed with it: in newton", "active set");
     if (deck_.impact == PenaltyParameters::Impact::conserving)
       section.fail("a film takes energy; allowed with it: automatic, interpolated", "impact");
     if (deck_.damping > 0) section.fail("a film damps by itself; it takes no 'damping'", "damping");
@@ -148,9 +144,9 @@ void PenaltyContact::check_above(const Section& section) const {
   double lowest = 1e300, everywhere = 0, upwards = 0, faces_up = 0;
   for (const SurfaceSide& side : surface_->sides()) {
     for (int a = 0; a < side.count; ++a) lowest = std::min(lowest, mesh.place(side.node[a])[up]);
-    const Point first = mesh.place(side.node[0]), along = minus(mesh.place(side.node[1]), first);
+    const Point first = mesh.place(side.node[0]), along = mesh.place(side.node[1]) - first;
     // outward: to the right of the way in the plane, corners counter-clockwise from outside in space
-    upwards += up == 1 ? -along[0] : cross(along, minus(mesh.place(side.node[2]), first))[2];
+    upwards += up == 1 ? -along[0] : cross(along, mesh.place(side.node[2]) - first)[2];
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, lowest, Teuchos::outArg(everywhere));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, upwards, Teuchos::outArg(faces_up));

@@ -1,11 +1,11 @@
 #include "contact/body/penalty_side.hpp"
 
-#include <math.h>  // unqualified functions, as in tensor/dual.hpp
-
+#include <cmath>
 #include <type_traits>
 
 #include "contact/body/body_foot.hpp"
-#include "core/space_vector.hpp"
+#include "core/caught_in_kernel.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -24,9 +24,10 @@ struct SideForce {
   double k[tangent ? max_side_dofs<D> * max_side_dofs<D>
                    : 1];  // (dof, dof) of f + correction / (1 - start_weight), in rows of pressures of f
 
-  KOKKOS_INLINE_FUNCTION explicit SideForce(int dofs_) : dofs(dofs_) {
+  explicit SideForce(int dofs_) : dofs(dofs_) {
     for (int a = 0; a < dofs; ++a) f[a] = correction[a] = 0;
-    for (int i = 0; tangent && i < dofs * dofs; ++i) k[i] = 0;
+    if constexpr (tangent)
+      for (int i = 0; i < dofs * dofs; ++i) k[i] = 0;
   }
 };
 
@@ -37,10 +38,10 @@ struct SideAreas {
   double area[max_contact_points], slope[max_contact_points][places];
   double old[max_contact_points];  // at the start of the step, with a film
 
-  KOKKOS_INLINE_FUNCTION bool measure(const ContactSides& on, const SideContact& side, bool want_slopes) {
+  bool measure(const ContactSides& on, const SideContact& side, bool want_slopes) {
     if (side.film.acts && !contact_areas<D>(on.rule, side.x_old, on.geometry, old)) return false;
     if (!want_slopes) return contact_areas<D>(on.rule, side.x, on.geometry, area);
-    SpatialVector<Dual<places>, D> node[max_side_nodes];
+    Vec<Dual<places>, D> node[max_side_nodes];
     for (int a = 0; a < on.rule.nodes; ++a)
       for (int i = 0; i < D; ++i) node[a][i] = Dual<places>(side.x[a][i], D * a + i);
     Dual<places> numbers[max_contact_points];
@@ -56,14 +57,14 @@ struct SideAreas {
 /// Force on the soil and moment about the body's centre as the body's unknowns feel it, as numbers.
 template <class T, int D>
 struct PointAction {
-  SpatialVector<T, D> force = SpatialVector<T, D>::zero();
+  Vec<T, D> force = Vec<T, D>::zero();
   Tangential<T, D> moment = no_tangential<T, D>();
-  KOKKOS_INLINE_FUNCTION void add(const SpatialVector<T, D>& more, const Tangential<T, D>& turning) {
+  void add(const Vec<T, D>& more, const Tangential<T, D>& turning) {
     force = force + more;
     moment = moment + turning;
   }
   /// By direction of the body.
-  KOKKOS_INLINE_FUNCTION T operator[](int direction) const {
+  T operator[](int direction) const {
     if (direction < D) return force[direction];
     if constexpr (D == 2)
       return moment;
@@ -73,12 +74,12 @@ struct PointAction {
 };
 
 /// Pore pressure's shapes at point c: those of the nodes that carry it.
-KOKKOS_INLINE_FUNCTION const double* pressure_shape(const ContactSides& on, const SideContact& side, int c) {
+const double* pressure_shape(const ContactSides& on, const SideContact& side, int c) {
   const bool corners = side.pressure_nodes < on.rule.nodes;
   return corners ? &on.rule.corner(c, 0) : &on.rule.shape(c, 0);
 }
 
-KOKKOS_INLINE_FUNCTION double pore_pressure(const ContactSides& on, const SideContact& side, int c) {
+double pore_pressure(const ContactSides& on, const SideContact& side, int c) {
   double result = on.starts(side.first + c).soil.pore_pressure;
   for (int a = 0; a < side.pressure_nodes; ++a) result += pressure_shape(on, side, c)[a] * side.pressure[a];
   return result;
@@ -86,24 +87,23 @@ KOKKOS_INLINE_FUNCTION double pore_pressure(const ContactSides& on, const SideCo
 
 /// The foot of a point, with the gap that counts.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION BodyFoot<T, D> counted_foot(const ContactStart& start, const PointNumbers<T, D>& x) {
+BodyFoot<T, D> counted_foot(const ContactStart& start, const PointNumbers<T, D>& x) {
   BodyFoot<T, D> foot(start.now, x);
   foot.gap = foot.gap - start.offset;
   return foot;
 }
 
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION ContactMotion<T, D> motion_of_point(const ContactSides& on, const SideContact& side, int c,
-                                                           const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot) {
+ContactMotion<T, D> motion_of_point(const ContactSides& on, const SideContact& side, int c, const PointNumbers<T, D>& x,
+                                    const BodyFoot<T, D>& foot) {
   const ContactStart& start = on.starts(side.first + c);
   ContactMotion<T, D> motion;
   motion.gap = foot.gap;
   motion.area = x.area;
   motion.shift = T(start.shift);
-  motion.member = start.member;
   motion.soil = start.soil;
   motion.pore_pressure = x.pore_pressure;
-  if (!looks_back(side, start.shift, start.member, value(foot.gap))) return motion;
+  if (!looks_back(side, start.shift, value(foot.gap))) return motion;
   motion.position = on.rule.place(c, side.x_old);
   motion.gap_old = T(start.before.gap - start.offset);
   motion.force_old = T(start.normal_force);
@@ -116,7 +116,7 @@ KOKKOS_INLINE_FUNCTION ContactMotion<T, D> motion_of_point(const ContactSides& o
 }
 
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void keep(const SpatialVector<T, D>& force, const Tangential<T, D>& moment, PointForce& to) {
+void keep(const Vec<T, D>& force, const Tangential<T, D>& moment, PointForce& to) {
   for (int i = 0; i < D; ++i) to.force[i] = value(force[i]);
   if constexpr (D == 2)
     to.moment[2] = value(moment);
@@ -126,13 +126,12 @@ KOKKOS_INLINE_FUNCTION void keep(const SpatialVector<T, D>& force, const Tangent
 
 /// What a point's response means in forces: at the end of the step, and what comes on top in the mean over it.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void act(const ContactSides& on, const SideContact& side, int c, const PointNumbers<T, D>& x,
-                                const BodyFoot<T, D>& foot, const ContactResponse<T, D>& now, ContactPoint& point,
-                                PointAction<T, D>& end, PointAction<T, D>& more) {
+void act(const ContactSides& on, const SideContact& side, int c, const PointNumbers<T, D>& x,
+         const BodyFoot<T, D>& foot, const ContactResponse<T, D>& now, ContactPoint& point, PointAction<T, D>& end,
+         PointAction<T, D>& more) {
   const PointForce& before = on.starts(side.first + c).force;
-  const SpatialVector<T, D> friction = foot.traction(now.shear * x.area),
-                            force = foot.normal * (now.pressure * x.area) + friction,
-                            damping = foot.normal * now.damping;
+  const Vec<T, D> friction = foot.traction(now.shear * x.area),
+                  force = foot.normal * (now.pressure * x.area) + friction, damping = foot.normal * now.damping;
   const auto in_space = cross(x.arm, force);
   const auto moment = foot.felt(in_space, on.body.now);
   end.add(force, moment);
@@ -154,8 +153,8 @@ KOKKOS_INLINE_FUNCTION void act(const ContactSides& on, const SideContact& side,
 
 /// Derivatives of a number of point c by the dofs of the side. D: dimension.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void spread(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
-                                   const T& number, double* column) {
+void spread(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas, const T& number,
+            double* column) {
   using X = PointNumbers<T, D>;
   const BodyUnknowns& body = on.body.unknowns;
   const int nodes = on.rule.nodes, pressures = D * nodes, first_body = pressures + side.pressure_nodes;
@@ -170,9 +169,8 @@ KOKKOS_INLINE_FUNCTION void spread(const ContactSides& on, const SideContact& si
 
 /// Adds the actions of point c to the side's forces and tangent.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void add_to_side(const ContactSides& on, const SideContact& side, int c,
-                                        const SideAreas<D>& areas, const PointAction<T, D>& end,
-                                        const PointAction<T, D>& more, SideForce<T, D>& out) {
+void add_to_side(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
+                 const PointAction<T, D>& end, const PointAction<T, D>& more, SideForce<T, D>& out) {
   const BodyUnknowns& body = on.body.unknowns;
   const int nodes = on.rule.nodes, first_body = D * nodes + side.pressure_nodes;
   const double weight = 1 / (1 - side.law.start_weight);
@@ -195,7 +193,7 @@ KOKKOS_INLINE_FUNCTION void add_to_side(const ContactSides& on, const SideContac
 
 /// Gradients along the side [1/m] of the pore pressure's shapes at point c, as the side was at the start of the step.
 template <int D>
-KOKKOS_INLINE_FUNCTION void pressure_slopes(const ContactTables& rule, const SideContact& side, int c, Point* slope) {
+void pressure_slopes(const ContactTables& rule, const SideContact& side, int c, Point* slope) {
   const bool corners = side.pressure_nodes < rule.nodes;
   const double* dP = corners ? &rule.corner_slope(c, 0) : &rule.shape_slope(c, 0);
   SideMap<D> map;
@@ -224,7 +222,7 @@ KOKKOS_INLINE_FUNCTION void pressure_slopes(const ContactTables& rule, const Sid
 
 /// Thickness of the film [m].
 template <class T>
-KOKKOS_INLINE_FUNCTION T film_thickness(const T& gap, double aperture) {
+T film_thickness(const T& gap, double aperture) {
   const T root = square_root(gap * gap + 4 * aperture * aperture);
   return value(gap) > 0 ? 0.5 * (gap + root) : T(2 * aperture * aperture) / (root - gap);
 }
@@ -232,9 +230,9 @@ KOKKOS_INLINE_FUNCTION T film_thickness(const T& gap, double aperture) {
 /// The film's water at point c, which stays where the gap's growth draws it or flows along the side. Its rates go into
 /// the rows of the pore pressures; its water, vapour and force into `point`.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void add_film(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
-                                     const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot, double gap_old,
-                                     ContactPoint& point, SideForce<T, D>& out) {
+void add_film(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
+              const PointNumbers<T, D>& x, const BodyFoot<T, D>& foot, double gap_old, ContactPoint& point,
+              SideForce<T, D>& out) {
   const SideFilm& film = side.film;
   const ContactStart& start = on.starts(side.first + c);
   const T thickness = film_thickness(foot.gap, film.aperture);
@@ -248,9 +246,9 @@ KOKKOS_INLINE_FUNCTION void add_film(const ContactSides& on, const SideContact& 
   const T growth = (water * x.area - water_old) * (1 / side.law.dt);  // [m3/s]
   const T open = value(water) > 0 ? water : T(0.0);
   const T conduction = open * open * open * (areas.old[c] / (12 * film.viscosity));  // [m5/(Pa s)]
-  Point slope[max_side_nodes], drive = scaled(-1, film.weight);
+  Point slope[max_side_nodes], drive = -film.weight;
   pressure_slopes<D>(on.rule, side, c, slope);
-  for (int a = 0; a < side.pressure_nodes; ++a) drive = plus(drive, side.pressure[a], slope[a]);
+  for (int a = 0; a < side.pressure_nodes; ++a) drive += side.pressure[a] * slope[a];
   const int first = D * on.rule.nodes;
   for (int a = 0; a < side.pressure_nodes; ++a) {
     const double share = pressure_shape(on, side, c)[a];
@@ -269,24 +267,20 @@ KOKKOS_INLINE_FUNCTION void add_film(const ContactSides& on, const SideContact& 
 /// is friction: without traction it has no strength, and sides that spread under the body would all slide at the first
 /// guess, then be dragged back beyond where they came from, and slide the other way, to and fro.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void add_stiffness_of_touch(const SideContact& side, const BodyFoot<T, D>& foot,
-                                                   ContactResponse<T, D>& now) {
+void add_stiffness_of_touch(const SideContact& side, const BodyFoot<T, D>& foot, ContactResponse<T, D>& now) {
   const double stiffness = side.reach_share * side.law.penalty;
   now.pressure = now.pressure + chain(foot.gap, 0.0, -stiffness);
   if (side.law.friction) now.shear = now.shear - foot.sliding() * (side.law.tangential_factor * stiffness);
 }
 
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION ContactPoint evaluate_point(const ContactSides& on, const SideContact& side, int c,
-                                                   const SideAreas<D>& areas, SideForce<T, D>& out) {
-  const int row = side.first + c;
-  const ContactStart& start = on.starts(row);
+ContactPoint evaluate_point(const ContactSides& on, const SideContact& side, int c, const SideAreas<D>& areas,
+                            SideForce<T, D>& out) {
+  const ContactStart& start = on.starts(side.first + c);
   const PointNumbers<T, D> x(on.body, on.rule.place(c, side.x), areas.area[c], pore_pressure(on, side, c));
   const BodyFoot<T, D> foot = counted_foot(start, x);
   const ContactMotion<T, D> motion = motion_of_point(on, side, c, x, foot);
-  const LawAnswers known{on.laws.pressure(row), on.laws.strength(row)};
-  LawQuestions asked;
-  ContactResponse<T, D> now = respond(side.law, motion, KnownAnswers{known, asked});
+  ContactResponse<T, D> now = respond(side.law, motion);
   const bool reached = !now.presses && value(foot.gap) < side.reach;
   if (reached) add_stiffness_of_touch(side, foot, now);
   ContactPoint point{};
@@ -307,52 +301,36 @@ KOKKOS_INLINE_FUNCTION ContactPoint evaluate_point(const ContactSides& on, const
 }
 
 template <int D>
-KOKKOS_INLINE_FUNCTION int dofs_of(const ContactSides& on, const SideContact& side) {
+int dofs_of(const ContactSides& on, const SideContact& side) {
   return D * on.rule.nodes + side.pressure_nodes + on.body.unknowns.count;
 }
 
 // What runs on every side of a shape.
-
-/// Writes down what its points ask, with the answers that are known so far.
-template <int D>
-struct AskLaws {
-  ContactSides on;
-  bool first;  // nothing is known
-
-  KOKKOS_FUNCTION void operator()(int s) const {
-    const SideContact& side = on.sides(s);
-    for (int c = 0; c < on.rule.points && side.near; ++c) {
-      const int row = side.first + c;
-      const PointNumbers<double, D> x(on.body, on.rule.place(c, side.x), 0.0, pore_pressure(on, side, c));
-      const BodyFoot<double, D> foot = counted_foot(on.starts(row), x);
-      LawAnswers known;
-      if (!first) known.normal = on.laws.pressure(row);
-      LawQuestions asked;
-      respond(side.law, motion_of_point(on, side, c, x, foot), KnownAnswers{known, asked});
-      on.laws.presses(row) = asked.presses;
-      on.laws.normal(row) = asked.normal;
-      on.laws.rubs(row) = asked.rubs;
-      on.laws.friction(row) = asked.friction;
-    }
-  }
-};
 
 template <int D>
 struct SideForces {
   ContactSides on;
   VectorScatter to;
   PointView later;
+  CaughtInKernel* caught;  // what a law throws
 
   /// Counts degenerate sides.
-  KOKKOS_FUNCTION void operator()(int s, int& failed) const {
+  void operator()(int s, int& failed) const {
     to.open(s);
     for (std::size_t a = 0; a < later.extent(1); ++a) later(s, a) = 0;
     const SideContact& side = on.sides(s);
     if (!side.near) return;
+    CaughtInKernel::run(caught, [&] {
+      failed += !evaluate(s, side);
+      return true;
+    });
+  }
+
+  /// Whether the side is sound.
+  bool evaluate(int s, const SideContact& side) const {
     SideForce<double, D> force(dofs_of<D>(on, side));
     SideAreas<D> areas;
     const bool sound = areas.measure(on, side, false);
-    if (!sound) ++failed;
     double pressing = 0, whole = 0;  // [m2]
     for (int c = 0; c < on.rule.points; ++c) {
       const ContactPoint point = sound ? evaluate_point<double, D>(on, side, c, areas, force) : ContactPoint{};
@@ -361,13 +339,13 @@ struct SideForces {
       whole += point.area;
     }
     add(s, side, force, pressing, whole);
+    return sound;
   }
 
-  KOKKOS_FUNCTION void add(int s, const SideContact& side, const SideForce<double, D>& force, double pressing,
-                           double whole) const {
+  void add(int s, const SideContact& side, const SideForce<double, D>& force, double pressing, double whole) const {
     double far = 0;  // [m] of a node from the origin
     for (int a = 0; a < on.rule.nodes; ++a) {
-      const double distance = ::sqrt(dot(side.x[a], side.x[a]));
+      const double distance = std::sqrt(dot(side.x[a], side.x[a]));
       if (distance > far) far = distance;
     }
     const double cancelled = side.law.penalty * pressing * far;
@@ -378,7 +356,7 @@ struct SideForces {
         if (force.f[a] != 0) to.add(s, a, 0.0, 0.0, whole * far / side.law.dt);
         continue;
       }
-      const double size = ::fabs(force.f[a]);
+      const double size = std::abs(force.f[a]);
       to.add(s, a, -force.f[a], size, size + cancelled);
       later(s, a) = force.correction[a];
     }
@@ -390,12 +368,20 @@ struct SideTangents {
   ContactSides on;
   MatrixScatter to;
   SideWeights weights;
+  CaughtInKernel* caught;
 
-  KOKKOS_FUNCTION void operator()(int s) const {
-    using T = Dual<PointNumbers<double, D>::unknowns>;
+  void operator()(int s) const {
     to.open(s);
     const SideContact& side = on.sides(s);
     if (!side.near) return;
+    CaughtInKernel::run(caught, [&] {
+      evaluate(s, side);
+      return true;
+    });
+  }
+
+  void evaluate(int s, const SideContact& side) const {
+    using T = Dual<PointNumbers<double, D>::unknowns>;
     SideAreas<D> areas;
     if (!areas.measure(on, side, true)) return;
     SideForce<T, D> force(dofs_of<D>(on, side));
@@ -413,60 +399,40 @@ struct SideTangents {
   }
 };
 
-template <template <int> class Kernel, class... More>
-void run_on_sides(const char* label, const ContactSides& on, int first, int last, const More&... more) {
-  const Kokkos::RangePolicy<> range(first, last);
-  if (on.geometry == Geometry::space)
-    Kokkos::parallel_for(label, range, Kernel<3>{on, more...});
-  else
-    Kokkos::parallel_for(label, range, Kernel<2>{on, more...});
-}
+/// On the host, where the laws are.
+using HostRange = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace>;
 
 }  // namespace
 
-LawStore::LawStore(int rows)
-    : presses("presses", rows),
-      rubs("rubs", rows),
-      normal("asked of the normal law", rows),
-      friction("asked of friction", rows),
-      pressure("pressure", rows),
-      strength("strength", rows) {}
-
-void ask_laws(const std::vector<ContactSides>& shapes, const NormalLaw& normal, const Friction* friction) {
-  if (shapes.empty()) return;
-  const LawStore& laws = shapes.front().laws;
-  Kokkos::deep_copy(laws.presses, char(0));
-  Kokkos::deep_copy(laws.rubs, char(0));
-  for (const ContactSides& on : shapes)
-    run_on_sides<AskLaws>("contact pressures", on, 0, static_cast<int>(on.sides.extent(0)), true);
-  normal.pressures({laws.presses, laws.normal, laws.pressure});
-  if (!friction) return;
-  for (const ContactSides& on : shapes)
-    run_on_sides<AskLaws>("contact strengths", on, 0, static_cast<int>(on.sides.extent(0)), false);
-  friction->strengths({laws.rubs, laws.friction, laws.strength});
-}
-
 int add_side_forces(const ContactSides& on, const RowLists& rows, const VectorScatter& to, const PointView& later) {
   int degenerate = 0;
+  CaughtInKernel caught;
   in_order("contact rows", rows, 0, static_cast<int>(on.sides.extent(0)), to,
            [&](int first, int last, const VectorScatter& target) {
-             const Kokkos::RangePolicy<> range(first, last);
+             const HostRange range(first, last);
              int here = 0;
              if (on.geometry == Geometry::space)
-               Kokkos::parallel_reduce("contact", range, SideForces<3>{on, target, later}, here);
+               Kokkos::parallel_reduce("contact", range, SideForces<3>{on, target, later, &caught}, here);
              else
-               Kokkos::parallel_reduce("contact", range, SideForces<2>{on, target, later}, here);
+               Kokkos::parallel_reduce("contact", range, SideForces<2>{on, target, later, &caught}, here);
              degenerate += here;
            });
+  caught.rethrow();
   return degenerate;
 }
 
 void add_side_tangents(const ContactSides& on, const RowLists& rows, const MatrixScatter& to,
                        const SideWeights& weights) {
+  CaughtInKernel caught;
   in_order("contact matrix rows", rows, 0, static_cast<int>(on.sides.extent(0)), to,
            [&](int first, int last, const MatrixScatter& target) {
-             run_on_sides<SideTangents>("contact tangent", on, first, last, target, weights);
+             const HostRange range(first, last);
+             if (on.geometry == Geometry::space)
+               Kokkos::parallel_for("contact tangent", range, SideTangents<3>{on, target, weights, &caught});
+             else
+               Kokkos::parallel_for("contact tangent", range, SideTangents<2>{on, target, weights, &caught});
            });
+  caught.rethrow();
 }
 
 }  // namespace mudline

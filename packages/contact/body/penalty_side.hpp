@@ -1,11 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "bodies/rigid_body.hpp"
 #include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
 #include "framework/vector_scatter.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -36,7 +35,7 @@ struct SideFilm {
   Point weight{};        // [N/m3] of the water
 };
 
-/// The body in a step, as kernels see it.
+/// The body in a step.
 struct BodyInStep {
   BodyUnknowns unknowns;
   BodyPlacement old, now;
@@ -45,10 +44,10 @@ struct BodyInStep {
 
 /// Where a point is beside the body, as the search on the host found it: ContourFoot or SurfaceFoot.
 struct BodyPlace {
-  double gap = 0;             // [m]
-  Point normal{}, foot{};     // [-], [m]
-  double turning[3][3] = {};  // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
-  double travel = 0;          // in the plane: of the foot along the contour, per way of the point
+  double gap = 0;               // [m]
+  Point normal{}, foot{};       // [-], [m]
+  Mat<double, 3> turning = {};  // [1/m] dn/dx; in the plane (0, 0) is that along the tangent
+  double travel = 0;            // in the plane: of the foot along the contour, per way of the point
 };
 
 /// What is known of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and
@@ -56,7 +55,6 @@ struct BodyPlace {
 struct ContactStart {
   double offset = 0;                // [m] by which the gap that counts is smaller than that of the geometry
   double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
-  bool member = false;              // of the active set
   TouchingSoil soil;                // its pore pressure is that beside what the side's nodes have
   ShearState shear;                 // committed
   PointForce force;                 // committed
@@ -99,25 +97,13 @@ struct SideContact {
 };
 
 /// Whether the start of the step counts at a point with this gap.
-KOKKOS_INLINE_FUNCTION bool looks_back(const SideContact& side, double shift, bool member, double gap) {
+inline bool looks_back(const SideContact& side, double shift, double gap) {
   if (side.law.conserves || side.law.viscous > 0 || side.film.flows) return true;
   ContactMotion<double> motion;
   motion.gap = gap;
   motion.shift = shift;
-  motion.member = member;
   return side.law.friction && presses(side.law, motion);
 }
-
-/// What the points of a contact ask its laws, and the answers, by row.
-struct LawStore {
-  LawStore() = default;
-  explicit LawStore(int rows);
-  Kokkos::View<char*> presses, rubs;  // which law is asked
-  Kokkos::View<NormalPoint*> normal;
-  Kokkos::View<FrictionPoint*> friction;
-  Kokkos::View<NormalPressure*> pressure;
-  Kokkos::View<ShearStrength*> strength;
-};
 
 /// The sides of one shape, with rows of their points that all shapes share.
 struct ContactSides {
@@ -127,13 +113,9 @@ struct ContactSides {
   Kokkos::View<SideContact*> sides;    // by row of the shape's dofs
   Kokkos::View<ContactStart*> starts;  // by row of points
   Kokkos::View<ContactPoint*> points;  // what happens there, written by add_side_forces()
-  LawStore laws;
 };
 
-/// Lets the points of all shapes ask the laws, friction after it knows the pressures; null: smooth.
-void ask_laws(const std::vector<ContactSides>& shapes, const NormalLaw& normal, const Friction* friction);
-
-/// The point law at the contact points of a side, whose answers are known: f_a = sum_c shape_ca (t n + s) A_c with the
+/// The point law at the contact points of a side: f_a = sum_c shape_ca (t n + s) A_c with the
 /// pressure t, the normal n from the body into the soil and the shear stress s along the surface; with a film t is what
 /// the normal law gives and the pore pressure. The body gets the opposite force and its moment. A film takes the rate
 /// of its water from the soil and conducts h^3/(12 viscosity) (its slope of pressure less the water's weight), with

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "contact/body/penalty_contact.hpp"
-#include "core/space_vector.hpp"
 #include "discretisation/side_map.hpp"
 #include "tensor/midpoint_rule.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -88,8 +88,8 @@ void PenaltyContact::touch_first(std::size_t side, const State& committed, const
     point.area = area[c];
     point.height = body_->height(placement, place);
     point.pressure = deck_.has_film() ? pressure + pore_pressure(side, c, committed) : pressure;
-    point.total.force = scaled(point.pressure * area[c], normal);
-    point.total.moment = cross(minus(place, placement.centre), point.total.force);
+    point.total.force = point.pressure * area[c] * normal;
+    point.total.moment = cross(place - placement.centre, point.total.force);
     rows_.writer(committed).write(row, point);
     deck_.film.writer(committed).write(row, point);
   }

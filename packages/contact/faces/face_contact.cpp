@@ -7,7 +7,7 @@
 #include "contact/convection.hpp"
 #include "contact/laws/impact_share.hpp"
 #include "core/pi.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -299,7 +299,7 @@ void FaceContact::add_tangent(const StepView& view, const MatrixScatter& to, int
   const int own = slave_->sides()[rows_[row].side].count;
   const Weights w = weights(row, master_->surface().sides()[seen.face].count, force.weight),
                 before = leaves ? old_weights(*view.committed, row) : Weights{w.count, {}};
-  const Point leaving = scaled(1 / view.end_weight, vector(old, row, column::force));
+  const Point leaving = 1 / view.end_weight * vector(old, row, column::force);
   for (int a = 0; a < w.count; ++a)
     for (int i = 0; i < 3; ++i) {
       double by_d[3];  // of the force on node a; d = sum_b w_b x_b
@@ -329,7 +329,7 @@ void FaceContact::histories(const StepView& view, Report& values) {
   const PointView& rows = view.committed->arrays[points_];
   SlaveSums here;
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
-    here.force = plus(here.force, 1, vector(rows, row, column::force));
+    here.force += vector(rows, row, column::force);
     here.area += rows(row, column::area);
     here.slides += rows(row, column::slides);
     here.heat += rows(row, column::heat);

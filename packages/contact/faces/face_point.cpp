@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -15,19 +15,19 @@ struct FaceMap {
     evaluate_shape(face.shape, xi, N, dN);
     Point sum{}, slope[2] = {};
     for (int a = 0; a < face.count; ++a) {
-      x = plus(x, N[a], face.x[a]);
-      sum = plus(sum, N[a], face.normal[a]);
+      x += N[a] * face.x[a];
+      sum += N[a] * face.normal[a];
       for (int k = 0; k < 2; ++k) {
-        along[k] = plus(along[k], dN[2 * a + k], face.x[a]);
-        slope[k] = plus(slope[k], dN[2 * a + k], face.normal[a]);
+        along[k] += dN[2 * a + k] * face.x[a];
+        slope[k] += dN[2 * a + k] * face.normal[a];
       }
     }
     const double size = length(sum);
-    normal = scaled(1 / size, sum);
-    for (int k = 0; k < 2; ++k) turning[k] = scaled(1 / size, plus(slope[k], -dot(normal, slope[k]), normal));
+    normal = 1 / size * sum;
+    for (int k = 0; k < 2; ++k) turning[k] = 1 / size * (slope[k] - dot(normal, slope[k]) * normal);
   }
   /// d(y + gap n) / d(xi, gap): two columns; the third one is the normal.
-  Point column(int k, double gap) const { return plus(along[k], gap, turning[k]); }
+  Point column(int k, double gap) const { return along[k] + gap * turning[k]; }
   double N[max_side_nodes], dN[2 * max_side_nodes];
   Point x{}, normal{}, along[2] = {}, turning[2] = {};
 };
@@ -39,7 +39,7 @@ bool inverse(const Point& a, const Point& b, const Point& c, Point (&row)[3]) {
   row[2] = cross(a, b);
   const double volume = dot(a, row[0]);
   if (!(std::abs(volume) > 1e-12 * length(a) * length(b) * length(c))) return false;
-  for (Point& r : row) r = scaled(1 / volume, r);
+  for (Point& r : row) r = 1 / volume * r;
   return true;
 }
 
@@ -61,7 +61,7 @@ T number(double value, const Point (&row)[3], double by_first, double by_second,
 }
 
 template <class T>
-using Vector = SpatialVector<T, 3>;
+using Vector = Vec<T, 3>;
 template <class T>
 Vector<T> vector(const Point& value, const Point (&row)[3], const Point& by_first, const Point& by_second) {
   Vector<T> result;
@@ -88,8 +88,8 @@ FootPlace<T> place(const FacePoint& point, const FaceMap& map) {
   if constexpr (!std::is_same_v<T, double>)
     inverse(map.column(0, point.foot.gap), map.column(1, point.foot.gap), map.normal, row);
   for (int a = 0; a < point.face.count; ++a) {
-    was = plus(was, map.N[a], point.x_old[a]);
-    for (int k = 0; k < 2; ++k) was_along[k] = plus(was_along[k], map.dN[2 * a + k], point.x_old[a]);
+    was += map.N[a] * point.x_old[a];
+    for (int k = 0; k < 2; ++k) was_along[k] += map.dN[2 * a + k] * point.x_old[a];
   }
   FootPlace<T> g;
   g.gap = number<T>(point.foot.gap, row, 0, 0, 1);
@@ -170,7 +170,7 @@ bool find_foot(const MasterFace& face, const Point& at, FaceFoot& foot) {
   constexpr double far = 4, near = 1e-10;  // in reference coordinates; the next step would be its square
   for (int i = 0; i < most; ++i) {
     const FaceMap map(face, foot.xi);
-    const Point rest = minus(minus(at, map.x), scaled(foot.gap, map.normal));
+    const Point rest = at - map.x - foot.gap * map.normal;
     Point row[3];
     if (!inverse(map.column(0, foot.gap), map.column(1, foot.gap), map.normal, row)) return false;
     const double step[2] = {dot(row[0], rest), dot(row[1], rest)};

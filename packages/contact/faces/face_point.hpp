@@ -2,6 +2,7 @@
 
 #include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -47,7 +48,7 @@ struct FaceForce {
   bool presses = false, slides = false;
   Point force{}, damping{};       // [N] on the slave: at the end of the step; added by damping to the mean over it
   Point acting{};                 // [N] share * force + damping / the end's weight in the integrator's force
-  double acting_slope[3][3];      // [N/m] (component, direction of d)
+  Mat<double, 3> acting_slope;    // [N/m] (component, direction of d)
   double weight[max_side_nodes];  // of the face's nodes: they get the opposite forces
   double weight_slope[max_side_nodes][3];  // [1/m]
   double share = 1, start_share = 0;       // see NodeForce

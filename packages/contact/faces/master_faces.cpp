@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -37,7 +37,7 @@ Point MasterFaces::normal_at(int face, int node, const ConstCoordinateView& x) c
   evaluate_shape(side.shape, xi.data(), N, dN);
   Point along[2] = {};
   for (int a = 0; a < side.count; ++a)
-    for (int k = 0; k < 2; ++k) along[k] = plus(along[k], dN[2 * a + k], place_of(x, side.node[a]));
+    for (int k = 0; k < 2; ++k) along[k] += dN[2 * a + k] * place_of(x, side.node[a]);
   return cross(along[0], along[1]);
 }
 
@@ -48,9 +48,9 @@ void MasterFaces::update(const ConstCoordinateView& x) {
       Point sum{};
       for (const Corner& at : around_[f][a]) {
         const Point normal = normal_at(at.face, at.node, x);
-        sum = plus(sum, 1 / std::max(1e-300, length(normal)), normal);
+        sum += 1 / std::max(1e-300, length(normal)) * normal;
       }
-      normals_[f][a] = scaled(1 / std::max(1e-300, length(sum)), sum);
+      normals_[f][a] = 1 / std::max(1e-300, length(sum)) * sum;
     }
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <math.h>  // unqualified functions, as in tensor/dual.hpp
-
+#include <cmath>
 #include <type_traits>
 
 #include "contact/laws/friction.hpp"
 #include "contact/laws/impact_share.hpp"
 #include "contact/laws/normal_law.hpp"
 #include "contact/vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -19,67 +19,31 @@ inline constexpr const char* damping_documentation =
 
 /// What acts in a step at all points of a contact that share a penalty.
 struct ContactPointLaw {
-  const NormalLaw* normal_law = &linear_normal_law;  // asked on the host, as is the next
-  const Friction* friction = nullptr;                // null: smooth
-  double tangential_factor = 1;                      // of friction, and
-  bool effective = true;                             // whether it grows with the effective traction
-  double penalty = 0;                                // [Pa/m]
-  double touch = 0;           // [m] below this gap a point counts as pressing: stiffness, if no force
-  bool fixed = false;         // an active set decides which points press, not their gaps
-  bool first_guess = false;   // friction is linear: what stuck sticks, what slid slides on
-  double time = 0, dt = 1;    // [s] end of the step; its length
-  double start_weight = 0;    // [-] of the start of the step in the integrator's force
-  bool conserves = false;     // points exert the shares of start_share() and end_share() instead
-  double impact_damping = 0;  // [-] of those shares
-  double viscous = 0;         // [s/m] of damping; 0: none
+  const NormalLaw* normal_law = &linear_normal_law;
+  const Friction* friction = nullptr;  // null: smooth
+  double tangential_factor = 1;        // of friction, and
+  bool effective = true;               // whether it grows with the effective traction
+  double penalty = 0;                  // [Pa/m]
+  double touch = 0;                    // [m] below this gap a point counts as pressing: stiffness, if no force
+  bool first_guess = false;            // friction is linear: what stuck sticks, what slid slides on
+  double time = 0, dt = 1;             // [s] end of the step; its length
+  double start_weight = 0;             // [-] of the start of the step in the integrator's force
+  bool conserves = false;              // points exert the shares of start_share() and end_share() instead
+  double impact_damping = 0;           // [-] of those shares
+  double viscous = 0;                  // [s/m] of damping; 0: none
   bool film = false;  // the normal law gives the effective pressure, and water between the surfaces acts beside it
 };
 
 /// What lies along the surface: a number in the plane, in space a vector of the tangent plane.
 template <class T, int D>
-using Tangential = std::conditional_t<D == 2, T, SpatialVector<T, D>>;
+using Tangential = std::conditional_t<D == 2, T, Vec<T, D>>;
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION Tangential<T, D> no_tangential() {
+Tangential<T, D> no_tangential() {
   if constexpr (D == 2)
     return T(0.0);
   else
-    return SpatialVector<T, D>::zero();
+    return Vec<T, D>::zero();
 }
-
-/// The laws asked as they are, on the host. Kernels have their answers beforehand: see KnownAnswers.
-struct AskedLaws {
-  const ContactPointLaw& law;
-  NormalPressure pressure(const NormalPoint& at) const {
-    return law.normal_law->at(at.penetration, at.stiffness, at.soil);
-  }
-  ShearStrength strength(const FrictionPoint& at) const { return law.friction->strength(at); }
-};
-
-/// What the laws of a point are asked, and what they answer.
-struct LawQuestions {
-  bool presses = false, rubs = false;  // which of the two are asked
-  NormalPoint normal;
-  FrictionPoint friction;
-};
-struct LawAnswers {
-  NormalPressure normal{0, 0};
-  ShearStrength friction{0, 0};
-};
-/// Takes answers that are known, and writes down what was asked.
-struct KnownAnswers {
-  const LawAnswers& known;
-  LawQuestions& asked;
-  KOKKOS_INLINE_FUNCTION NormalPressure pressure(const NormalPoint& at) const {
-    asked.presses = true;
-    asked.normal = at;
-    return known.normal;
-  }
-  KOKKOS_INLINE_FUNCTION ShearStrength strength(const FrictionPoint& at) const {
-    asked.rubs = true;
-    asked.friction = at;
-    return known.friction;
-  }
-};
 
 /// A contact point as the geometry of its engine sees it. T is double or a dual number, whose derivatives (by whatever
 /// the engine takes as unknowns) the response carries on. D: dimension of the model.
@@ -87,7 +51,6 @@ template <class T, int D = 2>
 struct ContactMotion {
   T gap{0.0};                                       // [m] at the end of the step; negative: penetration
   T shift{0.0};                                     // [m] gap at which the pressure starts: multiplier over penalty
-  bool member = false;                              // of the active set
   T gap_old{0.0};                                   // [m] at the start of the step, for shares and damping
   T force_old{0.0};                                 // [N] normal force there, for damping
   T area{1.0};                                      // [m2]
@@ -115,53 +78,52 @@ struct ContactResponse {
 namespace detail {
 
 template <class T>
-KOKKOS_INLINE_FUNCTION T magnitude(const T& a) {
+T magnitude(const T& a) {
   return value(a) < 0 ? -1.0 * a : a;
 }
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION T magnitude(const SpatialVector<T, D>& a) {
+T magnitude(const Vec<T, D>& a) {
   const T square = dot(a, a);
   return value(square) > 0 ? square_root(square) : T(0.0);
 }
 /// In the direction of `a`, which is not 0, as long as `size`.
 template <class T>
-KOKKOS_INLINE_FUNCTION T along(const T& a, const T& size) {
+T along(const T& a, const T& size) {
   return value(a) > 0 ? size : -1.0 * size;
 }
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION SpatialVector<T, D> along(const SpatialVector<T, D>& a, const T& size) {
+Vec<T, D> along(const Vec<T, D>& a, const T& size) {
   return a * (size / magnitude(a));
 }
 
 /// slope * a without its value: what a function of a, known by value and slope, has in derivatives.
 template <class T>
-KOKKOS_INLINE_FUNCTION T change(const T& a, double slope) {
+T change(const T& a, double slope) {
   return chain(a, 0.0, slope);
 }
 
 /// All of the step's travel, or for a point that was open the part after the gap closed at constant speed, which makes
 /// the shear stress start from 0.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION Tangential<T, D> touching_travel(const ContactMotion<T, D>& point) {
+Tangential<T, D> touching_travel(const ContactMotion<T, D>& point) {
   const T pressed = point.gap - point.shift;
   if (!(value(point.opened) > 0)) return point.travel;
-  if (!(value(pressed) < 0))
-    return no_tangential<T, D>();  // held in tension by a fixed active set: it has not touched yet
+  if (!(value(pressed) < 0)) return no_tangential<T, D>();  // near enough to press, but it has not touched yet
   return point.travel * (pressed / (pressed - point.opened));
 }
 
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION TouchingSoil soil_at(const ContactMotion<T, D>& point) {
+TouchingSoil soil_at(const ContactMotion<T, D>& point) {
   TouchingSoil soil = point.soil;
   soil.pore_pressure = value(point.pore_pressure);
   return soil;
 }
 
-template <class T, int D, class Laws>
-KOKKOS_INLINE_FUNCTION T pressure(const ContactPointLaw& law, const ContactMotion<T, D>& point, const Laws& laws) {
+template <class T, int D>
+T pressure(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
   const T penetration = point.shift - point.gap;
-  const double depth = law.fixed || value(penetration) > 0 ? value(penetration) : 0.0;
-  const NormalPressure normal = laws.pressure({depth, law.penalty, soil_at(point)});
+  const double depth = value(penetration) > 0 ? value(penetration) : 0.0;
+  const NormalPressure normal = law.normal_law->at(depth, law.penalty, soil_at(point));
   return chain(penetration, normal.value, normal.slope) + change(point.pore_pressure, normal.pore_slope);
 }
 
@@ -169,8 +131,7 @@ KOKKOS_INLINE_FUNCTION T pressure(const ContactPointLaw& law, const ContactMotio
 /// Crossley, J. Appl. Mech. 42, 1975, 440-445, for a linear spring). It sets in and ends without a jump, takes energy
 /// only, and at most cancels the traction of surfaces that part: it never pulls.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION void add_damping(const ContactPointLaw& law, const ContactMotion<T, D>& point,
-                                        ContactResponse<T, D>& out) {
+void add_damping(const ContactPointLaw& law, const ContactMotion<T, D>& point, ContactResponse<T, D>& out) {
   const T closing = point.gap_old - point.gap,
           mean = out.start_share * point.force_old + out.end_share * out.pressure * point.area;
   const T factor = law.viscous / law.dt * closing;
@@ -180,9 +141,8 @@ KOKKOS_INLINE_FUNCTION void add_damping(const ContactPointLaw& law, const Contac
 
 /// Return map: a spring along the surface is stretched by the travel; where that exceeds the law's strength the point
 /// slides.
-template <class T, int D, class Laws>
-KOKKOS_INLINE_FUNCTION void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, const Laws& laws,
-                                         ContactResponse<T, D>& out) {
+template <class T, int D>
+void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, ContactResponse<T, D>& out) {
   const double stiffness = law.tangential_factor * law.penalty;
   const Tangential<T, D> travel = touching_travel(point);
   out.shear = point.shear_old - travel * stiffness;
@@ -199,7 +159,7 @@ KOKKOS_INLINE_FUNCTION void add_friction(const ContactPointLaw& law, const Conta
   if (!law.effective && law.film) normal = normal + point.pore_pressure;
   const T rate = magnitude(travel) / law.dt;
   const ShearStrength strength =
-      laws.strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil_at(point)});
+      law.friction->strength({value(normal), point.position, point.slip_old, law.time, value(rate), soil_at(point)});
   const double excess = value(magnitude(out.shear)) - strength.value;
   out.slides = !(excess <= 0);  // a strength that is no number is not hidden
   if (!out.slides) return;
@@ -207,35 +167,30 @@ KOKKOS_INLINE_FUNCTION void add_friction(const ContactPointLaw& law, const Conta
                     change(point.pore_pressure, strength.pore_slope);
   out.shear = along(out.shear, carried);
   out.slip = excess / stiffness;
-  out.heat = ::fabs(value(carried)) * out.slip * value(point.area);
+  out.heat = std::abs(value(carried)) * out.slip * value(point.area);
 }
 
 }  // namespace detail
 
 /// Whether a point presses; the response of one that does not is that of damping alone.
 template <class T, int D>
-KOKKOS_INLINE_FUNCTION bool presses(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
-  return law.fixed ? point.member : value(point.gap) - value(point.shift) < law.touch;
+bool presses(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
+  return value(point.gap) - value(point.shift) < law.touch;
 }
 
-/// The point law of all contacts: gap, travel and old state to pressure and shear stress.
-template <class T, int D, class Laws>
-KOKKOS_INLINE_FUNCTION ContactResponse<T, D> respond(const ContactPointLaw& law, const ContactMotion<T, D>& point,
-                                                     const Laws& laws) {
+/// The point law of all contacts: gap, travel and old state to pressure and shear stress. It runs on the host, where it
+/// asks the laws.
+template <class T, int D>
+ContactResponse<T, D> respond(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
   ContactResponse<T, D> out;
   out.start_share = law.conserves ? start_share(point.gap_old, point.gap, law.impact_damping) : T(law.start_weight);
   out.end_share = law.conserves ? end_share(point.gap_old, point.gap, law.impact_damping) : T(1 - law.start_weight);
   out.presses = presses(law, point);
-  if (out.presses) out.pressure = detail::pressure(law, point, laws);
+  if (out.presses) out.pressure = detail::pressure(law, point);
   if (law.viscous > 0) detail::add_damping(law, point, out);
-  if (out.presses && law.friction) detail::add_friction(law, point, laws, out);
+  if (out.presses && law.friction) detail::add_friction(law, point, out);
   if (law.film) out.pressure = out.pressure + point.pore_pressure;
   return out;
-}
-/// With the laws asked on the host.
-template <class T, int D>
-ContactResponse<T, D> respond(const ContactPointLaw& law, const ContactMotion<T, D>& point) {
-  return respond(law, point, AskedLaws{law});
 }
 
 }  // namespace mudline

@@ -1,6 +1,6 @@
 #include "contact/laws/friction.hpp"
 
-#include <math.h>  // unqualified functions, as in tensor/dual.hpp
+#include <cmath>
 
 namespace mudline {
 
@@ -18,65 +18,51 @@ void declare_friction(Parameters& p) {
 }
 
 void CoulombFriction::parameters(Parameters& p) {
-  p.required("coefficient", law_.coefficient, "-", non_negative(),
+  p.required("coefficient", coefficient_, "-", non_negative(),
              "Friction coefficient: tangent of the interface's angle");
-  p.add("kinetic coefficient", law_.kinetic, "-", non_negative(),
+  p.add("kinetic coefficient", kinetic_, "-", non_negative(),
         "Friction coefficient at high speed, approached exponentially by 'decay speed'; absent: the coefficient at all "
         "speeds");
-  p.add("decay speed", law_.decay_speed, "m/s", non_negative(),
+  p.add("decay speed", decay_speed_, "m/s", non_negative(),
         "Speed along the surface at which 1/e of the difference between coefficient and kinetic coefficient is left");
-  p.add("adhesion", law_.adhesion, "Pa", non_negative(),
-        "Shear strength of a touching surface without normal traction");
-  p.add("full adhesion at", law_.full_adhesion_at, "Pa", non_negative(),
+  p.add("adhesion", adhesion_, "Pa", non_negative(), "Shear strength of a touching surface without normal traction");
+  p.add("full adhesion at", full_adhesion_at_, "Pa", non_negative(),
         "Normal traction from which on the adhesion acts in full, below in proportion; 0: as soon as the surface "
         "touches, so that the shear stress jumps where it opens");
   p.add("cap", cap_, "Pa",
         "Shear stress limit, a function of time and place, e.g. alpha times the undrained strength; absent: none");
-  law_.capped = p.given("cap");
+  capped_ = p.given("cap");
   interface_parameters(p);
 }
 
 void CoulombFriction::check(const Section& section) const {
   const bool kinetic = section.has_parameter("kinetic coefficient"), speed = section.has_parameter("decay speed");
-  if (kinetic && !(law_.decay_speed > 0))
+  if (kinetic && !(decay_speed_ > 0))
     section.fail("a kinetic coefficient needs a decay speed greater than 0 m/s", "decay speed");
   if (speed && !kinetic) section.fail("has a meaning only together with a 'kinetic coefficient'", "decay speed");
 }
 
-KOKKOS_FUNCTION ShearStrength CoulombStrength::operator()(const FrictionPoint& at) const {
-  ShearStrength result{adhesion, 0};
-  double now = coefficient, by_rate = 0;
-  if (decay_speed > 0) {
-    const double rest = (coefficient - kinetic) * ::exp(-at.rate / decay_speed);
-    now = kinetic + rest;
-    by_rate = -rest / decay_speed;
+ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
+  ShearStrength result{adhesion_, 0};
+  double now = coefficient_, by_rate = 0;
+  if (decay_speed_ > 0) {
+    const double rest = (coefficient_ - kinetic_) * std::exp(-at.rate / decay_speed_);
+    now = kinetic_ + rest;
+    by_rate = -rest / decay_speed_;
   }
   const double normal = at.normal > 0 ? at.normal : 0.0;
-  double stuck = adhesion, by_normal = 0;
-  if (normal < full_adhesion_at) {
-    by_normal = adhesion / full_adhesion_at;
+  double stuck = adhesion_, by_normal = 0;
+  if (normal < full_adhesion_at_) {
+    by_normal = adhesion_ / full_adhesion_at_;
     stuck = by_normal * normal;
   }
   if (normal > 0)
     result = {stuck + now * normal, by_normal + now, by_rate * normal};
   else
     result.value = stuck;
-  if (!capped) return result;
-  const double limit = cap > 0 ? cap : 0.0;
+  if (!capped_) return result;
+  const double cap = cap_(at.time, at.position), limit = cap > 0 ? cap : 0.0;
   return result.value > limit ? ShearStrength{limit, 0} : result;
-}
-
-ShearStrength CoulombFriction::strength(const FrictionPoint& at) const {
-  CoulombStrength law = law_;
-  if (law.capped) law.cap = cap_(at.time, at.position);
-  return law(at);
-}
-
-void CoulombFriction::strengths(const LawList<FrictionPoint, ShearStrength>& list) const {
-  if (law_.capped && !cap_.is_constant()) return Friction::strengths(list);
-  CoulombStrength law = law_;
-  if (law.capped) law.cap = cap_(0, {});
-  ask_in_kernel(law, list);
 }
 
 void register_friction(Registry<Friction>& registry) {

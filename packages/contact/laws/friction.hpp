@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/laws/pointwise_law.hpp"
 #include "contact/laws/touching_soil.hpp"
 #include "core/registry.hpp"
 
@@ -24,17 +23,15 @@ struct ShearStrength {
   double pore_slope = 0;  // [-] d value / d pore pressure, at the same normal
 };
 
-/// Friction law of an interface: type of a contact's "friction". Pure. The contact does the rest: below the strength
-/// the point sticks (an elastic spring along the surface), at the strength it slides.
+/// Friction law of an interface: type of a contact's "friction". A law has also
+///     void parameters(Parameters&);       its own, and interface_parameters()
+///     void check(const Section&) const;   [optional] rules across parameters
+/// Pure; several threads may ask it at once. The contact does the rest: below the strength the point sticks (an elastic
+/// spring along the surface), at the strength it slides.
 class Friction {
  public:
   virtual ~Friction() = default;
   virtual ShearStrength strength(const FrictionPoint& at) const = 0;
-  /// The same at many points: on the host, one after the other, unless the law says otherwise as PointwiseFriction
-  /// does.
-  virtual void strengths(const LawList<FrictionPoint, ShearStrength>& list) const {
-    ask_on_host([this](const FrictionPoint& at) { return strength(at); }, list);
-  }
   /// What the strength reads of the soil that touches, besides `normal`, and whether it reads the path slid. What a law
   /// does not ask for may be no number; a contact that cannot tell it refuses the law.
   virtual SoilQuantities reads() const { return {}; }
@@ -54,68 +51,20 @@ class Friction {
   Traction traction_ = Traction::effective;
 };
 
-/// Turns a trivially copyable law with
-///     void parameters(Parameters&);
-///     KOKKOS_FUNCTION ShearStrength operator()(const FrictionPoint&) const;
-///     void check(const Section&) const;        [optional] rules across parameters
-///     static constexpr SoilQuantities reads;   [optional]
-///     static constexpr bool reads_slip = true; [optional]
-/// into a Friction that is asked in kernels.
-template <class Law>
-class PointwiseFriction : public Friction {
- public:
-  void parameters(Parameters& p) {
-    law_.parameters(p);
-    interface_parameters(p);
-  }
-  void check(const Section& section) const {
-    if constexpr (detail::has_check<const Law>::value) law_.check(section);
-  }
-  ShearStrength strength(const FrictionPoint& at) const override { return law_(at); }
-  void strengths(const LawList<FrictionPoint, ShearStrength>& list) const override { ask_in_kernel(law_, list); }
-  SoilQuantities reads() const override { return reads_of<Law>(0); }
-  bool reads_slip() const override { return reads_slip_of<Law>(0); }
-
- private:
-  template <class L>
-  static auto reads_of(int) -> decltype(SoilQuantities(L::reads)) {
-    return L::reads;
-  }
-  template <class L>
-  static SoilQuantities reads_of(...) {
-    return {};
-  }
-  template <class L>
-  static auto reads_slip_of(int) -> decltype(bool(L::reads_slip)) {
-    return L::reads_slip;
-  }
-  template <class L>
-  static bool reads_slip_of(...) {
-    return false;
-  }
-  Law law_;
-};
-
 /// strength = adhesion min(1, <normal> / full adhesion at) + coefficient <normal>, at most the cap. With a kinetic
 /// coefficient the coefficient follows the speed, kinetic + (coefficient - kinetic) exp(-rate / decay speed).
-struct CoulombStrength {
-  double coefficient = 0, adhesion = 0, kinetic = 0;
-  double full_adhesion_at = 0;  // [Pa] normal traction; 0: the adhesion is there as soon as the surface touches
-  double decay_speed = 0;       // [m/s] 0: one coefficient at all speeds
-  double cap = 0;               // [Pa] one for all points
-  bool capped = false;
-  KOKKOS_FUNCTION ShearStrength operator()(const FrictionPoint& at) const;
-};
 class CoulombFriction : public Friction {
  public:
   void parameters(Parameters& p);
   void check(const Section& section) const;
   ShearStrength strength(const FrictionPoint& at) const override;
-  /// In a kernel, unless the cap is a function that has to be evaluated.
-  void strengths(const LawList<FrictionPoint, ShearStrength>& list) const override;
 
  private:
-  CoulombStrength law_;
+  double coefficient_ = 0, kinetic_ = 0;
+  double decay_speed_ = 0;  // [m/s] 0: one coefficient at all speeds
+  double adhesion_ = 0;
+  double full_adhesion_at_ = 0;  // [Pa] normal traction; 0: the adhesion is there as soon as the surface touches
+  bool capped_ = false;
   Function cap_;
 };
 

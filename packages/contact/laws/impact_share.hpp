@@ -10,7 +10,7 @@ namespace mudline {
 /// conjugate positions [m], see ImpactView; 0 <= damping <= 1/2.
 /// Of the force at the end of the step, where there is one (gap < 0).
 template <class T>
-KOKKOS_INLINE_FUNCTION T end_share(const T& gap_old, const T& gap, double damping) {
+T end_share(const T& gap_old, const T& gap, double damping) {
   const double whole = 0.5 + damping;
   if (value(gap_old) <= 0) return T(whole);
   if (value(gap) >= 0) return T(0.0);
@@ -19,7 +19,7 @@ KOKKOS_INLINE_FUNCTION T end_share(const T& gap_old, const T& gap, double dampin
 
 /// Of the force at the start: the same backwards in time.
 template <class T>
-KOKKOS_INLINE_FUNCTION T start_share(const T& gap_old, const T& gap, double damping) {
+T start_share(const T& gap_old, const T& gap, double damping) {
   return value(gap_old) >= 0 ? T(0.0) : end_share(gap, gap_old, -damping);
 }
 

@@ -6,7 +6,7 @@
 namespace mudline {
 
 void SmoothedNormalLaw::parameters(Parameters& p) {
-  p.required("depth", law_.depth, "m", positive(), "penetration over which the stiffness grows to the penalty");
+  p.required("depth", depth_, "m", positive(), "penetration over which the stiffness grows to the penalty");
 }
 
 double penetration_under(const NormalLaw& law, double pressure, double stiffness, const TouchingSoil& soil) {

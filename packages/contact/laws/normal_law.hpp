@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/laws/pointwise_law.hpp"
 #include "contact/laws/touching_soil.hpp"
 #include "core/registry.hpp"
 
@@ -13,42 +12,24 @@ struct NormalPressure {
   double pore_slope = 0;  // [-] d value / d pore pressure of the soil
 };
 
-/// What a normal law is asked at many points at once.
-struct NormalPoint {
-  double penetration = 0, stiffness = 0;  // [m], [Pa/m]
-  TouchingSoil soil;
-};
-
-/// Pressure over penetration: type of a contact's "normal law". Pure.
+/// Pressure over penetration: type of a contact's "normal law". Pure; several threads may ask it at once.
 class NormalLaw {
  public:
   virtual ~NormalLaw() = default;
   /// At a penetration [m], 0 or more, for a contact of this stiffness [Pa/m], its penalty.
   virtual NormalPressure at(double penetration, double stiffness, const TouchingSoil& soil) const = 0;
-  /// The same at many points: on the host, one after the other, unless the law says otherwise.
-  virtual void pressures(const LawList<NormalPoint, NormalPressure>& list) const {
-    ask_on_host([this](const NormalPoint& p) { return at(p.penetration, p.stiffness, p.soil); }, list);
-  }
   /// What it reads of the soil; what it does not ask for may be no number.
   virtual SoilQuantities reads() const { return {}; }
-  /// Whether it is stiffness times penetration, on which multipliers, active sets and the shares of impacts stand.
+  /// Whether it is stiffness times penetration, on which multipliers and the shares of impacts stand.
   virtual bool linear() const { return false; }
 };
 
 /// stiffness x penetration.
-struct LinearPressure {
-  KOKKOS_FUNCTION NormalPressure operator()(const NormalPoint& at) const {
-    return {at.stiffness * at.penetration, at.stiffness};
-  }
-};
 class LinearNormalLaw : public NormalLaw {
  public:
   void parameters(Parameters&) {}
-  NormalPressure at(double penetration, double stiffness, const TouchingSoil& soil) const override {
-    return LinearPressure{}({penetration, stiffness, soil});
-  }
-  void pressures(const LawList<NormalPoint, NormalPressure>& list) const override {
-    ask_in_kernel(LinearPressure{}, list);
+  NormalPressure at(double penetration, double stiffness, const TouchingSoil&) const override {
+    return {stiffness * penetration, stiffness};
   }
   bool linear() const override { return true; }
 };
@@ -57,23 +38,16 @@ inline const LinearNormalLaw linear_normal_law{};
 
 /// The slope grows from 0 to the stiffness over a small depth: contact opens and closes without a kink, at which
 /// Newton's method goes back and forth. Deeper it is the linear law, half that depth further in.
-struct SmoothedPressure {
-  double depth = 0;  // [m]
-  KOKKOS_FUNCTION NormalPressure operator()(const NormalPoint& at) const {
-    if (at.penetration >= depth) return {at.stiffness * (at.penetration - 0.5 * depth), at.stiffness};
-    return {0.5 * at.stiffness * at.penetration * at.penetration / depth, at.stiffness * at.penetration / depth};
-  }
-};
 class SmoothedNormalLaw : public NormalLaw {
  public:
   void parameters(Parameters& p);
-  NormalPressure at(double penetration, double stiffness, const TouchingSoil& soil) const override {
-    return law_({penetration, stiffness, soil});
+  NormalPressure at(double penetration, double stiffness, const TouchingSoil&) const override {
+    if (penetration >= depth_) return {stiffness * (penetration - 0.5 * depth_), stiffness};
+    return {0.5 * stiffness * penetration * penetration / depth_, stiffness * penetration / depth_};
   }
-  void pressures(const LawList<NormalPoint, NormalPressure>& list) const override { ask_in_kernel(law_, list); }
 
  private:
-  SmoothedPressure law_;
+  double depth_ = 0;  // [m]
 };
 
 /// Penetration [m] at which the law gives a pressure [Pa], 0 or more, that it grows to; infinite where it does not

@@ -77,30 +77,6 @@ TouchingSoil soil_of(const SoilQuantities& reads, bool pressed, double pore_pres
   return soil;
 }
 
-/// "" or how the law's answers to many points differ from those to one.
-template <class Question, class Answer, class One, class Many>
-std::string list_problem(const std::vector<Question>& questions, const One& one, const Many& many) {
-  const int n = static_cast<int>(questions.size());
-  const Kokkos::View<char*> asked("asked", n);
-  const Kokkos::View<Question*> ask("questions", n);
-  const Kokkos::View<Answer*> answers("answers", n);
-  for (int i = 0; i < n; ++i) {
-    asked(i) = 1;
-    ask(i) = questions[i];
-  }
-  many(LawList<Question, Answer>{asked, ask, answers});
-  Kokkos::fence();
-  int other = 0;
-  for (int i = 0; i < n; ++i) {
-    const Answer here = one(questions[i]);
-    const auto agree = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-    other += agree(here.value, answers(i).value) && agree(here.slope, answers(i).slope) ? 0 : 1;
-  }
-  return other == 0 ? ""
-                    : "asked at many points at once it answers otherwise at " + std::to_string(other) + " of " +
-                          std::to_string(n);
-}
-
 std::string first_of(const std::vector<std::string>& problems) {
   for (const std::string& problem : problems)
     if (!problem.empty()) return problem;
@@ -147,37 +123,28 @@ std::string find_problem(const Friction& law) {
     by_pressure.add(slope_of(here.pore_slope, at.soil.pore_pressure, relative_step * pore_scale, pore_scale, pressed),
                     place);
   }
-  return first_of({by_normal.problem(), by_rate.problem(), by_pressure.problem(),
-                   list_problem<FrictionPoint, ShearStrength>(
-                       points, [&](const FrictionPoint& at) { return law.strength(at); },
-                       [&](const LawList<FrictionPoint, ShearStrength>& list) { law.strengths(list); })});
+  return first_of({by_normal.problem(), by_rate.problem(), by_pressure.problem()});
 }
 
 std::string find_problem(const NormalLaw& law, double stiffness) {
   Findings by_depth("d pressure / d penetration [Pa/m]"), by_pressure("d pressure / d pore pressure");
-  std::vector<NormalPoint> points;
   for (const double penetration : {1e-7, 1e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 1e-2})
-    for (const double pressure : {0.0, 3e4})
-      points.push_back({penetration, stiffness, soil_of(law.reads(), false, pressure)});
-  for (const NormalPoint& at : points) {
-    const NormalPressure here = law.at(at.penetration, at.stiffness, at.soil);
-    const auto place = [&] { return of("penetration %.4g m, stiffness %.4g Pa/m", at.penetration, at.stiffness); };
-    by_depth.add(slope_of(here.slope, at.penetration, relative_step * at.penetration, at.penetration,
-                          [&](double x) { return law.at(x, at.stiffness, at.soil).value; }),
-                 place);
-    if (!law.reads().pore_pressure) continue;
-    const auto pressed = [&](double x) {
-      TouchingSoil soil = at.soil;
-      soil.pore_pressure = x;
-      return law.at(at.penetration, at.stiffness, soil).value;
-    };
-    by_pressure.add(slope_of(here.pore_slope, at.soil.pore_pressure, relative_step * pore_scale, pore_scale, pressed),
-                    place);
-  }
-  return first_of({by_depth.problem(), by_pressure.problem(),
-                   list_problem<NormalPoint, NormalPressure>(
-                       points, [&](const NormalPoint& at) { return law.at(at.penetration, at.stiffness, at.soil); },
-                       [&](const LawList<NormalPoint, NormalPressure>& list) { law.pressures(list); })});
+    for (const double pressure : {0.0, 3e4}) {
+      const TouchingSoil soil = soil_of(law.reads(), false, pressure);
+      const NormalPressure here = law.at(penetration, stiffness, soil);
+      const auto place = [&] { return of("penetration %.4g m, stiffness %.4g Pa/m", penetration, stiffness); };
+      by_depth.add(slope_of(here.slope, penetration, relative_step * penetration, penetration,
+                            [&](double x) { return law.at(x, stiffness, soil).value; }),
+                   place);
+      if (!law.reads().pore_pressure) continue;
+      const auto pressed = [&](double x) {
+        TouchingSoil wetter = soil;
+        wetter.pore_pressure = x;
+        return law.at(penetration, stiffness, wetter).value;
+      };
+      by_pressure.add(slope_of(here.pore_slope, pressure, relative_step * pore_scale, pore_scale, pressed), place);
+    }
+  return first_of({by_depth.problem(), by_pressure.problem()});
 }
 
 template <class Find>

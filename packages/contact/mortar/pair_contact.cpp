@@ -5,6 +5,7 @@
 
 #include "contact/convection.hpp"
 #include "contact/two_surfaces.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -30,7 +31,7 @@ void add(const PairSums& from, PairSums& to) {
 
 /// Values at the corners of the linear field whose weighted integrals over the touching part are given; the mean where
 /// that part is too short to tell a slope.
-std::array<double, 2> corner_values(const double (&mass)[2][2], const double (&integrals)[2]) {
+std::array<double, 2> corner_values(const Mat<double, 2>& mass, const double (&integrals)[2]) {
   const double whole = mass[0][0] + 2 * mass[0][1] + mass[1][1];
   if (!(whole > 0)) return {0, 0};
   const double determinant = mass[0][0] * mass[1][1] - mass[0][1] * mass[0][1];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -13,7 +14,7 @@ namespace {
 template <class T>
 struct Curve {
   int nodes;
-  PlaneVector<T> node[max_line_nodes];
+  Vec<T, 2> node[max_line_nodes];
 
   void shapes(const T& xi, T (&N)[max_line_nodes]) const {
     if (nodes == 2) {
@@ -34,9 +35,9 @@ struct Curve {
     result.compute(nodes, N, dN, [&](int a, int i) { return node[a][i]; });
     return result;
   }
-  PlaneVector<T> point(const T& xi) const { return vector(map(xi).x); }
-  PlaneVector<T> slope(const T& xi) const { return vector(map(xi).along[0]); }
-  PlaneVector<T> bend() const {
+  Vec<T, 2> point(const T& xi) const { return vector(map(xi).x); }
+  Vec<T, 2> slope(const T& xi) const { return vector(map(xi).along[0]); }
+  Vec<T, 2> bend() const {
     if (nodes == 2) return {T(0.0), T(0.0)};
     const T N[max_line_nodes] = {T(1.0), T(1.0), T(-2.0)};
     return combine(nodes, N, node);
@@ -64,7 +65,7 @@ template <class T, class F, class G>
 bool solve(double guess, F plain, G with_derivatives, T& result) {
   double xi = guess;
   bool converged = false;
-  for (int i = 0; i < 30 && !converged; ++i) {
+  for (int i = 0; i < 30; ++i) {
     double slope = 0;
     const double f = plain(xi, slope);
     if (!(std::abs(slope) > 0)) return false;
@@ -73,6 +74,7 @@ bool solve(double guess, F plain, G with_derivatives, T& result) {
     if (!(std::abs(xi) < 20)) return false;
     converged = std::abs(step) < 1e-14;
     if (i == 29) converged = std::abs(step) < 1e-12;
+    if (converged) break;
   }
   if (!converged) return false;
   double slope = 0;
@@ -86,7 +88,7 @@ bool solve(double guess, F plain, G with_derivatives, T& result) {
 template <class T>
 bool segment_end(const Curve<double>& slave, const Curve<double>& master, const Curve<T>& slave_t,
                  const Curve<T>& master_t, double end, T& xi) {
-  const PlaneVector<double> corner = master.point(end), along = master.slope(end);
+  const Vec<double, 2> corner = master.point(end), along = master.slope(end);
   const double first = dot(slave.node[0] - corner, along), second = dot(slave.node[1] - corner, along);
   if (first == second) return false;
   const double guess = (first + second) / (first - second);
@@ -95,7 +97,7 @@ bool segment_end(const Curve<double>& slave, const Curve<double>& master, const 
     xi = T(guess < 0 ? -1.0 : 1.0);
     return true;
   }
-  const PlaneVector<T> corner_t = master_t.point(T(end)), along_t = master_t.slope(T(end));
+  const Vec<T, 2> corner_t = master_t.point(T(end)), along_t = master_t.slope(T(end));
   const bool found = solve<T>(
       guess,
       [&](double at, double& slope) {
@@ -113,18 +115,18 @@ bool segment_end(const Curve<double>& slave, const Curve<double>& master, const 
 template <class T>
 struct Foot {
   T eta, gap;
-  PlaneVector<T> normal, along;
+  Vec<T, 2> normal, along;
 };
 
 template <class T>
-bool find_foot(const Curve<double>& master, const Curve<T>& master_t, const PlaneVector<T>& at, Foot<T>& foot) {
-  const PlaneVector<double> x{value(at[0]), value(at[1])};
-  const PlaneVector<double> chord = master.node[1] - master.node[0];
+bool find_foot(const Curve<double>& master, const Curve<T>& master_t, const Vec<T, 2>& at, Foot<T>& foot) {
+  const Vec<double, 2> x{value(at[0]), value(at[1])};
+  const Vec<double, 2> chord = master.node[1] - master.node[0];
   const double guess = 2 * dot(x - master.node[0], chord) / dot(chord, chord) - 1;
   const bool found = solve<T>(
       guess,
       [&](double eta, double& slope) {
-        const PlaneVector<double> way = x - master.point(eta), along = master.slope(eta);
+        const Vec<double, 2> way = x - master.point(eta), along = master.slope(eta);
         slope = dot(way, master.bend()) - dot(along, along);
         return dot(way, along);
       },
@@ -161,7 +163,7 @@ struct Sides {
 template <class T>
 struct SegmentPoint {
   T xi, length, area, shape[side_multipliers];  // length: without the circumference [m]
-  PlaneVector<T> at;
+  Vec<T, 2> at;
   Foot<T> foot;
   T field(const double (&corners)[side_multipliers]) const { return shape[0] * corners[0] + shape[1] * corners[1]; }
 };
@@ -185,7 +187,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   motion.slip_old = TouchingSoil::unknown;  // its points come and go
   motion.area = point.area;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
-  const PlaneVector<T> was = sides.slave_old.point(point.xi), foot_was = sides.master_old.point(point.foot.eta);
+  const Vec<T, 2> was = sides.slave_old.point(point.xi), foot_was = sides.master_old.point(point.foot.eta);
   motion.gap_old = dot(was - foot_was, point.foot.normal);
   if (value(before) > 0) motion.force_old = before * motion.area;
   if (value(multiplier) == 0) motion.opened = motion.gap_old;
@@ -197,7 +199,7 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
 
 /// A force on the slave and its opposite on the master.
 template <class T>
-void act(const Sides<T>& sides, const SegmentPoint<T>& point, const PlaneVector<T>& force, T (&to)[pair_dofs]) {
+void act(const Sides<T>& sides, const SegmentPoint<T>& point, const Vec<T, 2>& force, T (&to)[pair_dofs]) {
   T N[max_line_nodes], M[max_line_nodes];
   sides.slave.shapes(point.xi, N);
   sides.master.shapes(point.foot.eta, M);

@@ -53,8 +53,11 @@ std::vector<NodeChain> cut_at_corners(const std::vector<NodeChain>& chains, doub
     const int n = static_cast<int>(chain.nodes.size());
     if (chain.closed) {  // starts at a corner, if it has one
       int corner = -1;
-      for (int i = 0; i < n && corner < 0; ++i)
-        if (turns(chain.nodes[(i + n - 1) % n], chain.nodes[i], chain.nodes[(i + 1) % n])) corner = i;
+      for (int i = 0; i < n; ++i)
+        if (turns(chain.nodes[(i + n - 1) % n], chain.nodes[i], chain.nodes[(i + 1) % n])) {
+          corner = i;
+          break;
+        }
       if (corner < 0) {
         result.push_back(chain);
         continue;

@@ -2,30 +2,34 @@
 
 #include <memory>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
-#include "contact/nodes/node_pass.hpp"
+#include "contact/contact_rule.hpp"
+#include "contact/nodes/node_parameters.hpp"
 
 namespace mudline {
 
 /// Contact of two deformable surfaces, node to segment: the nodes of the slave against the master's surface as it is
 /// drawn over the master's nodes, R_u -= (x_slave - y(eta))_{,u} . (t n + s m) A at n+1 with the node's tributary area
-/// A, see node_force(). With a second pass the master's nodes look for the slave too, and each pass has half of the
-/// forces.
+/// A, see node_force(). Rows: the nodes of each slave side, with their tributary area of that side, so that a node
+/// between two sides has two rows; a rank has the rows of its sides.
 ///
-/// Parallel: as PairContact. State arrays: those of NodePass, with the prefixes "contact/<name>/" and
-/// "contact/<name>/second ".
+/// Parallel: as PairContact. State arrays, a row each, prefix "contact/<name>/": "points", see node_column;
+/// "multipliers" (normal and shear, augmented Lagrangian); "penalty" (a row per side, frozen when the contact first
+/// starts a step); "damping" (with damping, one row: its heat so far).
 class NodeContact : public TwoSurfaceContact<NodeParameters> {
  public:
   explicit NodeContact(const ContactContext& context) : TwoSurfaceContact(context) {}
-  /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, two passes with multipliers,
-  /// friction on the effective traction of surfaces with pore pressure. Collective.
+  /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, friction on the effective
+  /// traction of surfaces with pore pressure. Collective.
   void check(const Section& section);
 
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  void predicting(bool on) override;
+  void predicting(bool on) override { predicting_ = on; }
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
@@ -38,10 +42,60 @@ class NodeContact : public TwoSurfaceContact<NodeParameters> {
   std::vector<double> nodal_shear(const State& state) const override;
 
  private:
-  std::vector<double> nodal_sum(const State& state, int column) const;
+  struct Row {
+    int side, node;       // on this rank
+    double xi;            // of the node on the side
+    double area = 0;      // [m2] tributary, at the start of the step
+    double length = 0;    // [m] the same without the circumference
+    PlanePoint facing{};  // along the side
+    std::vector<int> candidates;
+  };
+  struct Seen {
+    int piece = -1, place = -1;  // place: in the dof table, -1: none
+    NodeFoot foot;
+  };
+  void measure(const ConstCoordinateView& x);
+  bool look(int row, const ConstCoordinateView& x, Seen& seen) const;
+  NodeLaw law(const StepView& view, int row) const;
+  NodeCoordinates coordinates(int row, int piece, const ConstCoordinateView& x) const;
+  bool conserves(const StepView& view) const;
+  /// Where gaps are measured, at both ends of the step.
+  struct Positions {
+    ConstCoordinateView old, end;
+  };
+  Positions positions(const StepView& view) const;
+  /// Force on nodes and piece that acted at the start of the step, by dof of its place.
+  void old_force(const State& committed, int row, const SurfacePiece& piece, double (&force)[node_dofs]) const;
+  /// A node that pressed at the start of the step exerts the share of that force, not what the integrator takes of it.
+  void add_old_share(const StepView& view, int row, double share);
+  void write_away(const StepView& view, int row) const;
+  double penalty(const State& state, int row) const { return state.arrays[penalties_](rows_[row].side, 0); }
+  bool sticks(const State& state, int row) const;
+  int place(int row, int piece) const;
+  Misfit misfit(const State& state) const;
+  /// Column by local node, weighted by length.
+  std::vector<double> nodal_mean(const State& state, int column) const;
+  /// Least gap of the nodes that see the master within `capture` [m], this rank's.
+  double least_gap(double capture, const ConstCoordinateView& x) const;
 
-  std::vector<std::unique_ptr<NodePass>> passes_;
-  double gap_tolerance_ = 0;  // [m]
+  std::unique_ptr<ContactSurface> slave_;
+  std::unique_ptr<MasterSurface> master_;
+  std::unique_ptr<SmoothSurface> surface_;  // the master, as it is drawn
+  std::vector<ContactRule> rules_;          // for sides of 2 and of 3 nodes
+  std::vector<Row> rows_;
+  std::unordered_map<long long, int> place_of_;  // (row, piece)
+  ElementDofs dofs_;
+  int group_ = -1;
+  double capture_ = 0, touch_ = 0;                  // [m] of this step
+  double gap_tolerance_ = 0;                        // [m]
+  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
+  bool predicting_ = false;
+  int points_ = -1, multipliers_ = -1, penalties_ = -1, damping_ = -1;  // state handles
 };
+
+/// Columns of the points.
+namespace node_column {
+enum : int { gap, pressure, shear, slides, force_x, force_y, area, length, slip, heat, piece, eta };
+}
 
 }  // namespace mudline

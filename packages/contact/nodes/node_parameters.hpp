@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/active_set.hpp"
 #include "contact/nodes/smooth_surface.hpp"
 #include "contact/two_surfaces.hpp"
 
@@ -14,9 +13,7 @@ struct NodeParameters : TwoSurfaceParameters {
   Drawing drawing = Drawing::hermite;
   double corner_angle = 45;  // [deg]
   double overhang = 0.1;     // [-] of the last piece
-  bool two_pass = false;
   PairImpact impact = PairImpact::conserving;
-  ActiveSetParameters active_set;
 };
 
 }  // namespace mudline

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -15,7 +16,7 @@ struct Positions {
   explicit Positions(const NodeCoordinates& x) : slave(unknown<T>(x.slave, 0)) {
     for (int j = 0; j < max_piece_nodes; ++j) master[j] = unknown<T>(x.master[j], 2 + 2 * j);
   }
-  PlaneVector<T> slave, master[max_piece_nodes];
+  Vec<T, 2> slave, master[max_piece_nodes];
 };
 
 /// The foot with its derivatives.
@@ -23,13 +24,13 @@ template <class T>
 struct FootPlace {
   T W[max_piece_nodes];
   T gap;
-  PlaneVector<T> normal, along, foot;
+  Vec<T, 2> normal, along, foot;
 };
 
 /// At a corner: along the way from it, or from the mean normal on the corner itself.
 template <class T>
 void look_from_corner(const SurfacePiece& piece, const NodeFoot& at, const Positions<T>& x, FootPlace<T>& g) {
-  const PlaneVector<T> way = x.slave - g.foot, chord = x.master[piece.count - 1] - x.master[0];
+  const Vec<T, 2> way = x.slave - g.foot, chord = x.master[piece.count - 1] - x.master[0];
   g.normal = constant<T>(at.outward);
   g.gap = dot(way, g.normal);
   if (std::sqrt(value(dot(way, way))) > 1e-12 * std::sqrt(value(dot(chord, chord)))) {
@@ -50,14 +51,14 @@ FootPlace<T> geometry(const SurfacePiece& piece, const NodeFoot& at, const Posit
     return g;
   }
   // eta follows from way . y' = 0 by one step of Newton's method, which leaves its value
-  const PlaneVector<T> way = x.slave - g.foot, tangent = combine(piece.count, dW, x.master),
-                       bend = combine(piece.count, ddW, x.master);
+  const Vec<T, 2> way = x.slave - g.foot, tangent = combine(piece.count, dW, x.master),
+                  bend = combine(piece.count, ddW, x.master);
   const T ahead = dot(way, tangent);
   const double slope = value(dot(way, bend) - dot(tangent, tangent));
   const T eta = at.eta - (ahead - value(ahead)) / slope;
   piece.weights(eta, g.W, dW, ddW);
   g.foot = combine(piece.count, g.W, x.master);
-  const PlaneVector<T> direction = combine(piece.count, dW, x.master);
+  const Vec<T, 2> direction = combine(piece.count, dW, x.master);
   g.along = direction / length(direction);
   g.normal = {g.along[1], -1.0 * g.along[0]};
   g.gap = dot(x.slave - g.foot, g.normal);
@@ -70,16 +71,15 @@ ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, c
   ContactMotion<T> motion;
   motion.gap = g.gap;
   motion.shift = T(law.normal / law.penalty);
-  motion.member = law.member;
   motion.soil = law.soil;
   motion.pore_pressure = T(law.soil.pore_pressure);
   motion.gap_old = T(law.gap_old);
   motion.force_old = T(law.normal_old);
   motion.area = T(law.area);
   if (!law.friction || !presses(law, motion)) return motion;
-  PlaneVector<T> was_master[max_piece_nodes];
+  Vec<T, 2> was_master[max_piece_nodes];
   for (int j = 0; j < max_piece_nodes; ++j) was_master[j] = constant<T>(old.master[j]);
-  const PlaneVector<T> was = constant<T>(old.slave), foot_was = combine(piece.count, g.W, was_master);
+  const Vec<T, 2> was = constant<T>(old.slave), foot_was = combine(piece.count, g.W, was_master);
   motion.travel = dot((x.slave - was) - (g.foot - foot_was), g.along);
   if (law.normal == 0) motion.opened = dot(was - foot_was, g.normal);
   motion.shear_old = T(law.shear);
@@ -90,7 +90,7 @@ ContactMotion<T> motion_of_node(const NodeLaw& law, const SurfacePiece& piece, c
 
 /// A force on the slave node, the opposite at its foot.
 template <class T>
-void act(const SurfacePiece& piece, const FootPlace<T>& g, const PlaneVector<T>& force, T (&to)[node_dofs]) {
+void act(const SurfacePiece& piece, const FootPlace<T>& g, const Vec<T, 2>& force, T (&to)[node_dofs]) {
   to[0] = force[0];
   to[1] = force[1];
   spread(piece.count, g.W, force * -1.0, to + 2);

@@ -25,7 +25,6 @@ struct NodeFoot {
 struct NodeLaw : ContactPointLaw {
   double area = 0;               // [m2] tributary, at the start of the step
   double normal = 0, shear = 0;  // [Pa] multipliers
-  bool member = false;           // of the active set
   double slip = 0;               // [m] path slid before the step
   double gap_old = 0;            // [m] at the start of the step, for shares and damping
   double normal_old = 0;         // [N] normal force there

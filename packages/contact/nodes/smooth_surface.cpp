@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "tensor/vec.hpp"
+
 namespace mudline {
 
 namespace {
@@ -11,13 +13,7 @@ namespace {
 PlanePoint right_of(const PlanePoint& t) { return {t[1], -t[0]}; }
 
 /// Weights of nodes.
-using Weights = std::array<double, max_piece_nodes>;
-
-Weights plus(const Weights& a, double factor, const Weights& b) {
-  Weights result = a;
-  for (int j = 0; j < max_piece_nodes; ++j) result[j] += factor * b[j];
-  return result;
-}
+using Weights = Vec<double, max_piece_nodes>;
 
 Weights unit(int j) {
   Weights result{};
@@ -27,9 +23,7 @@ Weights unit(int j) {
 
 /// Slope at the middle one of three nodes of the parabola through them, by the length of the chords.
 Weights slope(int before, int at, int after, double h1, double h2) {
-  Weights result{};
-  result = plus(result, h1 / (h2 * (h1 + h2)), plus(unit(after), -1, unit(at)));
-  return plus(result, h2 / (h1 * (h1 + h2)), plus(unit(at), -1, unit(before)));
+  return h1 / (h2 * (h1 + h2)) * (unit(after) - unit(at)) + h2 / (h1 * (h1 + h2)) * (unit(at) - unit(before));
 }
 
 }  // namespace
@@ -121,33 +115,33 @@ void SmoothSurface::set_coefficients(int index, const ConstCoordinateView& x) {
   const auto chord = [&](int i, int j) { return std::hypot(at[i][0] - at[j][0], at[i][1] - at[j][1]); };
   Weights control[4];
   if (origin.kind == Kind::parabola) {  // through the middle node: its control point is 2 m - (a + b) / 2
-    const Weights middle = plus(plus(plus({}, 2, unit(2)), -0.5, unit(0)), -0.5, unit(1));
+    const Weights middle = 2 * unit(2) - 0.5 * unit(0) - 0.5 * unit(1);
     control[0] = unit(0);
-    control[1] = plus(plus({}, 1.0 / 3, unit(0)), 2.0 / 3, middle);
-    control[2] = plus(plus({}, 1.0 / 3, unit(1)), 2.0 / 3, middle);
+    control[1] = 1.0 / 3 * unit(0) + 2.0 / 3 * middle;
+    control[2] = 1.0 / 3 * unit(1) + 2.0 / 3 * middle;
     control[3] = unit(1);
   } else if (origin.kind == Kind::around) {  // a parabola with the node as its control point
-    control[0] = plus(plus({}, 0.5, unit(0)), 0.5, unit(1));
-    control[1] = plus(plus({}, 5.0 / 6, unit(0)), 1.0 / 6, unit(1));
-    control[2] = plus(plus({}, 5.0 / 6, unit(0)), 1.0 / 6, unit(2));
-    control[3] = plus(plus({}, 0.5, unit(0)), 0.5, unit(2));
+    control[0] = 0.5 * unit(0) + 0.5 * unit(1);
+    control[1] = 5.0 / 6 * unit(0) + 1.0 / 6 * unit(1);
+    control[2] = 5.0 / 6 * unit(0) + 1.0 / 6 * unit(2);
+    control[3] = 0.5 * unit(0) + 0.5 * unit(2);
   } else {
     const double from = origin.kind == Kind::last_half ? 0.5 : 0.0, to = origin.kind == Kind::first_half ? 0.5 : 1.0;
     for (int i = 0; i < 4; ++i) {
       const double share = from + (to - from) * i / 3;
-      control[i] = plus(plus({}, 1 - share, unit(0)), share, unit(1));
+      control[i] = (1 - share) * unit(0) + share * unit(1);
     }
     const int next = origin.previous ? 3 : 2;
     if (origin.previous || origin.next) {
       const double h = chord(0, 1);
-      const Weights straight = plus(plus({}, 1 / h, unit(1)), -1 / h, unit(0));
+      const Weights straight = 1 / h * unit(1) - 1 / h * unit(0);
       Weights start{}, end{};
       if (origin.previous) start = slope(2, 0, 1, chord(2, 0), h);
       if (origin.next) end = slope(0, 1, next, h, chord(1, next));
-      if (!origin.previous) start = plus(plus({}, 2, straight), -1, end);
-      if (!origin.next) end = plus(plus({}, 2, straight), -1, start);
-      control[1] = plus(unit(0), h / 3, start);
-      control[2] = plus(unit(1), -h / 3, end);
+      if (!origin.previous) start = 2 * straight - end;
+      if (!origin.next) end = 2 * straight - start;
+      control[1] = unit(0) + h / 3 * start;
+      control[2] = unit(1) - h / 3 * end;
     }
   }
   for (int i = 0; i < 4; ++i) std::copy(control[i].begin(), control[i].end(), piece.control[i]);

@@ -3,19 +3,20 @@
 #include <cmath>
 
 #include "contact/vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
 namespace {
 
 struct CurveValue {
-  PlaneVector<double> x, d, dd;
+  Vec<double, 2> x, d, dd;
 };
 
 CurveValue curve_at(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta) {
   double W[max_piece_nodes], dW[max_piece_nodes], ddW[max_piece_nodes];
   piece.weights(eta, W, dW, ddW);
-  PlaneVector<double> at[max_piece_nodes];
+  Vec<double, 2> at[max_piece_nodes];
   for (int j = 0; j < piece.count; ++j) at[j] = constant<double>(nodes[j]);
   return {combine(piece.count, W, at), combine(piece.count, dW, at), combine(piece.count, ddW, at)};
 }
@@ -27,7 +28,7 @@ PlanePoint piece_point(const SurfacePiece& piece, const PieceCoordinates& nodes,
 }
 
 PlanePoint piece_direction(const SurfacePiece& piece, const PieceCoordinates& nodes, double eta) {
-  const PlaneVector<double> along = curve_at(piece, nodes, eta).d;
+  const Vec<double, 2> along = curve_at(piece, nodes, eta).d;
   return in_plane(along * (1 / length(along)));
 }
 
@@ -36,7 +37,7 @@ PieceFoot closest_on_piece(const SurfacePiece& piece, const PieceCoordinates& no
   constexpr int samples = 8;
   const auto at = [&](double eta, double& ahead, double& slope) {  // ahead > 0: the foot has a larger eta
     const CurveValue c = curve_at(piece, nodes, eta);
-    const PlaneVector<double> way = constant<double>(x) - c.x;
+    const Vec<double, 2> way = constant<double>(x) - c.x;
     ahead = dot(way, c.d);
     slope = dot(way, c.dd) - dot(c.d, c.d);
     return length(way);

@@ -79,6 +79,7 @@ struct ContactModel {
     register_friction(frictions);
     register_normal_laws(normal_laws);
     frictions.add<ReadingFriction>("reading", "Friction that reads the soil");
+    frictions.add<ThrowingFriction>("throwing", "Friction that cannot answer");
     normal_laws.add<ReadingNormalLaw>("reading", "Pressure that reads the soil");
     if (warm)  // a stress at two points per element
       store.declare({"soil/effective stress", {{"effective stress", 6, "Pa"}}, 0, 2},

@@ -103,13 +103,6 @@ const Case cases[] = {
        m.gap = 0.002;
        m.shift = 0.015;
      }},
-    {"MemberInTension", true, true,  // suction leaves no friction where traction has gone
-     [](ContactPointLaw& law, auto& m) {
-       law.fixed = m.member = true;
-       m.gap = 0.002;
-       m.pore_pressure = -8e3;
-     }},
-    {"NoMember", false, false, [](ContactPointLaw& law, auto&) { law.fixed = true; }},
     {"Touch", true, true,
      [](ContactPointLaw& law, auto& m) {
        law.touch = 1e-3;
@@ -130,7 +123,6 @@ std::array<T, 5> results(const ContactResponse<T>& r) {
 void expect_differences(const ContactPointLaw& law, ContactMotion<double> motion) {
   using T = Dual<inputs>;
   ContactMotion<T> dual;
-  dual.member = motion.member;
   dual.slid = motion.slid;
   dual.slip_old = motion.slip_old;
   dual.soil = motion.soil;

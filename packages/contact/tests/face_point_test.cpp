@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/tests/slope_friction.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -18,7 +18,7 @@ MasterFace bowl(CellShape shape, double bend) {
     const double x = xi[0], y = xi[1] + 0.1 * xi[0];
     face.x[a] = {x, y, bend * (x * x + y * y)};
     const Point normal{-2 * bend * x, -2 * bend * y, 1};
-    face.normal[a] = scaled(1 / length(normal), normal);
+    face.normal[a] = 1 / length(normal) * normal;
   }
   return face;
 }
@@ -32,10 +32,10 @@ TEST(FacePoint, FootLiesBelowThePointAlongTheNormal) {
     evaluate_shape(shape, xi, N, dN);
     Point y{}, n{};
     for (int a = 0; a < face.count; ++a) {
-      y = plus(y, N[a], face.x[a]);
-      n = plus(n, N[a], face.normal[a]);
+      y += N[a] * face.x[a];
+      n += N[a] * face.normal[a];
     }
-    ASSERT_TRUE(find_foot(face, plus(y, -0.07 / length(n), n), foot));
+    ASSERT_TRUE(find_foot(face, y - 0.07 / length(n) * n, foot));
     EXPECT_NEAR(foot.gap, -0.07, 1e-12);
     for (int k = 0; k < 2; ++k) EXPECT_NEAR(foot.xi[k], xi[k], 1e-12);
     EXPECT_FALSE(find_foot(face, {1.9, 1.9, 0.3}, foot));

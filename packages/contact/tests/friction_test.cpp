@@ -102,12 +102,17 @@ TEST(Friction, OpeningForgetsTheShearStressAndClosingCountsFromTouch) {
 }
 
 TEST(Friction, AdhesionGrowsUpToItsNormalTraction) {
-  const auto strength = [](double normal) {
-    CoulombStrength law{0.3, 40};
-    law.full_adhesion_at = 200;
+  Registry<Friction> registry("friction");
+  register_friction(registry);
+  Deck deck;
+  deck.overlay(
+      section_xml("deck", coulomb(0.3, number_parameter("adhesion", 40) + number_parameter("full adhesion at", 200))),
+      "deck.xml");
+  const auto law = registry.create(deck.root().section("friction"));
+  const auto strength = [&](double normal) {
     FrictionPoint at;
     at.normal = normal;
-    return law(at);
+    return law->strength(at);
   };
   EXPECT_EQ(strength(-10).value, 0);
   EXPECT_EQ(strength(0).value, 0);
@@ -135,6 +140,12 @@ TEST(Friction, CoefficientFollowsTheSpeed) {
   EXPECT_NE(message(number_parameter("kinetic coefficient", 0.1)).find("needs a decay speed"), std::string::npos);
   EXPECT_NE(message(number_parameter("decay speed", 0.1)).find("only together with a 'kinetic coefficient'"),
             std::string::npos);
+}
+
+TEST(Friction, WhatALawThrowsComesOutOfTheContact) {
+  ContactModel model = on_strip(plate("0.1*t"), section_xml("friction", text_parameter("type", "throwing")));
+  model.begin(1);
+  EXPECT_THROW(model.residual(), std::runtime_error);
 }
 
 struct Case {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "contact_model.hpp"
-#include "core/space_vector.hpp"
 #include "core/tests/input_error.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "contact/laws/friction.hpp"
 #include "contact/laws/normal_law.hpp"
 
@@ -27,6 +29,16 @@ class ReadingFriction : public Friction {
     return {value, normal, 0, pore};
   }
   double normal = 0, pore = 0, degree = 0, mean = 0, slip = 0;
+};
+
+/// Throws where it is asked in a step.
+class ThrowingFriction : public Friction {
+ public:
+  void parameters(Parameters& p) { interface_parameters(p); }
+  ShearStrength strength(const FrictionPoint& at) const override {
+    if (at.time > 0) throw std::runtime_error("no strength");
+    return {at.normal, 1};
+  }
 };
 
 /// A pressure that grows with the pore pressure.

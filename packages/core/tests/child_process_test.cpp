@@ -133,8 +133,10 @@ std::vector<char> start_another_and_wait(const std::string& file) {
 
 pid_t number_in(const std::string& file) {
   pid_t number = 0;
-  for (int i = 0; i < 3000 && !(std::ifstream(file) >> number); ++i)
+  for (int i = 0; i < 3000; ++i) {
+    if (std::ifstream(file) >> number) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   return number;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/deck.hpp"
 #include "input_error.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -30,7 +31,7 @@ struct Clay {
   std::string label = "clay";
   std::vector<double> depths{0.0, 1.5};
   std::vector<std::string> sides{"top"};
-  std::array<double, 2> origin{0.0, 0.0};
+  Vec<double, 2> origin{0.0, 0.0};
   Function load;
   Shape shape = Shape::ball;
   std::string mesh_file;
@@ -101,7 +102,7 @@ TEST(Parameters, ReadsEveryKind) {
   EXPECT_EQ(clay.label, "soft");
   EXPECT_EQ(clay.depths, (std::vector<double>{1.0, 2.0, 3.0}));
   EXPECT_EQ(clay.sides, (std::vector<std::string>{"left", "right"}));
-  EXPECT_EQ(clay.origin, (std::array<double, 2>{1.5, 2.5}));
+  EXPECT_EQ(clay.origin, (Vec<double, 2>{1.5, 2.5}));
   EXPECT_EQ(clay.load(2.0, {}), 4.0);
   EXPECT_EQ(clay.shape, Shape::cone);
 }

@@ -5,6 +5,7 @@
 
 #include "discretisation/tests/mesh_fixture.hpp"
 #include "discretisation/without_gmsh.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -36,7 +37,7 @@ TEST(BoxMesh, SidesPointOutwards) {
   for (const char* cell : {"quad9", "tri6", "quad4", "tri3"}) {
     const auto mesh = make(box(cell, 4, 3, parameter("distortion", "double", "0.3")));
     EXPECT_EQ(mesh->side_set_names(), (std::vector<std::string>{"bottom", "left", "right", "top"}));
-    const std::map<std::string, std::array<double, 3>> expected{
+    const std::map<std::string, Vec<double, 3>> expected{
         {"left", {1, -1, 0}}, {"right", {1, 1, 0}}, {"bottom", {2, 0, -2}}, {"top", {2, 0, 2}}};
     for (const auto& [set, values] : expected) {
       const auto sum = side_integral(*mesh, set);
@@ -155,13 +156,8 @@ TEST(MeshSets, UnknownNamesAreMetWithASuggestion) {
   const auto mesh = make(box("quad4", 2, 2));
   const Section section = mesh_section(parameter("side", "string", "tpo"));
   EXPECT_NO_THROW(require_side_set(*mesh, section, "side", "top"));
-  EXPECT_NO_THROW(require_set(*mesh, section, "side", "top"));
-  EXPECT_NO_THROW(require_region(*mesh, section, "side", "soil"));
   EXPECT_CONTAINS(input_error([&] { require_side_set(*mesh, section, "side", "tpo"); }),
                   "deck.xml:1: mesh/side: unknown side set 'tpo' (did you mean 'top'?)");
-  EXPECT_CONTAINS(input_error([&] { require_set(*mesh, section, "side", "xyz"); }),
-                  "unknown mesh set 'xyz'; allowed: bottom, left, right, top");
-  EXPECT_CONTAINS(input_error([&] { require_region(*mesh, section, "side", "sol"); }), "did you mean 'soil'?");
   EXPECT_THROW(mesh->nodes_of_set("tpo"), std::logic_error);
 }
 

@@ -5,6 +5,7 @@
 
 #include "discretisation/mesh_quality.hpp"
 #include "discretisation/tests/mesh_fixture.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -47,9 +48,9 @@ TEST(BoxInSpace, Hex27IsTheDefault) {
 }
 
 TEST(BoxInSpace, SidesPointOutwards) {
-  const std::map<std::string, std::array<double, 3>> expected{{"left", {-1.5, 0, 0}}, {"right", {1.5, 0, 0}},
-                                                              {"front", {0, -3, 0}},  {"back", {0, 3, 0}},
-                                                              {"bottom", {0, 0, -2}}, {"top", {0, 0, 2}}};
+  const std::map<std::string, Vec<double, 3>> expected{{"left", {-1.5, 0, 0}}, {"right", {1.5, 0, 0}},
+                                                       {"front", {0, -3, 0}},  {"back", {0, 3, 0}},
+                                                       {"bottom", {0, 0, -2}}, {"top", {0, 0, 2}}};
   for (const char* cell : cells) {
     const auto mesh = make(box3(cell, 4, 3, 2, distorted()));
     EXPECT_EQ(mesh->side_set_names(), (std::vector<std::string>{"back", "bottom", "front", "left", "right", "top"}));

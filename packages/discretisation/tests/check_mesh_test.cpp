@@ -2,6 +2,7 @@
 
 #include "discretisation/mesh_topology.hpp"
 #include "discretisation/tests/mesh_fixture.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -87,11 +88,11 @@ TEST(CheckMesh, Sets) {
 }
 
 /// Unit squares of quad4, each with nodes of its own, lower left corners given.
-GlobalMesh apart(const std::vector<std::array<double, 2>>& corners, double size = 1) {
+GlobalMesh apart(const std::vector<Vec<double, 2>>& corners, double size = 1) {
   GlobalMesh mesh;
   mesh.blocks = {{"soil", CellShape::quad4, {}}};
   for (const auto& c : corners)
-    for (const auto& d : {std::array{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}) {
+    for (const auto& d : {Vec<double, 2>{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}) {
       mesh.blocks[0].nodes.push_back(static_cast<long long>(mesh.coordinates.size()));
       mesh.coordinates.push_back({c[0] + size * d[0], c[1] + size * d[1]});
     }

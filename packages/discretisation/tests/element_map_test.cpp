@@ -1,4 +1,5 @@
 #include "discretisation/element_map.hpp"
+#include "tensor/mat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ ElementMap bent(CellShape shape) {
   return {shape, [=](int a) {
             const auto xi = reference_node(shape, a);
             const int dim = dimension(shape);
-            std::array<double, 3> x{3 + 2 * xi[0] + 0.3 * xi[1], -1 + 0.2 * xi[0] + xi[1], 0};
+            Vec<double, 3> x{3 + 2 * xi[0] + 0.3 * xi[1], -1 + 0.2 * xi[0] + xi[1], 0};
             if (dim == 3) x = {x[0] + 0.1 * xi[2], x[1] - 0.2 * xi[2], 0.7 + 0.4 * xi[0] + 1.5 * xi[2]};
             for (int i = 0; i < dim; ++i) x[i] += 0.05 * xi[(i + 1) % dim] * xi[0];
             return x;
@@ -27,7 +28,7 @@ TEST(ElementMap, InvertFindsThePlaceAgain) {
     const ElementMap map = bent(shape);
     const double inside[3] = {0.21, 0.34, 0.17}, outside[3] = {1.2, -0.1, 0.1};
     for (const auto& xi : {inside, outside}) {
-      const std::array<double, 3> x = map.at(xi);
+      const Vec<double, 3> x = map.at(xi);
       double found[3] = {0, 0, 0};
       ASSERT_TRUE(map.invert(x.data(), found)) << name(shape);
       for (int d = 0; d < dimension(shape); ++d) EXPECT_NEAR(found[d], xi[d], 1e-12) << name(shape);
@@ -40,7 +41,7 @@ TEST(ElementMap, DeterminantEqualsThatOfDifferences) {
   for (CellShape shape : all) {
     const int dim = dimension(shape);
     const ElementMap map = bent(shape);
-    double slope[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Mat<double, 3> slope = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     for (int k = 0; k < dim; ++k) {
       double above[3] = {at[0], at[1], at[2]}, below[3] = {at[0], at[1], at[2]};
       above[k] += h;
@@ -55,7 +56,7 @@ TEST(ElementMap, SidesAndCentre) {
   for (CellShape shape : all) {
     EXPECT_LT(outside_cell(shape, cell_centre(shape).data()), 0) << name(shape);
     for (int s = 0; s < num_sides(shape); ++s) {
-      for (const std::array<double, 2>& place : {std::array{0.2, 0.3}, {0.6, 0.1}}) {
+      for (const Vec<double, 2>& place : {Vec<double, 2>{0.2, 0.3}, {0.6, 0.1}}) {
         const auto xi = on_side(shape, s, place);
         EXPECT_NEAR(beyond_side(shape, s, xi.data()), 0, 1e-15) << name(shape) << " " << s;
         EXPECT_NEAR(outside_cell(shape, xi.data()), 0, 1e-15) << name(shape) << " " << s;
@@ -65,7 +66,7 @@ TEST(ElementMap, SidesAndCentre) {
       const CellShape own = side_shape(shape);
       for (int a = 0; a < num_nodes(own); ++a) {
         const auto xi = reference_node(own, a), there = reference_node(shape, side_nodes(shape, s)[a]);
-        EXPECT_EQ(on_side(shape, s, std::array{xi[0], xi[1]}), there) << name(shape) << " " << s << " " << a;
+        EXPECT_EQ(on_side(shape, s, {xi[0], xi[1]}), there) << name(shape) << " " << s << " " << a;
       }
     }
   }
@@ -73,9 +74,9 @@ TEST(ElementMap, SidesAndCentre) {
 
 TEST(ElementMap, ScaledJacobian) {
   const double h = std::sqrt(3.0) / 2;
-  const std::array<double, 3> regular[] = {{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, h / 3, std::sqrt(2.0 / 3)}};
-  const auto node = [&](const std::array<double, 3>* corners, int a) {
-    std::array<double, 3> x{};
+  const Vec<double, 3> regular[] = {{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, h / 3, std::sqrt(2.0 / 3)}};
+  const auto node = [&](const Vec<double, 3>* corners, int a) {
+    Vec<double, 3> x{};
     const auto around = corners_around(CellShape::tet10, a);
     for (int c : around)
       for (int i = 0; i < 3; ++i) x[i] += corners[c][i] / around.size();
@@ -92,7 +93,7 @@ TEST(ElementMap, ScaledJacobian) {
     return x;
   });
   EXPECT_LT(folded.scaled_jacobian(), 0);
-  const ElementMap flat(CellShape::tet4, [&](int a) { return a == 3 ? std::array{0.3, 0.3, 0.0} : regular[a]; });
+  const ElementMap flat(CellShape::tet4, [&](int a) { return a == 3 ? Vec<double, 3>{0.3, 0.3, 0.0} : regular[a]; });
   EXPECT_NEAR(flat.scaled_jacobian(), 0, 1e-14);
   const ElementMap undefined(CellShape::hex8, [&](int a) {
     auto x = reference_node(CellShape::hex8, a);

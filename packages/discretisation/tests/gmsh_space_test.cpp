@@ -109,7 +109,8 @@ TEST(GmshInSpace, HilbertsCurveVisitsEveryCellAndGoesOnToANeighbour) {
     const std::array<int, 3>* before = nullptr;
     for (const auto& [position, cell] : cells) {
       int steps = 0;
-      for (int i = 0; before && i < 3; ++i) steps += std::abs(cell[i] - (*before)[i]);
+      if (before)
+        for (int i = 0; i < 3; ++i) steps += std::abs(cell[i] - (*before)[i]);
       EXPECT_TRUE(!before || steps == 1) << dim;
       before = &cell;
     }

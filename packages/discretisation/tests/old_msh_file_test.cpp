@@ -11,6 +11,7 @@
 #include "discretisation/mesh_quality.hpp"
 #include "discretisation/old_msh_file.hpp"
 #include "discretisation/tests/mesh_fixture.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -198,10 +199,10 @@ TEST_F(OldMshFile, QuadrilateralsOfEightNodesGetCentres) {
 }
 
 /// Values of the serendipity shapes of a hexahedron at a reference place; nodes as those of hex27 begin.
-std::vector<double> serendipity(const std::array<double, 3>& xi) {
+std::vector<double> serendipity(const Vec<double, 3>& xi) {
   std::vector<double> N;
   for (int a = 0; a < 20; ++a) {
-    const std::array<double, 3> at = reference_node(CellShape::hex27, a);
+    const Vec<double, 3> at = reference_node(CellShape::hex27, a);
     double value = a < 8 ? 0.125 : 0.25, sum = -2;
     for (int d = 0; d < 3; ++d) {
       value *= at[d] == 0 ? 1 - xi[d] * xi[d] : 1 + at[d] * xi[d];
@@ -221,7 +222,7 @@ std::string bricks(std::vector<Point>& given, bool first_of_27 = false) {
     const bool all = brick == 0 && first_of_27;
     std::vector<int> in_order(27);
     for (int a = 0; a < (all ? 27 : 20); ++a) {
-      const std::array<double, 3> xi = reference_node(CellShape::hex27, a);
+      const Vec<double, 3> xi = reference_node(CellShape::hex27, a);
       const double x = 0.5 * (xi[0] + 1) + brick, y = 0.5 * (xi[1] + 1), z = 0.5 * (xi[2] + 1);
       const auto [number, added] = numbers.emplace(Point{x, y, z}, count + 1);
       if (added) {
@@ -256,8 +257,8 @@ TEST_F(OldMshFile, HexahedraOfTwentyNodesGetCentresAndKeepTheirGeometry) {
   EXPECT_LT(gradient_error(*found), 1e-11);
   for (int e = 0; e < 2; ++e) {
     const ElementMap map = map_of(*found, block, e);
-    for (const std::array<double, 3>& xi :
-         {std::array<double, 3>{0, 0, 0}, {0.3, -0.7, 0.9}, {-1, 0.2, 0.4}, {0.6, 1, -0.5}, {-0.8, -0.1, -1}}) {
+    for (const Vec<double, 3>& xi :
+         {Vec<double, 3>{0, 0, 0}, {0.3, -0.7, 0.9}, {-1, 0.2, 0.4}, {0.6, 1, -0.5}, {-0.8, -0.1, -1}}) {
       const std::vector<double> N = serendipity(xi);
       const Point at = map.at(xi.data());
       for (int i = 0; i < 3; ++i) {

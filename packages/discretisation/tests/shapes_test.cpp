@@ -1,4 +1,5 @@
 #include "discretisation/shapes.hpp"
+#include "tensor/vec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ const std::vector<CellShape> plane{CellShape::tri3, CellShape::tri6, CellShape::
     all{CellShape::line2, CellShape::line3, CellShape::tri3,  CellShape::tri6, CellShape::quad4,
         CellShape::quad9, CellShape::tet4,  CellShape::tet10, CellShape::hex8, CellShape::hex27};
 
-using Place = std::array<double, 3>;
+using Place = Vec<double, 3>;
 
 struct Values {
   double N[27], dN[81];

@@ -9,12 +9,12 @@
 #include <thread>
 
 #include "core/child_process.hpp"
-#include "core/space_vector.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
 
-using Places = std::vector<std::array<double, 2>>;
+using Places = std::vector<Vec<double, 2>>;
 
 double area(const Triangulation& mesh, int region) {
   double sum = 0;
@@ -101,8 +101,7 @@ std::vector<std::array<int, 3>> box_faces(double low, double high, int n, std::v
 double volume(const Tetrahedra& mesh, int region) {
   double sum = 0;
   for (const auto& t : mesh.tetrahedra[region]) {
-    const Point &a = mesh.points[t[0]], b = minus(mesh.points[t[1]], a), c = minus(mesh.points[t[2]], a),
-                d = minus(mesh.points[t[3]], a);
+    const Point &a = mesh.points[t[0]], b = mesh.points[t[1]] - a, c = mesh.points[t[2]] - a, d = mesh.points[t[3]] - a;
     const double part = dot(b, cross(c, d)) / 6;
     EXPECT_GT(part, 0);
     sum += part;

@@ -39,11 +39,11 @@ TEST(RevolvedSurface, SphereIsExact) {
   const auto ball = surface(revolved(sphere(1.4)));  // its lowest point is the origin
   RandomPoints random({{-1, -1, -0.5}, {1, 1, 2}});
   for (int i = 0; i < 500; ++i) {
-    const Point x = random.next(), d = minus(x, {0, 0, 0.7});
+    const Point x = random.next(), d = x - Point{0, 0, 0.7};
     const double r = length(d);
     const SurfaceFoot foot = ball->closest(x);
     ASSERT_NEAR(foot.gap, r - 0.7, 1e-13);
-    expect_turning(foot, scaled(1 / r, d), 1 / r, 1 / r, 1e-11);
+    expect_turning(foot, 1 / r * d, 1 / r, 1 / r, 1e-11);
   }
 }
 
@@ -186,9 +186,8 @@ TEST(RevolvedSurface, MomentsOfTheSphereAndTheTorpedo) {
   SolidMoments facets;
   for (std::size_t f = 0; f < drawn.facets.size(); ++f) {  // a flat facet's moments need the middles of its edges
     for (int k = 0; k < 3; ++k)
-      facets.add_side(
-          scaled(0.5, plus(drawn.points[drawn.facets[f][k]], 1, drawn.points[drawn.facets[f][(k + 1) % 3]])),
-          scaled(1.0 / 6, drawn.area_vector(f)));
+      facets.add_side(0.5 * (drawn.points[drawn.facets[f][k]] + drawn.points[drawn.facets[f][(k + 1) % 3]]),
+                      1.0 / 6 * drawn.area_vector(f));
   }
   EXPECT_NEAR(facets.volume / exact.volume, 1, 1e-3);
   EXPECT_NEAR(facets.centroid()[2], exact.centroid()[2], 1e-3);
@@ -205,7 +204,7 @@ TEST(RevolvedSurface, TrianglesKeepTheChordErrorAndClose) {
     for (int k = 0; k < 4; ++k) {
       const Point &a = drawn.points[facet[0]], &b = drawn.points[facet[1]], &c = drawn.points[facet[2]];
       const double u = k == 0 ? 1.0 / 3 : 0.5 * (k != 1), v = k == 0 ? 1.0 / 3 : 0.5 * (k != 2);
-      const Point x = plus(plus(scaled(1 - u - v, a), u, b), v, c);
+      const Point x = (1 - u - v) * a + u * b + v * c;
       worst = std::max(worst, std::abs(body->closest(x).gap));
       EXPECT_GE(x[2], body->bounds().low[2]);
       EXPECT_LE(x[0], body->bounds().high[0]);

@@ -80,14 +80,13 @@ TEST(RoundedBox, MomentsAndTriangles) {
   SolidMoments facets;
   for (std::size_t f = 0; f < drawn.facets.size(); ++f)
     for (int k = 0; k < 3; ++k)
-      facets.add_side(
-          scaled(0.5, plus(drawn.points[drawn.facets[f][k]], 1, drawn.points[drawn.facets[f][(k + 1) % 3]])),
-          scaled(1.0 / 6, drawn.area_vector(f)));
+      facets.add_side(0.5 * (drawn.points[drawn.facets[f][k]] + drawn.points[drawn.facets[f][(k + 1) % 3]]),
+                      1.0 / 6 * drawn.area_vector(f));
   EXPECT_NEAR(facets.volume, box.moments().volume, 1e-4);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(facets.inertia()[i][i], box.moments().inertia()[i][i], 1e-4);
   for (const auto& facet : drawn.facets) {
     Point centre{};
-    for (const int point : facet) centre = plus(centre, 1.0 / 3, drawn.points[point]);
+    for (const int point : facet) centre += 1.0 / 3 * drawn.points[point];
     EXPECT_LE(std::abs(box.closest(centre).gap), 1e-5);
   }
 }

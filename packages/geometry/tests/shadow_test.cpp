@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/pi.hpp"
-#include "core/rotation.hpp"
+#include "tensor/rotation.hpp"
 
 namespace mudline {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "core/deck.hpp"
-#include "core/space_vector.hpp"
 #include "core/tests/deck_text.hpp"
 #include "geometry/surface_shape.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -66,7 +66,7 @@ struct DerivativeErrors {
       const Point x = random.next();
       const SurfaceFoot at = surface.closest(x);
       length = std::max(length, std::abs(mudline::length(at.normal) - 1));
-      foot = std::max(foot, mudline::length(minus(plus(at.foot, at.gap, at.normal), x)));
+      foot = std::max(foot, mudline::length(at.foot + at.gap * at.normal - x));
       SurfaceFoot side[3][2];
       bool smooth = true;
       for (int j = 0; j < 3; ++j)
@@ -112,14 +112,14 @@ inline SurfaceTriangles icosphere(int cuts) {
                           {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
                            {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
-  for (Point& x : result.points) x = scaled(1 / length(x), x);
+  for (Point& x : result.points) x = 1 / length(x) * x;
   for (int cut = 0; cut < cuts; ++cut) {
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int a, int b) {
       const auto [found, added] = middles.try_emplace(std::minmax(a, b), static_cast<int>(result.points.size()));
       if (added) {
-        const Point x = plus(result.points[a], 1, result.points[b]);
-        result.points.push_back(scaled(1 / length(x), x));
+        const Point x = result.points[a] + result.points[b];
+        result.points.push_back(1 / length(x) * x);
       }
       return found->second;
     };

@@ -116,7 +116,7 @@ TEST(SurfaceShape, UnionOfAHullAndATurnedFin) {
 
 TEST(SurfaceShape, ReadsBothKindsOfStl) {
   SurfaceTriangles sphere = icosphere(2);
-  for (Point& x : sphere.points) x = plus({10, 20, 30}, 500, x);  // in millimetres
+  for (Point& x : sphere.points) x = Point{10, 20, 30} + 500 * x;  // in millimetres
   for (const std::string& content : {ascii_stl(sphere), binary_stl(sphere)}) {
     const TemporaryFile file(content);
     const auto ball = surface(triangulation(file.name()) + array_parameter("origin", "10, 20, 30") +

@@ -18,7 +18,7 @@ struct SphereErrors {
       if (r < 0.7 || r > 1.4) continue;
       const SurfaceFoot foot = surface.closest(x);
       gap = std::max(gap, std::abs(foot.gap - (r - 1)));
-      normal = std::max(normal, length(minus(foot.normal, scaled(1 / r, x))));
+      normal = std::max(normal, length(foot.normal - 1 / r * x));
       for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l)
           turning = std::max(turning, std::abs(foot.turning[k][l] - ((k == l) - x[k] * x[l] / r / r) / r));
@@ -58,7 +58,7 @@ TEST(TriangulatedSurface, ConvergesToTheEllipsoid) {
         slope[k] = 2 * foot.foot[k] / axis[k] / axis[k];
       }
       gap[level] = std::max(gap[level], std::abs(value) / length(slope));
-      normal[level] = std::max(normal[level], length(minus(foot.normal, scaled(1 / length(slope), slope))));
+      normal[level] = std::max(normal[level], length(foot.normal - 1 / length(slope) * slope));
     }
   }
   EXPECT_GT(std::log2(gap[0] / gap[1]), 3) << gap[0] << " " << gap[1];
@@ -95,9 +95,9 @@ TEST(TriangulatedSurface, GapAndNormalAreContinuousAcrossEdges) {
                   0.8 * std::sin(0.3 * a)};
     const SurfaceFoot foot = surface.closest(x);
     if (i > 0) {
-      const double step = length(minus(x, last));
+      const double step = length(x - last);
       gap = std::max(gap, std::abs(foot.gap - before.gap) / step);
-      normal = std::max(normal, length(minus(foot.normal, before.normal)) / step);
+      normal = std::max(normal, length(foot.normal - before.normal) / step);
       jumps += std::abs(foot.turning[0][0] - before.turning[0][0]) > 1e-2;
     }
     last = x;
@@ -122,7 +122,7 @@ TEST(TriangulatedSurface, NoPointOfItIsNearerThanTheFoot) {
       const Point x = random.next();
       const double gap = std::abs(surface.closest(x).gap);
       double nearest = 1e300;
-      for (const Point& point : drawn.points) nearest = std::min(nearest, length(minus(point, x)));
+      for (const Point& point : drawn.points) nearest = std::min(nearest, length(point - x));
       EXPECT_LE(gap, nearest + 1e-12);
       EXPECT_GE(gap, nearest - 0.05);
     }
@@ -160,14 +160,14 @@ TEST(TriangulatedSurface, CostGrowsAsTheLogarithm) {
     opened.push_back(0);
     for (int i = 0; i < 1000; ++i) {
       Point x = random.next();
-      x = scaled(1.001 / length(x), x);
+      x = 1.001 / length(x) * x;
       double square = 1e300;
       int nearest = -1;
       tree.search(x, square, [&](int number) {
         ++opened.back();
         Point centre{};
-        for (const int point : sphere.facets[number]) centre = plus(centre, 1.0 / 3, sphere.points[point]);
-        const Point d = minus(x, centre);
+        for (const int point : sphere.facets[number]) centre += 1.0 / 3 * sphere.points[point];
+        const Point d = x - centre;
         if (dot(d, d) >= square) return;
         square = dot(d, d);
         nearest = number;
@@ -188,7 +188,7 @@ TEST(TriangulatedSurface, TurnsWhatIsInsideOut) {
 
 TEST(TriangulatedSurface, MomentsBoundsAndTriangles) {
   SurfaceTriangles triangles = icosphere(3);
-  for (Point& x : triangles.points) x = plus({0.4, -0.3, 2}, 1, x);
+  for (Point& x : triangles.points) x = Point{0.4, -0.3, 2} + x;
   const TriangulatedSurface surface(triangles);
   const SolidMoments moments = surface.moments();
   EXPECT_NEAR(moments.volume, 4.18879, 2e-4);
@@ -201,7 +201,7 @@ TEST(TriangulatedSurface, MomentsBoundsAndTriangles) {
   EXPECT_NO_THROW(closed_edges(drawn));
   for (const auto& facet : drawn.facets) {
     Point centre{};
-    for (const int point : facet) centre = plus(centre, 1.0 / 3, drawn.points[point]);
+    for (const int point : facet) centre += 1.0 / 3 * drawn.points[point];
     EXPECT_LE(std::abs(surface.closest(centre).gap), 1e-3);
   }
 }
@@ -230,7 +230,7 @@ TEST(TriangulatedSurface, FaultsAreNamed) {
   twice.facets.push_back(twice.facets[3]);
   EXPECT_NE(error(twice).find("3 edges have more than two facets"), std::string::npos) << error(twice);
   SurfaceTriangles flat = icosphere(0);
-  flat.points[flat.facets[2][2]] = scaled(0.5, plus(flat.points[flat.facets[2][0]], 1, flat.points[flat.facets[2][1]]));
+  flat.points[flat.facets[2][2]] = 0.5 * (flat.points[flat.facets[2][0]] + flat.points[flat.facets[2][1]]);
   EXPECT_NE(error(flat).find("1 facet has no area, the first one at ("), std::string::npos) << error(flat);
   // a pyramid so flat that its sides stand upside down to the mean of those at the points of its base
   const SurfaceTriangles wedge{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.01}},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tensor/mat.hpp"
 #include "tensor/midpoint_rule.hpp"
 #include "tensor/small_lu.hpp"
 
@@ -33,7 +34,7 @@ PointMotion PointControl::motion_of(const PointIncrement& increment, const Six& 
   if (!increment.sliding) return motion;
   const double height = std::exp(strain_[1]), stretch = std::exp(change[1]);  // heights over that before
   const double slide = change[5] / height;
-  const double H[2][2] = {{0.0, 2.0 * slide / (1.0 + stretch)}, {0.0, 2.0 * (stretch - 1.0) / (1.0 + stretch)}};
+  const Mat<double, 2> H = {{{0.0, 2.0 * slide / (1.0 + stretch)}, {0.0, 2.0 * (stretch - 1.0) / (1.0 + stretch)}}};
   MidpointRule<2> rule;
   rule.evaluate(H, 0.0, true);
   motion.cosine = rule.rotation[0][0];

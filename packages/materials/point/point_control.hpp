@@ -13,12 +13,14 @@ struct StrainTie {
 
   Six strain(const Six& change) const {
     Six all = change;
-    for (int c = 0; c < 6 && driver >= 0; ++c) all[c] += follow[c] * change[driver];
+    if (driver >= 0)
+      for (int c = 0; c < 6; ++c) all[c] += follow[c] * change[driver];
     return all;
   }
   Six stress(const Six& sigma) const {
     Six controlled = sigma;
-    for (int c = 0; c < 6 && driver >= 0; ++c) controlled[driver] += follow[c] * sigma[c];
+    if (driver >= 0)
+      for (int c = 0; c < 6; ++c) controlled[driver] += follow[c] * sigma[c];
     return controlled;
   }
 };

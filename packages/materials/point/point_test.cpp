@@ -103,7 +103,8 @@ PointOutcome PointTest::run(const Row& row) const {
     const double begin = end;
     end += leg.duration;
     const Six from = leg.tie.stress(point.stress());
-    for (int step = 1; step <= leg.steps && outcome.complete; ++step) {
+    for (int step = 1; step <= leg.steps; ++step) {
+      if (!outcome.complete) break;
       const double reached = static_cast<double>(step) / leg.steps;
       PointIncrement increment;
       increment.stress_controlled = leg.stress_controlled;

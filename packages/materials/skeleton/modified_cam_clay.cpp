@@ -124,7 +124,8 @@ double ModifiedCamClay::k0(double overconsolidation_ratio) const {
     return 2.0 * eta * (compression - swelling) / (ratio * ratio - eta * eta) + eta * elastic - 2.0 / 3.0 * compression;
   };
   double low = 0.0, high = ratio;  // excess rises from negative to infinite
-  for (int i = 0; i < 200 && high - low > 1e-15 * ratio; ++i) {
+  for (int i = 0; i < 200; ++i) {
+    if (!(high - low > 1e-15 * ratio)) break;
     const double middle = 0.5 * (low + high);
     (excess(middle) < 0.0 ? low : high) = middle;
   }

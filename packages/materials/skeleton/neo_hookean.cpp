@@ -15,12 +15,13 @@ std::string NeoHookean::initialise(const InitialPoint& point, double* state) con
   };
   double j = 1.0;
   bool found = false;
-  for (int n = 0; n < 60 && !found; ++n) {
+  for (int n = 0; n < 60; ++n) {
     const double f = excess(j), h = 1e-6 * j, slope = (excess(j + h) - excess(j - h)) / (2 * h);
     double step = -f / slope;
     step = std::fmax(-0.5 * j, std::fmin(0.5 * j, step));
     found = std::abs(step) < 1e-15 * j || f == 0.0;
     if (f != 0.0) j += step;
+    if (found) break;
   }
   const double rest = excess(j);
   if (std::abs(rest) < 1e-9 * j * j && state[0] > -1.0 && (1.0 + state[0]) * (1.0 + state[1]) > state[5] * state[5])

@@ -72,7 +72,10 @@ KOKKOS_INLINE_FUNCTION void exponential_minus_one(const T* a, T* out) {
   for (int i = 0; i < 6; ++i) size = ::fmax(size, ::fabs(value(a[i])));
   int squarings = 0;
   double scale = 1.0;
-  for (; size * scale > 0.05 && squarings < 40; ++squarings) scale *= 0.5;
+  while (size * scale > 0.05 && squarings < 40) {
+    scale *= 0.5;
+    ++squarings;
+  }
   T part[6], term[6];
   for (int i = 0; i < 6; ++i) out[i] = term[i] = part[i] = scale * a[i];
   for (int n = 2; n <= 8; ++n) {

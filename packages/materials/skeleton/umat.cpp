@@ -268,7 +268,8 @@ bool Umat::update(const SkeletonWorkset& w, int point) const {
     for (int i = 0; i < components_; ++i)
       for (int j = 0; j < components_; ++j)
         w.tangent(point, 6 * ours[i] + ours[j]) = to[A::ddsdde][i + components_ * j];
-    for (int c = 3; c < 5 && components_ == 4; ++c) w.tangent(point, 7 * c) = shear_;  // never strained, but regular
+    if (components_ == 4)
+      for (int c = 3; c < 5; ++c) w.tangent(point, 7 * c) = shear_;  // never strained, but regular
   }
   return !(pnewdt < 1.0);
 }
@@ -282,7 +283,8 @@ int Umat::evaluate(const SkeletonWorkset& w) const {
     ++failures;  // a failed point shows its old state
     for (int c = 0; c < 6; ++c) w.stress(i, c) = w.stress_old(i, c);
     for (std::size_t c = 0; c < w.state.extent(1); ++c) w.state(i, c) = w.state_old(i, c);
-    for (int c = 0; c < 36 && w.want_tangent; ++c) w.tangent(i, c) = 0.0;
+    if (w.want_tangent)
+      for (int c = 0; c < 36; ++c) w.tangent(i, c) = 0.0;
   }
   // what else of the program was written to, nobody knows: there is no going on
   if (const std::string where = arguments_->overrun(); !where.empty())

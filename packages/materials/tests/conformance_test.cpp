@@ -163,7 +163,8 @@ struct Faulty {
       out.tangent[7] += 1e6;
     }
     if (fault == not_a_number && in.strain[0] > 0.04) out.stress[2] = std::sqrt(-1.0 - in.strain[0]);
-    for (int i = 0; i < 3 && fault == drifting; ++i) out.stress[i] -= 1e-6 * sym6::mean_pressure(in.stress);
+    if (fault == drifting)
+      for (int i = 0; i < 3; ++i) out.stress[i] -= 1e-6 * sym6::mean_pressure(in.stress);
     return !(fault == failing && in.strain[0] > 0.04);
   }
 };

@@ -33,7 +33,8 @@ struct Law : Skeleton {
     for (int i = 0; i < w.points; ++i) {
       for (int c = 0; c < 6; ++c) w.stress(i, c) = i == 1 ? stress : -1e5;
       for (int c = 0; c < 7; ++c) w.state(i, c) = i == 1 ? state : 0;
-      for (int c = 0; c < 36 && w.want_tangent; ++c) w.tangent(i, c) = i == 1 ? tangent : 1e6;
+      if (w.want_tangent)
+        for (int c = 0; c < 36; ++c) w.tangent(i, c) = i == 1 ? tangent : 1e6;
       w.failed(i) = i == failing ? 1 : 0;
     }
     return failing >= 0 ? 1 : 0;

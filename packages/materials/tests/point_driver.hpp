@@ -125,8 +125,10 @@ inline void compress(PointDriver& point, Path path, double axial, int steps) {
   const double d = -axial / steps;
   const double radial = path == Path::undrained ? -0.5 * d : path == Path::isotropic ? d : 0.0;
   const bool hold = path == Path::drained;
-  for (int i = 0; i < steps && !testing::Test::HasFatalFailure(); ++i)
+  for (int i = 0; i < steps; ++i) {
+    if (testing::Test::HasFatalFailure()) break;
     point.step({radial, d, radial, 0.0, 0.0, 0.0}, {hold, false, hold, false, false, false});
+  }
 }
 
 }  // namespace mudline

@@ -7,7 +7,8 @@ namespace mudline {
 
 void PressureProjection::begin(const StepView& view) {
   matrices_.resize(soil_->blocks.size());
-  for (std::size_t k = 0; view.flow && k < matrices_.size(); ++k) {
+  if (!view.flow) return;
+  for (std::size_t k = 0; k < matrices_.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
     const SoilPoints points(*soil_, b, *view.committed);
     if (matrices_[k].extent(0) == 0) matrices_[k] = PointView("projection", b.elements, b.p.nodes * b.p.nodes);
@@ -74,7 +75,8 @@ struct ProjectionResidual {
 
 template <class F>
 void PressureProjection::for_each_block(const StepView& view, F&& f) const {
-  for (std::size_t k = 0; view.flow && k < matrices_.size(); ++k) {
+  if (!view.flow) return;
+  for (std::size_t k = 0; k < matrices_.size(); ++k) {
     const SoilBlock& b = soil_->blocks[k];
     with_element(soil_->geometry, b, [&](auto, auto shapes) {
       constexpr int N = decltype(shapes)::NS;

@@ -7,7 +7,7 @@
 #include "discretisation/shapes.hpp"
 #include "framework/coordinates.hpp"
 #include "physics/mixture.hpp"
-#include "tensor/small_matrix.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 

@@ -11,6 +11,7 @@
 #include "physics/mixture.hpp"
 #include "physics/soil_points.hpp"
 #include "physics/solid/point_surroundings.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -21,7 +22,7 @@ namespace {
 template <class C, int S, class T>
 KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, MidpointRule<C::dim>& motion) {
   constexpr int D = C::dim;
-  double half[D][D], back[D][D], H[D][D];  // dx_{n+1/2} / dx_{n+1} = 1 - moved/2
+  Mat<double, D> half, back, H;  // dx_{n+1/2} / dx_{n+1} = 1 - moved/2
   for (int i = 0; i < C::dim; ++i)
     for (int j = 0; j < C::dim; ++j) half[i][j] = (i == j ? 1.0 : 0.0) - 0.5 * at.moved[i][j];
   const double det = determinant(half), hoop = 1 - 0.5 * at.hoop_moved;
@@ -30,7 +31,8 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
   for (int i = 0; i < C::dim; ++i)
     for (int j = 0; j < C::dim; ++j) {
       H[i][j] = 0;
-      for (int k = 0; k < D && valid; ++k) H[i][j] += at.moved[i][k] * back[k][j];
+      if (valid)
+        for (int k = 0; k < D; ++k) H[i][j] += at.moved[i][k] * back[k][j];
     }
   motion.evaluate(H, valid ? at.hoop_moved / hoop : 0.0, valid);
   return valid;
@@ -134,7 +136,7 @@ KOKKOS_INLINE_FUNCTION void write_motion(const PointFields<C, S, T>& at, const M
   constexpr int D = C::dim;
   double *deformation = row + Surroundings::deformation, *rotation = row + Surroundings::rotation;
   for (int i = 0; i < 9; ++i) deformation[i] = rotation[i] = i % 4 == 0 ? 1.0 : 0.0;
-  double back[D][D], F[D][D];  // dx_n / dx_{n+1} = 1 - moved
+  Mat<double, D> back, F;  // dx_n / dx_{n+1} = 1 - moved
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) back[i][j] = (i == j ? 1.0 : 0.0) - at.moved[i][j];
   const double det = determinant(back), hoop = 1 - at.hoop_moved;
@@ -182,7 +184,8 @@ struct Staging {
     if constexpr (Loop::S > 0)
       if (mixture.temperature >= 0)  // what heat alone would do is no strain of the law's
         for (int c = 0; c < 3; ++c) to.strain(i, c) -= mixture.grain_expansion / 3 * at.change[mixture.temperature];
-    for (int c = 0; c < 6 && !valid; ++c) to.strain(i, c) = 0;
+    if (!valid)
+      for (int c = 0; c < 6; ++c) to.strain(i, c) = 0;
     if (to.surroundings.extent(0) > 0) write_motion(at, motion, valid, &to.surroundings(i, 0));
     motion.rotate(&stress(from, 0), &to.stress_old(i, 0));
     for (std::size_t c = 0; c < to.state_old.extent(1); ++c) to.state_old(i, c) = law(from, c);

@@ -6,6 +6,7 @@
 #include "core/tests/input_error.hpp"
 #include "framework/closed_sides.hpp"
 #include "soil_model.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -188,7 +189,7 @@ TEST(AbsorbingBoundary, DashpotsHaveTheImpedancesOfUndrainedSoil) {
   SoilModel model(condition("open", "absorbing", "right") +
                   condition("weak", "absorbing", "right",
                             number_parameter("normal factor", 0.5) + number_parameter("tangential factor", 0.25)));
-  model.set_motion(model.rate, [](double, double) { return std::array<double, 2>{2.0, 3.0}; });
+  model.set_motion(model.rate, [](double, double) { return Vec<double, 2>{2.0, 3.0}; });
   const double density = 0.6 * 2600 + 0.4 * 1000;
   const double p = std::sqrt(density * (12e6 + 2e9 / 0.4)), s = std::sqrt(density * 4e6);
   EXPECT_NEAR(load(model, "open", 0), p * 2 * 3, 1e-9 * p);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "soil_model.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 namespace {
@@ -120,7 +121,7 @@ double velocity(const Point& x, int i) {
   return i == 0 ? std::sin(2 * x[0]) * std::exp(x[1]) : std::cos(x[0] + 2 * x[1]);
 }
 /// Rates of strain xx, yy, xy of that.
-std::array<double, 3> strain(const Point& x) {
+Vec<double, 3> strain(const Point& x) {
   const double s = std::sin(x[0] + 2 * x[1]);
   return {2 * std::cos(2 * x[0]) * std::exp(x[1]), -2 * s, 0.5 * (std::sin(2 * x[0]) * std::exp(x[1]) - s)};
 }
@@ -142,7 +143,8 @@ Smooth smooth(int n) {
   for (int e = 0; e < b.elements; ++e)
     for (int q = 0; q < b.points; ++q) {
       const Point x = b.place(e, q, state.coordinates);
-      double g[2][2] = {}, value = 0, slope[2] = {};
+      Mat<double, 2> g = {};
+      double value = 0, slope[2] = {};
       for (int a = 0; a < 9; ++a)
         for (int i = 0; i < 2; ++i)
           for (int j = 0; j < 2; ++j)

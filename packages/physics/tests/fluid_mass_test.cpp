@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "soil_model.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -17,7 +18,7 @@ TEST(FluidMass, VolumeChangeAndCompressionAreStored) {
     SoilModel model("", "", SoilModel::box(round ? "axisymmetric" : "plane strain"));
     const double volume = round ? pi * (9 - 1) * 3 : 2 * 3;
     // grows uniformly: what flows in is alpha div v, positive
-    model.set_motion(model.rate, [](double x, double y) { return std::array<double, 2>{1e-3 * x, 2e-3 * y}; });
+    model.set_motion(model.rate, [](double x, double y) { return Vec<double, 2>{1e-3 * x, 2e-3 * y}; });
     EXPECT_NEAR(model.sum(model.residual(model.term("fluid mass")), 2), (round ? 4e-3 : 3e-3) * volume, 1e-12);
     Kokkos::deep_copy(model.rate, 0.0);
     model.set_pressure(model.rate, [](double, double) { return 5e3; });
@@ -82,7 +83,7 @@ TEST(FluidMass, FluidAccelerationActsAsGravityDoes) {
   for (const bool on : {false, true}) {
     SoilModel model("", std::string("<Parameter name=\"fluid acceleration\" type=\"bool\" value=\"") +
                             (on ? "true" : "false") + "\"/>\n");
-    model.set_motion(model.acceleration, [](double, double) { return std::array<double, 2>{2.0, 0.0}; });
+    model.set_motion(model.acceleration, [](double, double) { return Vec<double, 2>{2.0, 0.0}; });
     const NodalView f = model.residual(model.term("fluid mass"));
     EXPECT_NEAR(model.sum(f, 2, "right"), on ? mobility * 1000 * 2 * 3 : 0.0, 1e-16);
   }
@@ -100,7 +101,7 @@ TEST(FluidMass, PermeabilityAndStorageFollowTheVoidRatio) {
                       text_parameter("type", "kozeny-carman") + number_parameter("hydraulic conductivity", 1e-4)));
   SoilModel model("", "", SoilModel::box("plane strain"), soil);
   // stretched by a tenth along x within the step: grains keep their volume
-  model.set_motion(model.store->trial().value, [](double x, double) { return std::array<double, 2>{0.1 * x, 0.0}; });
+  model.set_motion(model.store->trial().value, [](double x, double) { return Vec<double, 2>{0.1 * x, 0.0}; });
   for (int node = 0; node < model.mesh->num_nodes(); ++node)
     model.store->trial().coordinates(node, 0) = 1.1 * model.x(node, 0);
   const double e0 = 0.4 / 0.6, e = 1.1 * (1 + e0) - 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "soil_model.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 namespace {
@@ -20,7 +21,7 @@ Assembled assemble(int batch, const std::string& geometry, bool folded) {
                   array_parameter("gravity", "0, -10"), SoilModel::box(geometry));
   for (SoilBlock& block : model.soil->blocks) block.rows = block.mass.rows = RowLists(block.dofs, batch);
   const auto wave = [](double x, double y) {
-    return std::array<double, 2>{1e-2 * std::sin(3 * x + y), 2e-2 * std::cos(x - 2 * y)};
+    return Vec<double, 2>{1e-2 * std::sin(3 * x + y), 2e-2 * std::cos(x - 2 * y)};
   };
   model.set_motion(model.store->trial().value, wave);
   model.set_motion(model.rate, wave);

@@ -8,7 +8,6 @@
 #include "core/errors.hpp"
 #include "core/log.hpp"
 #include "core/run_error.hpp"
-#include "core/space_vector.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/output/field_index.hpp"
 #include "simulation/output/field_layout.hpp"
@@ -16,6 +15,7 @@
 #include "simulation/output/id_order.hpp"
 #include "simulation/output/seal.hpp"
 #include "simulation/output/whole_file.hpp"
+#include "tensor/vec.hpp"
 
 namespace mudline {
 
@@ -48,9 +48,9 @@ std::vector<double> rotation(const BodyPose& pose, int dimension) {
 }
 
 Point moved(const Point& point, const BodyPose& pose) {
-  const Point arm = minus(point, pose.centre), turned = pose.turn(arm);
+  const Point arm = point - pose.centre, turned = pose.turn(arm);
   // a body that does not turn keeps every bit
-  return turned == arm ? plus(point, 1, pose.shift) : plus(plus(pose.centre, 1, pose.shift), 1, turned);
+  return turned == arm ? point + pose.shift : pose.centre + pose.shift + turned;
 }
 
 }  // namespace
@@ -190,14 +190,15 @@ void FieldFile::File::open(const Mesh& mesh, const FieldRestart& restart) {
   const bool by_time = static_cast<long long>(old) < restart.steps;
   std::string error;
   try {
-    for (std::size_t k = 0; rank == 0 && k < old; ++k) {
-      const auto file = h5::open_file(MPI_COMM_SELF, index.step_path(k), false);
-      const double time = h5::number_attribute(file, "time");
-      if (by_time ? time > restart.time : static_cast<long long>(k) >= restart.steps) break;
-      index.append({FieldIndex::step_name(k), time, h5::integer_attribute(file, "step"),
-                    h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell"),
-                    mesh_of(file)});
-    }
+    if (rank == 0)
+      for (std::size_t k = 0; k < old; ++k) {
+        const auto file = h5::open_file(MPI_COMM_SELF, index.step_path(k), false);
+        const double time = h5::number_attribute(file, "time");
+        if (by_time ? time > restart.time : static_cast<long long>(k) >= restart.steps) break;
+        index.append({FieldIndex::step_name(k), time, h5::integer_attribute(file, "step"),
+                      h5::text_attribute(file, "stage"), read_fields(file, "nodal"), read_fields(file, "cell"),
+                      mesh_of(file)});
+      }
   } catch (const std::runtime_error& failure) {
     error = failure.what();
   }

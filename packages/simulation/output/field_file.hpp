@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/rotation.hpp"
 #include "discretisation/mesh.hpp"
 #include "geometry/surface_triangles.hpp"
+#include "tensor/rotation.hpp"
 
 namespace mudline {
 

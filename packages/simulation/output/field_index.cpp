@@ -151,8 +151,9 @@ void FieldIndex::remove_files() const {
 
 void FieldIndex::remove_steps(std::size_t first) const {
   std::error_code ignored;
-  for (int number = 1; first == 0 && std::filesystem::remove(mesh_path(number), ignored); ++number) {
-  }
+  if (first == 0)
+    for (int number = 1; std::filesystem::remove(mesh_path(number), ignored); ++number) {
+    }
   // Steps are numbered without gaps.
   for (std::size_t k = first; std::filesystem::remove(step_path(k), ignored); ++k) {
   }

@@ -131,8 +131,10 @@ std::string HistoryFile::set_aside() {
   file_.close();
   const std::filesystem::path path(path_);
   std::filesystem::path other;
-  for (int k = 1; other.empty() || std::filesystem::exists(other); ++k)
-    other = path.parent_path() / (path.stem().string() + "." + std::to_string(k) + path.extension().string());
+  int k = 0;
+  do {
+    other = path.parent_path() / (path.stem().string() + "." + std::to_string(++k) + path.extension().string());
+  } while (std::filesystem::exists(other));
   log::warn(path_ + ": the columns are others from here on; the rows so far are kept in " + other.string());
   return rename_file(path_, other.string());
 }

@@ -1,4 +1,5 @@
 #include "tensor/midpoint_rule.hpp"
+#include "tensor/mat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,78 +7,64 @@ namespace mudline {
 namespace {
 
 template <int D>
-struct Matrix {
-  double a[D][D];
-};
-
-template <int D>
-Matrix<D> product(const Matrix<D>& x, const Matrix<D>& y) {
-  Matrix<D> r{};
+Mat<double, D> unit_plus(const Mat<double, D>& x, double factor = 1) {
+  Mat<double, D> r{};
   for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j)
-      for (int k = 0; k < D; ++k) r.a[i][j] += x.a[i][k] * y.a[k][j];
+    for (int j = 0; j < D; ++j) r[i][j] = (i == j ? 1.0 : 0.0) + factor * x[i][j];
   return r;
 }
 
 template <int D>
-Matrix<D> unit_plus(const Matrix<D>& x, double factor = 1) {
-  Matrix<D> r{};
-  for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j) r.a[i][j] = (i == j ? 1.0 : 0.0) + factor * x.a[i][j];
-  return r;
-}
-
-template <int D>
-Matrix<D> inverse(const Matrix<D>& x) {
-  Matrix<D> r;
-  invert(x.a, determinant(x.a), r.a);
+Mat<double, D> inverse(const Mat<double, D>& x) {
+  Mat<double, D> r;
+  invert(x, determinant(x), r);
   return r;
 }
 
 /// The rule for a deformation gradient of the step; H = 2 (F - 1) (F + 1)^-1.
 template <int D>
-MidpointRule<D> rule_of(const Matrix<D>& F, double hoop = 0) {
-  const Matrix<D> half = inverse(unit_plus(F));
-  Matrix<D> less = F;
-  for (int i = 0; i < D; ++i) less.a[i][i] -= 1;
-  Matrix<D> H = product(less, half);
-  for (auto& row : H.a)
+MidpointRule<D> rule_of(const Mat<double, D>& F, double hoop = 0) {
+  const Mat<double, D> half = inverse(unit_plus(F));
+  Mat<double, D> less = F;
+  for (int i = 0; i < D; ++i) less[i][i] -= 1;
+  Mat<double, D> H = less * half;
+  for (auto& row : H.at)
     for (double& h : row) h *= 2;
   MidpointRule<D> rule;
-  rule.evaluate(H.a, hoop, true);
+  rule.evaluate(H, hoop, true);
   return rule;
 }
 
 /// Rotation about an axis by an angle.
-Matrix<3> rotation(const double (&axis)[3], double angle) {
+Mat<double, 3> rotation(const double (&axis)[3], double angle) {
   const double size = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]), c = std::cos(angle);
-  Matrix<3> R{};
+  Mat<double, 3> R{};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      R.a[i][j] = (i == j ? c : 0.0) + (1 - c) * axis[i] * axis[j] / (size * size);
-      if (i != j) R.a[i][j] += ((j - i + 3) % 3 == 1 ? -1 : 1) * std::sin(angle) * axis[3 - i - j] / size;
+      R[i][j] = (i == j ? c : 0.0) + (1 - c) * axis[i] * axis[j] / (size * size);
+      if (i != j) R[i][j] += ((j - i + 3) % 3 == 1 ? -1 : 1) * std::sin(angle) * axis[3 - i - j] / size;
     }
   return R;
 }
 
-const Matrix<3> stretch{{{1.05, 0.02, -0.03}, {0.04, 0.97, 0.01}, {-0.02, 0.05, 1.02}}};
+const Mat<double, 3> stretch{{{1.05, 0.02, -0.03}, {0.04, 0.97, 0.01}, {-0.02, 0.05, 1.02}}};
 
 TEST(MidpointRule, RotationGivesNoStrain) {
-  const Matrix<3> R = rotation({0.3, -0.8, 0.5}, 1.1);
+  const Mat<double, 3> R = rotation({0.3, -0.8, 0.5}, 1.1);
   const MidpointRule<3> rule = rule_of(R);
   double e[6];
   rule.increment(e);
   for (double component : e) EXPECT_NEAR(component, 0, 1e-15);
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) EXPECT_NEAR(rule.rotation[i][j], R.a[i][j], 1e-15);
-  const Matrix<3> half = rotation({0.3, -0.8, 0.5}, 0.55);
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(rule.rotation[i][j], R[i][j], 1e-15);
+  const Mat<double, 3> half = rotation({0.3, -0.8, 0.5}, 0.55);
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) EXPECT_NEAR(rule.half[i][j], half.a[i][j], 1e-15);
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(rule.half[i][j], half[i][j], 1e-15);
 }
 
 TEST(MidpointRule, VolumeIsThatOfTheMotion) {
   const MidpointRule<3> rule = rule_of(stretch);
-  EXPECT_NEAR(rule.log_volume, std::log(determinant(stretch.a)), 1e-15);
+  EXPECT_NEAR(rule.log_volume, std::log(determinant(stretch)), 1e-15);
   double e[6];
   rule.increment(e);
   EXPECT_NEAR(e[0] + e[1] + e[2], rule.log_volume, 1e-15);
@@ -86,8 +73,8 @@ TEST(MidpointRule, VolumeIsThatOfTheMotion) {
 TEST(MidpointRule, StrainIsOfSecondOrderUnderStretchAndRotation) {
   // ln of the stretch along x that a rotation of 0.8 turns with: the error of one step falls with its cube
   const auto error = [](double size) {
-    Matrix<3> F = rotation({0, 0, 1}, size);
-    for (int i = 0; i < 3; ++i) F.a[i][0] *= std::exp(size);
+    Mat<double, 3> F = rotation({0, 0, 1}, size);
+    for (int i = 0; i < 3; ++i) F[i][0] *= std::exp(size);
     double e[6];
     rule_of(F).increment(e);
     const double c = std::cos(size), s = std::sin(size);
@@ -98,8 +85,9 @@ TEST(MidpointRule, StrainIsOfSecondOrderUnderStretchAndRotation) {
 }
 
 TEST(MidpointRule, PlaneIsSpaceThatStandsStillAcross) {
-  const double H[2][2] = {{0.1, 0.3}, {-0.2, 0.05}}, hoop = 0.07;
-  const double whole[3][3] = {{0.1, 0.3, 0}, {-0.2, 0.05, 0}, {0, 0, hoop}};
+  const Mat<double, 2> H = {{{0.1, 0.3}, {-0.2, 0.05}}};
+  const double hoop = 0.07;
+  const Mat<double, 3> whole = {{{0.1, 0.3, 0}, {-0.2, 0.05, 0}, {0, 0, hoop}}};
   MidpointRule<2> plane;
   MidpointRule<3> space;
   plane.evaluate(H, hoop, true);
@@ -130,15 +118,14 @@ TEST(MidpointRule, PlaneIsSpaceThatStandsStillAcross) {
 
 /// d strain = variation + W strain - strain W, and dR = W R, by central differences.
 TEST(MidpointRule, VariationsAgreeWithDifferences) {
-  const Matrix<3> F = product(rotation({0.2, 0.9, -0.4}, 0.6), stretch);
+  const Mat<double, 3> F = rotation({0.2, 0.9, -0.4}, 0.6) * stretch;
   const MidpointRule<3> rule = rule_of(F);
   const double h = 1e-6;
   for (int j = 0; j < 3; ++j)
     for (int m = 0; m < 3; ++m) {
-      Matrix<3> G{};
-      G.a[j][m] = 1;
-      const MidpointRule<3> after = rule_of(product(unit_plus(G, h), F)),
-                            before = rule_of(product(unit_plus(G, -h), F));
+      Mat<double, 3> G{};
+      G[j][m] = 1;
+      const MidpointRule<3> after = rule_of(unit_plus(G, h) * F), before = rule_of(unit_plus(G, -h) * F);
       double e[6], turn[3], ahead[6], behind[6], turned[6];
       rule.variation(j, m, e, turn);
       after.increment(ahead);
@@ -149,7 +136,7 @@ TEST(MidpointRule, VariationsAgreeWithDifferences) {
       MidpointRule<3>::turn_stress(turn, tensor, turned);
       for (int c = 0; c < 6; ++c)
         EXPECT_NEAR(e[c] + (c < 3 ? 1 : 2) * turned[c], (ahead[c] - behind[c]) / (2 * h), 1e-9) << j << m << c;
-      const double W[3][3] = {{0, -turn[2], turn[1]}, {turn[2], 0, -turn[0]}, {-turn[1], turn[0], 0}};
+      const Mat<double, 3> W = {{{0, -turn[2], turn[1]}, {turn[2], 0, -turn[0]}, {-turn[1], turn[0], 0}}};
       for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) {
           double dR = 0;

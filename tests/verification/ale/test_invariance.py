@@ -1,4 +1,4 @@
-"""The mesh may move as it likes: the solution must not notice. Interior nodes swing by a sixth of an element (motion "artificial"),
+"""The mesh may move as it likes: the solution must not notice. Interior nodes swing by a sixth of an element (swinging_mesh.py),
 and what is carried over at every step is compared with the same run on a mesh that goes with the soil."""
 import os
 import unittest
@@ -7,15 +7,12 @@ import h5py
 import numpy as np
 
 from mudline_case import ROOT, MudlineCase, deck_text
+from swinging_mesh import swinging_mesh
 
 
-
-def motion(period, remap=None):
+def motion(period):
     """Overlay with a swinging mesh."""
-    parts = {"interior": {"type": "artificial", "amplitude": 0.15, "period": float(period)}}
-    if remap:
-        parts["remap"] = remap
-    return deck_text("swing", {"mesh motion": parts})
+    return deck_text("swing", swinging_mesh(0.15, period))
 
 
 class Invariance(MudlineCase):
@@ -66,7 +63,7 @@ class Invariance(MudlineCase):
             "materials": {"soil": {"void ratio": 0.8, "skeleton": skeleton}},
             "physics": {"ground": {"type": "solid", "initial state": start}},
             "boundary conditions": {side: {"type": "fixed", "set": side} for side in ("left", "right", "top", "bottom")},
-            "mesh motion": {"interior": {"type": "artificial", "amplitude": 0.2, "period": 7.0}},
+            **swinging_mesh(0.2, 7),
             "stages": {"hold": {"type": "quasi-static", "duration": 30.0, "time step": {"initial": 1.0}}}}))
         history = self.run_deck(deck)
         self.assertGreater(np.ptp(history["mesh/quality"]), 0.1)

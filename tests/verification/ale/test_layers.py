@@ -11,13 +11,14 @@ import numpy as np
 
 from mudline_case import History, MudlineCase, deck_text, program
 from remeshed_ball import remeshing
+from swinging_mesh import swinging_mesh
 
 SOFT, STIFF = 1e6, 4e6  # [Pa] confined moduli
 LOAD = 10.0  # [Pa]
 ROW = 8 / 18 / 40 / 0.47  # share of the thinner layer that a row of points of 40 cells may have
 INTERFACE = 0.528  # [m] of 1 m; no multiple of what follows, near points of 40 cells
 
-SWING = {"mesh motion": {"interior": {"type": "artificial", "amplitude": 0.2, "period": 7.0}}}
+SWING = swinging_mesh(0.2, 7)
 
 
 def soil(modulus, conductivity=None, ratio=1.0, top=None):

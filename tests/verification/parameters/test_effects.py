@@ -147,12 +147,11 @@ class MeshMotion(BallCase):
 
     def test_sweeps(self):
         # one pass, whether by number or because every vertex moves by less than the tolerance; more go on from there
-        for kind in ("optimisation", "Winslow", "Laplace"):
-            interior = f"{MOTION}interior/"
-            many, one, loose = (self.moved(interior + "type=" + kind, *more) for more in
-                                ((), (interior + "sweeps=1",), (interior + "sweep tolerance=1",)))
-            self.assertEqual(one["mesh/quality"][-1], loose["mesh/quality"][-1], kind)
-            self.assertNotEqual(one["mesh/quality"][-1], many["mesh/quality"][-1], kind)
+        interior = f"{MOTION}interior/"
+        many, one, loose = (self.moved(interior + "type=optimisation", *more) for more in
+                            ((), (interior + "sweeps=1",), (interior + "sweep tolerance=1",)))
+        self.assertEqual(one["mesh/quality"][-1], loose["mesh/quality"][-1])
+        self.assertNotEqual(one["mesh/quality"][-1], many["mesh/quality"][-1])
 
     def test_ideal(self):
         # the graded mesh is its own ideal and stays; for equilateral triangles it is far from the best

@@ -7,15 +7,16 @@ import numpy as np
 
 from mudline_case import ROOT, deck_text
 from space_case import Fields, SpaceCase, quasi_static
+from swinging_mesh import swinging_mesh
 
 TERZAGHI = os.path.join(ROOT, "inputs", "space", "terzaghi.xml")
 LOAD = 3452184.8694  # [Pa] a quarter of the height
 
 
 def swing(period, amplitude=0.15):
-    """Of the vertices inside; the boundary goes with the soil."""
-    return deck_text("swing", {"mesh motion": {"interior": {"type": "artificial", "amplitude": amplitude, "period": float(period)},
-                                               "boundary": {"material sides": ["left", "right", "front", "back", "bottom", "top"]}}})
+    """An overlay: vertices inside swing; the boundary goes with the soil."""
+    sides = {"material sides": ["left", "right", "front", "back", "bottom", "top"]}
+    return deck_text("swing", swinging_mesh(amplitude, period, boundary=sides))
 
 
 class MeshMotion(SpaceCase):

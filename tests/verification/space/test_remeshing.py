@@ -9,6 +9,7 @@ import numpy as np
 
 from mudline_case import ROOT, deck_text, program
 from space_case import ELASTIC, SIDES, SpaceCase, deck, quasi_static
+from swinging_mesh import swinging_mesh
 
 LOAD = 3452184.8694  # [Pa] a quarter of the height of the column
 BALL = os.path.join(ROOT, "inputs", "space", "ball.xml")
@@ -18,9 +19,7 @@ def remeshing(steps, swing=None, wall=0.0, **motion):
     """An overlay: the mesh is made anew after so many steps, whatever its quality; `swing`: the period in which the vertices inside swing
     [s]; `wall`: size at a body [m]."""
     parts = {"remeshing": {"when quality below": 0.0, "when side above": 0.1, "least steps": steps, "wall size": wall}, **motion}
-    if swing:
-        parts["interior"] = {"type": "artificial", "amplitude": 0.2, "period": float(swing)}
-    return deck_text("remeshing", {"mesh motion": parts})
+    return deck_text("remeshing", swinging_mesh(0.2, swing, **parts) if swing else {"mesh motion": parts})
 
 
 class Remeshing(SpaceCase):

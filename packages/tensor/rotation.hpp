@@ -2,20 +2,20 @@
 
 #include <cmath>
 
-#include "core/space_vector.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
 /// A rotation of space by its matrix.
 struct Rotation {
-  double matrix[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Mat<double, 3> matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
   /// About the direction of the vector, right-handed, by its length [rad].
   static Rotation by(const Point& vector) {
     const double angle = length(vector);
-    const Point n = angle > 0 ? scaled(1 / angle, vector) : Point{0, 0, 1};
+    const Point n = angle > 0 ? 1 / angle * vector : Point{0, 0, 1};
     const double c = std::cos(angle), s = std::sin(angle);
-    const double skew[3][3] = {{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}};
+    const Mat<double, 3> skew = {{{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}}};
     Rotation result;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) result.matrix[i][j] = (i == j ? c : 0.0) + s * skew[i][j] + (1 - c) * n[i] * n[j];
@@ -26,51 +26,28 @@ struct Rotation {
   /// of the spins at its ends, along the body's axes, is this vector over the step's length (Simo and Wong 1991).
   static Rotation by_increment(const Point& vector) {
     const double half = 0.5 * length(vector);
-    return by(half > 0 ? scaled(std::atan(half) / half, vector) : vector);
+    return by(half > 0 ? std::atan(half) / half * vector : vector);
   }
 
   /// x turned, and turned back.
-  constexpr Point operator()(const Point& x) const {
-    Point result{};
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) result[i] += matrix[i][k] * x[k];
-    return result;
-  }
-  constexpr Point back(const Point& x) const {
-    Point result{};
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) result[i] += matrix[k][i] * x[k];
-    return result;
-  }
+  KOKKOS_INLINE_FUNCTION Point operator()(const Point& x) const { return matrix * x; }
+  KOKKOS_INLINE_FUNCTION Point back(const Point& x) const { return transposed(matrix) * x; }
 
   /// This rotation after `first`.
-  constexpr Rotation operator*(const Rotation& first) const {
-    Rotation result;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        result.matrix[i][j] = 0;
-        for (int k = 0; k < 3; ++k) result.matrix[i][j] += matrix[i][k] * first.matrix[k][j];
-      }
-    return result;
-  }
-  constexpr Rotation inverse() const {
-    Rotation result;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) result.matrix[i][j] = matrix[j][i];
-    return result;
-  }
+  KOKKOS_INLINE_FUNCTION Rotation operator*(const Rotation& first) const { return {matrix * first.matrix}; }
+  KOKKOS_INLINE_FUNCTION Rotation inverse() const { return {transposed(matrix)}; }
 
   /// What by() makes this rotation of, at most pi long.
   Point vector() const {
     Point axis;
     const double cosine = half_angle(axis), sine = length(axis);
-    return sine > 0 ? scaled(2 * std::atan2(sine, cosine) / sine, axis) : Point{};
+    return sine > 0 ? 2 * std::atan2(sine, cosine) / sine * axis : Point{};
   }
   /// What by_increment() makes this rotation of; infinite of half a turn.
   Point increment() const {
     Point axis;
     const double cosine = half_angle(axis);
-    return scaled(2 / cosine, axis);
+    return 2 / cosine * axis;
   }
 
  private:
