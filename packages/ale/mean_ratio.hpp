@@ -57,7 +57,8 @@ struct IdealSimplex {
 /// function of its position, and its derivatives. The Hessian's upper half.
 template <int Dim>
 struct MeanRatio {
-  double value = 0, gradient[Dim] = {}, hessian[Dim][Dim] = {};
+  double value = 0, gradient[Dim] = {};
+  Mat<double, Dim> hessian = {};
   bool valid = true;  // no simplex is flat or folded
 
   /// `corner(v)`: position of corner v; `moving` is the corner of the vertex.

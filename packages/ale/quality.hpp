@@ -11,6 +11,6 @@ namespace mudline {
 double scaled_jacobian(const GhostedMesh::Element& element, const Positions& x);
 
 /// Smallest scaled Jacobian of the whole mesh; `worst`: a corner of the element where it is [m]. Collective.
-double lowest_quality(const GhostedMesh& mesh, const Positions& x, std::array<double, place_size>* worst = nullptr);
+double lowest_quality(const GhostedMesh& mesh, const Positions& x, Point* worst = nullptr);
 
 }  // namespace mudline

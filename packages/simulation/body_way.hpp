@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ale/ghosted_mesh.hpp"
@@ -44,7 +45,7 @@ class BodyWay {
   std::string crossing() const;
   std::string crossing_below(double below) const;
   /// How a released body starts: velocity and acceleration in y [m/s, m/s2].
-  Vec<double, 2> start_of_fall() const;
+  std::pair<double, double> start_of_fall() const;
   /// Sides of the surfaces under the body, of the caller's mesh, and the radius of the surface's corner that fits it
   /// best (0: it has none).
   const std::vector<const GhostedMesh::BoundarySide*>& sides_under() const { return under_; }
