@@ -88,8 +88,8 @@ void check(const Case& c) {
   const double scale[] = {0.01, 1e4, 0.01};
   for (int moved = 0; moved < dofs.num_fields(); ++moved) {
     const double h = moved == 1 ? 1e-3 : 1e-5;  // little of the body's force comes from pressures: against rounding
-    Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy), above(stepper.map()), below(stepper.map()),
-        jv(stepper.map());
+    Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy), above(stepper.map()),
+        below(stepper.map()), jv(stepper.map());
     {
       auto data = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (int i = 0; i < dofs.num_owned_dofs(); ++i)
