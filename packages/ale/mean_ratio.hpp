@@ -57,7 +57,8 @@ struct IdealSimplex {
 /// function of its position, and its derivatives; of the Hessian the upper half is set.
 template <int Dim>
 struct MeanRatio {
-  double value = 0, gradient[Dim] = {}, hessian[Dim][Dim] = {};
+  double value = 0, gradient[Dim] = {};
+  Mat<double, Dim> hessian = {};
   bool valid = true;  // no simplex is flat or folded
 
   /// `corner(v)`: position of corner v; `moving`: the corner that is the vertex.

@@ -6,7 +6,7 @@ double scaled_jacobian(const GhostedMesh::Element& element, const Positions& x) 
   return ElementMap(element.shape, [&](int a) { return x[element.nodes[a]].data(); }).scaled_jacobian();
 }
 
-double lowest_quality(const GhostedMesh& mesh, const Positions& x, std::array<double, place_size>* worst) {
+double lowest_quality(const GhostedMesh& mesh, const Positions& x, Point* worst) {
   double here = 1e300;
   int element = -1;
   const auto& elements = mesh.elements();

@@ -11,6 +11,6 @@ namespace mudline {
 double scaled_jacobian(const GhostedMesh::Element& element, const Positions& x);
 
 /// Smallest scaled Jacobian of the whole mesh; `worst`: position of a corner of the worst element [m]. Collective.
-double lowest_quality(const GhostedMesh& mesh, const Positions& x, std::array<double, place_size>* worst = nullptr);
+double lowest_quality(const GhostedMesh& mesh, const Positions& x, Point* worst = nullptr);
 
 }  // namespace mudline

@@ -172,8 +172,9 @@ Vec<double, 3> principal(const Mat<double, 3>& a) {
 
 void inertia_triangle(const BodySetup& of, const Judge& judge) {
   if (of.dim == 2 || !of.entry.has_parameter("inertia tensor")) return;
-  const auto [high, middle, low] = principal(of.body.properties().inertia);
-  judge(high / (low + middle), of.called() + ": its largest principal moment of inertia over the sum of the other two",
+  const Vec<double, 3> moments = principal(of.body.properties().inertia);
+  judge(moments[0] / (moments[2] + moments[1]),
+        of.called() + ": its largest principal moment of inertia over the sum of the other two",
         "no body has more than 1: give the tensor about the centre of mass, products with the sign of -int x y dm");
 }
 

@@ -172,7 +172,7 @@ double BodyWay::lowest() const {
   return lowest + down;
 }
 
-Vec<double, 2> BodyWay::start_of_fall() const {
+std::pair<double, double> BodyWay::start_of_fall() const {
   if (!release()) return {0, 0};
   Point velocity{}, spin{};
   release()->initial_velocity(velocity, spin);

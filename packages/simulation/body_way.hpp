@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ale/ghosted_mesh.hpp"
@@ -45,7 +46,7 @@ class BodyWay {
   std::string crossing() const;
   std::string crossing_below(double below) const;
   /// Initial velocity [m/s] and acceleration [m/s2] of a released body in y.
-  Vec<double, 2> start_of_fall() const;
+  std::pair<double, double> start_of_fall() const;
   /// Sides of the caller's mesh under the body on its contacts' surfaces, and the radius [m] of the surface's corner
   /// that fits the body best (0: there is none).
   const std::vector<const GhostedMesh::BoundarySide*>& sides_under() const { return under_; }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,7 +16,7 @@ constexpr double any_size = 1e300;
 struct Usual {
   const char* name;
   const char* unit;
-  std::array<double, 2> range;  // {lowest, highest}
+  Vec<double, 2> range;  // {lowest, highest}
   const char* meaning;
 };
 

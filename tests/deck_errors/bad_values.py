@@ -38,8 +38,6 @@ DECKS = [
     # a film of water
     with_film("film with multipliers", parameter("enforcement", "string", "augmented Lagrangian"),
               "contacts/ball on clay/enforcement: a film has no multipliers; allowed with it: penalty", ranks=BOTH),
-    Wrong("contact with an active set", (TOUCHED, TOUCHED + parameter("active set", "string", "outer loop")),
-          "contacts/ball on clay/active set: unknown parameter"),
     with_film("film that conserves energy", parameter("impact", "string", "conserving"),
               "contacts/ball on clay/impact: a film takes energy; allowed with it: automatic, interpolated"),
     with_film("film with damping", parameter("damping", "double", "0.1"), "contacts/ball on clay/damping: a film damps by itself; it takes no 'damping'"),

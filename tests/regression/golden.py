@@ -1,15 +1,17 @@
-"""Golden histories: short runs of every deck that is shipped, every column of them, to compare another program with.
+"""Golden histories: short runs of every shipped deck and of those in decks/, every column of them, to compare another
+program with.
 
     golden.py record [NAME ...]      runs the decks and writes tests/regression/golden/NAME.csv
     golden.py compare [NAME ...]     runs them again and says which columns differ
 
-NAME is a deck's path below inputs/ without ".xml", say pile/clay. The program is that of the environment variable MUDLINE.
-A refactoring keeps them to 1e-9. A change of a default that changes answers is compared with the old setting by --set, and
-the decks are recorded again with a note of the figure.
+NAME is a deck's path below inputs/ without ".xml", say pile/clay. Decks of tests/regression/decks are
+regression/NAME; they cover what no shipped deck does within its first steps, and run to their end. The program is
+that of the environment variable MUDLINE. A refactoring keeps them to 1e-9. A change of a default that changes answers
+is compared with the old setting by --set, and the decks are recorded anew with a note of the figure.
 
-A deck runs for as many steps as about five seconds allow, decided when it is first recorded and kept in the file's first line, also
-when it is recorded again, on a busier machine say (`--anew` decides again); at
-most twelve rows are kept, spread over the run. A second run on two ranks tells what rounding does to each column (the row
+A deck of inputs/ runs for as many steps as about five seconds allow, decided when it is first recorded and kept in
+the file's first line, also when it is recorded again, on a busier machine say (`--anew` decides again). At most
+twelve rows are kept, spread over the run. A second run on two ranks tells what rounding does to each column (the row
 `noise`): what is a difference of large numbers cannot be kept to 1e-9. Ten times that is allowed for.
 """
 import argparse
@@ -31,34 +33,72 @@ from mudline_case import History, program, unit_of  # noqa: E402
 from shipped_decks import shipped_decks  # noqa: E402
 
 GOLDEN = HERE / "golden"
+DECKS = HERE / "decks"
+LAID_OVER = re.compile(r"Laid over (\S+\.xml)")  # at the head of an overlay in DECKS: a path from that folder
 SECONDS = 5.0   # of a deck
 ROWS = 12
+MOST = 1500  # steps
 # steps before Newton's iterates wander about, where rounding decides what becomes of a step
 CALM = {"footing/tresca_penetration": 14, "cpt/guide_tube": 12}
 DIFFERENCES = re.compile(r"^balance/.*(change|error|outflow)")  # of sums over the mesh: their last digits are rounding
 TIMES = re.compile(r"wall|cpu", re.IGNORECASE)  # columns that no program repeats
 
 
+def all_decks():
+    """{name: files} of the shipped decks and of those in DECKS."""
+    decks = shipped_decks()
+    for path in sorted(DECKS.glob("*.xml")):
+        text = path.read_text()
+        below = LAID_OVER.search(text[:text.index("-->")])
+        decks["regression/" + path.stem] = ([str(DECKS / below[1])] if below else []) + [str(path)]
+    return decks
+
+
+class PointTests:
+    """The tests of material points of a deck, each with as many rows, side by side as the columns "test/column"."""
+
+    def __init__(self, paths):
+        tests = {path.stem.split("_", 1)[1]: History(path) for path in paths}
+        self.header = [f"{test}/{column}" for test, history in tests.items() for column in history.header]
+        self.data = np.hstack([history.data for history in tests.values()])
+
+
+def is_of_points(files):
+    return '<ParameterList name="tests">' in pathlib.Path(files[-1]).read_text()
+
+
 def run(files, steps, folder, settings=(), ranks=1):
-    """History of so many steps of a deck; all of its rows."""
-    arguments = ["run", "-q", *files, "--steps", steps] + [word for s in settings for word in ("--set", s)]
-    done = program(arguments, ranks, folder, timeout=300)
-    results = list(pathlib.Path(folder, "results").glob("*.csv"))
-    if done.returncode not in (0, 4) or len(results) != 1:
+    """History of so many steps of a deck, all of its rows, and whether it was over by then. Material points run to
+    their end."""
+    points = is_of_points(files)
+    arguments = ["point", *files] if points else ["run", "-q", *files, "--steps", steps]
+    done = program(arguments + [word for s in settings for word in ("--set", s)], ranks, folder, timeout=300)
+    results = sorted(pathlib.Path(folder, "results").glob("*.csv"))
+    if done.returncode not in (0, 4) or not (results if points else len(results) == 1):
         raise RuntimeError((done.stdout + done.stderr)[:600])
+    if points:
+        return PointTests(results), True
     history = History(results[0])
     return history, len(history.data) < steps
 
 
+def is_extra(files):
+    return pathlib.Path(files[-1]).parent == DECKS
+
+
 def find_steps(files):
-    """As many steps as take about SECONDS, and their history."""
+    """As many steps as take about SECONDS, and their history; all steps of a deck in DECKS, which is short."""
+    if is_extra(files):
+        with tempfile.TemporaryDirectory() as folder:
+            history, _ = run(files, MOST, folder)
+        return len(history.data), history
     steps = 4
     while True:
         with tempfile.TemporaryDirectory() as folder:
             start = time.monotonic()
             history, finished = run(files, steps, folder)
             spent = time.monotonic() - start
-        if finished or spent > 0.5 * SECONDS or steps >= 1500:
+        if finished or spent > 0.5 * SECONDS or steps >= MOST:
             return steps, history
         steps = int(min(max(2, 0.9 * SECONDS / max(spent, 0.1)), 12) * steps)
 
@@ -68,7 +108,10 @@ def path_of(name):
 
 
 def rounding(files, steps, history):
-    """Largest difference of each column on two ranks; None where the steps differ."""
+    """Largest difference of each column on two ranks; None where the steps go another way. A deck in DECKS must not
+    stop before what it covers: there the rows before that tell it."""
+    if is_of_points(files):
+        return np.zeros(len(history.header))
     with tempfile.TemporaryDirectory() as folder:
         try:
             other, _ = run(files, steps, folder, ranks=2)
@@ -77,10 +120,12 @@ def rounding(files, steps, history):
                 return np.zeros(len(history.header))
             raise
     way = "step/newton iterations"
-    if other.data.shape != history.data.shape or not np.array_equal(other[way], history[way]):
+    rows = min(len(other.data), len(history.data))
+    same = np.append(other[way][:rows] == history[way][:rows], False).argmin()
+    if not is_extra(files) and same < max(len(other.data), len(history.data)):
         return None
     columns = [other.header.index(column) for column in history.header]
-    return np.abs(other.data[:, columns] - history.data).max(axis=0)
+    return np.abs(other.data[:same, columns] - history.data[:same]).max(axis=0, initial=0)
 
 
 def recorded_steps(name):
@@ -152,7 +197,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     arguments = parser.parse_args()
     GOLDEN.mkdir(exist_ok=True)
-    decks = shipped_decks()
+    decks = all_decks()
     unknown = [name for name in arguments.names if name not in decks]
     if unknown:
         parser.error(f"no deck '{unknown[0]}'; there are {', '.join(decks)}")

@@ -201,7 +201,7 @@ void pressure_slopes(const ContactTables& rule, const SideContact& side, int c, 
   SideMap<D> map;
   map.compute(rule.nodes, &rule.shape(c, 0), &rule.shape_slope(c, 0), [&](int a, int i) { return side.x_old[a][i]; });
   constexpr int K = D - 1;
-  double metric[K][K], inverse[K][K];
+  Mat<double, K> metric, inverse;
   for (int k = 0; k < K; ++k)
     for (int l = 0; l < K; ++l) {
       metric[k][l] = 0;

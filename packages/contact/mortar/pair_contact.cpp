@@ -31,7 +31,7 @@ void add(const PairSums& from, PairSums& to) {
 
 /// Values at the corners of the linear field whose weighted integrals over the touching part are given; the mean where
 /// that part is too short to determine a slope.
-std::array<double, 2> corner_values(const Mat<double, 2>& mass, const double (&integrals)[2]) {
+std::array<double, 2> corner_values(const Mat<double, side_multipliers>& mass, const double (&integrals)[2]) {
   const double whole = mass[0][0] + 2 * mass[0][1] + mass[1][1];
   if (!(whole > 0)) return {0, 0};
   const double determinant = mass[0][0] * mass[1][1] - mass[0][1] * mass[0][1];
@@ -274,9 +274,9 @@ void PairContact::check_overlap(const Section& section) const {
   check_overlap_of_two(*slave_, section, deck_.slave, deepest);
 }
 
-std::array<std::array<double, 2>, 2> PairContact::mass(int slave, const ConstCoordinateView& x) const {
+Mat<double, side_multipliers> PairContact::mass(int slave, const ConstCoordinateView& x) const {
   const SurfaceSide& side = slave_->sides()[slave];
-  std::array<std::array<double, 2>, 2> result{};
+  Mat<double, side_multipliers> result{};
   for (std::size_t q = 0; q < rule_.weights.size(); ++q) {
     const double xi = rule_.points[q][0], shape[2] = {0.5 * (1 - xi), 0.5 * (1 + xi)};
     double N[max_line_nodes], dN[max_line_nodes];

@@ -66,8 +66,7 @@ class PairContact : public TwoSurfaceContact<PairParameters> {
   PairLaw law(const StepView& view, int slave) const;
   PairCoordinates coordinates(const Pair& pair, const ConstCoordinateView& x) const;
   /// Mass matrix of the multipliers' shapes on a slave side [m].
-  std::array<std::array<double, side_multipliers>, side_multipliers> mass(int slave,
-                                                                          const ConstCoordinateView& x) const;
+  Mat<double, side_multipliers> mass(int slave, const ConstCoordinateView& x) const;
   void write_side(const State& trial, int slave, const PairSums& sums, const double (&force)[2]) const;
   Misfit misfit(const State& state) const;
   std::vector<double> nodal_mean(const State& state, int column) const;

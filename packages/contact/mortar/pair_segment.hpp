@@ -2,6 +2,7 @@
 
 #include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
+#include "tensor/mat.hpp"
 
 namespace mudline {
 
@@ -28,10 +29,10 @@ struct PairLaw : ContactPointLaw {
 
 /// Integrals over the segment, weighted by the multipliers' shapes (a) and the length without the circumference [m].
 struct PairSums {
-  double length[side_multipliers] = {};                      // of the segment
-  double pressure[side_multipliers] = {};                    // [N/m]
-  double gap[side_multipliers] = {};                         // [m2]
-  double touching[side_multipliers][side_multipliers] = {};  // shape times shape where it presses
+  double length[side_multipliers] = {};         // of the segment
+  double pressure[side_multipliers] = {};       // [N/m]
+  double gap[side_multipliers] = {};            // [m2]
+  Mat<double, side_multipliers> touching = {};  // shape times shape where it presses
   double shear[side_multipliers] = {},
          stretch[side_multipliers] = {};  // [N/m]; of shear less multiplier, where it sticks
   double sliding = 0;                     // length that slides [m]

@@ -16,7 +16,8 @@ namespace {
 /// Root of the area or cube root of the volume of an element, over the order of its cell [m].
 template <int D>
 double length_of(const SoilBlock& b, int e, const ConstCoordinateView& x) {
-  double measure = 0, J[D][D];  // dx / d xi
+  double measure = 0;
+  Mat<double, D> J;  // dx / d xi
   for (int q = 0; q < b.points; ++q) {
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) {

@@ -87,9 +87,9 @@ void check(const Case& c) {
   stepper.jacobian(x);
   const double scale[] = {0.01, 1e4, 0.01};
   for (int moved = 0; moved < dofs.num_fields(); ++moved) {
-    const double h = moved == 1 ? 1e-3 : 1e-5;  // larger for pressures, on which the body's force depends little
-    Vector v(stepper.map()), plus(x, Teuchos::Copy), x - Teuchos::Copy, above(stepper.map()), below(stepper.map()),
-        jv(stepper.map());
+    const double h = moved == 1 ? 1e-3 : 1e-5;  // little of the body's force comes from pressures: against rounding
+    Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy), above(stepper.map()),
+        below(stepper.map()), jv(stepper.map());
     {
       auto data = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (int i = 0; i < dofs.num_owned_dofs(); ++i)

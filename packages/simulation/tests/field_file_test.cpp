@@ -119,7 +119,7 @@ TEST(FieldFile, ContourInThePlaneTurnsAboutZ) {
   Result result;
   FieldFile file(result.mesh, folder / "r");
   file.add_body("cone", contour);
-  const BodyPose pose{{0.5, 0.25, 0}, {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}, {0, 1, 0}};
+  const BodyPose pose{{0.5, 0.25, 0}, {{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}}, {0, 1, 0}};
   file.write(0, 0, "push", owned_coordinates(result.mesh), {}, {}, {{"cone", pose}});
   EXPECT_EQ(dataset(folder / "r.h5", "/bodies/cone/contour"), (std::vector<double>{0, 0, 1, 1, 0, 1}));
   EXPECT_EQ(dataset(folder / "r.h5", "/steps/000000/bodies/cone/coordinates"),
@@ -134,7 +134,7 @@ TEST(FieldFile, BodyInSpaceIsASurfaceThatTurnsAboutAnyAxis) {
   FieldFile file(mesh, folder / "r");
   file.add_body("a spike", tetrahedron);
   // a rotation about the axis (1, 1, 1): x becomes y, y becomes z, z becomes x
-  const BodyPose pose{{0.5, 0, -0.25}, {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}, {0, 0, 1}};
+  const BodyPose pose{{0.5, 0, -0.25}, {{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}}, {0, 0, 1}};
   write_in_space(mesh, file, pose);
   EXPECT_EQ(dataset(folder / "r.h5", "/bodies/a_spike/surface"),
             (std::vector<double>{0, 0, 1, 2, 0, 1, 0, 2, 1, 0, 0, 2}));

@@ -82,7 +82,7 @@ double jacobian_error(Model& model, const Vector& x, std::mt19937& random) {
   Stepper& stepper = model.stepper();
   const DofMap& dofs = *model.space().dofs();
   std::uniform_real_distribution<double> uniform(-1, 1);
-  Vector v(stepper.map()), plus(x, Teuchos::Copy), x - Teuchos::Copy;
+  Vector v(stepper.map()), plus(x, Teuchos::Copy), minus(x, Teuchos::Copy);
   {
     auto data = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int i = 0; i < dofs.num_owned_dofs(); ++i)
