@@ -72,7 +72,7 @@ class Ale {
   /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
   bool due(int step, const State& committed) const;
   /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and then
-  /// calls Term::adopt. `constraints`: those of the step that ended. Collective.
+  /// calls Term::take_evaluated. `constraints`: those of the step that ended. Collective.
   MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;
@@ -95,11 +95,11 @@ class Ale {
   Remeshing remesh(int step, const State& committed, const WantedSizes* sizes) const;
   /// Moves the free boundary of a new mesh until the soil has the volume that it has in state `before` on the old mesh,
   /// that of `from`. `constraints`: those of the present instant, on the new mesh. Collective.
-  void take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const;
-  /// Transfers the soil's state from `from` to `store`, after take_volume(); `store` must hold the bodies' state
+  void match_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const;
+  /// Transfers the soil's state from `from` to `store`, after match_volume(); `store` must hold the bodies' state
   /// already. The terms then follow as after relocate(). Collective.
-  MeshReceipt take_over(const Ale& from, const StateStore& old_store, const MeshChange& change,
-                        const Constraints& constraints, StateStore& store) const;
+  MeshReceipt transfer_from(const Ale& from, const StateStore& old_store, const MeshChange& change,
+                            const Constraints& constraints, StateStore& store) const;
   const Space& space() const { return space_; }
   /// This rank's part of the mesh, with ghosts. The paths are those of the whole mesh.
   const GhostedMesh& mesh() const { return mesh_; }
@@ -143,10 +143,10 @@ class Ale {
   void take_stock(const State& state, MeshReceipt& receipt) const;
   /// Why a transfer must be vetoed for the mass that it changed; "": it is conserved within the tolerance.
   std::string lost_mass(const MeshReceipt& receipt) const;
-  // Transfers to another mesh, see take_over().
-  void take_nodes(const State& old_state, const MeshChange& change, State& to) const;
-  void take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
-                   MeshReceipt& receipt) const;
+  // Transfers to another mesh, see transfer_from().
+  void transfer_nodes_from(const State& old_state, const MeshChange& change, State& to) const;
+  void transfer_points_from(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
+                            MeshReceipt& receipt) const;
   void keep_momentum(const Inventory& before, const Constraints& constraints, State& to) const;
 
   AleParameters deck_;

@@ -31,13 +31,13 @@ double size_of(const GhostedMesh::Element& element, const Positions& x) {
 constexpr double resolved = 0.5;
 /// Motion after which scatter is removed, as a share of half an element: it would accumulate where points hardly move.
 /// The departure of a resolved field is removed over the whole half.
-constexpr double gone = 0.01;
+constexpr double scatter_distance = 0.01;
 
 /// The departure from the recovered field that a point of a simplex keeps. `rest`: the part that upwinding alone would
 /// keep; `courant`: the point's motion in half elements; `change`: range of the recovered field over the element.
 double without_scatter(double rest, double courant, double change) {
   const double within = std::clamp(rest, -resolved * change, resolved * change);
-  return rest + std::min(1.0, courant / gone) * (within - rest);
+  return rest + std::min(1.0, courant / scatter_distance) * (within - rest);
 }
 
 /// The field recovered from a table plus the field recovered from the residual at the points (Tukey's twicing): a field
@@ -112,9 +112,9 @@ void ConvectionRemap::transfer(const PointTransfer& t) const {
       recovered.at(place, there.data());
       recovered.at_point(e, q, here.data());
       for (int c = 0; c < t.columns; ++c) {
-        double kept = own * (t.old[row + c] - here[c]);
-        if (scatters) kept = without_scatter(kept, courant, changes[c]);
-        double value = there[c] + kept;
+        double deviation = own * (t.old[row + c] - here[c]);
+        if (scatters) deviation = without_scatter(deviation, courant, changes[c]);
+        double value = there[c] + deviation;
         if (limited_) {
           const auto &left = recovered.range(e, c), &entered = recovered.range(place.element, c);
           value = std::clamp(value, std::min(left.first, entered.first), std::max(left.second, entered.second));

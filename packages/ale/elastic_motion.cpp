@@ -46,14 +46,14 @@ class ElasticMesh {
       const Simplex& t = mesh_.corners.simplices[e];
       const Gradients& g = gradients_[e];
       Mat<double, Dim> slope = {};
-      double spread = 0;  // divergence of u; slope holds du_i / dx_j
+      double divergence = 0;  // divergence of u; slope holds du_i / dx_j
       for (int a = 0; a <= Dim; ++a)
         for (int i = 0; i < Dim; ++i)
           for (int j = 0; j < Dim; ++j) slope[i][j] += u[Dim * t[a] + i] * g[a][j];
-      for (int i = 0; i < Dim; ++i) spread += slope[i][i];
+      for (int i = 0; i < Dim; ++i) divergence += slope[i][i];
       for (int a = 0; a <= Dim; ++a)
         for (int i = 0; i < Dim; ++i) {
-          double force = lambda_ * spread * g[a][i];
+          double force = lambda_ * divergence * g[a][i];
           for (int j = 0; j < Dim; ++j) force += shear_ * (slope[i][j] + slope[j][i]) * g[a][j];
           y[Dim * t[a] + i] += force;
         }

@@ -49,10 +49,10 @@ double nearest_share(const SurfaceFace& face, int edge, const Point& point, cons
   double share = 0.5;
   for (int k = 0; k < 30; ++k) {
     const FaceMap map(face, on_edge(face, edge, share), x);
-    const Point way = (b[0] - a[0]) * map.along[0] + (b[1] - a[1]) * map.along[1];
-    const double square = dot(way, way);
+    const Point tangent = (b[0] - a[0]) * map.along[0] + (b[1] - a[1]) * map.along[1];
+    const double square = dot(tangent, tangent);
     if (!(square > 0)) break;
-    const double next = std::clamp(share + dot(way, point - map.at) / square, 0.0, 1.0);
+    const double next = std::clamp(share + dot(tangent, point - map.at) / square, 0.0, 1.0);
     const bool done = std::abs(next - share) < rounding;
     share = next;
     if (done) break;

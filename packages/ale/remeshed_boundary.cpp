@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "ale/kept_gaps.hpp"
+#include "ale/fixed_gaps.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -52,7 +52,7 @@ class SurfaceRemeshing {
   const MeshSurfaces& surfaces_;
   const Positions& x_;
   BodySearch body_;
-  KeptGaps gaps_;
+  FixedGaps gaps_;
   FaceLocator locator_;
   std::vector<std::unique_ptr<PathPlaces>> curves_;
   std::vector<PatchPlane> planes_;

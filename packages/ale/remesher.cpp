@@ -69,7 +69,7 @@ Remesher::Remesher(const GhostedMesh& mesh, const BoundaryMotion& boundary, cons
                    const Section& section)
     : mesh_(mesh), boundary_(boundary), deck_(deck) {
   if (!in_space()) find_neighbours();
-  find_kept();
+  find_fixed();
   check(section);
   if (in_space()) find_names(section);
   check_sets(section);
@@ -92,7 +92,7 @@ void Remesher::find_neighbours() {
   }
 }
 
-void Remesher::find_kept() {
+void Remesher::find_fixed() {
   fixed_node_.assign(mesh_.num_nodes(), 0);
   if (in_space()) {
     const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
@@ -200,12 +200,12 @@ std::function<double(double relative, const Point& at)> Remesher::wanted_on_surf
 double Remesher::largest_edge(const Positions& x, const State& state) const {
   const auto wanted = wanted_on_surface(state);
   const MeshSurfaces& surfaces = boundary_.surfaces().surfaces();
-  std::set<std::pair<int, int>> kept_edges;  // on curves
+  std::set<std::pair<int, int>> fixed_edges;  // on curves
   for (std::size_t p = 0; p < boundary_.paths().size(); ++p) {
     const MeshPath& path = boundary_.paths()[p];
     if (kept(p))
       for (std::size_t i = path.stride; i < path.nodes.size(); i += path.stride)
-        kept_edges.insert(std::minmax(path.nodes[i - path.stride], path.nodes[i]));
+        fixed_edges.insert(std::minmax(path.nodes[i - path.stride], path.nodes[i]));
   }
   std::vector<double> size(x.size(), 0.0);
   double largest = 0;
@@ -215,7 +215,7 @@ double Remesher::largest_edge(const Positions& x, const State& state) const {
       const int ends[2] = {face.nodes[k], face.nodes[(k + 1) % 3]};
       for (int node : ends)
         if (size[node] == 0) size[node] = wanted(boundary_.relative_sizes()[node], x[node]);
-      if (kept_edges.count(std::minmax(ends[0], ends[1]))) continue;
+      if (fixed_edges.count(std::minmax(ends[0], ends[1]))) continue;
       largest = std::max(largest, 2 * distance(x[ends[0]], x[ends[1]]) / (size[ends[0]] + size[ends[1]]));
     }
   }

@@ -78,7 +78,7 @@ class Remesher {
 
  private:
   void find_neighbours();
-  void find_kept();
+  void find_fixed();
   void find_names(const Section& section);
   void check(const Section& section) const;
   void check_space(const Section& section) const;

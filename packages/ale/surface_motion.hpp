@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ale/face_place.hpp"
-#include "ale/kept_gaps.hpp"
+#include "ale/fixed_gaps.hpp"
 #include "ale/mean_ratio.hpp"
 #include "ale/mesh_surfaces.hpp"
 #include "ale/patch_plane.hpp"

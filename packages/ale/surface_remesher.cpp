@@ -387,10 +387,10 @@ bool SurfaceRemesher::improve(int v) {
   const Shape was = worst_around(v);
   for (double share : {1.0, 0.5, 0.25}) {
     move(v, share);
-    const double way = length(vertices_[v].place - before.place);
+    const double moved = length(vertices_[v].place - before.place);
     const Shape now = worst_around(v);
     const bool better = now.quality >= std::min(was.quality, good) && now.facing >= std::min(facing_enough, was.facing);
-    if (way > 0.01 * before.size && better) {
+    if (moved > 0.01 * before.size && better) {
       for (int near : neighbours(v)) {
         const auto edge = curve_edges_.find(ends(v, near));
         if (edge != curve_edges_.end()) (v < near ? edge->second.low : edge->second.high) = vertices_[v].s;

@@ -126,7 +126,7 @@ class SurfaceMotion::Step {
         const bool stays = std::all_of(middle.ends.begin(), middle.ends.end(), rests) &&
                            std::all_of(middle.sides.begin(), middle.sides.end(), rests) &&
                            surface_.drift_of(middle, x_old_) <= std::max(1e-9, 2 * middle.drift);
-        if (!stays) x_[middle.node] = over_middle(middle, planes_[p]);
+        if (!stays) x_[middle.node] = above_centre(middle, planes_[p]);
       }
   }
 
@@ -145,7 +145,7 @@ class SurfaceMotion::Step {
   }
 
   void keep_gaps(const BodySearch& body) {
-    KeptGaps gaps(body, x_old_);
+    FixedGaps gaps(body, x_old_);
     for (std::size_t p = 0; p < planes_.size(); ++p) {
       if (planes_[p].flat) continue;
       const Patch& patch = surface_.patches_[p];
@@ -266,7 +266,7 @@ class SurfaceMotion::Step {
 
   /// Point of the surface on its normal through the middle of the node's ends. The closest point to that middle would
   /// not do: where an edge bulges by more than a quarter of its length, it moves from side to side and away.
-  Point over_middle(const MidSideNode& middle, const PatchPlane& plane) {
+  Point above_centre(const MidSideNode& middle, const PatchPlane& plane) {
     const Point centre = middle_of(middle, x_), normal = surface_.normal_at(middle, x_old_);
     const double rounding = 1e-14 * edge_of(middle, x_);
     Point at = on_surface(middle.node, centre, plane);
@@ -287,7 +287,7 @@ class SurfaceMotion::Step {
     at = plane.kept(without_bulge(at, middle_of(middle, x_), normal, edge_of(middle, x_)));
   }
 
-  void keep_gap(int node, double span, KeptGaps& gaps) {
+  void keep_gap(int node, double span, FixedGaps& gaps) {
     if (x_[node] == x_old_[node]) return;
     const SurfacePlace& on = on_[node];
     x_[node] = gaps.kept(surface_.surfaces_.faces[on.face], on.xi, x_[node], span);

@@ -78,7 +78,7 @@ Remeshing Ale::remesh(int step, const State& committed, const WantedSizes* sizes
   return result;
 }
 
-void Ale::take_nodes(const State& old_state, const MeshChange& change, State& to) const {
+void Ale::transfer_nodes_from(const State& old_state, const MeshChange& change, State& to) const {
   for (int f = 0; f < space_.num_fields(); ++f) {
     if (space_.field(f).support == Support::apart) continue;
     const std::pair<NodalView, NodalView> pairs[] = {
@@ -88,8 +88,8 @@ void Ale::take_nodes(const State& old_state, const MeshChange& change, State& to
   }
 }
 
-void Ale::take_points(const Ale& from, const StateStore& old_store, const MeshChange& change, StateStore& store,
-                      MeshReceipt& receipt) const {
+void Ale::transfer_points_from(const Ale& from, const StateStore& old_store, const MeshChange& change,
+                               StateStore& store, MeshReceipt& receipt) const {
   for (std::size_t k = 0; k < soil_.blocks.size(); ++k) {
     const SoilBlock& b_old = from.soil_.blocks[k];
     const RecoveryPatches patches(change.from(), b_old);
@@ -164,23 +164,23 @@ void Ale::keep_momentum(const Inventory& before, const Constraints& constraints,
   inventory(v);
 }
 
-void Ale::take_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const {
+void Ale::match_volume(const Ale& from, const State& before, const Constraints& constraints, State& to) const {
   if (!deck_.conserve) return;
   Positions x = mesh_.gather(to.coordinates);
   keep_volume(soil_volume(from.mesh_, from.soil_, from.mesh_.gather(before.coordinates)), to, constraints, x);
   mesh_.scatter(x, to.coordinates);
 }
 
-MeshReceipt Ale::take_over(const Ale& from, const StateStore& old_store, const MeshChange& change,
-                           const Constraints& constraints, StateStore& store) const {
+MeshReceipt Ale::transfer_from(const Ale& from, const StateStore& old_store, const MeshChange& change,
+                               const Constraints& constraints, StateStore& store) const {
   MeshReceipt receipt;
   const State& old_state = old_store.committed();
   State& to = store.committed();
   receipt.quality_before = lowest_quality(from.mesh_, from.mesh_.gather(old_state.coordinates));
   receipt.quality = lowest_quality(mesh_, mesh_.gather(to.coordinates));
   receipt.before = take_inventory(from.soil_, old_state);
-  take_nodes(old_state, change, to);
-  take_points(from, old_store, change, store, receipt);
+  transfer_nodes_from(old_state, change, to);
+  transfer_points_from(from, old_store, change, store, receipt);
   if (!receipt.veto.empty()) return receipt;
   if (deck_.conserve) {
     keep_compression(receipt.before.compression, constraints, to);

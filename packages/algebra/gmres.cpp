@@ -24,7 +24,7 @@ class Basis {
 
   /// Subtracts the components along the directions from w and returns them. Classical Gram-Schmidt is applied twice,
   /// which keeps the directions orthogonal to rounding.
-  std::vector<double> take_off(Vector& w) const {
+  std::vector<double> orthogonalise(Vector& w) const {
     std::vector<double> all(vectors_.size(), 0.0);
     for (int pass = 0; pass < 2; ++pass) {
       const std::vector<double> part = products(w);
@@ -135,7 +135,7 @@ int gmres(const Operator& matrix, const Operator& preconditioner, const Vector& 
       basis.push(residual, length);
       preconditioner.apply(basis.back(), direction);
       matrix.apply(direction, residual);
-      const std::vector<double> column = basis.take_off(residual);
+      const std::vector<double> column = basis.orthogonalise(residual);
       length = residual.norm2();
       problem.add(column, length);
       ++iterations;

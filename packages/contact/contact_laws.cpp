@@ -10,7 +10,7 @@ namespace {
 
 /// Warns of a law whose slopes are wrong: Newton's method would fail far from where the fault is.
 template <class Law>
-void doubt_slopes(const ContactContext& context, const Section& entry, const Law& law) {
+void warn_of_slopes(const ContactContext& context, const Section& entry, const Law& law) {
   if (context.remeshed) return;  // checked before the remeshing
   const std::string problem = slope_problem(law);
   if (!problem.empty())
@@ -31,14 +31,14 @@ void ContactLaws::read(const ContactContext& context, const Section& section) {
   if (section.has_section("friction")) {
     const Section law = section.section("friction");
     friction_ = context.frictions.create(law);
-    doubt_slopes(context, law, *friction_);
+    warn_of_slopes(context, law, *friction_);
     note(friction_->reads(), law);
     if (friction_->effective()) read_.pore_pressure = true;
   }
   if (section.has_section("normal law")) {
     const Section law = section.section("normal law");
     normal_ = context.normal_laws.create(law);
-    doubt_slopes(context, law, *normal_);
+    warn_of_slopes(context, law, *normal_);
     note(normal_->reads(), law);
   }
 }

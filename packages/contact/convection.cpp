@@ -39,9 +39,9 @@ void SideShifts::measure(const std::vector<Point>& from, const std::vector<Point
                          const SideCoordinates& nodes) {
   const std::array<Point, 2> along = directions(side, nodes);
   for (std::size_t c = 0; c < from.size(); ++c) {
-    const Point way = to[c] - from[c];
+    const Point displacement = to[c] - from[c];
     at_.push_back({dot(from[c], along[0]), dot(from[c], along[1])});
-    shift_.push_back({dot(way, along[0]), dot(way, along[1])});
+    shift_.push_back({dot(displacement, along[0]), dot(displacement, along[1])});
   }
 }
 

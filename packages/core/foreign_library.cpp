@@ -41,7 +41,7 @@ char being_loaded[sizeof LoadedCode::name];  // file whose static initialisers a
 
 int own_rank = 0;
 pid_t own_process = 0;       // forked children are not guarded
-int kept_error_output = -1;  // copy, for the last message after somebody has closed the descriptor
+int error_output_copy = -1;  // copy, for the last message after somebody has closed the descriptor
 std::atomic<bool> armed{false}, ending{false};
 constexpr int deadly[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 std::array<char, 1 << 16> signal_stack;  // endless recursion uses up the ordinary stack
@@ -74,8 +74,8 @@ const char* library_on_stack() {
   for (const char* piece : pieces)
     for (; *piece != '\0' && length + 1 < sizeof line; ++piece) line[length++] = *piece == '\n' ? ' ' : *piece;
   line[length++] = '\n';
-  if (write(STDERR_FILENO, line, length) < 0 && kept_error_output >= 0) {
-    [[maybe_unused]] const auto written = write(kept_error_output, line, length);
+  if (write(STDERR_FILENO, line, length) < 0 && error_output_copy >= 0) {
+    [[maybe_unused]] const auto written = write(error_output_copy, line, length);
   }
   leave(code);
 }
@@ -212,7 +212,7 @@ void* ForeignLibrary::function(const std::string& name) const { return dlsym(han
 ExitGuard::ExitGuard(int rank, int ranks) {
   own_rank = ranks > 1 ? rank : 0;
   own_process = getpid();
-  kept_error_output = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 64);
+  error_output_copy = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 64);
   own_rounding = std::fegetround();
   if (stat(".", &own_folder) != 0) own_folder = {};
   for (int i = 0; i < 3; ++i)

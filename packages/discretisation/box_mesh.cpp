@@ -229,7 +229,7 @@ std::vector<std::vector<BoxMesh::Index>> BoxMesh::triangles(const Index& cell) c
 /// other. Whether a direction is mirrored depends only on the cell's number in that direction, so that neighbours fit.
 /// The mirroring alternates, and the diagonals start at the corners of the box.
 std::vector<std::vector<BoxMesh::Index>> BoxMesh::tetrahedra(const Index& cell) const {
-  static constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  static constexpr int permutations[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   bool mirrored[3], turned = false;
   for (int d = 0; d < 3; ++d) {
     mirrored[d] = cell[d] > 0 && (cell[d] % 2 == 1 || cell[d] == count_[d] - 1);
@@ -240,7 +240,7 @@ std::vector<std::vector<BoxMesh::Index>> BoxMesh::tetrahedra(const Index& cell) 
     Index at = cell;
     for (int d = 0; d < 3; ++d) at[d] += mirrored[d];
     std::vector<Index> corners{at};
-    for (const int d : ways[t]) {
+    for (const int d : permutations[t]) {
       at[d] += mirrored[d] ? -1 : 1;
       corners.push_back(at);
     }

@@ -13,10 +13,10 @@ namespace mudline {
 namespace {
 
 void refuse(const Bounds& all, int dimension) {
-  Point middle;
-  for (int i = 0; i < 3; ++i) middle[i] = 0.5 * (all.low[i] + all.high[i]);
+  Point centre;
+  for (int i = 0; i < 3; ++i) centre[i] = 0.5 * (all.low[i] + all.high[i]);
   const std::string edge = dimension == 2 ? "edge is" : "faces are";
-  throw InputError("the mesh has a hole around " + place_text(middle, dimension) + " whose " + edge +
+  throw InputError("the mesh has a hole around " + place_text(centre, dimension) + " whose " + edge +
                    " in no side set: elements are missing, or name the " + edge.substr(0, edge.find(' ')) +
                    " of a hole that is meant");
 }

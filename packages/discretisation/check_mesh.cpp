@@ -87,8 +87,8 @@ void check_nodes(const GlobalMesh& mesh, Geometry geometry) {
 /// twice means that elements overlap.
 void check_sides(const GlobalMesh& mesh) {
   struct Seen {
-    SideKey way;
-    long long middle;
+    SideKey orientation;
+    long long mid_side_node;
     bool both = false;  // seen from both elements
   };
   std::vector<Seen> sides;  // by number
@@ -96,23 +96,23 @@ void check_sides(const GlobalMesh& mesh) {
   for_each_side(mesh, [&](const GlobalMesh::Side& place, const std::vector<long long>& nodes) {
     const GlobalMesh::Block& block = mesh.blocks[place.block];
     const int corners = num_corners(side_shape(block.shape));
-    const SideKey way = directed_key(nodes.data(), corners);
+    const SideKey orientation = directed_key(nodes.data(), corners);
     const bool has_mid_side_node = nodes.size() == 9 || (nodes.size() == 3 && corners == 2);
-    const long long middle = has_mid_side_node ? nodes.back() : -1;
+    const long long mid_side_node = has_mid_side_node ? nodes.back() : -1;
     const std::size_t number = table.number(sorted_key(nodes.data(), corners));
-    if (number == sides.size()) return sides.push_back({way, middle});
+    if (number == sides.size()) return sides.push_back({orientation, mid_side_node});
     Seen& seen = sides[number];
     const auto where = [&] {
       return " in region '" + block.region + "' centred at " +
              centre(mesh, block.nodes.data() + place.element * num_nodes(block.shape), block.shape);
     };
     const auto corner = [&](long long node) { return place_text(mesh.coordinates[node], mesh.dimension()); };
-    if (seen.both || seen.way == way)
+    if (seen.both || seen.orientation == orientation)
       throw InputError("elements overlap: two of them have the same side, one is" + where());
-    if (seen.way != reversed_key(way))
+    if (seen.orientation != reversed_key(orientation))
       throw InputError("neighbours do not fit: the corners of their common side go round in different orders, one is" +
                        where());
-    if (seen.middle != middle)
+    if (seen.mid_side_node != mid_side_node)
       throw InputError("neighbours do not share the middle node of their common " +
                        (corners == 2 ? "side from " + corner(std::min(nodes[0], nodes[1])) + " to " +
                                            corner(std::max(nodes[0], nodes[1]))
@@ -130,10 +130,11 @@ void check_edges(const GlobalMesh& mesh) {
     if (order(block.shape) == 1) return;
     for (int edge = 0; edge < num_edges(block.shape); ++edge) {
       const std::array<int, 2> ends = edge_corners(block.shape, edge);
-      const long long corners[2] = {nodes[ends[0]], nodes[ends[1]]}, middle = nodes[num_corners(block.shape) + edge];
+      const long long corners[2] = {nodes[ends[0]], nodes[ends[1]]},
+                      mid_side_node = nodes[num_corners(block.shape) + edge];
       const std::size_t number = table.number(sorted_key(corners, 2));
-      if (number == mid_side_nodes.size()) mid_side_nodes.push_back(middle);
-      if (mid_side_nodes[number] == middle) continue;
+      if (number == mid_side_nodes.size()) mid_side_nodes.push_back(mid_side_node);
+      if (mid_side_nodes[number] == mid_side_node) continue;
       throw InputError("neighbours do not share the middle node of their common edge from " +
                        place_text(mesh.coordinates[corners[0]], 3) + " to " +
                        place_text(mesh.coordinates[corners[1]], 3));

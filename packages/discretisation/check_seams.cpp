@@ -33,7 +33,7 @@ class Seams {
   bool lies_along(const SeamSide& smaller, const SeamSide& larger) const;
   bool twins(const SeamSide& a, const SeamSide& b) const;
   bool may_touch(const std::set<std::string>& a, const std::set<std::string>& b) const;
-  bool meant(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks);
+  bool is_declared(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks);
   [[noreturn]] void refuse(const SeamSide& smaller, const SeamSide& larger) const;
   void look_into(const SeamSide& side, const Point& x, int e);
   std::string text(const Point& x) const { return place_text(x, mesh_.dimension()); }
@@ -115,7 +115,7 @@ bool Seams::twins(const SeamSide& a, const SeamSide& b) const {
 
 /// Whether the deck declares two sides beside each other as surfaces in contact, or as the faces of a crack, whose
 /// corners are at the same places.
-bool Seams::meant(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks) {
+bool Seams::is_declared(const SeamSide& a, const SeamSide& b, const std::vector<std::string>& cracks) {
   if (may_touch(a.sets, b.sets)) return true;
   const bool allowed = twins(a, b) || common(a, b).empty();
   bool named = false;
@@ -133,7 +133,7 @@ std::string Seams::name_of(const SeamSide& side) const {
 }
 
 void Seams::refuse(const SeamSide& smaller, const SeamSide& larger) const {
-  const std::string ways =
+  const std::string remedies =
       "; join them (in Gmsh by Coherence), or name both surfaces in a contact's 'slave' and 'master', or their side "
       "set "
       "in 'cracks' when they are to part";
@@ -142,10 +142,10 @@ void Seams::refuse(const SeamSide& smaller, const SeamSide& larger) const {
     throw InputError("elements do not fit: the " + name_of(smaller) + " of one has all its corners on the " +
                      name_of(larger) + " of another, but not the same shape or middle nodes");
   if (twins(smaller, larger))
-    throw InputError("the mesh has a crack of twin nodes: two elements have a " + name_of(larger) + " each" + ways);
+    throw InputError("the mesh has a crack of twin nodes: two elements have a " + name_of(larger) + " each" + remedies);
   if (joined.empty())
     throw InputError("two parts of the mesh lie beside each other at " + text(middle_of(mesh_, smaller.at)) +
-                     " without common nodes" + ways);
+                     " without common nodes" + remedies);
   int hanging = -1;  // the corner nearest to the larger side among those that are not common
   double nearest = std::numeric_limits<double>::max();
   for (int c = 0; c < smaller.corners; ++c) {
@@ -167,7 +167,7 @@ void Seams::check_joints(const std::vector<std::string>& cracks) {
       if (static_cast<std::size_t>(b) <= a) return;
       const bool first = sides_[a].measure <= sides_[b].measure;
       const SeamSide &smaller = sides_[first ? a : b], &larger = sides_[first ? b : a];
-      if (lies_along(smaller, larger) && !meant(smaller, larger, cracks)) refuse(smaller, larger);
+      if (lies_along(smaller, larger) && !is_declared(smaller, larger, cracks)) refuse(smaller, larger);
     });
   for (const std::string& crack : cracks) {
     if (mesh_.side_sets.count(crack) == 0) throw InputError("'cracks' names '" + crack + "', which is no side set");

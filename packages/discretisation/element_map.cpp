@@ -217,9 +217,9 @@ double ElementMap::scaled_jacobian() const {
   double length[12], product[8];
   for (int e = 0; e < num_edges(shape_); ++e) {
     const auto [from, to] = edge_corners(shape_, e);
-    double way[3] = {};
-    for (int i = 0; i < dimension_; ++i) way[i] = x_[to][i] - x_[from][i];
-    length[e] = length_of(dimension_, way);
+    double edge_vector[3] = {};
+    for (int i = 0; i < dimension_; ++i) edge_vector[i] = x_[to][i] - x_[from][i];
+    length[e] = length_of(dimension_, edge_vector);
   }
   double widest = 0;  // largest product of a corner's edges, for the element's centre
   for (int c = 0; c < corners; ++c) {

@@ -45,7 +45,7 @@ std::string MshElements::group_name(const Element& e) const {
 TaggedMesh MshElements::mesh() {
   check_nodes();
   leave_out_interfaces();
-  leave_out_doubles();
+  remove_duplicates();
   TaggedMesh mesh;
   for (const Tag tag : order_) mesh.nodes.push_back({tag, places_.at(tag)});
   add_cells(mesh);
@@ -97,7 +97,7 @@ void MshElements::leave_out_interfaces() {
 
 /// A file may list an element once for each of its groups; a side then belongs to all of them. A cell may have only one
 /// group, and no element may be listed twice in a group.
-void MshElements::leave_out_doubles() {
+void MshElements::remove_duplicates() {
   struct Key {
     std::uint64_t hash;
     std::size_t element;
@@ -120,14 +120,15 @@ void MshElements::leave_out_doubles() {
   std::set<std::size_t> doubles;
   for (std::size_t first = 0; first < keys.size(); ++first)
     for (std::size_t next = first + 1; next < keys.size() && keys[next].hash == keys[first].hash; ++next)
-      if (is_double(elements_[keys[next].element], elements_[keys[first].element])) doubles.insert(keys[next].element);
+      if (is_duplicate(elements_[keys[next].element], elements_[keys[first].element]))
+        doubles.insert(keys[next].element);
   std::size_t kept = 0;
   for (std::size_t e = 0; e < elements_.size(); ++e)
     if (doubles.count(e) == 0) elements_[kept++] = elements_[e];
   elements_.resize(kept);
 }
 
-bool MshElements::is_double(const Element& e, const Element& before) const {
+bool MshElements::is_duplicate(const Element& e, const Element& before) const {
   if (e.type != before.type) return false;
   std::vector<Tag> a(nodes(e), nodes(e) + e.type->nodes), b(nodes(before), nodes(before) + e.type->nodes);
   const bool cell = e.type->dimension == dimension_;

@@ -51,8 +51,8 @@ class MshElements {
   std::string group_name(const Element& e) const;
   void leave_out_interfaces();
   void check_nodes() const;
-  void leave_out_doubles();
-  bool is_double(const Element& e, const Element& before) const;
+  void remove_duplicates();
+  bool is_duplicate(const Element& e, const Element& before) const;
   void add_cells(TaggedMesh& mesh) const;
   void add_sides(TaggedMesh& mesh) const;
   void add_points(TaggedMesh& mesh) const;

@@ -48,12 +48,12 @@ void measure(const GlobalMesh& mesh, const ElementMap& map, SeamSide& side) {
   const auto corner = [&](int c) { return mesh.coordinates[side.at.nodes[c % side.corners]]; };
   side.edge = std::numeric_limits<double>::max();
   for (int c = 0; c < (side.corners == 2 ? 1 : side.corners); ++c) {
-    const Point way = corner(c + 1) - corner(c);
-    side.edge = std::min(side.edge, std::sqrt(dot(way, way)));
+    const Point span = corner(c + 1) - corner(c);
+    side.edge = std::min(side.edge, std::sqrt(dot(span, span)));
   }
   if (side.corners == 2) {
-    const Point way = corner(1) - corner(0);
-    side.normal = {way[1], -way[0], 0};
+    const Point span = corner(1) - corner(0);
+    side.normal = {span[1], -span[0], 0};
   } else {
     const int last = side.corners == 3 ? 0 : 1;  // a quadrilateral's area: half the product of its diagonals
     side.normal = cross(corner(side.corners == 3 ? 1 : 2) - corner(0), corner(side.corners - 1) - corner(last));
@@ -120,10 +120,10 @@ std::vector<Vec<double, 2>> side_samples(CellShape side, bool few) {
 }
 
 double distance_to_piece(const Point& point, const Point& a, const Point& b) {
-  const Point way = b - a, off = point - a;
-  const double square = dot(way, way);
-  const double t = square > 0 ? std::min(std::max(dot(off, way) / square, 0.0), 1.0) : 0.0;
-  const Point rest{off[0] - t * way[0], off[1] - t * way[1], off[2] - t * way[2]};
+  const Point span = b - a, off = point - a;
+  const double square = dot(span, span);
+  const double t = square > 0 ? std::min(std::max(dot(off, span) / square, 0.0), 1.0) : 0.0;
+  const Point rest{off[0] - t * span[0], off[1] - t * span[1], off[2] - t * span[2]};
   return std::sqrt(dot(rest, rest));
 }
 

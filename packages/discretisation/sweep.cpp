@@ -48,7 +48,7 @@ class Sweeper {
     int layer;
   };
 
-  std::vector<std::vector<Corner>> prisms_cut(const Element& element) const;
+  std::vector<std::vector<Corner>> cut_prism(const Element& element) const;
   void add_cell(const Element& element, const std::vector<Corner>& corners);
   void add_sides(const Element& element, const std::vector<Corner>& corners, long long cell);
   /// The node of the mesh over a node of the plane at a level (a layer's start, or the middle of a quadratic layer).
@@ -95,7 +95,7 @@ long long Sweeper::node(long long plane, int level) {
 
 /// Cuts the prism over a triangle into three tetrahedra. Every cut goes from the start of the corner with the lower
 /// number to the end of the other one. The tetrahedron that stands on a fixed corner is flat and left out.
-std::vector<std::vector<Corner>> Sweeper::prisms_cut(const Element& element) const {
+std::vector<std::vector<Corner>> Sweeper::cut_prism(const Element& element) const {
   int v[3] = {0, 1, 2};
   std::sort(v, v + 3, [&](int a, int b) { return element.nodes[a] < element.nodes[b]; });
   const bool odd = (v[1] - v[0] + 3) % 3 != 1;  // the sorted corners are clockwise
@@ -218,7 +218,7 @@ GlobalMesh Sweeper::mesh() {
       for (long long e = 0; e < count; ++e) {
         const Element element{static_cast<int>(b), e, block.shape, block.nodes.data() + e * n, layer};
         if (is_simplex(block.shape)) {
-          for (const auto& corners : prisms_cut(element)) add_cell(element, corners);
+          for (const auto& corners : cut_prism(element)) add_cell(element, corners);
           continue;
         }
         std::vector<Corner> corners;

@@ -12,8 +12,8 @@ struct Conserved {
   std::string name, unit;  // "heat", "J"
   int field;
   std::function<double(const State&)> content;  // content of the whole mesh; collective
-  int transfer = -1;                            // field whose flow transports it; -1: none
-  double transferred = 0, reference = 0;  // transported per outflow of that field: transferred * (value - reference)
+  int carrier = -1;                             // field whose flow transports it; -1: none
+  double carried = 0, reference = 0;  // transported per outflow of that field: transferred * (value - reference)
 };
 
 }  // namespace mudline

@@ -276,7 +276,7 @@ struct ElementLoop {
   /// Makes dual numbers of the fields.
   template <class Law, class T>
   KOKKOS_INLINE_FUNCTION void seed(const Fields& f, PointFields<Coordinates, S, T>& d) const {
-    using Way = Directions<Law>;
+    using Index = Directions<Law>;
     const double w = at.geometry_weight;
     d.hoop_moved = f.hoop_moved;
     d.volume_ratio = f.volume_ratio;
@@ -300,47 +300,47 @@ struct ElementLoop {
       // a displacement gradient at the level rotates and stretches the frame of the spatial gradients
       for (int j = 0; j < D; ++j)
         for (int m = 0; m < D; ++m) {
-          const int way = Way::motion + D * j + m;
-          if (j == m) d.volume_ratio.d[way] = w * f.volume_ratio;
+          const int index = Index::motion + D * j + m;
+          if (j == m) d.volume_ratio.d[index] = w * f.volume_ratio;
           if constexpr (Law::rates) {
-            d.velocity_gradient[j][m].d[way] += at.displacement.rate;
-            for (int i = 0; i < D; ++i) d.velocity_gradient[i][m].d[way] -= w * f.velocity_gradient[i][j];
+            d.velocity_gradient[j][m].d[index] += at.displacement.rate;
+            for (int i = 0; i < D; ++i) d.velocity_gradient[i][m].d[index] -= w * f.velocity_gradient[i][j];
           }
-          for (int k = 0; k < S; ++k) d.gradient[k][m].d[way] -= w * f.gradient[k][j];
+          for (int k = 0; k < S; ++k) d.gradient[k][m].d[index] -= w * f.gradient[k][j];
         }
       if constexpr (Coordinates::hoop) {
-        d.volume_ratio.d[Way::hoop] = w * f.volume_ratio;
-        if constexpr (Law::rates) d.hoop_rate.d[Way::hoop] = at.displacement.rate - w * f.hoop_rate;
+        d.volume_ratio.d[Index::hoop] = w * f.volume_ratio;
+        if constexpr (Law::rates) d.hoop_rate.d[Index::hoop] = at.displacement.rate - w * f.hoop_rate;
       }
     }
     if constexpr (Law::inertia)
       for (int i = 0; i < D; ++i) {
-        d.velocity[i].d[Way::inertia + i] = at.displacement.rate;
-        d.acceleration[i].d[Way::inertia + i] = at.displacement.acceleration;
+        d.velocity[i].d[Index::inertia + i] = at.displacement.rate;
+        d.acceleration[i].d[Index::inertia + i] = at.displacement.acceleration;
       }
     if constexpr (Law::scalars)
       for (int k = 0; k < S; ++k) {
-        d.value[k].d[Way::value + k] = d.change[k].d[Way::value + k] = at.scalar[k].value;
-        if constexpr (Law::rates) d.rate[k].d[Way::value + k] = at.scalar[k].rate;
+        d.value[k].d[Index::value + k] = d.change[k].d[Index::value + k] = at.scalar[k].value;
+        if constexpr (Law::rates) d.rate[k].d[Index::value + k] = at.scalar[k].rate;
       }
     if constexpr (Law::gradients)
       for (int k = 0; k < S; ++k)
-        for (int j = 0; j < D; ++j) d.gradient[k][j].d[Way::gradient + D * k + j] += at.scalar[k].value;
+        for (int j = 0; j < D; ++j) d.gradient[k][j].d[Index::gradient + D * k + j] += at.scalar[k].value;
   }
 
   /// Adds the derivatives of the integral with respect to the motion of the configuration: dv grows by the trace of the
   /// displacement gradient, and the gradients of the test functions change.
   template <class Law, class T>
-  KOKKOS_INLINE_FUNCTION void transfer(PointBalance<Coordinates, S, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void add_motion(PointBalance<Coordinates, S, T>& out) const {
     if constexpr (Law::motion) {
       const double w = at.geometry_weight;
       for (int j = 0; j < D; ++j)
         for (int m = 0; m < D; ++m) {
-          const int way = D * j + m;
+          const int index = D * j + m;
           if constexpr (Law::stresses)
-            for (int i = 0; i < D; ++i) out.stress[i][j].d[way] -= w * out.stress[i][m].v;
+            for (int i = 0; i < D; ++i) out.stress[i][j].d[index] -= w * out.stress[i][m].v;
           if constexpr (Law::fluxes)
-            for (int k = 0; k < S; ++k) out.flux[k][j].d[way] -= w * out.flux[k][m].v;
+            for (int k = 0; k < S; ++k) out.flux[k][j].d[index] -= w * out.flux[k][m].v;
         }
       if constexpr (Coordinates::hoop && Law::stresses) out.hoop_stress.d[D * D] -= w * out.hoop_stress.v;
       const auto grow = [&](T& x) {
@@ -382,15 +382,15 @@ struct ElementLoop {
   KOKKOS_INLINE_FUNCTION void point_matrix(int row, const Law& law, const Shape& s, const Fields& f,
                                            double (&A)[Rows<Law>::count][Directions<Law>::count]) const {
     using Row = Rows<Law>;
-    constexpr int ways = Directions<Law>::count;
-    using T = Dual<ways>;
+    constexpr int derivatives = Directions<Law>::count;
+    using T = Dual<derivatives>;
     PointFields<Coordinates, S, T> in;
     PointBalance<Coordinates, S, T> out;
     seed<Law>(f, in);
     law(row, in, out);
-    transfer<Law>(out);
+    add_motion<Law>(out);
     const auto put = [&](int r, const T& from) {
-      for (int way = 0; way < ways; ++way) A[r][way] = s.dv * from.d[way];
+      for (int index = 0; index < derivatives; ++index) A[r][index] = s.dv * from.d[index];
     };
     for (int i = 0; i < D; ++i) {
       if constexpr (Law::forces) put(Row::force + i, out.force[i]);
@@ -410,7 +410,7 @@ struct ElementLoop {
   KOKKOS_INLINE_FUNCTION static void to_unknowns(const Shape& s,
                                                  const double (&A)[Rows<Law>::count][Directions<Law>::count],
                                                  double (&Y)[Rows<Law>::count][Columns<Law>::count]) {
-    using Way = Directions<Law>;
+    using Index = Directions<Law>;
     for (int row = 0; row < Rows<Law>::count; ++row) {
       double* y = Y[row];
       if constexpr (Law::motion || Law::inertia)
@@ -422,16 +422,16 @@ struct ElementLoop {
               if constexpr (Coordinates::hoop)
                 if (j == 0) sum += A[row][D * D] * s.h[a];
             }
-            if constexpr (Law::inertia) sum += A[row][Way::inertia + j] * s.N[a];
+            if constexpr (Law::inertia) sum += A[row][Index::inertia + j] * s.N[a];
             *y++ = sum;
           }
       if constexpr (Law::scalars || Law::gradients)
         for (int k = 0; k < S; ++k)
           for (int c = 0; c < NS; ++c) {
             double sum = 0;
-            if constexpr (Law::scalars) sum += A[row][Way::value + k] * s.Np[c];
+            if constexpr (Law::scalars) sum += A[row][Index::value + k] * s.Np[c];
             if constexpr (Law::gradients)
-              for (int m = 0; m < D; ++m) sum += A[row][Way::gradient + D * k + m] * s.gp[c][m];
+              for (int m = 0; m < D; ++m) sum += A[row][Index::gradient + D * k + m] * s.gp[c][m];
             *y++ = sum;
           }
     }

@@ -7,16 +7,16 @@ SideBlock::SideBlock(const Space& space, int field_, CellShape side, const std::
     : sides(static_cast<int>(of_sides.size())), field(field_) {
   const QuadratureRule rule = cell_quadrature(side, degree);
   const Field& unknown = space.field(field);
-  const CellShape transfer = unknown.support == Support::vertices ? linear_partner(side) : side;
-  const int count = num_nodes(side), transfer = num_nodes(transfer);
+  const CellShape carrier = unknown.support == Support::vertices ? linear_partner(side) : side;
+  const int count = num_nodes(side), carrier_nodes = num_nodes(carrier);
   points = static_cast<int>(rule.weights.size());
   shape = tabulate(side, rule);
-  partner = tabulate(transfer, rule);
+  partner = tabulate(carrier, rule);
   nodes = Kokkos::View<int**, Kokkos::LayoutRight>("side nodes", sides, count);
-  Kokkos::View<int**, Kokkos::LayoutRight> table("side dofs", sides, transfer * unknown.components);
+  Kokkos::View<int**, Kokkos::LayoutRight> table("side dofs", sides, carrier_nodes * unknown.components);
   for (int s = 0; s < sides; ++s) {
     for (int a = 0; a < count; ++a) nodes(s, a) = of_sides[s][a];
-    space.write_dofs(field, of_sides[s].data(), transfer, &table(s, 0));
+    space.write_dofs(field, of_sides[s].data(), carrier_nodes, &table(s, 0));
   }
   dofs = table;
   rows = RowLists(dofs);

@@ -73,14 +73,14 @@ struct SideLoop {
 
   template <class Law, class T>
   KOKKOS_INLINE_FUNCTION SidePoint<Coordinates, T> point(int s, int q) const {
-    using Way = Directions<Law>;
+    using Index = Directions<Law>;
     SideMap<D, T> map;
     map.compute(NN, &b.shape.N(q, 0), &b.shape.dN(q, 0, 0), [&](int a, int i) { return at.x(b.nodes(s, a), i); });
     SidePoint<Coordinates, T> p;
     if constexpr (Law::moves && !std::is_same_v<T, double>) {
       for (int i = 0; i < D; ++i) {
         for (int k = 0; k < K; ++k) map.along[k][i].d[D * k + i] = 1;
-        map.x[i].d[Way::x + i] = 1;
+        map.x[i].d[Index::x + i] = 1;
       }
       map.finish();
     }
@@ -93,12 +93,12 @@ struct SideLoop {
       p.velocity[i] = T(0.0);
       if constexpr (Law::damps) {
         for (int a = 0; a < NN; ++a) p.velocity[i] += b.shape.N(q, a) * at.velocity(b.dofs(s, D * a + i));
-        if constexpr (!std::is_same_v<T, double>) p.velocity[i].d[Way::velocity + i] = 1;
+        if constexpr (!std::is_same_v<T, double>) p.velocity[i].d[Index::velocity + i] = 1;
       }
     }
     if constexpr (Law::drains) {
       for (int c = 0; c < NF; ++c) p.value += b.partner.N(q, c) * at.value(b.dofs(s, c));
-      if constexpr (!std::is_same_v<T, double>) p.value.d[Way::value] = 1;
+      if constexpr (!std::is_same_v<T, double>) p.value.d[Index::value] = 1;
     }
     return p;
   }
@@ -127,8 +127,8 @@ struct SideLoop {
   /// Adds weight times the derivative of residual() to the matrix.
   template <class Law>
   KOKKOS_INLINE_FUNCTION void tangent(int s, const Law& law, const MatrixScatter& to, double weight) const {
-    using Way = Directions<Law>;
-    using T = Dual<Way::count>;
+    using Index = Directions<Law>;
+    using T = Dual<Index::count>;
     constexpr int n = rows<Law>;
     double k[n][n] = {};
     for (int q = 0; q < b.points; ++q) {
@@ -144,19 +144,19 @@ struct SideLoop {
  private:
   template <class Law, class T>
   KOKKOS_INLINE_FUNCTION double entry(int q, int row, int column, const SideBalance<Coordinates, T>& out) const {
-    using Way = Directions<Law>;
+    using Index = Directions<Law>;
     if constexpr (Law::flows) {
-      return b.partner.N(q, row) * out.flow.d[Way::value] * at.value_weight * b.partner.N(q, column);
+      return b.partner.N(q, row) * out.flow.d[Index::value] * at.value_weight * b.partner.N(q, column);
     } else {
       const T& force = out.force[row % D];
       const int node = column / D, j = column % D;
       double sum = 0;
       if constexpr (Law::moves) {
-        double moved = force.d[Way::x + j] * b.shape.N(q, node);
+        double moved = force.d[Index::x + j] * b.shape.N(q, node);
         for (int k = 0; k < K; ++k) moved += force.d[D * k + j] * b.shape.dN(q, node, k);
         sum += moved * at.geometry_weight;
       }
-      if constexpr (Law::damps) sum += force.d[Way::velocity + j] * b.shape.N(q, node) * at.velocity_weight;
+      if constexpr (Law::damps) sum += force.d[Index::velocity + j] * b.shape.N(q, node) * at.velocity_weight;
       return b.shape.N(q, row / D) * sum;
     }
   }

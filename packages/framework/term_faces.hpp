@@ -66,7 +66,7 @@ class Transferred {
   virtual void relocate(const ConstCoordinateView& x_old, State& committed) {}
   /// Copies the results of an evaluation of the relocated state at rest into the committed state: stresses returned to
   /// the yield surface, gaps.
-  virtual void adopt(const State& evaluated, State& committed) = 0;
+  virtual void take_evaluated(const State& evaluated, State& committed) = 0;
 };
 
 /// A term that reports more than its forces.

@@ -15,10 +15,10 @@ struct ContourProjection {
   double
       curvature;   // kappa [1/m] of the contour at the closest point, positive where the body is convex; 0 at a corner
   double turning;  // [1/m] dn/dx = turning (t (x) t): kappa / (1 + kappa gap), and 1 / gap at a corner
-  PlanePoint projection;  // [m] the nearest point of the contour
-  int piece;              // the piece that the closest point lies on
-  double arc_length;      // [m] of the closest point from the contour's start
-  double travel;          // d arc_length / dx = travel t: 1 / (1 + kappa gap), and 0 at a corner
+  PlanePoint point;   // [m] the nearest point of the contour
+  int piece;          // the piece that the closest point lies on
+  double arc_length;  // [m] of the closest point from the contour's start
+  double travel;      // d arc_length / dx = travel t: 1 / (1 + kappa gap), and 0 at a corner
 };
 
 /// Part of the plane that a contour describes. half: the body is symmetric about x = 0, the contour starts on that axis

@@ -12,7 +12,7 @@ struct SurfaceProjection {
   double gap;              // [m] signed distance; negative inside the body (penetration)
   Point normal;            // [-] unit, from the body into the soil; the gradient of the gap
   Mat<double, 3> turning;  // [1/m] dn/dx, symmetric: the second derivative of the gap; 0 at a centre of curvature
-  Point projection;        // [m] the nearest point of the surface
+  Point point;             // [m] the nearest point of the surface
   int part;                // part of a union with the closest point; 0 for a surface without parts
 };
 

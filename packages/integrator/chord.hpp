@@ -45,7 +45,7 @@ class ChordControl {
     valid_ = false;
     first_contraction_ = 1;
   }
-  void remeshed() { valid_ = true; }
+  void refreshed() { valid_ = true; }
   /// Residual ratios of the next iterate and of the one before it, relative to the same tolerance.
   void observe(double ratio, double before) {
     if (count_ > 0) contraction_ = ratio / before;
@@ -53,10 +53,10 @@ class ChordControl {
     last_ = ratio;
     ++count_;
   }
-  bool may_keep() const { return serves(expected_contraction(), last_); }
+  bool may_reuse() const { return serves(expected_contraction(), last_); }
   /// Whether a new Jacobian is likely to be needed at the next iterate. It is not if the residual, falling at the
   /// present rate, will then have converged or be small enough for the present Jacobian, if that is `usable`.
-  bool expects_remeshing(bool usable) const {
+  bool expects_jacobian(bool usable) const {
     const double c = expected_contraction();
     if (count_ == 0) return !(usable && serves(c, 1));
     return !(last_ * c <= 1) && !(usable && serves(c, last_ * c));

@@ -51,7 +51,7 @@ class FieldTest : public NOX::StatusTest::Generic {
     const bool deep = worst <= 1e-2 || at_rounding_ >= idle;
     if (iteration >= least_ && (deep || (iteration > 0 && worst <= 1 && worst_update <= 1)))
       return finish(NOX::StatusTest::Converged, "");
-    if (gives_up_ && goes_to_and_fro())
+    if (gives_up_ && alternates())
       return finish(NOX::StatusTest::Failed, "the iterates go to and fro (residual " + short_number(worst) +
                                                  " of its tolerance) after " + std::to_string(iteration) +
                                                  " iterations");
@@ -80,7 +80,7 @@ class FieldTest : public NOX::StatusTest::Generic {
   }
   /// Whether the last two residuals repeat those of two iterations before while they are large: full steps then
   /// alternate between two states of contact or yielding.
-  bool goes_to_and_fro() const {
+  bool alternates() const {
     constexpr double same = 0.01, large = 100;
     const std::size_t n = worsts_.size();
     if (n < 4) return false;

@@ -146,7 +146,7 @@ void Stepper::activate(const std::vector<Term*>& active) {
 
 void Stepper::prepare_view(const StepRequest& request, StepView::Kind kind) {
   store_.begin();
-  stands_ = false;
+  evaluated_at_x_ = false;
   scheme_ = request.scheme;
   const State& old = store_.committed();
   State& trial = store_.trial();
@@ -258,17 +258,17 @@ int Stepper::evaluate_terms() {
   return failures;
 }
 
-bool Stepper::residual(const Vector& x, Vector& f) { return evaluate(x, chord_.expects_remeshing(solver_.exact()), f); }
+bool Stepper::residual(const Vector& x, Vector& f) { return evaluate(x, chord_.expects_jacobian(solver_.exact()), f); }
 
-bool Stepper::evaluate(const Vector& x, bool remeshes, Vector& f) {
+bool Stepper::evaluate(const Vector& x, bool jacobian_follows, Vector& f) {
   const Stopwatch watch(times_.residual);
-  if (stands_at(x)) {  // the first guess is already evaluated, and Newton's method starts there
+  if (is_evaluated_at(x)) {  // the first guess is already evaluated, and Newton's method starts there
     Tpetra::deep_copy(f, balance_);
     return true;
   }
-  stands_ = false;
+  evaluated_at_x_ = false;
   levels(x);
-  for (Foresees* term : foresees_) term->foresee_jacobian(remeshes);
+  for (Foresees* term : foresees_) term->foresee_jacobian(jacobian_follows);
   const int failures = sum_over_ranks(*space_.dofs()->comm(), evaluate_terms());
   for (Foresees* term : foresees_) term->foresee_jacobian(false);
   if (failures > 0) {
@@ -281,7 +281,7 @@ bool Stepper::evaluate(const Vector& x, bool remeshes, Vector& f) {
   measure();
   Tpetra::deep_copy(evaluated_, x);
   Tpetra::deep_copy(balance_, f);
-  stands_ = true;
+  evaluated_at_x_ = true;
   return true;
 }
 
@@ -312,15 +312,15 @@ void Stepper::check_chord() {
 }
 
 bool Stepper::jacobian(const Vector& x) {
-  if (chord_.may_keep() && solver_.exact()) return true;
+  if (chord_.may_reuse() && solver_.exact()) return true;
   {
     const Stopwatch watch(times_.jacobian);
-    if (!stands_at(x))
+    if (!is_evaluated_at(x))
       for (Foresees* term : foresees_) term->forget_foreseen();
-    stands_ = false;
+    evaluated_at_x_ = false;
     levels(x);
     if (!add_matrices()) return false;
-    chord_.remeshed();
+    chord_.refreshed();
     measure_rounding(x);
   }
   solver_.set_matrix(assembler_.matrix(), [this] { return block_data_(view_); });
@@ -442,7 +442,7 @@ bool Stepper::predict(Vector& x) {
   for (Unilateral* term : unilateral_) term->predicting(false);
   if (!asked) return predicted;
   // neither state nor Jacobian of the linearised prediction may enter the iteration
-  stands_ = false;
+  evaluated_at_x_ = false;
   chord_.forget();
   return predicted;
 }
@@ -483,7 +483,7 @@ bool Stepper::predict_linear(Vector& x, bool always) {
 
 bool Stepper::extrapolate(Vector& x) {
   if (!scheme_.flow) return false;  // geostatic: no time passes
-  const Vector guess = moved_on(x);
+  const Vector guess = extrapolated(x);
   Vector change(guess, Teuchos::Copy), f(map());
   change.update(-1, x, 1);
   if (change.norm2() == 0) return false;
@@ -503,8 +503,8 @@ bool Stepper::extrapolate(Vector& x) {
   return true;
 }
 
-bool Stepper::stands_at(const Vector& x) const {
-  return sum_over_ranks(*space_.dofs()->comm(), stands_ && equal(evaluated_, x) ? 0 : 1) == 0;
+bool Stepper::is_evaluated_at(const Vector& x) const {
+  return sum_over_ranks(*space_.dofs()->comm(), evaluated_at_x_ && equal(evaluated_, x) ? 0 : 1) == 0;
 }
 
 Augmentation Stepper::augment(int count) {
@@ -529,7 +529,7 @@ void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& rep
     if (!solved.converged) return;
     // NOX may have evaluated elsewhere last (a line search); make the trial state that of the solution, bit for bit.
     Vector f(map());
-    if (!stands_at(x) && !residual(x, f)) {
+    if (!is_evaluated_at(x) && !residual(x, f)) {
       report.converged = false;
       report.reason = failure_;
       return;
@@ -543,7 +543,7 @@ void Stepper::solve_step(const NewtonOptions& newton, Vector& x, StepReport& rep
     }
     if (!next.again) return;
     ++report.augmentations;
-    stands_ = false;
+    evaluated_at_x_ = false;
     chord_.start_solve();
   }
 }

@@ -168,14 +168,14 @@ class Stepper : public NonlinearProblem {
   /// terms cannot be evaluated there, or where the imbalance is larger.
   bool extrapolate(Vector& x);
   /// x after a step at the committed rates; prescribed unknowns stay as they are.
-  Vector moved_on(const Vector& x) const;
+  Vector extrapolated(const Vector& x) const;
   /// Whether the forces of the committed state at rest (the last evaluation) equal its stored F_n. Soil whose strength
   /// depends on the strain rate relaxes at rest; its response there does not apply to a motion.
   bool rests() const;
   /// Discards the present Jacobian if the coming step has another step size, scheme or set of free unknowns.
   void check_chord();
   /// Whether the trial state was last evaluated at exactly x. Collective.
-  bool stands_at(const Vector& x) const;
+  bool is_evaluated_at(const Vector& x) const;
   /// One attempt with these Newton options only, without a damped retry.
   StepReport try_step(const StepRequest& request, const StepTolerances& tolerances, const NewtonOptions& newton);
   /// Solves from x, repeatedly where terms augment; on convergence the trial state belongs to x, bit for bit.
@@ -194,8 +194,8 @@ class Stepper : public NonlinearProblem {
   void add_rate_matrices();
   /// Prescribes the fields whose rate matrix has a zero row, so that it is singular. Returns whether there are any.
   bool hold_fields_without_rates();
-  /// Does the work of residual(). `remeshes`: whether a new Jacobian at x is likely to follow.
-  bool evaluate(const Vector& x, bool remeshes, Vector& f);
+  /// Does the work of residual(). `jacobian_follows`: whether a new Jacobian at x is likely to follow.
+  bool evaluate(const Vector& x, bool jacobian_follows, Vector& f);
   int evaluate_terms();
   /// Evaluates Term::residual into `force` through `to`; a term that throws or returns a non-finite value counts as
   /// failed.
@@ -244,9 +244,9 @@ class Stepper : public NonlinearProblem {
   StepTimes times_;
   ChordControl chord_;
   Forcing forcing_;
-  std::vector<double> enough_;  // tolerances of the next linear solve, see LinearTolerance
-  Vector evaluated_, balance_;  // unknowns of the trial state and their residual
-  bool stands_ = false;         // whether the trial state still belongs to evaluated_
+  std::vector<double> enough_;   // tolerances of the next linear solve, see LinearTolerance
+  Vector evaluated_, balance_;   // unknowns of the trial state and their residual
+  bool evaluated_at_x_ = false;  // whether the trial state still belongs to evaluated_
 };
 
 }  // namespace mudline

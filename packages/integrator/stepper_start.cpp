@@ -33,7 +33,7 @@ void move_on(const Constraints& constraints, const NodalView& rates, double time
 
 }  // namespace
 
-Vector Stepper::moved_on(const Vector& x) const {
+Vector Stepper::extrapolated(const Vector& x) const {
   Vector result(x, Teuchos::Copy);
   const DofMap& dofs = *space_.dofs();
   for (int f = 0; f < space_.num_fields(); ++f)
@@ -51,7 +51,7 @@ double Stepper::misfit_of_rates(const StepRequest& request, const StepTolerances
   instant.dt *= 1e-6;
   const auto imbalance = [&](const StepRequest& step, bool moves, Vector& f) {
     Vector x = begin(step, tolerances);
-    if (moves) x = moved_on(x);
+    if (moves) x = extrapolated(x);
     return evaluate(x, false, f);
   };
   // a jump at the start of the stage, such as a sudden load, is no motion and is subtracted

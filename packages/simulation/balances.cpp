@@ -145,13 +145,13 @@ void Balances::add_conserved(const PointView& rows) {
   const Space& space = model_.space();
   for (std::size_t c = 0; c < model_.conserved().size(); ++c) {
     const Conserved& what = model_.conserved()[c];
-    const auto &own = space.node_dof(what.field), &transfer = space.node_dof(std::max(what.transfer, 0));
+    const auto &own = space.node_dof(what.field), &carrier = space.node_dof(std::max(what.carrier, 0));
     NodalView flow("outflow", view.value.extent(0));
     for (int node = 0; node < space.mesh().num_nodes(); ++node) {
       if (own(node) < 0) continue;
       flow(own(node)) = outflow_at(own(node));
-      if (what.transfer >= 0)
-        flow(own(node)) += what.transferred * outflow_at(transfer(node)) * (view.value(own(node)) - what.reference);
+      if (what.carrier >= 0)
+        flow(own(node)) += what.carried * outflow_at(carrier(node)) * (view.value(own(node)) - what.reference);
     }
     const NodalView everywhere = sum_overlap(*space.dofs(), flow);
     std::vector<double> sums(2, 0.0);  // net sum and sum of absolute values over this rank's nodes

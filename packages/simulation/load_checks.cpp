@@ -229,7 +229,7 @@ Findings prescribed_displacement(const Setup& setup) {
   const auto& stages = setup.model().stages();
   for (const Condition& condition : setup.conditions()) {
     if (condition.type != "displacement" && condition.type != "velocity") continue;
-    double way = 0;
+    double distance = 0;
     for (std::size_t i = 0; i < stages.size(); ++i) {
       if (!Setup::acts(condition.name, *stages[i])) continue;
       for (const std::string& component : components(condition)) {
@@ -237,13 +237,14 @@ Findings prescribed_displacement(const Setup& setup) {
             setup.given(condition.entry, component, setup.begin(i), setup.begin(i + 1), &setup.set(condition.set));
         if (!span.known()) continue;
         const double size = std::abs(span.largest());
-        way = std::max(way, condition.type == "velocity" ? size * stages[i]->duration : size);
+        distance = std::max(distance, condition.type == "velocity" ? size * stages[i]->duration : size);
       }
     }
-    if (way > 0)
-      found.push_back({way / longest,
-                       called(condition) + "its largest way, " + told(way) + " m, over the largest extent of the mesh,",
-                       "give m and m/s (-5 may be mm)"});
+    if (distance > 0)
+      found.push_back(
+          {distance / longest,
+           called(condition) + "its largest way, " + told(distance) + " m, over the largest extent of the mesh,",
+           "give m and m/s (-5 may be mm)"});
   }
   return found;
 }

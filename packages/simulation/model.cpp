@@ -306,14 +306,14 @@ void Model::activate(const Stage& stage, bool fresh) {
     active.push_back(contact.get());
     if (auto* first = face<FirstActs>(*contact); first && fresh) first->first_act(store_->committed());
   }
-  moved_anew_.clear();
+  changed_motions_.clear();
   released_before_.clear();
   for (auto& [name, body] : bodies_) {
     const BodyUnknowns& unknowns = body->unknowns();
     for (int k = 0; k < unknowns.count; ++k)
       if (body->releases(unknowns.direction[k])) released_before_.push_back(unknowns.dof[k]);
     if (!body->set_motion(motion_in(stage, name))) continue;
-    moved_anew_.insert(name);
+    changed_motions_.insert(name);
     if (fresh) body->restart_clock(store_->committed());
   }
   std::set<std::string> names(stage.conditions.begin(), stage.conditions.end());
@@ -358,12 +358,12 @@ void Model::start_bodies(const Stage& stage) {
     bool still = true;  // true also where the stage before left no accelerations
     for (int k = 0; k < body.unknowns().count; ++k)
       still = still && store_->committed().acceleration(body.unknowns().dof[k]) == 0;
-    return still || moved_anew_.count(body.name()) > 0;
+    return still || changed_motions_.count(body.name()) > 0;
   };
   if (std::none_of(bodies_.begin(), bodies_.end(), [&](const auto& entry) { return starts(*entry.second); })) return;
   const NodalView unbalanced = stepper_->static_residual();
   for (const auto& [name, body] : bodies_)
-    if (starts(*body)) set_free(*body, store_->committed(), unbalanced, moved_anew_.count(name) > 0);
+    if (starts(*body)) set_free(*body, store_->committed(), unbalanced, changed_motions_.count(name) > 0);
 }
 
 void Model::check_motions(const Section& deck) const {

@@ -99,7 +99,7 @@ class Model {
   std::vector<HoldsOnOpenSides*> on_open_sides_;  // of the conditions
   std::map<std::string, std::shared_ptr<RigidBody>> bodies_;
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const BodyMotion>> stage_motions_;  // by stage and body
-  std::set<std::string> moved_anew_;  // bodies whose motion changes in this stage
+  std::set<std::string> changed_motions_;  // bodies whose motion changes in this stage
   std::vector<int> released_before_;
   std::vector<std::pair<std::string, std::unique_ptr<Contact>>> contacts_;
   std::vector<std::pair<std::string, const ClosesSides*>> sealing_;  // of the contacts

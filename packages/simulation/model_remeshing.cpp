@@ -17,15 +17,15 @@ bool begins_with(const std::string& text, const std::string& head) { return text
 constexpr const char* held_forces = "absorbing/";
 
 /// How an array that is no point data is transferred.
-enum class Way { common, summed, at_nodes, along_surface, unknown };
+enum class TransferRule { common, summed, at_nodes, along_surface, unknown };
 
-Way way_of(const ArrayInfo& info, bool of_contact) {
-  if (of_contact) return Way::along_surface;
-  if (begins_with(info.name, held_forces)) return Way::at_nodes;
-  if (info.shares) return Way::summed;
+TransferRule transfer_rule(const ArrayInfo& info, bool of_contact) {
+  if (of_contact) return TransferRule::along_surface;
+  if (begins_with(info.name, held_forces)) return TransferRule::at_nodes;
+  if (info.shares) return TransferRule::summed;
   // these arrays have ids, but their rows are the same on every rank
   const bool named = info.name == "balance" || info.name == "discretisation error";
-  return info.ids.empty() || named ? Way::common : Way::unknown;
+  return info.ids.empty() || named ? TransferRule::common : TransferRule::unknown;
 }
 
 /// Handles of the arrays that contacts keep along their surfaces.
@@ -82,8 +82,8 @@ std::string copy_common(Model& from, Model& to) {
   for (int handle = 0; handle < to.store().num_arrays(); ++handle) {
     const ArrayInfo& info = to.store().info(handle);
     if (info.block >= 0) continue;
-    const Way way = way_of(info, of_contacts.count(handle) > 0);
-    if (way != Way::common && way != Way::summed) continue;
+    const TransferRule rule = transfer_rule(info, of_contacts.count(handle) > 0);
+    if (rule != TransferRule::common && rule != TransferRule::summed) continue;
     const PointView &old = from.store().committed().arrays[from.store().find(info.name)],
                     &now = to.store().committed().arrays[handle];
     if (old.extent(0) != now.extent(0)) return info.name;
@@ -91,7 +91,7 @@ std::string copy_common(Model& from, Model& to) {
     for (std::size_t row = 0; row < now.extent(0); ++row)
       for (std::size_t c = 0; c < now.extent(1); ++c) {
         now(row, c) = old(row, c);
-        if (way == Way::common) continue;
+        if (rule == TransferRule::common) continue;
         const double sum = sum_over_ranks(*to.mesh().comm(), old(row, c));
         now(row, c) = keeper ? sum : 0.0;
       }
@@ -140,16 +140,16 @@ std::string remeshing_problem(const Model& model) {
   for (int handle = 0; handle < model.store().num_arrays(); ++handle) {
     const ArrayInfo& info = model.store().info(handle);
     if (info.block >= 0) continue;
-    const Way way = way_of(info, of_contacts.count(handle) > 0);
-    if (way == Way::unknown) return "the state '" + info.name + "' cannot go over to another mesh";
-    if (way != Way::at_nodes) continue;
+    const TransferRule rule = transfer_rule(info, of_contacts.count(handle) > 0);
+    if (rule == TransferRule::unknown) return "the state '" + info.name + "' cannot go over to another mesh";
+    if (rule != TransferRule::at_nodes) continue;
     if (const std::string problem = moving_forces(model, info); !problem.empty()) return problem;
   }
   return "";
 }
 
-TakeOver take_over(Model& from, const Stage& stage, Model& to) {
-  TakeOver result;
+StateTransfer transfer_from(Model& from, const Stage& stage, Model& to) {
+  StateTransfer result;
   MeshReceipt& receipt = result.receipt;
   const State& before = from.store().committed();
   State& state = to.store().committed();
@@ -163,9 +163,9 @@ TakeOver take_over(Model& from, const Stage& stage, Model& to) {
   to.activate(stage, false);
   Constraints constraints(to.space().dofs()->num_overlap_dofs());
   to.prescribe(stage, state.time, state.time, state, constraints);
-  to.ale()->take_volume(*from.ale(), before, constraints, state);
+  to.ale()->match_volume(*from.ale(), before, constraints, state);
   result.change = std::make_unique<const MeshChange>(*from.ale(), before, *to.ale(), state);
-  receipt = to.ale()->take_over(*from.ale(), from.store(), *result.change, constraints, to.store());
+  receipt = to.ale()->transfer_from(*from.ale(), from.store(), *result.change, constraints, to.store());
   if (!receipt.moved) return result;
   transfer_contacts(from, to);
   transfer_held_forces(from, *result.change, to);
@@ -176,7 +176,7 @@ TakeOver take_over(Model& from, const Stage& stage, Model& to) {
     return result;
   }
   receipt.yield_drift = yield_drift(*to.soil(), state, to.store().trial());
-  for (Transferred* term : to.stepper().transferred()) term->adopt(to.store().trial(), state);
+  for (Transferred* term : to.stepper().transferred()) term->take_evaluated(to.store().trial(), state);
   return result;
 }
 

@@ -10,13 +10,13 @@ namespace mudline {
 std::string remeshing_problem(const Model& model);
 
 /// Result of the transfer of a model's state to a model on another mesh.
-struct TakeOver {
+struct StateTransfer {
   MeshReceipt receipt;                       // where `moved` is false, the new model must not be used
   std::unique_ptr<const MeshChange> change;  // between the two models
 };
 
 /// Transfers the committed state of `from` to `to`, a model of the same deck on a remeshed domain, and activates the
 /// terms of the stage there. Collective.
-TakeOver take_over(Model& from, const Stage& stage, Model& to);
+StateTransfer transfer_from(Model& from, const Stage& stage, Model& to);
 
 }  // namespace mudline

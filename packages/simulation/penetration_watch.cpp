@@ -18,7 +18,7 @@ namespace {
 /// and before a plastic soil yields the spring is often softer than the soil; at a stage's end that does not count.
 constexpr double least_of_side = 0.25, least_at_end = 0.05;
 
-const char* const of_way = "penetration of way";
+const char* const of_displacement = "penetration of way";
 const char* const of_side = "penetration of side";
 const char* const of_width = "penetration of width";
 
@@ -30,7 +30,7 @@ double depth_of(const std::string& contact, const Report& report) {
 }  // namespace
 
 void PenetrationWatch::declare(Doubts& doubts) {
-  doubts.declare({of_way,
+  doubts.declare({of_displacement,
                   "-",
                   {0, 0.15},
                   "of a contact during the run: penetration over the way that the body has come since it touched (two "
@@ -51,9 +51,9 @@ std::vector<Point> PenetrationWatch::places(const Model& model, const ContactPar
   return result;
 }
 
-double PenetrationWatch::way(const Model& model, const ContactPartners& partners, const Record& record) const {
+double PenetrationWatch::displacement(const Model& model, const ContactPartners& partners, const Record& record) const {
   if (partners.body != nullptr)
-    return partners.body->way(record.placement, partners.body->placement(model.store().committed()));
+    return partners.body->displacement(record.placement, partners.body->placement(model.store().committed()));
   const std::vector<Point> now = places(model, partners);
   double farthest = 0;
   for (std::size_t i = 0; i < std::min(now.size(), record.places.size()); ++i)
@@ -110,7 +110,7 @@ PenetrationWatch::Pressed PenetrationWatch::pressed(const Model& model, const st
   return {all[length_sum] / all[count], all[penalty] / all[count], all[stiffness] / all[count]};
 }
 
-void PenetrationWatch::start_way(const Model& model, const ContactPartners& partners, Record& record) const {
+void PenetrationWatch::start_record(const Model& model, const ContactPartners& partners, Record& record) const {
   record.places = places(model, partners);
   if (partners.body != nullptr) record.placement = partners.body->placement(model.store().committed());
 }
@@ -119,9 +119,9 @@ void PenetrationWatch::begin_stage(const Model& model, const Report& report) {
   for (const auto& [name, contact] : model.contacts()) {
     Record& record = records_[name];
     const ContactPartners partners = contact->partners();
-    start_way(model, partners, record);
+    start_record(model, partners, record);
     record.depth = depth_of(name, report);
-    record.way = 0;
+    record.displacement = 0;
     record.told = false;
   }
 }
@@ -138,8 +138,8 @@ void PenetrationWatch::look(const Model& model, const Report& report, double lea
     const double depth = depth_of(name, report);
     if (depth > 0) {
       look_at(model, name, *contact, depth, least, record);
-    } else if (record.way == 0) {
-      start_way(model, contact->partners(), record);
+    } else if (record.displacement == 0) {
+      start_record(model, contact->partners(), record);
       record.depth = 0;
     }
   }
@@ -148,26 +148,27 @@ void PenetrationWatch::look(const Model& model, const Report& report, double lea
 void PenetrationWatch::look_at(const Model& model, const std::string& name, const Contact& contact, double depth,
                                double least, Record& record) {
   const ContactPartners partners = contact.partners();
-  record.way = std::max(record.way, way(model, partners, record));
-  const double more = depth - record.depth, share_of_way = record.way > 0 ? more / record.way : 0.0;
+  record.displacement = std::max(record.displacement, displacement(model, partners, record));
+  const double more = depth - record.depth,
+               share_of_displacement = record.displacement > 0 ? more / record.displacement : 0.0;
   const double width = partners.body != nullptr ? pressed_half_width(model, contact) : 0.0;
   const double share_of_width = width > 0 ? depth / width : 0.0;
   const double time = model.store().committed().time;
   if (record.told) {
-    const double share = record.quantity == of_way    ? share_of_way
-                         : record.quantity == of_side ? depth / record.side
-                                                      : share_of_width;
+    const double share = record.quantity == of_displacement ? share_of_displacement
+                         : record.quantity == of_side       ? depth / record.side
+                                                            : share_of_width;
     if (share > record.worst) record.keep(depth, share, time);
     return;
   }
   const double shortest = shortest_side(model, partners.surface);
-  const bool far = more > least * shortest && !doubts_.usual(of_way, share_of_way);
+  const bool far = more > least * shortest && !doubts_.usual(of_displacement, share_of_displacement);
   const bool deep = !doubts_.usual(of_side, depth / shortest), wide = !doubts_.usual(of_width, share_of_width);
   if (!far && !deep && !wide) return;
   const Pressed at = pressed(model, name, contact);
   const double side = at.side > 0 ? at.side : shortest;
   const std::string numbers = "its penetration, " + told(depth) + " m at t " + told(time, "%.6g") +
-                              " s after a way of " + told(record.way) + " m in sides of " + told(side) + " m,";
+                              " s after a way of " + told(record.displacement) + " m in sides of " + told(side) + " m,";
   const std::string soil = "the penalty of " + told(at.penalty) +
                            " Pa/m gives way, not the soil, whose stiffness over height is " + told(at.stiffness) +
                            " Pa/m";
@@ -182,7 +183,7 @@ void PenetrationWatch::look_at(const Model& model, const std::string& name, cons
     double share;
     bool applies;
     const char* over;
-  } shares[] = {{of_way, share_of_way, far && more > least * side, "the way"},
+  } shares[] = {{of_displacement, share_of_displacement, far && more > least * side, "the way"},
                 {of_side, depth / side, true, "the side"},
                 {of_width, share_of_width, true, "the body's half width"}};
   for (const auto& [quantity, share, applies, over] : shares) {

@@ -33,7 +33,7 @@ class PenetrationWatch {
     BodyPlacement placement;    // of the body
     std::vector<Point> places;  // [m] positions of the nodes of both surfaces
     double depth = 0;           // [m] penetration at that placement
-    double way = 0;             // [m] largest displacement since
+    double displacement = 0;    // [m] largest displacement since
     bool told = false;          // there was a warning in this stage
     // the last warning: its quantity, the side's length [m], and the largest values since
     std::string quantity, over;
@@ -48,9 +48,9 @@ class PenetrationWatch {
   void look(const Model& model, const Report& report, double least);
   void look_at(const Model& model, const std::string& name, const Contact& contact, double depth, double least,
                Record& record);
-  void start_way(const Model& model, const ContactPartners& partners, Record& record) const;
+  void start_record(const Model& model, const ContactPartners& partners, Record& record) const;
   std::vector<Point> places(const Model& model, const ContactPartners& partners) const;
-  double way(const Model& model, const ContactPartners& partners, const Record& record) const;
+  double displacement(const Model& model, const ContactPartners& partners, const Record& record) const;
   double shortest_side(const Model& model, const std::string& surface) const;
   Pressed pressed(const Model& model, const std::string& name, const Contact& contact) const;
 

@@ -122,8 +122,8 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), u
     const GhostedMesh mesh(model.mesh(), 1);  // one layer of ghosts shows where regions end
     const Positions positions = mesh.gather(model.mesh().coordinates());
     for (const auto& [name, body] : model.bodies()) {
-      const BodyWay way(model, *body, mesh, positions);
-      const std::string crossed = way.crossing();
+      const BodyPath path(model, *body, mesh, positions);
+      const std::string crossed = path.crossing();
       if (!crossed.empty())
         deck.section("bodies").section(name).fail("its prescribed way crosses the boundary between the regions " +
                                                   crossed +
@@ -131,8 +131,8 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), u
                                                   "first would stay under its tip; end its way before, or make "
                                                   "them one region, of one material or of layers by the 'top' of "
                                                   "each material, which a body may cross");
-      tell_body(way);
-      doubt_hole(way, positions, deck);
+      tell_body(path);
+      doubt_hole(path, positions, deck);
     }
   }
   tell_materials();
@@ -214,75 +214,75 @@ void Plausibility::tell_mesh() {
   facts_.push_back(line);
 }
 
-void Plausibility::tell_body(const BodyWay& way) {
-  const RigidBody& body = way.body();
+void Plausibility::tell_body(const BodyPath& path) {
+  const RigidBody& body = path.body();
   const BodyProperties& properties = body.properties();
   const std::string name = "body '" + body.name() + "'";
   const char* const per = properties.geometry == Geometry::plane_strain ? " per metre" : "";
-  std::string line = name + text(": %.3g m wide", 2 * way.radius());
+  std::string line = name + text(": %.3g m wide", 2 * path.radius());
   if (properties.volume > 0) line += text(", volume %.3g m3", properties.volume) + per;
   if (properties.mass > 0) line += text(", mass %.4g kg", properties.mass) + per;
   if (properties.mass > 0 && properties.volume > 0) {
     const double density = properties.mass / properties.volume, lost = 1000.0 * properties.volume;
     line += text(", %.4g kg/m3, weight in water %.4g N", density, 9.81 * (properties.mass - lost));
-    if (way.release()) usual_.judge("body density", density, name + ": mass over volume");
+    if (path.release()) usual_.judge("body density", density, name + ": mass over volume");
   }
-  if (way.touches_anything()) line += text(", %.3g m from the soil", std::max(0.0, way.first_gap()));
+  if (path.touches_anything()) line += text(", %.3g m from the soil", std::max(0.0, path.first_gap()));
   facts_.push_back(line);
-  if (!way.touches_anything()) return;
-  doubt_body(way, name);
-  doubt_shape(way, name);
+  if (!path.touches_anything()) return;
+  doubt_body(path, name);
+  doubt_shape(path, name);
 }
 
-void Plausibility::doubt_body(const BodyWay& way, const std::string& name) {
-  const double gap = std::max(0.0, way.first_gap()), width = 2 * way.radius();
+void Plausibility::doubt_body(const BodyPath& path, const std::string& name) {
+  const double gap = std::max(0.0, path.first_gap()), width = 2 * path.radius();
   usual_.judge("first gap", gap / width, name + ": its distance from the soil, in widths,");
-  if (way.leaves()) {
+  if (path.leaves()) {
     usual_.tell(name + " moves away from the soil: down is negative");
     return;
   }
-  const auto arrival = way.arrival();
-  if (!arrival && !way.release() && way.largest_speed() > 0) usual_.tell(name + " never reaches the soil");
-  double speed = way.largest_speed();
-  if (way.release() && (!arrival || way.places().size() == 1)) {
-    const auto [velocity, acceleration] = way.start_of_fall();
+  const auto arrival = path.arrival();
+  if (!arrival && !path.release() && path.largest_speed() > 0) usual_.tell(name + " never reaches the soil");
+  double speed = path.largest_speed();
+  if (path.release() && (!arrival || path.places().size() == 1)) {
+    const auto [velocity, acceleration] = path.start_of_fall();
     const double square = velocity * velocity - 2 * acceleration * gap;
     speed = std::sqrt(std::max(0.0, square));
     const double time = velocity != 0 || acceleration < 0 ? 2 * gap / std::max(1e-300, std::abs(velocity) + speed) : 0;
-    if (gap > 0 && time > way.free_time())
-      usual_.tell(name + text(" needs %.3g s to reach the soil, and is free for %.3g s", time, way.free_time()));
+    if (gap > 0 && time > path.free_time())
+      usual_.tell(name + text(" needs %.3g s to reach the soil, and is free for %.3g s", time, path.free_time()));
   }
   if (speed > 0) {
     facts_.push_back(name + text(": %.3g m/s where it meets the soil", speed));
     usual_.judge("speed", speed, name + ": its speed at the soil");
   }
-  const std::string layer = way.crossing_below(usual_.lowest("layer depth") * width);
+  const std::string layer = path.crossing_below(usual_.lowest("layer depth") * width);
   if (!layer.empty())
     usual_.tell(name + " may come to the boundary between the regions " + layer +
                 ", which a body cannot cross (plausibility/layer depth)");
 }
 
-void Plausibility::doubt_shape(const BodyWay& way, const std::string& name) {
-  const RigidBody& body = way.body();
+void Plausibility::doubt_shape(const BodyPath& path, const std::string& name) {
+  const RigidBody& body = path.body();
   if (body.of_revolution() && body.properties().geometry == Geometry::plane_strain)
     usual_.tell(name +
                 " is a body of revolution by its contour, but the mesh is in plane strain, where it is a wedge "
                 "or a wall: 'mesh/geometry' = axisymmetric?");
-  if (way.surface_corner() > 0)
+  if (path.surface_corner() > 0)
     usual_.judge(
-        "corner", way.surface_corner() / way.radius(),
+        "corner", path.surface_corner() / path.radius(),
         name + text(": the mesh has a corner of the surface at %.4g m, the body's radius is %.4g m; their ratio",
-                    way.surface_corner(), way.radius()));
-  if (way.release() || way.largest_speed() > 0)
-    usual_.judge("sides under a body", static_cast<double>(way.sides_under().size()),
+                    path.surface_corner(), path.radius()));
+  if (path.release() || path.largest_speed() > 0)
+    usual_.judge("sides under a body", static_cast<double>(path.sides_under().size()),
                  name + ": the number of sides of the surface that it covers");
 }
 
 /// A pore pressure prescribed on a surface is also prescribed in the hole that a body opens.
-void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, const Section& deck) {
+void Plausibility::doubt_hole(const BodyPath& path, const Positions& positions, const Section& deck) {
   const Soil& soil = *model_.soil();
-  if (soil.pressure < 0 || soil.excess || !way.touches_anything()) return;
-  const double lowest = way.lowest(), depth = way.surface_top() - lowest;
+  if (soil.pressure < 0 || soil.excess || !path.touches_anything()) return;
+  const double lowest = path.lowest(), depth = path.surface_top() - lowest;
   double water = -1e300;  // [Pa] largest pore pressure at the start above `lowest`
   const auto& dof = soil.space->node_dof(soil.pressure);
   for (int node = 0; node < model_.mesh().num_nodes(); ++node)
@@ -298,13 +298,13 @@ void Plausibility::doubt_hole(const BodyWay& way, const Positions& positions, co
     Function value;
     Parameters(entry).add("value", value, "", "");
     Span held;
-    for (const auto* side : way.sides_under())
+    for (const auto* side : path.sides_under())
       if (side->sets.count(entry.text("set")) > 0)
         for (int node : side->nodes) held.add(value(0, positions[node]));
     if (!held.known() || water <= held.high) continue;
     usual_.judge(
-        "drained hole", depth / (2 * way.radius()),
-        "body '" + way.body().name() + "': condition '" + condition->name +
+        "drained hole", depth / (2 * path.radius()),
+        "body '" + path.body().name() + "': condition '" + condition->name +
             text("' holds %.4g Pa on the wall of the hole that it opens too, where down to %.3g m water at rest has "
                  "%.4g Pa: count from water at rest ('pore pressure' = excess in the physics biot); the hole's depth, "
                  "in widths,",

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/body_way.hpp"
+#include "simulation/body_path.hpp"
 #include "simulation/doubts.hpp"
 #include "simulation/model.hpp"
 
@@ -27,11 +27,11 @@ class Plausibility {
   struct Load;
   void tell_materials();
   void tell_mesh();
-  void tell_body(const BodyWay& way);
+  void tell_body(const BodyPath& path);
   void tell_stages(const Section& deck);
-  void doubt_body(const BodyWay& way, const std::string& name);
-  void doubt_shape(const BodyWay& way, const std::string& name);
-  void doubt_hole(const BodyWay& way, const Positions& positions, const Section& deck);
+  void doubt_body(const BodyPath& path, const std::string& name);
+  void doubt_shape(const BodyPath& path, const std::string& name);
+  void doubt_hole(const BodyPath& path, const Positions& positions, const Section& deck);
   std::vector<Load> loads(const Section& deck, std::size_t stage) const;
   /// Largest consolidation time h^2/(6 c_v) [s] of an element at a surface that the stage drains and loads suddenly.
   double pressure_time(const Section& deck, std::size_t stage) const;

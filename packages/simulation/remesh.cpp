@@ -35,7 +35,7 @@ void Run::remesh() {
   std::string veto = made.veto;
   if (veto.empty()) {
     try {
-      veto = hand_over(make_model_(made.mesh));
+      veto = transfer_to(make_model_(made.mesh));
     } catch (const InputError& error) {  // on every rank alike
       veto = std::string("there is no model on the new mesh: ") + error.what();
     }
@@ -45,11 +45,11 @@ void Run::remesh() {
               "; the run goes on with the mesh as it is");
 }
 
-std::string Run::hand_over(std::unique_ptr<Model> next) {
+std::string Run::transfer_to(std::unique_ptr<Model> next) {
   auto balances = std::make_unique<Balances>(*next);
   auto error = make_error_estimate(*next);
   const std::vector<double> conserved = balances_->conserved();
-  const auto [receipt, change] = take_over(*model_, stage(), *next);
+  const auto [receipt, change] = transfer_from(*model_, stage(), *next);
   if (!receipt.moved) return receipt.veto;
   balances->add_remap(receipt);
   balances->add_remap_of_conserved(conserved);

@@ -334,7 +334,7 @@ std::string Run::relocate_mesh() {
     term->relocate(store.trial().coordinates, store.committed());
   if (!model_->stepper().refresh_history()) return "the remapped state cannot be evaluated" + model_->stepper().hints();
   receipt.yield_drift = yield_drift(*model_->soil(), store.committed(), store.trial());
-  for (Transferred* term : model_->stepper().transferred()) term->adopt(store.trial(), store.committed());
+  for (Transferred* term : model_->stepper().transferred()) term->take_evaluated(store.trial(), store.committed());
   balances_->add_remap(receipt);
   balances_->add_remap_of_conserved(conserved);
   tell_transfer(receipt, "    mesh moved: " + format("Courant %.2f, ", receipt.largest_motion), log::detail);
@@ -352,8 +352,8 @@ void Run::tell_transfer(const MeshReceipt& receipt, const std::string& begin, vo
                 share(receipt.before.kinetic, receipt.after.kinetic), receipt.yield_drift);
   tell(begin + line);
   if (model_->soil()->layered()) tell(layers_text(receipt));
-  if (receipt.started == 0 || started_anew_) return;
-  started_anew_ = true;
+  if (receipt.started == 0 || restarted_laws_) return;
+  restarted_laws_ = true;
   log::warn("laws start anew at " + std::to_string(receipt.started) + " points where the soil has become another " +
             "one, the first of " + receipt.started_where + ", at t " +
             format("%.6g s", model_->store().committed().time) +

@@ -73,7 +73,7 @@ class Run {
   /// Remeshes and goes on with a model on the new mesh, or, where that is refused, with the present one.
   void remesh();
   /// Transfers the state to `next` and makes it the run's model. Returns "", or why the state cannot be transferred.
-  std::string hand_over(std::unique_ptr<Model> next);
+  std::string transfer_to(std::unique_ptr<Model> next);
   /// Adds the mesh's columns of the history to a report.
   void report_mesh(Report& report) const;
   /// Measures the mesh of the committed state; warns once, where it is first poor.
@@ -139,9 +139,9 @@ class Run {
   bool row_is_due_ = false;    // the last step's row of the history is not written yet
   int steps_here_ = 0;
   int rejected_ = 0;
-  MeshQuality quality_;        // quality of the committed state's mesh
-  bool poor_mesh_ = false;     // the warning was given
-  bool started_anew_ = false;  // likewise, that laws were started anew
+  MeshQuality quality_;          // quality of the committed state's mesh
+  bool poor_mesh_ = false;       // the warning was given
+  bool restarted_laws_ = false;  // likewise, that laws were started anew
   double wall_start_ = 0;
 };
 

@@ -59,10 +59,10 @@ struct MidpointRule {
       v[k] = 0.5 * spin[k];
       square += v[k] * v[k];
     }
-    turn_by(1.0, v, square, rotation);
-    turn_by(1.0 + ::sqrt(1.0 + square), v, square, half);
+    rotation_of_quaternion(1.0, v, square, rotation);
+    rotation_of_quaternion(1.0 + ::sqrt(1.0 + square), v, square, half);
     set_volume(strain, hoop, log_volume);
-    turn_half(strain);
+    rotate_half(strain);
   }
 
   /// The increment as six numbers with engineering shear.
@@ -101,7 +101,7 @@ struct MidpointRule {
   }
 
   /// W s - s W of a symmetric tensor of six stress-like components, W the skew tensor of a spin.
-  KOKKOS_FORCEINLINE_FUNCTION static void turn_stress(const double (&w)[spins], const double* s, double* out) {
+  KOKKOS_FORCEINLINE_FUNCTION static void stress_rotation_rate(const double (&w)[spins], const double* s, double* out) {
     Mat<double, Dim> full, change;
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) full[i][j] = s[six(i, j)];
@@ -134,8 +134,8 @@ struct MidpointRule {
     }
   }
   /// Rotation matrix of the quaternion (s, v), which need not be normalised; square = v.v.
-  KOKKOS_FORCEINLINE_FUNCTION static void turn_by(double s, const double (&v)[spins], double square,
-                                                  Mat<double, Dim>& out) {
+  KOKKOS_FORCEINLINE_FUNCTION static void rotation_of_quaternion(double s, const double (&v)[spins], double square,
+                                                                 Mat<double, Dim>& out) {
     Mat<double, Dim> V;
     skew(v, V);
     const double factor = 1.0 / (s * s + square);
@@ -165,7 +165,7 @@ struct MidpointRule {
     out_of_plane += shift;
   }
   /// Rotates a tensor from the axes of the midpoint to those of the end.
-  KOKKOS_FORCEINLINE_FUNCTION void turn_half(Mat<double, Dim>& e) const {
+  KOKKOS_FORCEINLINE_FUNCTION void rotate_half(Mat<double, Dim>& e) const {
     Mat<double, Dim> left;
     for (int i = 0; i < Dim; ++i)
       for (int l = 0; l < Dim; ++l) {
@@ -193,7 +193,7 @@ struct MidpointRule {
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) d[i][j] = 0.5 * (dH[i][j] + dH[j][i]);
     set_volume(d, dhoop, volume);
-    turn_half(d);
+    rotate_half(d);
     axial(dH, dw);
     // spin of the rotation of the quaternion (s, v): 2 (s dv - ds v + v x dv) / (s^2 + v.v); of the half rotation too
     double v[spins], square = 0, along = 0, cross[3] = {0, 0, 0};

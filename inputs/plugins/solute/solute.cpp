@@ -43,7 +43,7 @@ struct Stored : PointLaw {
 };
 
 /// The transport terms, at the time level of the balances.
-struct Transferred : PointLaw {
+struct Convected : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   Darcy darcy;
@@ -104,7 +104,7 @@ class SoluteBalance : public Term {
       const LoopLevel end = end_level(view, b), balance = loop_level(view, view.balance, b);
       const double theta = view.sensitivity[field_].value;
       f(b, end, Stored{{}, Darcy(*soil_, soil, view, b, end), values_[i]->retardation, view.dt, theta});
-      f(b, balance, Transferred{{}, Darcy(*soil_, soil, view, b, balance), values_[i]->diffusivity});
+      f(b, balance, Convected{{}, Darcy(*soil_, soil, view, b, balance), values_[i]->diffusivity});
     }
   }
 

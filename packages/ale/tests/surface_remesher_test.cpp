@@ -113,14 +113,14 @@ TEST(SurfaceRemesher, CurvesAndPatchesStayWhereTheyAre) {
     const std::vector<int>& old = was.surfaces.curves[c].nodes;
     EXPECT_EQ(made.vertices[made.curves[c].front().vertex].node, old.front());
     EXPECT_EQ(made.vertices[made.curves[c].back().vertex].node, old.back());
-    double long_way = 0;
+    double path_length = 0;
     for (std::size_t i = 1; i < made.curves[c].size(); ++i) {
       EXPECT_GT(made.curves[c][i].s, made.curves[c][i - 1].s);
-      long_way +=
+      path_length +=
           distance(made.vertices[made.curves[c][i].vertex].place, made.vertices[made.curves[c][i - 1].vertex].place);
     }
     const double exact = was.source[old.front()][2] != was.source[old.back()][2] ? 3 : 0.5 * pi;
-    EXPECT_NEAR(long_way, exact, 0.01 * exact);
+    EXPECT_NEAR(path_length, exact, 0.01 * exact);
   }
   // Flat patches stay flat, to the last bit.
   std::map<int, double> areas;

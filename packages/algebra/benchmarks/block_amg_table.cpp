@@ -48,7 +48,7 @@ Timed measure(const model::Problem& problem, const RCP<const CrsMatrix>& matrix)
   return result;
 }
 
-void keep_factors(MumpsSolver& solver, bool keep) {
+void reuse_factors(MumpsSolver& solver, bool keep) {
   Teuchos::ParameterList list;
   list.set("reuse factorisation", keep);
   Parameters p(Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""));
@@ -97,8 +97,8 @@ void print_reuse(const RCP<const Comm>& comm) {
         settings.dt = dt;
         model::Problem problem(settings, comm);
         MumpsSolver fresh, kept;
-        keep_factors(fresh, false);
-        keep_factors(kept, true);
+        reuse_factors(fresh, false);
+        reuse_factors(kept, true);
         BlockAmgSolver amg;
         const Sequence a = solve_sequence(fresh, problem, 1, growth), b = solve_sequence(kept, problem, 1, growth),
                        c = solve_sequence(amg, problem, 1, growth);

@@ -276,18 +276,18 @@ inline void ProblemInSpace::number() {
   for (int k = first_cell; k < end_cell; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
-        std::array<int, 3> way{0, 1, 2};
+        std::array<int, 3> permutation{0, 1, 2};
         do {
           Tetrahedron t{};
           t.nodes[0] = {2 * i, 2 * j, 2 * k};
           for (int c = 0; c < 3; ++c) {
             t.nodes[c + 1] = t.nodes[c];
-            t.nodes[c + 1][way[c]] += 2;
+            t.nodes[c + 1][permutation[c]] += 2;
           }
           for (int e = 0; e < 6; ++e)
             for (int d = 0; d < 3; ++d) t.nodes[4 + e][d] = (t.nodes[edges[e][0]][d] + t.nodes[edges[e][1]][d]) / 2;
           elements_.push_back(t);
-        } while (std::next_permutation(way.begin(), way.end()));
+        } while (std::next_permutation(permutation.begin(), permutation.end()));
       }
   const int first = 2 * first_cell, last = 2 * end_cell, first_owned = first_cell > 0 ? first + 1 : 0;
   std::vector<int> u_node, p_node;

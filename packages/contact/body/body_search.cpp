@@ -49,7 +49,7 @@ void search(const RigidBody& body, const BodyInStep& step, const ContactTables& 
   if (!looks_back(side, start.shift, now.gap - start.offset)) return;
   const ContourProjection before = body.closest(step.old, in_plane(rule.place(point, side.x_old)));
   start.before = place_of_projection(before);
-  start.travelled = body.contour().distance(before, now);
+  start.contour_distance = body.contour().distance(before, now);
 }
 
 }  // namespace mudline

@@ -157,7 +157,7 @@ bool PenaltyContact::conserves(const StepView& view) const {
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
-void PenaltyContact::book_damping(const State& trial) const {
+void PenaltyContact::add_damping(const State& trial) const {
   const PointView& sums = trial.arrays[work_];
   for (int row = 0; row < first_row_.back(); ++row) {
     sums(0, 1) += happens_(row).damped;
@@ -245,15 +245,15 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
     failures += add_side_forces(sides[k++], of_shape.rows, {f, surface_->dofs(shape)}, of_shape.later);
   Kokkos::parallel_for("contact points", Kokkos::RangePolicy<>(0, first_row_.back()),
                        WritePoint{happens_, rows_.writer(*view.trial), deck_.film.writer(*view.trial)});
-  if (damps(view)) book_damping(*view.trial);
+  if (damps(view)) add_damping(*view.trial);
   done(0, 0) =
       view.committed->arrays[work_](0, 0) + work(local_force(*view.committed), local_force(*view.trial),
                                                  body_->placement(*view.committed), body_->placement(*view.trial));
-  look_for_touch(view);
+  set_reach(view);
   return failures;
 }
 
-void PenaltyContact::look_for_touch(const StepView& view) {
+void PenaltyContact::set_reach(const StepView& view) {
   touch_ = 0;
   if (view.inertia || !body_->released()) return;
   const State& trial = *view.trial;
@@ -516,6 +516,6 @@ std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView&
   return result;
 }
 
-void PenaltyContact::adopt(const State& evaluated, State& committed) { rows_.copy(evaluated, committed); }
+void PenaltyContact::take_evaluated(const State& evaluated, State& committed) { rows_.copy(evaluated, committed); }
 
 }  // namespace mudline

@@ -83,7 +83,7 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
   void relocate(const ConstCoordinateView& x_old, State& committed) override;
-  void adopt(const State& evaluated, State& committed) override;
+  void take_evaluated(const State& evaluated, State& committed) override;
   std::vector<SurfaceRows> surface_rows(const ConstCoordinateView& x) const override;
   std::vector<double> nodal_pressure(const State& state) const override;
   void mark_pressed(const State& state, std::vector<char>& nodes) const override;
@@ -106,7 +106,7 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   /// The heat of friction goes into the soil: the body takes none. Without derivatives, for it changes forces slowly.
   void add_heat(const StepView& view, const ResidualView& f) const;
   /// Adds the damping of the points to the sums of the trial state.
-  void book_damping(const State& trial) const;
+  void add_damping(const State& trial) const;
   /// Data of a point of a side before it is evaluated. The multiplier of its shear stress counts by its change in this
   /// step.
   ContactStart point_start(const StepView& view, std::size_t side, int row) const;
@@ -121,7 +121,7 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   SideContact side_contact(const StepView& view, const Positions& at, std::size_t side) const;
   /// A released body without inertia that touches nothing gets its tangent from the points that are nearest.
   /// Collective.
-  void look_for_touch(const StepView& view);
+  void set_reach(const StepView& view);
   struct Sums;
   Sums sums(const State& state) const;
   /// Mean of a quantity of the rows, by local node.
@@ -129,10 +129,10 @@ class PenaltyContact : public Contact, public ClosesSides, public FirstActs {
   /// Closes the initial gaps of one side's points, and sets their pressures.
   void touch_first(std::size_t side, const State& committed, const BodyPlacement& placement, FirstTouch& found) const;
   /// Pressure [Pa] of the soil's stress at a point of a side that touches the body with this normal.
-  double standing_pressure(std::size_t side, int point, const State& committed, const Point& at, const Point& outward,
-                           const Point& normal) const;
+  double in_situ_pressure(std::size_t side, int point, const State& committed, const Point& at, const Point& outward,
+                          const Point& normal) const;
   /// Penetration [m] at which a point has this pressure [Pa].
-  double standing_depth(std::size_t side, int point, const State& committed, double pressure) const;
+  double in_situ_penetration(std::size_t side, int point, const State& committed, double pressure) const;
   /// Pore pressure at a point of a side [Pa]; 0 where the contact does not read it.
   double pore_pressure(std::size_t side, int point, const State& state) const;
   /// Counted gap [m] of a point that is at `at`.

@@ -133,18 +133,18 @@ void act(const ContactSides& on, const SideContact& side, int c, const PointNumb
   const Vec<T, D> friction = projection.traction(now.shear * x.area),
                   force = projection.normal * (now.pressure * x.area) + friction,
                   damping = projection.normal * now.damping;
-  const auto in_space = cross(x.arm, force);
-  const auto moment = projection.felt(in_space, on.body.now);
+  const auto in_space = cross(x.from_centre, force);
+  const auto moment = projection.body_moment(in_space, on.body.now);
   end.add(force, moment);
   if (side.law.conserves) {
     PointAction<T, D> old;
     for (int i = 0; i < D; ++i) old.force[i] = T(before.force[i]);
-    old.moment = BodyProjection<T, D>::felt_before(before.moment, on.body.old);
+    old.moment = BodyProjection<T, D>::old_body_moment(before.moment, on.body.old);
     const T later = now.end_share - (1 - side.law.start_weight), sooner = now.start_share - side.law.start_weight;
     more.add(force * later, moment * later);
     more.add(old.force * sooner, old.moment * sooner);
   }
-  if (side.law.viscous > 0) more.add(damping, projection.felt(cross(x.arm, damping), on.body.now));
+  if (side.law.viscous > 0) more.add(damping, projection.body_moment(cross(x.from_centre, damping), on.body.now));
   keep<T, D>(force, in_space, point.total);
   for (int i = 0; i < D; ++i) {
     point.friction[i] = value(friction[i]);

@@ -63,7 +63,7 @@ struct ContactStart {
   double cavitation = 0;            // [Pa] of the film
   double vapour = 0;                // [m] of the film's thickness, committed
   BodyPlace now, before;            // at the ends of the step; `before` only where looks_back()
-  double travelled = 0;             // [m] in the plane: from closest point to closest point along the contour
+  double contour_distance = 0;      // [m] in the plane: from closest point to closest point along the contour
   double height = 0;                // [m] in the body's frame above its reference point
 };
 

@@ -72,9 +72,9 @@ void PenaltyContact::touch_first(std::size_t side, const State& committed, const
       continue;
     }
     double pressure = 0;
-    if (deck_.initial_gap.presses()) pressure = standing_pressure(side, c, committed, place, outward, normal);
+    if (deck_.initial_gap.presses()) pressure = in_situ_pressure(side, c, committed, place, outward, normal);
     found.pulled += pressure < 0;
-    const double depth = standing_depth(side, c, committed, std::max(0.0, pressure));
+    const double depth = in_situ_penetration(side, c, committed, std::max(0.0, pressure));
     const bool transferred = pressure > 0 && std::isfinite(depth);
     found.beyond += pressure > 0 && !transferred;
     found.close(gap, transferred ? pressure : 0.0);
@@ -95,7 +95,7 @@ void PenaltyContact::touch_first(std::size_t side, const State& committed, const
   }
 }
 
-double PenaltyContact::standing_depth(std::size_t side, int point, const State& committed, double pressure) const {
+double PenaltyContact::in_situ_penetration(std::size_t side, int point, const State& committed, double pressure) const {
   if (deck_.augmented()) return 0;  // multipliers carry it
   const SurfaceSide& at = surface_->sides()[side];
   TouchingSoil soil = laws_.soil(committed, at, rule(at).xi[point].data());
@@ -103,8 +103,8 @@ double PenaltyContact::standing_depth(std::size_t side, int point, const State& 
   return penetration_under(laws_.normal(), pressure, committed.arrays[penalties_](side, 0), soil);
 }
 
-double PenaltyContact::standing_pressure(std::size_t side, int point, const State& committed, const Point& at,
-                                         const Point& outward, const Point& normal) const {
+double PenaltyContact::in_situ_pressure(std::size_t side, int point, const State& committed, const Point& at,
+                                        const Point& outward, const Point& normal) const {
   const SurfaceSide& here = surface_->sides()[side];
   const auto stress = context_.stress(committed, here.block, here.element, at);
   double pressure = 0;

@@ -62,7 +62,7 @@ void FaceContact::check(const Section& section) {
   double least = 0;
   Seen seen;
   for (int row = 0; row < static_cast<int>(rows_.size()); ++row)
-    if (look(row, x, seen)) least = std::min(least, seen.point.gap);
+    if (look(row, x, seen)) least = std::min(least, seen.projection.gap);
   check_overlap_of_two(*slave_, section, deck_.slave, least);
   capture_ = deck_.capture_distance > 0 ? deck_.capture_distance : longest;
 }
@@ -158,7 +158,7 @@ void FaceContact::begin(const StepView& view) {
 
 bool FaceContact::look(int row, const ConstCoordinateView& x, Seen& seen) const {
   const Row& at = rows_[row];
-  if (!master_->find(candidates_[at.side], slave_place(row, x), at.outward, capture_, x, seen.face, seen.point))
+  if (!master_->find(candidates_[at.side], slave_place(row, x), at.outward, capture_, x, seen.face, seen.projection))
     return false;
   seen.place = place(row, seen.face);
   return true;
@@ -189,7 +189,7 @@ void FaceContact::evaluate(const StepView& view, const Positions& at, int row, c
   const ContactPointLaw acting = law(view, row);
   const MasterFace face = master_->face(seen.face, at.end);
   const SideCoordinates before = side_coordinates(master_->surface().sides()[seen.face], at.old);
-  FacePoint point{acting, face, before, seen.point, slave_place(row, at.old), rows_[row].area};
+  FacePoint point{acting, face, before, seen.projection, slave_place(row, at.old), rows_[row].area};
   point.gap_old = old(row, column::gap);
   point.force_old = old(row, column::pressure) * old(row, column::area);
   point.shear_old = vector(old, row, column::shear);
@@ -211,14 +211,14 @@ void FaceContact::write_away(const StepView& view, int row) const {
 
 void FaceContact::write(const StepView& view, int row, const Seen& seen, const FaceForce& force) const {
   const PointView &rows = view.trial->arrays[points_], &old = view.committed->arrays[points_];
-  rows(row, column::gap) = seen.point.gap;
+  rows(row, column::gap) = seen.projection.gap;
   rows(row, column::pressure) = force.pressure;
   rows(row, column::slides) = force.slides;
   rows(row, column::slip) = old(row, column::slip) + force.slip;
   rows(row, column::heat) = old(row, column::heat) + force.heat;
   rows(row, column::area) = force.pressure > 0 ? rows_[row].area : 0.0;
   rows(row, column::face) = seen.face;
-  for (int k = 0; k < 2; ++k) rows(row, column::xi + k) = seen.point.xi[k];
+  for (int k = 0; k < 2; ++k) rows(row, column::xi + k) = seen.projection.xi[k];
   put(rows, row, column::shear, force.shear);
   put(rows, row, column::normal, force.normal);
   put(rows, row, column::force, force.force);
@@ -364,7 +364,7 @@ void FaceContact::relocate(const ConstCoordinateView& x_old, State& committed) {
   }
 }
 
-void FaceContact::adopt(const State& evaluated, State& committed) {
+void FaceContact::take_evaluated(const State& evaluated, State& committed) {
   Kokkos::deep_copy(committed.arrays[points_], evaluated.arrays[points_]);
 }
 

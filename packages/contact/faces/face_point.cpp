@@ -87,13 +87,13 @@ template <class T>
 ProjectionPlace<T> place(const FacePoint& point, const FaceMap& map) {
   Point row[3] = {}, was{}, was_along[2] = {};
   if constexpr (!std::is_same_v<T, double>)
-    inverse(map.column(0, point.point.gap), map.column(1, point.point.gap), map.normal, row);
+    inverse(map.column(0, point.projection.gap), map.column(1, point.projection.gap), map.normal, row);
   for (int a = 0; a < point.face.count; ++a) {
     was += map.N[a] * point.x_old[a];
     for (int k = 0; k < 2; ++k) was_along[k] += map.dN[2 * a + k] * point.x_old[a];
   }
   ProjectionPlace<T> g;
-  g.gap = number<T>(point.point.gap, row, 0, 0, 1);
+  g.gap = number<T>(point.projection.gap, row, 0, 0, 1);
   g.normal = vector<T>(map.normal, row, map.turning[0], map.turning[1]);
   g.projection_old = vector<T>(was, row, was_along[0], was_along[1]);
   for (int a = 0; a < point.face.count; ++a) g.weight[a] = number<T>(map.N[a], row, map.dN[2 * a], map.dN[2 * a + 1]);
@@ -122,8 +122,8 @@ ContactMotion<T, 3> motion_of(const FacePoint& point, const ProjectionPlace<T>& 
   motion.position = point.slave_old;
   if (!point.law.friction) return motion;
   const Vector<T> apart_old = constant_vector<T>(point.slave_old) - g.projection_old,
-                  way = g.normal * g.gap - apart_old;
-  motion.travel = way - g.normal * dot(way, g.normal);
+                  displacement = g.normal * g.gap - apart_old;
+  motion.travel = displacement - g.normal * dot(displacement, g.normal);
   motion.opened = dot(apart_old, g.normal);
   motion.shear_old = transported(point.shear_old, point.normal_old, g.normal);
   motion.slip_old = point.slip_old;
@@ -133,7 +133,7 @@ ContactMotion<T, 3> motion_of(const FacePoint& point, const ProjectionPlace<T>& 
 
 template <class T>
 void evaluate(const FacePoint& point, FaceForce& out) {
-  const FaceMap map(point.face, point.point.xi);
+  const FaceMap map(point.face, point.projection.xi);
   const ProjectionPlace<T> g = place<T>(point, map);
   const ContactResponse<T, 3> now = respond(point.law, motion_of(point, g));
   const double weight = 1 / (1 - point.law.start_weight);

@@ -222,7 +222,7 @@ void PairContact::relocate(const ConstCoordinateView& x_old, State& committed) {
   }
 }
 
-void PairContact::adopt(const State& evaluated, State& committed) {
+void PairContact::take_evaluated(const State& evaluated, State& committed) {
   Kokkos::deep_copy(committed.arrays[sides_], evaluated.arrays[sides_]);
 }
 

@@ -127,9 +127,9 @@ bool find_projection(const Curve<double>& master, const Curve<T>& master_t, cons
   const bool found = solve<T>(
       guess,
       [&](double eta, double& slope) {
-        const Vec<double, 2> way = x - master.point(eta), along = master.slope(eta);
-        slope = dot(way, master.bend()) - dot(along, along);
-        return dot(way, along);
+        const Vec<double, 2> offset = x - master.point(eta), along = master.slope(eta);
+        slope = dot(offset, master.bend()) - dot(along, along);
+        return dot(offset, along);
       },
       [&](const T& eta) { return dot(at - master_t.point(eta), master_t.slope(eta)); }, projection.eta);
   if (!found) return false;
@@ -181,7 +181,7 @@ TouchingSoil soil_between(const TouchingSoil (&corner)[side_multipliers], double
 template <class T>
 ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, const SegmentPoint<T>& point) {
   ContactMotion<T> motion;
-  motion.gap = point.point.gap;
+  motion.gap = point.projection.gap;
   const T multiplier = point.field(law.normal), before = point.field(law.pressure_old);
   motion.shift = multiplier / law.penalty;
   motion.soil = soil_between(law.soil, value(point.xi));
@@ -189,11 +189,12 @@ ContactMotion<T> motion_of_point(const PairLaw& law, const Sides<T>& sides, cons
   motion.slip_old = TouchingSoil::unknown;  // quadrature points have no history
   motion.area = point.area;
   if (!(law.viscous > 0) && !(law.friction && presses(law, motion))) return motion;
-  const Vec<T, 2> was = sides.slave_old.point(point.xi), projection_was = sides.master_old.point(point.point.eta);
-  motion.gap_old = dot(was - projection_was, point.point.normal);
+  const Vec<T, 2> was = sides.slave_old.point(point.xi), projection_was = sides.master_old.point(point.projection.eta);
+  motion.gap_old = dot(was - projection_was, point.projection.normal);
   if (value(before) > 0) motion.force_old = before * motion.area;
   if (value(multiplier) == 0) motion.opened = motion.gap_old;
-  motion.travel = dot((point.at - was) - (sides.master.point(point.point.eta) - projection_was), point.point.along);
+  motion.travel =
+      dot((point.at - was) - (sides.master.point(point.projection.eta) - projection_was), point.projection.along);
   motion.shear_old = point.field(law.shear);
   motion.position = plain(was);
   return motion;
@@ -204,7 +205,7 @@ template <class T>
 void act(const Sides<T>& sides, const SegmentPoint<T>& point, const Vec<T, 2>& force, T (&to)[pair_dofs]) {
   T N[max_line_nodes], M[max_line_nodes];
   sides.slave.shapes(point.xi, N);
-  sides.master.shapes(point.point.eta, M);
+  sides.master.shapes(point.projection.eta, M);
   spread(sides.slave.nodes, N, force, to);
   spread(sides.slave.nodes, M, force * -1.0, to + 2 * sides.slave.nodes);
 }
@@ -224,7 +225,7 @@ void sum_up(const PairLaw& law, const SegmentPoint<T>& point, const ContactMotio
   }
   sums.area += value(motion.area);
   sums.heat += now.heat;
-  sums.deepest = std::min(sums.deepest, value(point.point.gap));
+  sums.deepest = std::min(sums.deepest, value(point.projection.gap));
   if (now.slides) sums.sliding += weight;
 }
 
@@ -243,8 +244,8 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     point.xi = from + half * (1.0 + law.rule.points[q][0]);
     const SideMap<2, T> map = sides.slave.map(point.xi);
     point.at = vector(map.x);
-    if (!find_projection(sides.master_at, sides.master, point.at, point.point)) return false;
-    const double gap = value(point.point.gap);
+    if (!find_projection(sides.master_at, sides.master, point.at, point.projection)) return false;
+    const double gap = value(point.projection.gap);
     if (std::abs(gap) > law.capture) continue;
     seen = true;
     sums.closest = std::min(sums.closest, gap);
@@ -259,7 +260,7 @@ bool integrate(const PairLaw& law, const PairCoordinates& old, const PairCoordin
     const ContactMotion<T> motion = motion_of_point(law, sides, point);
     if (!presses(law, motion) && !(law.viscous > 0)) continue;
     const ContactResponse<T> now = respond(law, motion);
-    const Projection<T>& projection = point.point;
+    const Projection<T>& projection = point.projection;
     if (now.presses)
       act(sides, point, (projection.normal * now.pressure + projection.along * now.shear) * motion.area, forces.end);
     if (law.viscous > 0) act(sides, point, projection.normal * now.damping, forces.more);

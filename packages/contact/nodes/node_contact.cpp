@@ -136,7 +136,7 @@ void NodeContact::begin(const StepView& view) {
 bool NodeContact::look(int row, const ConstCoordinateView& x, Seen& seen) const {
   const Row& at = rows_[row];
   if (!(at.area > 0) || !surface_->find_projection(at.candidates, {x(at.node, 0), x(at.node, 1)}, at.facing, capture_,
-                                                   x, seen.piece, seen.point))
+                                                   x, seen.piece, seen.projection))
     return false;
   seen.place = place(row, seen.piece);
   return true;
@@ -215,7 +215,7 @@ int NodeContact::residual(const StepView& view, const ResidualView& f) {
     const NodeLaw acting = law(view, row);
     const SurfacePiece& piece = surface_->pieces()[seen.piece];
     const NodeCoordinates now = coordinates(row, seen.piece, at.end);
-    node_force(acting, piece, seen.point, coordinates(row, seen.piece, at.old), now, false, force);
+    node_force(acting, piece, seen.projection, coordinates(row, seen.piece, at.old), now, false, force);
     if (force.presses && seen.place < 0) ++failures;
     const double before = force.start_share;
     if (seen.place < 0) force = {};
@@ -241,7 +241,7 @@ int NodeContact::residual(const StepView& view, const ResidualView& f) {
     points(row, column::slip) = old(row, column::slip) + force.slip;
     points(row, column::heat) = old(row, column::heat) + force.heat;
     points(row, column::piece) = seen.piece;
-    points(row, column::eta) = seen.point.eta;
+    points(row, column::eta) = seen.projection.eta;
   }
   if (damping_ >= 0) view.trial->arrays[damping_](0, 0) = view.committed->arrays[damping_](0, 0) + damped;
   beyond_reach_ = failures > 0;
@@ -274,7 +274,7 @@ void NodeContact::jacobian(const StepView& view, Assembler& assembler, double we
     Seen seen;
     if (!look(row, at.end, seen) || seen.place < 0) continue;
     const SurfacePiece& piece = surface_->pieces()[seen.piece];
-    node_force(law(view, row), piece, seen.point, coordinates(row, seen.piece, at.old),
+    node_force(law(view, row), piece, seen.projection, coordinates(row, seen.piece, at.old),
                coordinates(row, seen.piece, at.end), true, force);
     if (force.presses || force.damped != 0)
       for (int a = 0; a < node_dofs; ++a)
@@ -363,7 +363,7 @@ void NodeContact::relocate(const ConstCoordinateView& x_old, State& committed) {
   }
 }
 
-void NodeContact::adopt(const State& evaluated, State& committed) {
+void NodeContact::take_evaluated(const State& evaluated, State& committed) {
   Kokkos::deep_copy(committed.arrays[points_], evaluated.arrays[points_]);
 }
 

@@ -24,7 +24,7 @@ template <class T>
 struct ProjectionPlace {
   T W[max_piece_nodes];
   T gap;
-  Vec<T, 2> normal, along, projection;
+  Vec<T, 2> normal, along, point;
 };
 
 /// Normal and gap at a corner: the normal is the direction from the corner to the node, or the mean normal on the
@@ -32,12 +32,12 @@ struct ProjectionPlace {
 template <class T>
 void look_from_corner(const SurfacePiece& piece, const NodeProjection& at, const Positions<T>& x,
                       ProjectionPlace<T>& g) {
-  const Vec<T, 2> way = x.slave - g.point, chord = x.master[piece.count - 1] - x.master[0];
+  const Vec<T, 2> offset = x.slave - g.point, chord = x.master[piece.count - 1] - x.master[0];
   g.normal = constant<T>(at.outward);
-  g.gap = dot(way, g.normal);
-  if (std::sqrt(value(dot(way, way))) > 1e-12 * std::sqrt(value(dot(chord, chord)))) {
-    g.gap = value(g.gap) < 0 ? -1.0 * length(way) : length(way);
-    g.normal = way / g.gap;
+  g.gap = dot(offset, g.normal);
+  if (std::sqrt(value(dot(offset, offset))) > 1e-12 * std::sqrt(value(dot(chord, chord)))) {
+    g.gap = value(g.gap) < 0 ? -1.0 * length(offset) : length(offset);
+    g.normal = offset / g.gap;
   }
   g.along = {-1.0 * g.normal[1], g.normal[0]};
 }
@@ -53,10 +53,10 @@ ProjectionPlace<T> geometry(const SurfacePiece& piece, const NodeProjection& at,
     return g;
   }
   // eta follows from way . y' = 0 by one step of Newton's method, which does not change its value
-  const Vec<T, 2> way = x.slave - g.point, tangent = combine(piece.count, dW, x.master),
+  const Vec<T, 2> offset = x.slave - g.point, tangent = combine(piece.count, dW, x.master),
                   bend = combine(piece.count, ddW, x.master);
-  const T ahead = dot(way, tangent);
-  const double slope = value(dot(way, bend) - dot(tangent, tangent));
+  const T ahead = dot(offset, tangent);
+  const double slope = value(dot(offset, bend) - dot(tangent, tangent));
   const T eta = at.eta - (ahead - value(ahead)) / slope;
   piece.weights(eta, g.W, dW, ddW);
   g.point = combine(piece.count, g.W, x.master);

@@ -37,10 +37,10 @@ PieceProjection closest_on_piece(const SurfacePiece& piece, const PieceCoordinat
   constexpr int samples = 8;
   const auto at = [&](double eta, double& ahead, double& slope) {  // ahead > 0: the closest point has a larger eta
     const CurveValue c = curve_at(piece, nodes, eta);
-    const Vec<double, 2> way = constant<double>(x) - c.x;
-    ahead = dot(way, c.d);
-    slope = dot(way, c.dd) - dot(c.d, c.d);
-    return length(way);
+    const Vec<double, 2> offset = constant<double>(x) - c.x;
+    ahead = dot(offset, c.d);
+    slope = dot(offset, c.dd) - dot(c.d, c.d);
+    return length(offset);
   };
   int nearest = 0;
   double best = 1e300, ahead = 0, slope = 0;

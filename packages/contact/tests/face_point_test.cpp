@@ -52,7 +52,7 @@ struct Case {
   }
   FaceForce force(bool tangent) const {
     FacePoint point{law, face, x_old, {}, {0.2, 0.16, -0.01}, 0.3};
-    EXPECT_TRUE(find_projection(face, slave, point.point));
+    EXPECT_TRUE(find_projection(face, slave, point.projection));
     point.gap_old = -0.01;
     point.force_old = 30;
     point.shear_old = {40, -20, 0};
@@ -133,7 +133,7 @@ TEST(FacePoint, SlidingShearIsTheStrengthAlongTheWay) {
   law.friction = &friction;
   const SideCoordinates was = face.x;
   FacePoint point{law, face, was, {}, {0.1, 0.1, -0.01}, 0.5};
-  ASSERT_TRUE(find_projection(face, {0.4, 0.5, -0.01}, point.point));
+  ASSERT_TRUE(find_projection(face, {0.4, 0.5, -0.01}, point.projection));
   point.normal_old = {0, 0, 1};
   point.gap_old = -0.01;
   FaceForce out;

@@ -163,10 +163,10 @@ TEST(ImpactShare, DoesTheWorkThatTheSpringStoresOrGivesBack) {
   const double stiffness = 7;
   for (const double gap_old : {1e-6, 0.3})
     for (const double gap : {-1e-6, -0.2}) {
-      const double stored = 0.5 * stiffness * gap * gap, way = gap - gap_old;
-      EXPECT_NEAR(end_share(gap_old, gap, 0) * stiffness * gap * way, stored, 1e-15);
+      const double stored = 0.5 * stiffness * gap * gap, advance = gap - gap_old;
+      EXPECT_NEAR(end_share(gap_old, gap, 0) * stiffness * gap * advance, stored, 1e-15);
       // the same backwards
-      EXPECT_NEAR(start_share(gap, gap_old, 0) * stiffness * gap * -way, -stored, 1e-15);
+      EXPECT_NEAR(start_share(gap, gap_old, 0) * stiffness * gap * -advance, -stored, 1e-15);
     }
 }
 

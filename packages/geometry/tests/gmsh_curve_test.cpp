@@ -56,7 +56,7 @@ TEST(GmshCurve, ConeIsTheLibrarysCone) {
   EXPECT_EQ(drawn.pieces().size(), 4u);
   const Difference one(drawn, library(1), 2, -1, 4);
   EXPECT_LT(one.gap, 1e-12);
-  EXPECT_LT(one.point, 1e-11);
+  EXPECT_LT(one.projection, 1e-11);
   EXPECT_LT(one.normal, 1e-11);
   EXPECT_LT(one.curvature, 1e-10);
   EXPECT_NEAR(drawn.closest({0.7, 50}).gap, 0.2, 1e-12) << "the shaft goes on";

@@ -160,7 +160,7 @@ TEST(RevolvedSurface, DerivativesOfTheTorpedo) {
   EXPECT_LT(errors.turning, 1e-4);  // inside near the axis the normals turn fast
   EXPECT_LT(errors.symmetry, 1e-12);
   EXPECT_LT(errors.along, 1e-12);
-  EXPECT_LT(errors.point, 1e-12);
+  EXPECT_LT(errors.projection, 1e-12);
   EXPECT_LT(errors.length, 1e-14);
 }
 

@@ -43,7 +43,7 @@ TEST(RoundedBox, Derivatives) {
     EXPECT_LT(errors.turning, 1e-4) << r;
     EXPECT_EQ(errors.symmetry, 0) << r;
     EXPECT_LT(errors.along, 1e-11) << r;
-    EXPECT_LT(errors.point, 1e-15) << r;
+    EXPECT_LT(errors.projection, 1e-15) << r;
   }
 }
 

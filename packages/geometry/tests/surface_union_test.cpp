@@ -38,7 +38,7 @@ TEST(SurfaceUnion, DerivativesOfATurnedPart) {
   EXPECT_LT(errors.turning, 1e-4);
   EXPECT_LT(errors.symmetry, 1e-13);
   EXPECT_LT(errors.along, 1e-12);
-  EXPECT_LT(errors.point, 1e-14);
+  EXPECT_LT(errors.projection, 1e-14);
 }
 
 TEST(SurfaceUnion, TheSmallestGapCounts) {

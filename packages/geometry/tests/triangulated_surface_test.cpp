@@ -77,7 +77,7 @@ TEST(TriangulatedSurface, DerivativesAreThoseOfTheGap) {
   EXPECT_LT(errors.turning, 1e-4);
   EXPECT_LT(errors.symmetry, 1e-12);
   EXPECT_LT(errors.along, 1e-12);
-  EXPECT_LT(errors.point, 1e-12);
+  EXPECT_LT(errors.projection, 1e-12);
   EXPECT_LT(errors.length, 1e-14);
 }
 

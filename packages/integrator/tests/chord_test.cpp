@@ -9,7 +9,7 @@ namespace {
 TEST(Chord, MemoryComesBackFromTheEndOfWhatFollowsIt) {
   ChordControl chord;
   chord.start_step({0.5, 1, 0});
-  chord.remeshed();
+  chord.refreshed();
   std::vector<double> memory{7, 8};  // memory of the linear solver
   chord.save(memory);
   ChordControl again;
@@ -39,7 +39,7 @@ ChordControl after_step(double contraction) {
   ChordControl chord;
   chord.enabled = true;
   chord.start_step({1});
-  chord.remeshed();
+  chord.refreshed();
   chord.observe(1e6, 0);
   chord.observe(1e6 * contraction, 1e6);
   chord.start_step({1});
@@ -47,30 +47,30 @@ ChordControl after_step(double contraction) {
 }
 
 TEST(Chord, ExpectsANewJacobianAtTheFirstGuessUnlessTheOldOneServedWell) {
-  EXPECT_TRUE(ChordControl().expects_remeshing(true)) << "there is none yet";
-  EXPECT_TRUE(after_step(0.5).expects_remeshing(true));
-  EXPECT_FALSE(after_step(0.01).expects_remeshing(true));
-  EXPECT_TRUE(after_step(0.01).expects_remeshing(false)) << "its factors are not at hand";
+  EXPECT_TRUE(ChordControl().expects_jacobian(true)) << "there is none yet";
+  EXPECT_TRUE(after_step(0.5).expects_jacobian(true));
+  EXPECT_FALSE(after_step(0.01).expects_jacobian(true));
+  EXPECT_TRUE(after_step(0.01).expects_jacobian(false)) << "its factors are not at hand";
   ChordControl forgotten = after_step(0.01);
   forgotten.forget();
-  EXPECT_TRUE(forgotten.expects_remeshing(true));
+  EXPECT_TRUE(forgotten.expects_jacobian(true));
 }
 
 TEST(Chord, ExpectsNoNewJacobianNearTheEnd) {
   for (const double contraction : {0.5, 0.2}) {  // too slow for another iteration with the same matrix
     ChordControl chord = after_step(contraction);
     chord.observe(1e4, 0);
-    EXPECT_TRUE(chord.expects_remeshing(true)) << contraction;
+    EXPECT_TRUE(chord.expects_jacobian(true)) << contraction;
     chord.observe(1e4 * contraction, 1e4);
-    EXPECT_TRUE(chord.expects_remeshing(true)) << contraction;
+    EXPECT_TRUE(chord.expects_jacobian(true)) << contraction;
     chord.observe(1, 1 / contraction);
-    for (const bool usable : {false, true}) EXPECT_FALSE(chord.expects_remeshing(usable)) << contraction;
+    for (const bool usable : {false, true}) EXPECT_FALSE(chord.expects_jacobian(usable)) << contraction;
   }
   ChordControl chord = after_step(0.5);
   chord.observe(1e8, 0);
   chord.observe(1e6, 1e8);
-  EXPECT_FALSE(chord.expects_remeshing(true)) << "1e4 is left, for which the matrix serves";
-  EXPECT_FALSE(chord.may_keep()) << "but not for 1e6";
+  EXPECT_FALSE(chord.expects_jacobian(true)) << "1e4 is left, for which the matrix serves";
+  EXPECT_FALSE(chord.may_reuse()) << "but not for 1e6";
 }
 
 }  // namespace

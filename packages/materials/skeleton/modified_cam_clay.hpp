@@ -77,12 +77,12 @@ struct ModifiedCamClay {
  private:
   /// Update with a Lode measure, in all six components.
   template <class T>
-  KOKKOS_INLINE_FUNCTION bool turn_freely(const double* start, const double* h, double specific_volume, const T* strain,
-                                          double* state, SkeletonResponse& out) const;
+  KOKKOS_INLINE_FUNCTION bool update_six_components(const double* start, const double* h, double specific_volume,
+                                                    const T* strain, double* state, SkeletonResponse& out) const;
   /// Update without a Lode measure, in the space of the deviators of the old stress and of the strain increment.
   template <class T>
-  KOKKOS_INLINE_FUNCTION bool stay_between(const double* start, const double* h, double specific_volume,
-                                           const double* strain, double* state, SkeletonResponse& out) const;
+  KOKKOS_INLINE_FUNCTION bool update_two_deviators(const double* start, const double* h, double specific_volume,
+                                                   const double* strain, double* state, SkeletonResponse& out) const;
   KOKKOS_INLINE_FUNCTION bool raise_to_minimum(double* stress, double* h) const;
   /// N, given or from Gamma; 0 if neither is given.
   double normal_line() const;
@@ -244,8 +244,9 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::raise_to_minimum(double* stress, do
 }
 
 template <class T>
-KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::turn_freely(const double* start, const double* h, double specific_volume,
-                                                         const T* strain, double* state, SkeletonResponse& out) const {
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update_six_components(const double* start, const double* h,
+                                                                   double specific_volume, const T* strain,
+                                                                   double* state, SkeletonResponse& out) const {
   const ModifiedCamClayModel<SixComponents> model(*this, {}, specific_volume, h[0]);
   T stress[6], hardening[2] = {T(h[0]), T(h[1])};
   for (int i = 0; i < 6; ++i) stress[i] = T(start[i]);
@@ -257,9 +258,9 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::turn_freely(const double* start, co
 }
 
 template <class T>
-KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::stay_between(const double* start, const double* h, double specific_volume,
-                                                          const double* strain, double* state,
-                                                          SkeletonResponse& out) const {
+KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::update_two_deviators(const double* start, const double* h,
+                                                                  double specific_volume, const double* strain,
+                                                                  double* state, SkeletonResponse& out) const {
   const IncrementOfTwoDeviators<T> increment(start, strain);
   const ModifiedCamClayModel<TwoDeviators<T>> model(*this, increment.space, specific_volume, h[0]);
   T stress[3], hardening[2] = {T(h[0]), T(h[1])};
@@ -280,19 +281,19 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::operator()(const SkeletonPoint& in,
   const double volume = specific_volume(in.void_ratio, state_old);
   bool ok;
   if (lode == Lode::none) {
-    ok = in.want_tangent
-             ? stay_between<Dual<IncrementOfTwoDeviators<double>::directions>>(start, h, volume, in.strain, state, out)
-             : stay_between<double>(start, h, volume, in.strain, state, out);
+    ok = in.want_tangent ? update_two_deviators<Dual<IncrementOfTwoDeviators<double>::directions>>(
+                               start, h, volume, in.strain, state, out)
+                         : update_two_deviators<double>(start, h, volume, in.strain, state, out);
   } else if (!in.want_tangent) {
-    ok = turn_freely(start, h, volume, in.strain, state, out);
+    ok = update_six_components(start, h, volume, in.strain, state, out);
   } else if (in.plane) {
     Dual<4> strain[6];
     make_variable(in.strain, strain);
-    ok = turn_freely(start, h, volume, strain, state, out);
+    ok = update_six_components(start, h, volume, strain, state, out);
   } else {
     Dual<6> strain[6];
     make_variable(in.strain, strain);
-    ok = turn_freely(start, h, volume, strain, state, out);
+    ok = update_six_components(start, h, volume, strain, state, out);
   }
   if (!ok || !raise_to_minimum(out.stress, state) || !in.want_tangent) return ok;
   const ElasticModuli m = moduli(out.stress, in.void_ratio, state_old);

@@ -42,7 +42,7 @@ void AbsorbingBoundary::bind(const ConditionContext& context, const Section& sec
   for (int node : space_->mesh().nodes_of_set(set_))
     for (int i = 0; i < dimension(); ++i) {
       const int dof = space_->node_dof(block_.field)(node) + i;
-      if (dof < owned) held_dofs_.push_back(dof);
+      if (dof < owned) reaction_dofs_.push_back(dof);
     }
 }
 
@@ -50,15 +50,15 @@ void AbsorbingBoundary::declare_state(StateStore& store) {
   store_ = &store;
   ArrayInfo info{"absorbing/" + Condition::name, {{"held force", 1, "N"}}};
   const std::vector<long long> ids = dof_ids(*space_->dofs());
-  for (int dof : held_dofs_) info.ids.push_back(ids[dof]);
-  held_ = store.declare(std::move(info), static_cast<int>(held_dofs_.size()));
+  for (int dof : reaction_dofs_) info.ids.push_back(ids[dof]);
+  held_ = store.declare(std::move(info), static_cast<int>(reaction_dofs_.size()));
 }
 
 void AbsorbingBoundary::activate(const State& committed, const NodalView& unbalanced) {
   // The constant force balances the part of the soil's force on the boundary that no other condition has taken yet.
-  for (std::size_t i = 0; i < held_dofs_.size(); ++i) {
-    store_->committed().arrays[held_](i, 0) = -unbalanced(held_dofs_[i]);
-    unbalanced(held_dofs_[i]) = 0;
+  for (std::size_t i = 0; i < reaction_dofs_.size(); ++i) {
+    store_->committed().arrays[held_](i, 0) = -unbalanced(reaction_dofs_[i]);
+    unbalanced(reaction_dofs_[i]) = 0;
   }
 }
 
@@ -86,7 +86,8 @@ int AbsorbingBoundary::residual(const StepView& view, const ResidualView& f) {
   if (view.inertia)
     add_side_residual(geometry(), block_, side_level(view, block_, view.x_old), Dashpots{{}, block_.points, impedance_},
                       f);
-  for (std::size_t i = 0; i < held_dofs_.size(); ++i) f.add(held_dofs_[i], view.committed->arrays[held_](i, 0), 0);
+  for (std::size_t i = 0; i < reaction_dofs_.size(); ++i)
+    f.add(reaction_dofs_[i], view.committed->arrays[held_](i, 0), 0);
   return 0;
 }
 

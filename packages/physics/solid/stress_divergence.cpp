@@ -90,7 +90,7 @@ struct TotalStress : PointLaw {
     const double* stiffness = &tangent(row - first_row, 0);
     const auto put = [&](int way, const double* e, const double(&turn)[Rule::spins]) {
       double turned[6], by[6];
-      Rule::turn_stress(turn, &stress(row, 0), turned);
+      Rule::stress_rotation_rate(turn, &stress(row, 0), turned);
       for (int a = 0; a < Rule::components; ++a) {
         const int k = Rule::place(a);
         by[k] = turned[k];
@@ -408,7 +408,7 @@ void StressDivergence::jacobian(const StepView& view, Assembler& assembler, doub
 
 std::string StressDivergence::hint(const StepView&) const { return broadcast(*soil_->space->dofs()->comm(), failure_); }
 
-void StressDivergence::adopt(const State& evaluated, State& committed) {
+void StressDivergence::take_evaluated(const State& evaluated, State& committed) {
   for (const SoilBlock& b : soil_->blocks)
     for (int handle : {b.stress, b.law}) Kokkos::deep_copy(committed.arrays[handle], evaluated.arrays[handle]);
 }

@@ -24,7 +24,7 @@ class StressDivergence : public Term, public History, public Foresees, public Tr
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   void foresee_jacobian(bool likely) override { keeps_ = likely; }
   void forget_foreseen() override { kept_ = false; }
-  void adopt(const State& evaluated, State& committed) override;
+  void take_evaluated(const State& evaluated, State& committed) override;
   /// The failure of a law in the last evaluation.
   std::string hint(const StepView& view) const override;
 

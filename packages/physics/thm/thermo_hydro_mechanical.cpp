@@ -69,16 +69,16 @@ struct Flows : PointLaw {
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     const T& t = at.value[temperature];
     const T density = soil.density(at.value[pressure], t);
-    T minus_discharge[C::dim], transferred = 0.0;
+    T minus_discharge[C::dim], convected = 0.0;
     darcy.minus_discharge(row, at, minus_discharge);
     for (int i = 0; i < C::dim; ++i) {
       const T minus_flow = density * minus_discharge[i];
-      transferred -= minus_flow * at.gradient[temperature][i];
+      convected -= minus_flow * at.gradient[temperature][i];
       out.flux[pressure][i] = minus_flow;
       out.flux[temperature][i] = soil.conductivity * at.gradient[temperature][i];
     }
     out.storage[pressure] = 0.0;
-    out.storage[temperature] = soil.water_capacity() * transferred;
+    out.storage[temperature] = soil.water_capacity() * convected;
   }
 };
 

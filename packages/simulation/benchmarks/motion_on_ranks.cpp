@@ -59,7 +59,7 @@ void remesh(ModelFixture& fixture) {
   forget_peak();
   comm.barrier();
   const double start = Teuchos::Time::wallTime();
-  const MeshReceipt receipt = take_over(model, stage, next).receipt;
+  const MeshReceipt receipt = transfer_from(model, stage, next).receipt;
   comm.barrier();
   const double wall = Teuchos::Time::wallTime() - start, first = comm.getRank() == 0 && comm.getSize() > 1 ? 0.0 : 1.0;
   const double most_alone = largest(comm, first * alone), most_both = largest(comm, first * both),

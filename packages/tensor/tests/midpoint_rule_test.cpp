@@ -134,7 +134,7 @@ TEST(MidpointRule, VariationsAgreeWithDifferences) {
       double tensor[6];
       rule.increment(tensor);
       for (int c = 3; c < 6; ++c) tensor[c] *= 0.5;
-      MidpointRule<3>::turn_stress(turn, tensor, turned);
+      MidpointRule<3>::stress_rotation_rate(turn, tensor, turned);
       for (int c = 0; c < 6; ++c)
         EXPECT_NEAR(e[c] + (c < 3 ? 1 : 2) * turned[c], (ahead[c] - behind[c]) / (2 * h), 1e-9) << j << m << c;
       const Mat<double, 3> W = {{{0, -turn[2], turn[1]}, {turn[2], 0, -turn[0]}, {-turn[1], turn[0], 0}}};

@@ -1,4 +1,4 @@
-#include "ale/kept_gaps.hpp"
+#include "ale/fixed_gaps.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace mudline {
 
-Point KeptGaps::kept(const SurfaceFace& face, const FacePlace& place, const Point& at, double span) {
+Point FixedGaps::kept(const SurfaceFace& face, const FacePlace& place, const Point& at, double span) {
   double N[9], dN[18], gap = 0, least = 1e300, most = -1e300;
   evaluate_shape(face.shape, place.data(), N, dN);
   for (int a = 0; a < num_nodes(face.shape); ++a) {

@@ -1,4 +1,4 @@
-#include "simulation/body_way.hpp"
+#include "simulation/body_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ double distance(const PlanePoint& a, const PlanePoint& b) { return std::hypot(a[
 
 }  // namespace
 
-BodyWay::BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions)
+BodyPath::BodyPath(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions)
     : body_(body), positions_(positions) {
   for (const Point& p : body.outline(body.initial_placement()))
     radius_ = std::max(radius_, std::abs(p[0] - body.initial_position()[0]));
@@ -26,7 +26,7 @@ BodyWay::BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& m
   find_boundaries(model, mesh);
 }
 
-void BodyWay::follow(const Model& model) {
+void BodyPath::follow(const Model& model) {
   BodyState now;
   std::shared_ptr<const BodyMotion> before;
   double time = 0;
@@ -47,7 +47,7 @@ void BodyWay::follow(const Model& model) {
   }
 }
 
-void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
+void BodyPath::find_surface(const Model& model, const GhostedMesh& mesh) {
   std::set<int> nodes;
   const double middle = body_.initial_position()[0];
   for (const auto& [name, contact] : model.contacts()) {
@@ -70,7 +70,7 @@ void BodyWay::find_surface(const Model& model, const GhostedMesh& mesh) {
 
 /// Finds the corner at which the mesh was made for the body's edge: the end of a side set that is a part of the
 /// surface.
-void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
+void BodyPath::find_corner(const GhostedMesh& mesh, const std::string& surface) {
   std::map<std::string, std::vector<const GhostedMesh::BoundarySide*>> parts;
   std::set<std::string> others;  // sets that reach beyond the surface
   for (const auto& side : mesh.boundary())
@@ -99,7 +99,7 @@ void BodyWay::find_corner(const GhostedMesh& mesh, const std::string& surface) {
 
 /// Finds the boundaries between regions: where the soil changes, or all of them where the mesh moves and regions keep
 /// their common nodes.
-void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
+void BodyPath::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   if (surface_.empty()) return;
   const auto& blocks = model.mesh().blocks();
   for (const auto& side : mesh.boundary()) {
@@ -114,19 +114,19 @@ void BodyWay::find_boundaries(const Model& model, const GhostedMesh& mesh) {
   }
 }
 
-ContourProjection BodyWay::projection_at(const PlanePoint& displacement, const PlanePoint& point) const {
+ContourProjection BodyPath::projection_at(const PlanePoint& displacement, const PlanePoint& point) const {
   BodyPlacement placement = body_.initial_placement();
   for (int i = 0; i < 2; ++i) placement.centre[i] += displacement[i];
   return body_.closest(placement, point);
 }
 
-double BodyWay::gap(const PlanePoint& displacement) const {
+double BodyPath::gap(const PlanePoint& displacement) const {
   double least = 1e300;
   for (int node : surface_) least = std::min(least, gap_at(displacement, in_plane(positions_[node])));
   return least;
 }
 
-std::optional<std::size_t> BodyWay::arrival() const {
+std::optional<std::size_t> BodyPath::arrival() const {
   const double touching = 1e-6 * radius_;
   double left = first_gap();  // lower bound of the gap
   for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -138,7 +138,7 @@ std::optional<std::size_t> BodyWay::arrival() const {
   return std::nullopt;
 }
 
-bool BodyWay::leaves() const {
+bool BodyPath::leaves() const {
   const double rounding = 1e-3 * radius_, start = first_gap();
   PlanePoint step{0, 0};
   if (places_.size() > 1) {
@@ -151,7 +151,7 @@ bool BodyWay::leaves() const {
   return step[1] > 0 && gap(step) > start + rounding;
 }
 
-double BodyWay::largest_speed() const {
+double BodyPath::largest_speed() const {
   double fastest = 0;
   for (std::size_t i = 1; i < places_.size(); ++i)
     if (places_[i].time > places_[i - 1].time)
@@ -160,7 +160,7 @@ double BodyWay::largest_speed() const {
   return fastest;
 }
 
-double BodyWay::lowest() const {
+double BodyPath::lowest() const {
   double lowest = 1e300;
   if (release() && release()->releases(1)) {
     for (std::size_t i = 0; i < positions_.size(); ++i) lowest = std::min(lowest, positions_[i][1]);
@@ -172,7 +172,7 @@ double BodyWay::lowest() const {
   return lowest + down;
 }
 
-std::pair<double, double> BodyWay::start_of_fall() const {
+std::pair<double, double> BodyPath::start_of_fall() const {
   if (!release()) return {0, 0};
   Point velocity{}, spin{};
   release()->initial_velocity(velocity, spin);
@@ -184,7 +184,7 @@ std::pair<double, double> BodyWay::start_of_fall() const {
   return {velocity[1], mass > 0 ? up.v / mass : 0.0};
 }
 
-std::string BodyWay::crossing() const {
+std::string BodyPath::crossing() const {
   const double inside = -0.01 * radius_;
   for (const Boundary& boundary : boundaries_) {
     double left = gap_at({0, 0}, boundary.at);
@@ -204,7 +204,7 @@ std::string BodyWay::crossing() const {
   return "";
 }
 
-std::string BodyWay::crossing_below(double below) const {
+std::string BodyPath::crossing_below(double below) const {
   if (!release() || !release()->releases(1)) return "";
   const PlanePoint& last = places_.back().displacement;
   const double tip = body_.initial_position()[1] + last[1], middle = body_.initial_position()[0] + last[0];

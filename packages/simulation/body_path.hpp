@@ -13,14 +13,14 @@ namespace mudline {
 
 /// The prescribed path of a body in the plane, as it is known before the run: from its place at the start through the
 /// stages, up to the first in which it is released, and the surfaces and region boundaries that it meets.
-class BodyWay {
+class BodyPath {
  public:
   struct Place {
     double time;                  // [s]
     Vec<double, 2> displacement;  // [m]
   };
   /// Not collective, but making `mesh` is.
-  BodyWay(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions);
+  BodyPath(const Model& model, const RigidBody& body, const GhostedMesh& mesh, const Positions& positions);
 
   const RigidBody& body() const { return body_; }
   /// Largest radius of the contour, or half its width [m].
