@@ -38,7 +38,7 @@ void check_probes(const Loaded& loaded) {
   for (const ProbeSettings& probe : loaded.output.probes)
     if (probe.at_node && ale && ale->remeshing())
       loaded.root->section("output").section("probes").fail(
-          "a node is lost where the mesh is made anew ('mesh motion/remeshing'); give the probe 'moves with' a body or "
+          "a node is lost when the mesh is remeshed ('mesh motion/remeshing'); give the probe 'moves with' a body or "
           "nothing",
           probe.name);
   for (const ProbeSettings& probe : loaded.output.probes) {

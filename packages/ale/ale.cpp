@@ -39,9 +39,9 @@ void AleParameters::parameters(Parameters& p) {
         "grains that a remap changes");
   p.passes_on("interior", "motion of the inside; see the mesh motion types; by default optimisation");
   p.section("boundary", boundary, "how boundary nodes slide");
-  p.passes_on("remap", "how the state is carried over; see the remap types; by default convection");
+  p.passes_on("remap", "how the state is transferred; see the remap types; by default convection");
   p.section("remeshing", remeshing,
-            "when and how the region, of triangles or tetrahedra, is meshed anew; absent: it is not");
+            "when and how the region, of triangles or tetrahedra, is remeshed; absent: it is not");
 }
 
 void Ale::document(Parameters& p) { AleParameters().parameters(p); }
@@ -96,10 +96,10 @@ std::string Ale::problem(const StateStore& store) const {
     if (info.points_per_element != b.points)
       return "the point data '" + info.name + "' have " + std::to_string(info.points_per_element) +
              " points per element where the soil has " + std::to_string(b.points) +
-             ": they cannot be carried along; declare them on the soil's points";
+             ": they cannot be transferred; declare them on the soil's points";
     for (const StateVariable& variable : info.variables)
       if (variable.remap == RemapRule::mass && handle != b.void_ratio)
-        return "the point data '" + info.name + "' are to be carried along by mass, which is for void ratios only";
+        return "the point data '" + info.name + "' are to be transferred by mass, which is for void ratios only";
   }
   return "";
 }

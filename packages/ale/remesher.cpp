@@ -44,7 +44,7 @@ double lowest_quality(const GlobalMesh& mesh) {
 
 void RemeshingParameters::parameters(Parameters& p) {
   p.add("when quality below", quality_below, "-", half_open(0, 1),
-        "the region is meshed anew when the smallest scaled Jacobian is below this");
+        "the region is remeshed when the smallest scaled Jacobian is below this");
   p.add("when side above", side_above, "-", positive(),
         "also when a side of its boundary (in space: an edge) is longer than so many times its wanted length; a new "
         "boundary has sides of up to 1.5 times theirs, so that less than this means whenever the steps between two "
@@ -121,7 +121,7 @@ void Remesher::check(const Section& section) const {
   for (const ElementBlock& block : mesh_.mesh().blocks())
     if (!is_simplex(block.shape))
       section.fail(std::string("the mesh has cells ") + name(block.shape) +
-                   "; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be made anew");
+                   "; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed");
   if (in_space()) check_space(section);
 }
 
@@ -140,9 +140,8 @@ void Remesher::find_names(const Section& section) {
     std::vector<std::string> different;
     std::set_symmetric_difference(names->second.begin(), names->second.end(), side.sets.begin(), side.sets.end(),
                                   std::back_inserter(different));
-    section.fail(
-        "the side set '" + different.front() +
-        "' has sides of two regions on one surface between them: it would be lost where the mesh is made anew");
+    section.fail("the side set '" + different.front() +
+                 "' has sides of two regions on one surface between them: it would be lost when the mesh is remeshed");
   }
 }
 
@@ -164,11 +163,11 @@ void Remesher::check_sets(const Section& section) const {
   for (const auto& [name, sides] : mesh_.mesh().side_sets())
     if (named[name] != mesh_.sum(static_cast<double>(sides.size())))
       section.fail("the side set '" + name +
-                   "' is not made of whole boundaries of regions: it would be lost where the mesh is made anew");
+                   "' is not made of whole boundaries of regions: it would be lost when the mesh is remeshed");
   for (const auto& [name, nodes] : mesh_.node_sets())
     for (int node : nodes)
       if (!keeps(node))
-        section.fail("the point set '" + name + "' would be lost where the mesh is made anew" +
+        section.fail("the point set '" + name + "' would be lost when the mesh is remeshed" +
                      "; name it in boundary/corners, or a side set that it lies on in boundary/material sides");
 }
 

@@ -42,7 +42,7 @@ void MumpsSolver::parameters(Parameters& p) {
         "Keep a factorisation as a preconditioner for the following matrices until it takes too many iterations");
   p.add(
       "reuse iterations", reuse_iterations_, "-", closed(1, 100),
-      "Iterations with an old factorisation after which the matrix is factored anew; a factorisation costs about ten");
+      "Iterations with an old factorisation after which the matrix is factored again; a factorisation costs about ten");
   p.add("reproducible", reproducible_,
         "On several ranks, factor on the first alone, so that a repeated run gives the same bits; false: on all ranks, "
         "which is "

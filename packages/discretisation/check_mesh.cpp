@@ -113,7 +113,7 @@ void check_sides(const GlobalMesh& mesh) {
       throw InputError("neighbours do not fit: the corners of their common side go round in different orders, one is" +
                        where());
     if (seen.mid_side_node != mid_side_node)
-      throw InputError("neighbours do not share the middle node of their common " +
+      throw InputError("neighbours do not share the node in the middle of their common " +
                        (corners == 2 ? "side from " + corner(std::min(nodes[0], nodes[1])) + " to " +
                                            corner(std::max(nodes[0], nodes[1]))
                                      : "face at " + place_text(mesh.coordinates[nodes.back()], 3)));
@@ -135,7 +135,7 @@ void check_edges(const GlobalMesh& mesh) {
       const std::size_t number = table.number(sorted_key(corners, 2));
       if (number == mid_side_nodes.size()) mid_side_nodes.push_back(mid_side_node);
       if (mid_side_nodes[number] == mid_side_node) continue;
-      throw InputError("neighbours do not share the middle node of their common edge from " +
+      throw InputError("neighbours do not share the node in the middle of their common edge from " +
                        place_text(mesh.coordinates[corners[0]], 3) + " to " +
                        place_text(mesh.coordinates[corners[1]], 3));
     }

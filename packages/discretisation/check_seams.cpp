@@ -140,7 +140,7 @@ void Seams::refuse(const SeamSide& smaller, const SeamSide& larger) const {
   const std::vector<int> joined = common(smaller, larger);
   if (static_cast<int>(joined.size()) == smaller.corners)
     throw InputError("elements do not fit: the " + name_of(smaller) + " of one has all its corners on the " +
-                     name_of(larger) + " of another, but not the same shape or middle nodes");
+                     name_of(larger) + " of another, but not the same shape or mid-side nodes");
   if (twins(smaller, larger))
     throw InputError("the mesh has a crack of twin nodes: two elements have a " + name_of(larger) + " each" + remedies);
   if (joined.empty())

@@ -70,7 +70,8 @@ void facing(const BodySetup& of, const Judge& judge) {
   if (of.surfaces.sides > 0)
     judge(of.surfaces.facing,
           of.called() + ": the cosine between the nearest sides of its contact's surface and its own surface there",
-          "name the side set that looks at the body as 'surface'; an open contour has its body on the left of its way");
+          "name the side set that looks at the body as 'surface'; an open contour has its body on the left of its "
+          "direction of travel");
 }
 
 void fit(const BodySetup& of, const Judge& judge) {
@@ -291,9 +292,10 @@ void way(const BodySetup& of, const Judge& judge) {
   for (const auto& place : of.places)
     farthest = std::max(farthest, length(place.displacement) + place.angle * of.size / 2);
   if (driven(of))
-    judge(farthest / of.surfaces.shortest,
-          of.called() + ": its prescribed way, " + told(farthest) + " m, over the shortest side of the surface",
-          "its motion does not move it within the stages: look at its function, the stages' durations and the ramp");
+    judge(
+        farthest / of.surfaces.shortest,
+        of.called() + ": its prescribed displacement, " + told(farthest) + " m, over the shortest side of the surface",
+        "its motion does not move it within the stages: look at its function, the stages' durations and the ramp");
 }
 
 void depth(const BodySetup& of, const Judge& judge) {
@@ -304,8 +306,8 @@ void depth(const BodySetup& of, const Judge& judge) {
   const double below = top - (of.box.low[of.up] + down);
   if (down < 0)
     judge(below / std::max(top - bottom, 1e-300),
-          of.called() + ": the depth that its prescribed way comes to, " + told(below) + " m, over the mesh's",
-          "velocity times duration is its way: look at units (mm/s, minutes), or make the mesh deeper");
+          of.called() + ": the depth that its prescribed path reaches, " + told(below) + " m, over the mesh's",
+          "velocity times duration is its displacement: look at units (mm/s, minutes), or make the mesh deeper");
 }
 
 void ways_aside(const BodySetup& of, const Judge& judge) {
@@ -315,10 +317,10 @@ void ways_aside(const BodySetup& of, const Judge& judge) {
     double far = 0;
     for (const auto& place : of.places) far = std::max(far, std::abs(place.displacement[i]));
     if (far > 0)
-      judge(
-          far / (mesh.high[i] - mesh.low[i]),
-          of.called() + ": its prescribed way along " + axis_names[i] + ", " + told(far) + " m, over the mesh's extent",
-          "velocity times duration is its way: look at units, or make the mesh wider");
+      judge(far / (mesh.high[i] - mesh.low[i]),
+            of.called() + ": its prescribed displacement along " + axis_names[i] + ", " + told(far) +
+                " m, over the mesh's extent",
+            "velocity times duration is its displacement: look at units, or make the mesh wider");
   }
 }
 
@@ -472,8 +474,8 @@ std::vector<BodyCheck> body_checks() {
       {{"initial spin", "rad/s", {0, 30}, "of a body in space"}, start_spin},
       {{"turned by", "rad", {0, 6.4}, "angle by which a prescribed motion turns a body"}, turned},
       {{"prescribed way", "-", {1e-4, any_size}, "of a body over the shortest side of its surface"}, way},
-      {{"prescribed depth", "-", {0, 0.95}, "depth that a prescribed way comes to, over the mesh's"}, depth},
-      {{"way aside", "-", {0, 0.75}, "prescribed way across the vertical over the mesh's extent"}, ways_aside},
+      {{"prescribed depth", "-", {0, 0.95}, "depth that a prescribed path reaches, over the mesh's"}, depth},
+      {{"way aside", "-", {0, 0.75}, "prescribed displacement across the vertical over the mesh's extent"}, ways_aside},
       {{"ramp time", "-", {0, 1}, "of a prescribed velocity over the stage's duration"}, ramp},
       {{"rise", "-", {-any_size, 0}, "way or speed by which a body in space moves away from the soil"},
        leaves_in_space},

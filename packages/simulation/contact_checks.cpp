@@ -44,7 +44,7 @@ void augmented_penalty(const ContactSetup& of, const Judge& judge) {
 void penalty_factor(const ContactSetup& of, const Judge& judge) {
   if (of.entry.has_parameter("penalty factor"))
     judge(number_in(of.entry, "penalty factor", 10), of.called() + ": its 'penalty factor'",
-          "below 1 the contact gives way more than the soil, far above 1000 Newton's method has a hard time");
+          "below 1 the contact deforms more than the soil, far above 1000 Newton's method has a hard time");
 }
 
 Section friction_of(const ContactSetup& of) { return of.entry.section("friction"); }

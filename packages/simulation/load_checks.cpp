@@ -241,10 +241,10 @@ Findings prescribed_displacement(const Setup& setup) {
       }
     }
     if (distance > 0)
-      found.push_back(
-          {distance / longest,
-           called(condition) + "its largest way, " + told(distance) + " m, over the largest extent of the mesh,",
-           "give m and m/s (-5 may be mm)"});
+      found.push_back({distance / longest,
+                       called(condition) + "its largest displacement, " + told(distance) +
+                           " m, over the largest extent of the mesh,",
+                       "give m and m/s (-5 may be mm)"});
   }
   return found;
 }

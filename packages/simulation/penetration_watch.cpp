@@ -30,11 +30,12 @@ double depth_of(const std::string& contact, const Report& report) {
 }  // namespace
 
 void PenetrationWatch::declare(Doubts& doubts) {
-  doubts.declare({of_displacement,
-                  "-",
-                  {0, 0.15},
-                  "of a contact during the run: penetration over the way that the body has come since it touched (two "
-                  "surfaces: over the way of their nodes)"});
+  doubts.declare(
+      {of_displacement,
+       "-",
+       {0, 0.15},
+       "of a contact during the run: penetration over the distance that the body has moved since it touched (two "
+       "surfaces: over the distance that their nodes have moved)"});
   doubts.declare({of_side,
                   "-",
                   {0, 0.5},
@@ -168,9 +169,10 @@ void PenetrationWatch::look_at(const Model& model, const std::string& name, cons
   const Pressed at = pressed(model, name, contact);
   const double side = at.side > 0 ? at.side : shortest;
   const std::string numbers = "its penetration, " + told(depth) + " m at t " + told(time, "%.6g") +
-                              " s after a way of " + told(record.displacement) + " m in sides of " + told(side) + " m,";
+                              " s after a distance of " + told(record.displacement) + " m in sides of " + told(side) +
+                              " m,";
   const std::string soil = "the penalty of " + told(at.penalty) +
-                           " Pa/m gives way, not the soil, whose stiffness over height is " + told(at.stiffness) +
+                           " Pa/m deforms, not the soil, whose stiffness over height is " + told(at.stiffness) +
                            " Pa/m";
   const auto advice = [&](double share, const std::string& quantity) {
     const double wanted = std::max(at.penalty * share / (0.5 * doubts_.highest(quantity)), 10 * at.stiffness);
@@ -183,7 +185,7 @@ void PenetrationWatch::look_at(const Model& model, const std::string& name, cons
     double share;
     bool applies;
     const char* over;
-  } shares[] = {{of_displacement, share_of_displacement, far && more > least * side, "the way"},
+  } shares[] = {{of_displacement, share_of_displacement, far && more > least * side, "the distance"},
                 {of_side, depth / side, true, "the side"},
                 {of_width, share_of_width, true, "the body's half width"}};
   for (const auto& [quantity, share, applies, over] : shares) {
@@ -210,7 +212,7 @@ void PenetrationWatch::Record::keep(double depth, double share, double time) {
 void PenetrationWatch::tell_end() const {
   for (const auto& [name, record] : records_)
     if (record.worst > 0)
-      log::warn("contact '" + name + "' gave way during the run: its penetration was " + told(record.worst_depth) +
+      log::warn("contact '" + name + "' was too soft during the run: its penetration was " + told(record.worst_depth) +
                 " m, " + told(record.worst) + " of " + record.over + ", at t " + told(record.worst_time, "%.6g") +
                 " s (see plausibility/" + record.quantity + ")");
 }

@@ -125,10 +125,10 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), u
       const BodyPath path(model, *body, mesh, positions);
       const std::string crossed = path.crossing();
       if (!crossed.empty())
-        deck.section("bodies").section(name).fail("its prescribed way crosses the boundary between the regions " +
+        deck.section("bodies").section(name).fail("its prescribed path crosses the boundary between the regions " +
                                                   crossed +
                                                   ": a body cannot pass from one region to another, a film of the "
-                                                  "first would stay under its tip; end its way before, or make "
+                                                  "first would stay under its tip; end its path before, or make "
                                                   "them one region, of one material or of layers by the 'top' of "
                                                   "each material, which a body may cross");
       tell_body(path);

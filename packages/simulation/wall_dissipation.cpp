@@ -116,7 +116,7 @@ std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, cons
           "contact '%s': excess pore pressure on the wall %.3g -> %.3g kPa, but the mesh does not resolve its "
           "dissipation: elements there are %.2g m thick, more than half of %s %.2g m",
           name.c_str(), start->second.pressure / 1e3, now.pressure / 1e3, now.thickness,
-          width < way ? "the body's half width," : "the way that pressures diffuse in the stage,",
+          width < way ? "the body's half width," : "the distance that pressures diffuse in the stage,",
           std::min(width, way));
     else
       std::snprintf(text, sizeof text,

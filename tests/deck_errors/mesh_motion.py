@@ -45,5 +45,5 @@ DECKS = [
     Wrong("remeshing quality", part_of("remeshing", parameter("when quality below", "double", "1.0")),
           "mesh motion/remeshing/when quality below: 1 is out of range; allowed: [0, 1)"),
     Wrong("remeshing of quadrilaterals", part_of("remeshing"),
-          "mesh motion/remeshing: the mesh has cells quad9; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be made anew", ranks=BOTH),
+          "mesh motion/remeshing: the mesh has cells quad9; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed", ranks=BOTH),
 ]

@@ -314,7 +314,7 @@ class Layers(Telling):
     def test_a_prescribed_way_through_a_layer_is_refused(self):
         done = self.said(column(ELASTIC, layers="two soils", body=self.pin(2.5)))
         self.assertEqual(done.returncode, 2)
-        self.assertRegex(done.stderr, r"deck.xml:\d+: bodies/pin: its prescribed way crosses the boundary between the regions '(upper|lower)' and "
+        self.assertRegex(done.stderr, r"deck.xml:\d+: bodies/pin: its prescribed path crosses the boundary between the regions '(upper|lower)' and "
                          r"'(upper|lower)': a body cannot pass from one region to another")
         self.assertEqual(len(done.stderr.strip().splitlines()), 1)
         self.assertEqual(self.said(column(ELASTIC, layers="two soils", body=self.pin(1.9))).returncode, 0)

@@ -110,15 +110,15 @@ class Endings(MudlineCase):
         soft = "contacts/ball on clay/penalty=1e6"
         for ranks in (1, 2):
             first, last = warnings(soft, ranks=ranks)
-            found = re.match(r"warning: contact 'ball on clay': its penetration, ([\d.]+) m at t [\d.]+ s after a way of ([\d.]+) m in sides of ([\d.]+) m, "
-                             r"over the way is ([\d.]+), usual is 0 to 0.15 \(plausibility/penetration of way\): the penalty of 1e\+06 Pa/m gives way, not the "
+            found = re.match(r"warning: contact 'ball on clay': its penetration, ([\d.]+) m at t [\d.]+ s after a distance of ([\d.]+) m in sides of ([\d.]+) m, "
+                             r"over the distance is ([\d.]+), usual is 0 to 0.15 \(plausibility/penetration of way\): the penalty of 1e\+06 Pa/m deforms, not the "
                              r"soil, whose stiffness over height is [\d.e+]+ Pa/m; give a 'penalty' of ([\d.e+]+) Pa/m or more", first)
             self.assertIsNotNone(found, first)
             depth, way, side, share, wanted = (float(number) for number in found.groups())
             self.assertAlmostEqual(depth / way, share, delta=0.02)
             self.assertGreater(depth, 0.05 * side)
             self.assertGreater(wanted, 1e7)
-            self.assertRegex(last, r"\Awarning: contact 'ball on clay' gave way during the run: its penetration was [\d.]+ m, 0.9\d* of the way, at t ")
+            self.assertRegex(last, r"\Awarning: contact 'ball on clay' was too soft during the run: its penetration was [\d.]+ m, 0.9\d* of the distance, at t ")
         # what it advises is enough; the ranges are the deck's
         self.assertEqual(warnings(f"contacts/ball on clay/penalty={wanted}"), [])
         patient = [soft, "plausibility/penetration of way={0, 1}"]

@@ -59,7 +59,7 @@ TEST(CheckMesh, OverlapAndMisfit) {
   GlobalMesh crack;
   crack.coordinates = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 0.5}, {0.5, 0.5}};
   crack.blocks = {{"soil", CellShape::tri6, {0, 1, 2, 4, 5, 6, 0, 2, 3, 9, 7, 8}}};
-  EXPECT_CONTAINS(message(crack), "do not share the middle node of their common side from (0, 0) to (1, 1)");
+  EXPECT_CONTAINS(message(crack), "do not share the node in the middle of their common side from (0, 0) to (1, 1)");
 }
 
 TEST(CheckMesh, MixedOrders) {

@@ -112,13 +112,14 @@ TEST(CheckSpace, NeighboursShareMiddles) {
         nodes[a] = static_cast<long long>(mesh.coordinates.size()) - 1;
         break;
       }
-    EXPECT_CONTAINS(message(mesh), "neighbours do not share the middle node of their common edge from (");
+    EXPECT_CONTAINS(message(mesh), "neighbours do not share the node in the middle of their common edge from (");
   }
   GlobalMesh mesh = whole("hex27", 2, 1, 1);
   auto& nodes = mesh.blocks[0].nodes;
   mesh.coordinates.push_back(mesh.coordinates[nodes[27 + 20]]);  // the face at low x
   nodes[27 + 20] = static_cast<long long>(mesh.coordinates.size()) - 1;
-  EXPECT_CONTAINS(message(mesh), "neighbours do not share the middle node of their common face at (1, 0.5, 0.75)");
+  EXPECT_CONTAINS(message(mesh),
+                  "neighbours do not share the node in the middle of their common face at (1, 0.5, 0.75)");
 }
 
 TEST(CheckSpace, SoundMeshesHaveNoSeams) {

@@ -60,7 +60,7 @@ TEST(RevolvedSurface, PointsOnAndNearTheAxisOfASphere) {
     }
   const SurfaceProjection centre = ball->closest({0, 0, 0.7});  // all closest points are equally near
   EXPECT_NEAR(centre.gap, -0.7, 1e-13);
-  for (const auto& row : centre.turning)
+  for (const auto& row : centre.turning.at)
     for (const double value : row) EXPECT_TRUE(std::isfinite(value) && std::abs(value) < 10);
 }
 
@@ -141,7 +141,7 @@ TEST(RevolvedSurface, CylinderIsExactAndGoesOn) {
   const SurfaceProjection axis = pile->closest({0, 0, 5});
   EXPECT_NEAR(axis.gap, -0.5, 1e-13);
   EXPECT_NEAR(axis.normal[0], 1, 1e-13);
-  for (const auto& row : axis.turning)
+  for (const auto& row : axis.turning.at)
     for (const double value : row) EXPECT_EQ(value, 0);
   EXPECT_TRUE(std::isinf(pile->bounds().high[2]));
   EXPECT_NEAR(pile->bounds().high[0], 0.5, 0.002);

@@ -65,7 +65,7 @@ void remesh(ModelFixture& fixture) {
   const double most_alone = largest(comm, first * alone), most_both = largest(comm, first * both),
                most = largest(comm, first * peak());
   if (comm.getRank() == 0)
-    std::printf("| meshed anew: %lld | %d | %.3f | %.0f, %.0f, %.0f |%s\n", next.mesh().num_global_elements(),
+    std::printf("| remeshed: %lld | %d | %.3f | %.0f, %.0f, %.0f |%s\n", next.mesh().num_global_elements(),
                 comm.getSize(), wall, most_alone, most_both, most, receipt.moved ? "" : receipt.veto.c_str());
 }
 

@@ -218,12 +218,12 @@ class Ball(MudlineCase):
 
     def test_what_cannot_be_carried_over_is_refused(self):
         for overlay, expected in (
-            ({"output": {"probes": {"tip": [0.0, 0.3]}}}, "a node is lost where the mesh is made anew"),
+            ({"output": {"probes": {"tip": [0.0, 0.3]}}}, "a node is lost when the mesh is remeshed"),
             ({"boundary conditions": {"far": {"type": "absorbing", "set": "right"}}},
              "the boundary condition 'far' holds forces at nodes that would move; name its set in boundary/material sides"),
             ({"mesh motion": {"remeshing": ADAPTIVE}},
              "'adaptive' takes the sizes from the error estimate; it needs output/error estimate = true"),
-            ({"mesh": {"cell": "quad9"}}, "the mesh has cells quad9; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be made anew"),
+            ({"mesh": {"cell": "quad9"}}, "the mesh has cells quad9; only meshes of triangles (tri3, tri6) and tetrahedra (tet4, tet10) can be remeshed"),
         ):
             more = self.write("more.xml", deck_text("more", overlay))
             done = program(["run", "-q", self.deck, self.overlay, more], folder=self.folder)
