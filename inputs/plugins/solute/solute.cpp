@@ -32,13 +32,14 @@ struct Stored : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, rates = false;
   Darcy darcy;
-  double retardation, dt, theta;
+  ByMaterial<double> retardation;
+  double dt, theta;
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     const double e = darcy.void_ratio(row, 0);
     const T water = (1 - theta) * darcy.porosity(row, at) + theta * e / (1 + e) / at.volume_ratio;
     out.storage[0] = 0.0;
-    out.storage[concentration] = retardation / dt * water * at.change[concentration];
+    out.storage[concentration] = retardation(row) / dt * water * at.change[concentration];
   }
 };
 
@@ -47,7 +48,7 @@ struct Convected : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   Darcy darcy;
-  double diffusivity;
+  ByMaterial<double> diffusivity;
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     T minus_flow[C::dim];
@@ -56,7 +57,7 @@ struct Convected : PointLaw {
     for (int i = 0; i < C::dim; ++i) {
       out.storage[concentration] -= minus_flow[i] * at.gradient[concentration][i];
       out.flux[0][i] = 0.0;
-      out.flux[concentration][i] = diffusivity * at.gradient[concentration][i];
+      out.flux[concentration][i] = diffusivity(row) * at.gradient[concentration][i];
     }
   }
 };
@@ -72,10 +73,10 @@ class Solute : public Physics {
       section.fail("there is no pore water: name a physics of saturated soil before this one", "type");
     const int field = context.space.find("concentration");
     const auto blocks = std::make_shared<std::vector<FieldBlock>>();
-    std::vector<std::shared_ptr<const SoluteProperties>> values;  // by block
+    std::vector<std::shared_ptr<const SoluteProperties>> values;  // by material number
+    for (const auto& material : soil->materials)
+      values.push_back(material->require<SoluteProperties>("solute", context.materials_section));
     for (const SoilBlock& b : soil->blocks) {
-      if (b.made_of.size() > 1) section.fail("the solute knows no layers within one region", "type");
-      values.push_back(soil->any_of(b).require<SoluteProperties>("solute", context.materials_section));
       blocks->emplace_back(context.space, b.block, soil->displacement, std::vector<int>{soil->pressure, field}, 4);
       if (blocks->back().points != b.points)
         section.fail("the soil must keep its 'quadrature degree' of 4, at whose points the water flows", "type");
@@ -84,10 +85,13 @@ class Solute : public Physics {
       if (!view.flow) return;  // a geostatic stage takes no time
       for (std::size_t i = 0; i < blocks->size(); ++i) {
         const FieldBlock& b = (*blocks)[i];
+        const SoilBlock& of = soil->blocks[i];
+        const State& old = *view.committed;
         const LoopLevel end = end_level(view, b), balance = loop_level(view, view.balance, b);
-        const Darcy at_end(*soil, soil->blocks[i], view, b, end), at_balance(*soil, soil->blocks[i], view, b, balance);
-        add(b, end, Stored{{}, at_end, values[i]->retardation, view.dt, view.sensitivity[field].value});
-        add(b, balance, Convected{{}, at_balance, values[i]->diffusivity});
+        const ByMaterial<double> retardation(*soil, of, old, [&](int k) { return values[k]->retardation; });
+        const ByMaterial<double> diffusivity(*soil, of, old, [&](int k) { return values[k]->diffusivity; });
+        add(b, end, Stored{{}, Darcy(*soil, of, view, b, end), retardation, view.dt, view.sensitivity[field].value});
+        add(b, balance, Convected{{}, Darcy(*soil, of, view, b, balance), diffusivity});
       }
     };
     context.terms.push_back(loop_term("solute", Role::balance, soil->geometry, laws, blocks));

@@ -11,13 +11,13 @@ namespace {
 
 /// Density of the soil at the points of `at`, which has the elements of the soil's block b.
 struct BulkDensity {
-  Mixtures mixtures;
+  ByMaterial<Mixture> mixtures;
   PointView void_ratio;
   int points, soil_points;  // number of points per element: in `at`, and of those with a void ratio
   bool submerged;           // less the uplift of the water, alpha rho_f
 
   BulkDensity(const Soil& soil, const SoilBlock& b, const FieldBlock& at, const State& state, bool submerged_)
-      : mixtures(soil, b, state),
+      : mixtures(mudline::mixtures(soil, b, state)),
         void_ratio(state.arrays[b.void_ratio]),
         points(at.points),
         soil_points(b.points),

@@ -20,12 +20,11 @@ namespace {
 
 constexpr int pressure = 0, temperature = 1;  // indices among the scalar fields
 
-/// Heat and water at the points of one block.
+/// Heat and water of one material.
 struct WarmSoil {
   Mixture mixture;
   WaterHeat water;
   double grain_capacity, conductivity;
-  PointView void_ratio;
 
   double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
   /// Density of water over that at the reference temperature and zero pressure [-].
@@ -39,13 +38,14 @@ struct WarmSoil {
 struct Stored : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, rates = false, cancels = true;
-  WarmSoil soil;
+  ByMaterial<WarmSoil> soils;
+  PointView void_ratio;
   double dt, theta;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const double e = soil.void_ratio(row, 0), old_n = e / (1 + e),
-                 old_p = value(at.value[pressure] - at.change[pressure]),
+    const WarmSoil& soil = soils(row);
+    const double e = void_ratio(row, 0), old_n = e / (1 + e), old_p = value(at.value[pressure] - at.change[pressure]),
                  old_t = value(at.value[temperature] - at.change[temperature]);
     const T share = 1.0 / at.volume_ratio, n = soil.mixture.porosity(e, at);
     const T now = n * soil.density(at.value[pressure], at.value[temperature]),
@@ -62,11 +62,12 @@ struct Stored : PointLaw {
 struct Flows : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
-  WarmSoil soil;
+  ByMaterial<WarmSoil> soils;
   Darcy darcy;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    const WarmSoil& soil = soils(row);
     const T& t = at.value[temperature];
     const T density = soil.density(at.value[pressure], t);
     T minus_discharge[C::dim], convected = 0.0;
@@ -86,12 +87,12 @@ struct Flows : PointLaw {
 struct WarmGround {
   std::shared_ptr<const Soil> soil;
   WaterHeat water;
-  std::vector<std::shared_ptr<const HeatProperties>> heat;  // by block
+  std::vector<std::shared_ptr<const HeatProperties>> heat;  // by material number
 
-  WarmSoil at(const SoilBlock& b, const State& state) const {
-    const HeatProperties& own = *heat[b.block];
-    return {Mixture(*soil, b, soil->any_of(b), b), water, own.grain_capacity, own.conductivity,
-            state.arrays[b.void_ratio]};
+  ByMaterial<WarmSoil> at(const SoilBlock& b, const State& state) const {
+    return {*soil, b, state, [&](int k) {
+              return WarmSoil{Mixture(*soil, b, k, b), water, heat[k]->grain_capacity, heat[k]->conductivity};
+            }};
   }
 
   /// Heat above the reference temperature [J]. Collective.
@@ -101,20 +102,21 @@ struct WarmGround {
     level.x = state.coordinates;
     level.value = level.value_old = level.value_end = state.value;
     for (const SoilBlock& b : soil->blocks) {
-      const WarmSoil warm = at(b, state);
+      const ByMaterial<WarmSoil> soils = at(b, state);
+      const PointView void_ratio = state.arrays[b.void_ratio];
       with_element(soil->geometry, b, [&](auto coordinates, auto shapes) {
         using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
         const Loop loop{b, level};
         if constexpr (Loop::S > 1)
           for (int e = 0; e < b.elements; ++e)
-            loop.template for_each_point<false>(
-                e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& f) {
-                  const double ratio = warm.void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
-                               t = f.value[temperature];
-                  here += s.dv * (t - warm.mixture.reference) *
-                          ((1 - n) * warm.mixture.grain_density_at(t) * warm.grain_capacity +
-                           n * warm.density(f.value[pressure], t) * warm.water_capacity());
-                });
+            loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s,
+                                                       const typename Loop::Fields& f) {
+              const WarmSoil& warm = soils(e * b.points + q);
+              const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio), t = f.value[temperature];
+              here += s.dv * (t - warm.mixture.reference) *
+                      ((1 - n) * warm.mixture.grain_density_at(t) * warm.grain_capacity +
+                       n * warm.density(f.value[pressure], t) * warm.water_capacity());
+            });
       });
     }
     Teuchos::reduceAll(*soil->space->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
@@ -129,8 +131,9 @@ std::unique_ptr<Term> water_and_heat(std::shared_ptr<const WarmGround> ground) {
     if (!view.flow) return;
     const Soil& soil = *ground->soil;
     for (const SoilBlock& b : soil.blocks) {
-      const WarmSoil here = ground->at(b, *view.committed);
-      add(b, end_level(view, b), Stored{{}, here, view.dt, view.sensitivity[soil.temperature].value});
+      const ByMaterial<WarmSoil> here = ground->at(b, *view.committed);
+      add(b, end_level(view, b),
+          Stored{{}, here, view.committed->arrays[b.void_ratio], view.dt, view.sensitivity[soil.temperature].value});
       add(b, loop_level(view, view.balance, b), Flows{{}, here, Darcy(soil, b, view)});
     }
   });
@@ -164,15 +167,9 @@ void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
   soil_->water_expansion = water_.expansion;
   soil_->reference_temperature = reference_;
   soil_->viscosity_follows = viscosity_follows_;
-  for (SoilBlock& b : soil_->blocks) {
-    const SoilMaterial& material = soil_->any_of(b);
-    if (b.made_of.size() > 1)
-      context.materials_section.fail("mesh region '" + context.space.mesh().blocks()[b.block].region +
-                                         "' has layers, which physics 'thermo-hydro-mechanical' does not know; make "
-                                         "each a region of the mesh",
-                                     material.name);
-    heat.push_back(material.require<HeatProperties>("heat", context.materials_section));
-    b.grain_expansion = heat.back()->grain_expansion;
+  for (const auto& material : soil_->materials) {
+    heat.push_back(material->require<HeatProperties>("heat", context.materials_section));
+    soil_->grain_expansion.push_back(heat.back()->grain_expansion);
   }
   require_one_fluid_density(context.materials_section, "in physics 'thermo-hydro-mechanical'");
   const auto ground = std::make_shared<const WarmGround>(WarmGround{soil_, water_, heat});
