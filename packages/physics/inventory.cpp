@@ -18,7 +18,7 @@ Inventory take_inventory(const Soil& soil, const State& state) {
   level.rate = state.rate;
   level.acceleration = state.acceleration;
   for (const SoilBlock& b : soil.blocks) {
-    const Mixtures mixtures(soil, b, state);
+    const ByMaterial<Mixture> mixture_of = mixtures(soil, b, state);
     const PointView void_ratio = state.arrays[b.void_ratio];
     const std::size_t made_of = b.made_of.size();
     std::vector<Point> starts(b.points, Point{});
@@ -34,7 +34,7 @@ Inventory take_inventory(const Soil& soil, const State& state) {
         loop.template for_each_point<true>(e, [&](int q, const typename Loop::Shape& s,
                                                   const typename Loop::Fields& at) {
           const int row = e * b.points + q;
-          const Mixture& mixture = mixtures(row);
+          const Mixture& mixture = mixture_of(row);
           const double ratio = void_ratio(row, 0), n = ratio / (1 + ratio);
           const double mass = mixture.density(n, at) * s.dv;
           for (int i = 0; i < Loop::D; ++i) {
@@ -44,9 +44,8 @@ Inventory take_inventory(const Soil& soil, const State& state) {
           const double warmth = mixture.temperature >= 0 ? at.value[mixture.temperature] : mixture.reference;
           for (std::size_t k = 0; k < made_of; ++k) {
             const int material = b.made_of[k];
-            const double density =
-                made_of > 1 ? soil.materials[material]->grain_density : mixture.grain_density_at(warmth);
-            const double grains = shares[q * made_of + k] * (1 - n) * density * s.dv;
+            const double grains =
+                shares[q * made_of + k] * (1 - n) * mixture_of.of(material).grain_density_at(warmth) * s.dv;
             local[4] += grains;
             local[shared + material] += grains;
           }

@@ -27,7 +27,14 @@ struct Mixture {
   int pressure, temperature;         // indices among the scalar fields of the block that is looped over; -1: absent
 
   Mixture() = default;
-  /// `fields`: the block that is looped over, the soil's own or another one of the same elements.
+  /// The mixture of material `number` in block b. `fields`: the block that is looped over, the soil's own or another
+  /// one of the same elements.
+  Mixture(const Soil& soil, const SoilBlock& b, int number, const FieldBlock& fields)
+      : Mixture(soil, b, *soil.materials[number], fields) {
+    if (!soil.grain_expansion.empty()) grain_expansion = soil.grain_expansion[number];
+  }
+
+ private:
   Mixture(const Soil& soil, const SoilBlock& b, const SoilMaterial& material, const FieldBlock& fields)
       : alpha(material.biot_coefficient),
         grain_density(material.grain_density),
@@ -35,7 +42,7 @@ struct Mixture {
         fluid_compliance(
             b.porous() && std::isfinite(material.fluid->bulk_modulus()) ? 1 / material.fluid->bulk_modulus() : 0.0),
         grain_compliance(material.grain_bulk_modulus > 0 ? 1 / material.grain_bulk_modulus : 0.0),
-        grain_expansion(b.grain_expansion),
+        grain_expansion(0),
         fluid_expansion(soil.water_expansion),
         reference(soil.reference_temperature),
         permeability(material.permeability.get()),
@@ -44,6 +51,7 @@ struct Mixture {
         pressure(place_of_scalar(fields, soil.pressure)),
         temperature(place_of_scalar(fields, soil.temperature)) {}
 
+ public:
   /// Porosity after the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step.
   /// `warmer`: change of a temperature that is not among the scalar fields [K].
   template <class C, int S, class T>
@@ -85,17 +93,30 @@ struct Mixture {
   }
 };
 
-/// The mixture of every point of a block.
-struct Mixtures {
-  Kokkos::View<Mixture*> of;  // by material number
-  PointView which;
+/// Something that each material of a block has one of, found by point. T is trivially copyable.
+template <class T>
+struct ByMaterial {
+  Kokkos::View<T*> of;  // by material number
+  PointView which;      // (point, 0): material number
 
-  Mixtures(const Soil& soil, const SoilBlock& b, const State& state) : Mixtures(soil, b, state, b) {}
-  Mixtures(const Soil& soil, const SoilBlock& b, const State& state, const FieldBlock& fields)
-      : of("mixtures", soil.materials.size()), which(soil.which(b, state)) {
-    for (int k : b.made_of) of(k) = Mixture(soil, b, *soil.materials[k], fields);
+  ByMaterial() = default;
+  /// make(k): that of material k.
+  template <class Make>
+  ByMaterial(const Soil& soil, const SoilBlock& b, const State& state, const Make& make)
+      : of("by material", soil.materials.size()), which(soil.which(b, state)) {
+    for (int k : b.made_of) of(k) = make(k);
   }
-  KOKKOS_INLINE_FUNCTION const Mixture& operator()(int row) const { return of(static_cast<int>(which(row, 0))); }
+  KOKKOS_INLINE_FUNCTION const T& operator()(int row) const { return of(static_cast<int>(which(row, 0))); }
 };
+
+/// The mixtures of a block; `fields`: the block that is looped over, the soil's own or another one of the same
+/// elements.
+inline ByMaterial<Mixture> mixtures(const Soil& soil, const SoilBlock& b, const State& state,
+                                    const FieldBlock& fields) {
+  return {soil, b, state, [&](int k) { return Mixture(soil, b, k, fields); }};
+}
+inline ByMaterial<Mixture> mixtures(const Soil& soil, const SoilBlock& b, const State& state) {
+  return mixtures(soil, b, state, b);
+}
 
 }  // namespace mudline

@@ -31,7 +31,7 @@ class Biot : public SoilPhysics {
  protected:
   std::vector<std::string> scalar_fields() const override { return {"pore pressure"}; }
   void add_terms(PhysicsContext& context) override {
-    context.terms.push_back(std::make_unique<FluidMass>(soil_, fluid_acceleration_));
+    context.terms.push_back(fluid_mass(soil_, fluid_acceleration_));
     if (pair_ == Pair::equal_order) context.terms.push_back(std::make_unique<PressureProjection>(soil_));
   }
 

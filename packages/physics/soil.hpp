@@ -60,7 +60,6 @@ struct SoilBlock : FieldBlock {
   std::vector<int> made_of;  // indices of its materials in Soil::materials
   PointView start;           // index of the material of each point at the start
   int origin = -1;  // state handle: (material index, position of the soil at the start); -1: no region has layers
-  double grain_expansion = 0;                  // [1/K] volumetric, of grains and drained skeleton
   int stress = -1, void_ratio = -1, law = -1;  // state handles: effective stress; (e, initial e); law's own state
   bool porous() const { return scalars > 0; }
   FieldBlock mass;  // the same elements with enough points for a mass matrix of full rank
@@ -73,6 +72,8 @@ struct Soil {
   int displacement = -1, pressure = -1, temperature = -1;  // field indices; -1: not among the unknowns
   std::vector<std::shared_ptr<const SoilMaterial>> materials;
   std::vector<SoilBlock> blocks;
+  std::vector<double>
+      grain_expansion;  // by material number [1/K]: volumetric, of grains and drained skeleton; empty: 0
   double water_expansion = 0, reference_temperature = 0;  // [1/K] volumetric; [degC] at which densities are as given
   bool viscosity_follows = false;                         // the viscosity of the water depends on the temperature
   bool excess = false;  // pore pressures are in excess of water at rest, weights are submerged weights

@@ -21,11 +21,11 @@ void SoilPhysics::build(PhysicsContext& context, const Section& section) {
   if (porous() && excess_) require_one_fluid_density(context.materials_section, "with 'pore pressure' = 'excess'");
   if (porous() && !excess_) soil_->water_gravity = soil_->gravity;
   context.terms.push_back(std::make_unique<StressDivergence>(soil_));
-  context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::inertia));
-  context.terms.push_back(std::make_unique<BodyForce>(soil_, BodyForce::Kind::gravity, gravity_));
+  context.terms.push_back(inertia(soil_));
+  context.terms.push_back(weight(soil_, gravity_));
   add_terms(context);
   if (mass_damping_ > 0 || stiffness_damping_ > 0)
-    context.terms.push_back(std::make_unique<RayleighDamping>(soil_, mass_damping_, stiffness_damping_));
+    context.terms.push_back(rayleigh_damping(soil_, mass_damping_, stiffness_damping_));
   context.block_data = [soil = soil_](const StepView& view) { return soil_block_data(*soil, view, view.constrained); };
 }
 

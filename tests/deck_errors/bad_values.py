@@ -178,10 +178,9 @@ DECKS = [
     Wrong("layers with two waters", layers(MUD_TOP.format(0.1), (section("fluid"), section("fluid") + parameter("density", "double", "1025"))),
           "materials/mud/fluid: the layers 'clay' and 'mud' of mesh region 'soil' have different pore fluids: water does not stay with the "
           "layer; give both the same", at=section("fluid") + parameter("density", "double", "1025")),
-    Wrong("warm layers", [layers(MUD_TOP.format(0.1) + HEAT), (whole("permeability"), whole("permeability") + HEAT),
-                          ('value="biot"', 'value="thermo-hydro-mechanical"')],
-          "materials/clay: mesh region 'soil' has layers, which physics 'thermo-hydro-mechanical' does not know; make each a region of the "
-          "mesh", at=section("clay")),
+    Wrong("a layer without heat", [layers(MUD_TOP.format(0.1)), (whole("permeability"), whole("permeability") + HEAT),
+                                   ('value="biot"', 'value="thermo-hydro-mechanical"')],
+          "materials/mud: required section 'heat' is missing: a physics of this model needs it", at=section("mud")),
     Wrong("inclined layers at rest", layers(parameter("top", "string", "0.1 + x")),
           "physics/ground/initial state/type: the 'top' of a material of mesh region 'soil' varies with the place; use a stage of type "
           "'geostatic' from a uniform state", at=parameter("type", "string", "geostatic")),

@@ -321,6 +321,22 @@ class Plugins(MudlineCase):
             exact = heat.front(1.0, 1e-6 / 0.8 * thinner, 4e-7 / 0.8, depth, times[:2])
             np.testing.assert_allclose(warm.at(column, times[:2]) / 35000, exact, atol=3e-3)
 
+    def test_solute_in_layers(self):
+        """Layers of one kind are as one soil. Where the lower one holds back more, the front is slower there."""
+        text = text_of(self.example("solute/column.xml")).replace("build/", self.example("solute/build/"))
+        start, end = text.index('<ParameterList name="sand">'), text.index('  </ParameterList>\n  <ParameterList name="plugins">')
+        deep = text[start:end].replace('"sand"', '"deep"', 1).replace('name="porosity"', 'name="top" type="double" value="6.0"/>\n<Parameter name="porosity"', 1)
+        self.write("one.xml", text)
+        self.write("alike.xml", text[:end] + deep + text[end:])
+        self.write("slower.xml", text[:end] + deep.replace('name="retardation" type="double" value="2.0"', 'name="retardation" type="double" value="4.0"') + text[end:])
+        one, alike = self.run_deck("one.xml"), self.run_deck("alike.xml")
+        name = "probe/five metres/concentration"
+        np.testing.assert_allclose(alike[name], one[name], atol=1e-9)
+        arrives = 4 / 1.25e-6 + 1 / 0.625e-6  # four metres in the upper layer, one in the lower
+        stage = re.search(r'<ParameterList name="stages">\s*<ParameterList name="([^"]+)"', text).group(1)
+        slower = self.run_deck("slower.xml", [f"stages/{stage}/duration={arrives}"])
+        np.testing.assert_allclose(slower[name][-1], 0.5, atol=0.05)
+
     def test_solute_asks_for_its_properties(self):
         deck = self.example("solute/column.xml")
         self.write("without.xml", re.sub(r'<ParameterList name="solute">.*?</ParameterList>', "", text_of(deck), flags=re.S)

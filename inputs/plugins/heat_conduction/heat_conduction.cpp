@@ -5,7 +5,7 @@
 // the balance does not depend on the unknown displacements.
 #include <memory>
 
-#include "framework/element_loop.hpp"
+#include "framework/loop_term.hpp"
 #include "framework/physics.hpp"
 #include "simulation/plugin.hpp"
 
@@ -30,43 +30,6 @@ struct Heat : PointLaw {
   }
 };
 
-class HeatTerm : public Term {
- public:
-  HeatTerm(const Space& space, HeatParameters values)
-      : law_{{}, values}, field_(space.find("temperature")), geometry_(space.mesh().geometry()) {
-    for (std::size_t b = 0; b < space.mesh().blocks().size(); ++b)
-      blocks_.emplace_back(space, static_cast<int>(b), -1, std::vector<int>{field_}, 4);
-  }
-  std::string name() const override { return "heat"; }
-  Role role() const override { return Role::balance; }
-
-  void sparsity(Assembler& assembler) override {
-    for (FieldBlock& block : blocks_) block.group = assembler.add_group(block.dofs);
-  }
-  int residual(const StepView& view, const ResidualView& f) override {
-    int failures = 0;
-    if (view.flow)  // a geostatic stage takes no time
-      for (const FieldBlock& block : blocks_) failures += add_residual(geometry_, block, start(view, block), law_, f);
-    return failures;
-  }
-  void jacobian(const StepView& view, Assembler& assembler, double weight) override {
-    if (view.flow)
-      for (const FieldBlock& block : blocks_)
-        add_tangent(geometry_, block, start(view, block), law_, assembler.scatter(block.group), weight);
-  }
-
- private:
-  /// The configuration at the start of the step.
-  static LoopLevel start(const StepView& view, const FieldBlock& block) {
-    return loop_level(view, {view.time_old, view.x_old, 0.0}, block);
-  }
-
-  Heat law_;
-  int field_;
-  Geometry geometry_;
-  std::vector<FieldBlock> blocks_;
-};
-
 class HeatConduction : public Physics {
  public:
   void parameters(Parameters& p) {
@@ -77,7 +40,16 @@ class HeatConduction : public Physics {
   std::vector<Field> fields() const override { return {{"temperature", "K", "W", 1, Support::all_nodes, 1}}; }
   void build(PhysicsContext& context, const Section&) override {
     space_ = &context.space;
-    context.terms.push_back(std::make_unique<HeatTerm>(context.space, values_));
+    const auto blocks = std::make_shared<std::vector<FieldBlock>>();
+    const int count = static_cast<int>(context.space.mesh().blocks().size());
+    for (int b = 0; b < count; ++b)
+      blocks->emplace_back(context.space, b, -1, std::vector<int>{context.space.find("temperature")}, 4);
+    const auto laws = [law = Heat{{}, values_}, blocks](const StepView& view, auto&& add) {
+      if (!view.flow) return;  // a geostatic stage takes no time
+      const Level start{view.time_old, view.x_old, 0.0};
+      for (const FieldBlock& block : *blocks) add(block, loop_level(view, start, block), law);
+    };
+    context.terms.push_back(loop_term("heat", Role::balance, context.space.mesh().geometry(), laws, blocks));
   }
   void initialise(StateStore& store, const Section&) override {
     const auto& dof = space_->node_dof(space_->find("temperature"));

@@ -6,7 +6,7 @@
 // materials of the regions give the properties, the physics of the pore water gives the discharge.
 #include <memory>
 
-#include "framework/element_loop.hpp"
+#include "framework/loop_term.hpp"
 #include "framework/physics.hpp"
 #include "physics/biot/darcy.hpp"
 #include "simulation/plugin.hpp"
@@ -32,13 +32,14 @@ struct Stored : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, rates = false;
   Darcy darcy;
-  double retardation, dt, theta;
+  ByMaterial<double> retardation;
+  double dt, theta;
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     const double e = darcy.void_ratio(row, 0);
     const T water = (1 - theta) * darcy.porosity(row, at) + theta * e / (1 + e) / at.volume_ratio;
     out.storage[0] = 0.0;
-    out.storage[concentration] = retardation / dt * water * at.change[concentration];
+    out.storage[concentration] = retardation(row) / dt * water * at.change[concentration];
   }
 };
 
@@ -47,7 +48,7 @@ struct Convected : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
   Darcy darcy;
-  double diffusivity;
+  ByMaterial<double> diffusivity;
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     T minus_flow[C::dim];
@@ -56,70 +57,44 @@ struct Convected : PointLaw {
     for (int i = 0; i < C::dim; ++i) {
       out.storage[concentration] -= minus_flow[i] * at.gradient[concentration][i];
       out.flux[0][i] = 0.0;
-      out.flux[concentration][i] = diffusivity * at.gradient[concentration][i];
+      out.flux[concentration][i] = diffusivity(row) * at.gradient[concentration][i];
     }
   }
-};
-
-class SoluteBalance : public Term {
- public:
-  SoluteBalance(PhysicsContext& context, const Section& section) : soil_(context.shared.find<Soil>()) {
-    if (!soil_ || soil_->pressure < 0)
-      section.fail("there is no pore water: name a physics of saturated soil before this one", "type");
-    field_ = context.space.find("concentration");
-    for (const SoilBlock& soil : soil_->blocks) {
-      if (soil.made_of.size() > 1) section.fail("the solute knows no layers within one region", "type");
-      values_.push_back(soil_->any_of(soil).require<SoluteProperties>("solute", context.materials_section));
-      blocks_.emplace_back(context.space, soil.block, soil_->displacement, std::vector<int>{soil_->pressure, field_},
-                           4);
-      if (blocks_.back().points != soil.points)
-        section.fail("the soil must keep its 'quadrature degree' of 4, at whose points the water flows", "type");
-    }
-  }
-  std::string name() const override { return "solute"; }
-  Role role() const override { return Role::balance; }
-  void sparsity(Assembler& assembler) override {
-    for (FieldBlock& block : blocks_) block.group = assembler.add_group(block.dofs);
-  }
-  int residual(const StepView& view, const ResidualView& f) override {
-    int failures = 0;
-    for_each_law(view, [&](const FieldBlock& b, const LoopLevel& level, const auto& law) {
-      failures += add_residual(soil_->geometry, b, level, law, f);
-    });
-    return failures;
-  }
-  void jacobian(const StepView& view, Assembler& assembler, double weight) override {
-    for_each_law(view, [&](const FieldBlock& b, const LoopLevel& level, const auto& law) {
-      add_tangent(soil_->geometry, b, level, law, assembler.scatter(b.group), weight);
-    });
-  }
-
- private:
-  template <class F>
-  void for_each_law(const StepView& view, F&& f) const {
-    if (!view.flow) return;  // a geostatic stage takes no time
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      const FieldBlock& b = blocks_[i];
-      const SoilBlock& soil = soil_->blocks[i];
-      const LoopLevel end = end_level(view, b), balance = loop_level(view, view.balance, b);
-      const double theta = view.sensitivity[field_].value;
-      f(b, end, Stored{{}, Darcy(*soil_, soil, view, b, end), values_[i]->retardation, view.dt, theta});
-      f(b, balance, Convected{{}, Darcy(*soil_, soil, view, b, balance), values_[i]->diffusivity});
-    }
-  }
-
-  std::shared_ptr<Soil> soil_;
-  int field_;
-  std::vector<FieldBlock> blocks_;
-  std::vector<std::shared_ptr<const SoluteProperties>> values_;  // by block
 };
 
 class Solute : public Physics {
  public:
   void parameters(Parameters&) {}
   std::vector<Field> fields() const override { return {{"concentration", "kg/m3", "kg/s", 1, Support::vertices, 1}}; }
+
   void build(PhysicsContext& context, const Section& section) override {
-    context.terms.push_back(std::make_unique<SoluteBalance>(context, section));
+    const auto soil = context.shared.find<Soil>();
+    if (!soil || soil->pressure < 0)
+      section.fail("there is no pore water: name a physics of saturated soil before this one", "type");
+    const int field = context.space.find("concentration");
+    const auto blocks = std::make_shared<std::vector<FieldBlock>>();
+    std::vector<std::shared_ptr<const SoluteProperties>> values;  // by material number
+    for (const auto& material : soil->materials)
+      values.push_back(material->require<SoluteProperties>("solute", context.materials_section));
+    for (const SoilBlock& b : soil->blocks) {
+      blocks->emplace_back(context.space, b.block, soil->displacement, std::vector<int>{soil->pressure, field}, 4);
+      if (blocks->back().points != b.points)
+        section.fail("the soil must keep its 'quadrature degree' of 4, at whose points the water flows", "type");
+    }
+    const auto laws = [=](const StepView& view, auto&& add) {
+      if (!view.flow) return;  // a geostatic stage takes no time
+      for (std::size_t i = 0; i < blocks->size(); ++i) {
+        const FieldBlock& b = (*blocks)[i];
+        const SoilBlock& of = soil->blocks[i];
+        const State& old = *view.committed;
+        const LoopLevel end = end_level(view, b), balance = loop_level(view, view.balance, b);
+        const ByMaterial<double> retardation(*soil, of, old, [&](int k) { return values[k]->retardation; });
+        const ByMaterial<double> diffusivity(*soil, of, old, [&](int k) { return values[k]->diffusivity; });
+        add(b, end, Stored{{}, Darcy(*soil, of, view, b, end), retardation, view.dt, view.sensitivity[field].value});
+        add(b, balance, Convected{{}, Darcy(*soil, of, view, b, balance), diffusivity});
+      }
+    };
+    context.terms.push_back(loop_term("solute", Role::balance, soil->geometry, laws, blocks));
   }
 };
 

@@ -9,7 +9,7 @@ namespace mudline {
 /// their scalar fields and whose points are the soil's: w = -k(e)/gamma_w (grad p - rho_f g). With a temperature,
 /// viscosity and weight of the water depend on it, whether or not it is among the scalar fields.
 struct Darcy {
-  Mixtures mixture;
+  ByMaterial<Mixture> mixture;
   double gravity[3];     // [m/s2]
   double lift;           // fluid density whose weight excess pore pressures leave out [kg/m3]
   PointView void_ratio;  // (point; e and initial e) at the start of the step

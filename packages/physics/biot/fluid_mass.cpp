@@ -1,6 +1,6 @@
 #include "physics/biot/fluid_mass.hpp"
 
-#include "framework/element_loop.hpp"
+#include "framework/loop_term.hpp"
 #include "physics/biot/darcy.hpp"
 
 namespace mudline {
@@ -29,30 +29,18 @@ struct DarcyFlow : PointLaw {
 
 }  // namespace
 
-template <class F>
-void FluidMass::for_each_block(const StepView& view, F&& f) const {
-  for (const SoilBlock& b : soil_->blocks) {
-    const Darcy darcy(*soil_, b, view);
-    if (fluid_acceleration_ && view.inertia)
-      f(b, DarcyFlow<true>{{}, darcy});
-    else
-      f(b, DarcyFlow<false>{{}, darcy});
-  }
-}
-
-int FluidMass::residual(const StepView& view, const ResidualView& f) {
-  if (!view.flow) return 0;
-  int failures = 0;
-  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
-    failures += add_residual(soil_->geometry, b, loop_level(view, view.balance, b), law, f);
-  });
-  return failures;
-}
-
-void FluidMass::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  if (!view.flow) return;
-  for_each_block(view, [&](const SoilBlock& b, const auto& law) {
-    add_tangent(soil_->geometry, b, loop_level(view, view.balance, b), law, assembler.scatter(b.group), weight);
+std::unique_ptr<Term> fluid_mass(std::shared_ptr<const Soil> soil, bool fluid_acceleration) {
+  const Geometry geometry = soil->geometry;
+  return loop_term("fluid mass", Role::balance, geometry, [soil, fluid_acceleration](const StepView& view, auto&& add) {
+    if (!view.flow) return;
+    for (const SoilBlock& b : soil->blocks) {
+      const Darcy darcy(*soil, b, view);
+      const LoopLevel level = loop_level(view, view.balance, b);
+      if (fluid_acceleration && view.inertia)
+        add(b, level, DarcyFlow<true>{{}, darcy});
+      else
+        add(b, level, DarcyFlow<false>{{}, darcy});
+    }
   });
 }
 

@@ -2,40 +2,31 @@
 
 #include <cmath>
 
-#include "framework/element_loop.hpp"
+#include "framework/loop_term.hpp"
 #include "physics/mixture.hpp"
 
 namespace mudline {
 
 namespace {
 
-/// rho b with b = a (Inertia) or b = -g; with pore pressures in excess of water at rest the uplift of the water, alpha
-/// rho_f, is subtracted.
-template <bool Inertia>
-struct Weight : PointLaw {
-  static constexpr bool forces = true, inertia = Inertia, rates = Inertia;
-  Mixtures mixtures;
-  bool lifted;
-  double gravity[3], gravity_old[3];
+/// Density of the soil at the points of `at`, which has the elements of the soil's block b.
+struct BulkDensity {
+  ByMaterial<Mixture> mixtures;
   PointView void_ratio;
-  int points, soil_points;  // number of points per element: here, and those with a void ratio
+  int points, soil_points;  // number of points per element: in `at`, and of those with a void ratio
+  bool submerged;           // less the uplift of the water, alpha rho_f
 
-  template <class C, int S, class T>
-  KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const T rho = density_at(row, at);
-    for (int i = 0; i < C::dim; ++i) {
-      if constexpr (Inertia)
-        out.force[i] = rho * at.acceleration[i];
-      else
-        out.force[i] = rho * -gravity[i];
-      out.standing_force[i] = Inertia ? 0.0 : -value(rho) * gravity_old[i];
-    }
-  }
+  BulkDensity(const Soil& soil, const SoilBlock& b, const FieldBlock& at, const State& state, bool submerged_)
+      : mixtures(mudline::mixtures(soil, b, state)),
+        void_ratio(state.arrays[b.void_ratio]),
+        points(at.points),
+        soil_points(b.points),
+        submerged(submerged_) {}
 
   /// Density of the point. Where the points are not those of the soil, it is the density of the element: by its mean
   /// void ratio or, with several materials, the mean over its points.
   template <class C, int S, class T>
-  KOKKOS_INLINE_FUNCTION T density_at(int row, const PointFields<C, S, T>& at) const {
+  KOKKOS_INLINE_FUNCTION T operator()(int row, const PointFields<C, S, T>& at) const {
     if (points == soil_points) return density(mixtures(row), void_ratio(row, 0), at);
     const int first = row / points * soil_points;
     double ratio = 0;
@@ -49,9 +40,37 @@ struct Weight : PointLaw {
     for (int q = 0; q < soil_points; ++q) sum += density(mixtures(first + q), void_ratio(first + q, 0), at);
     return sum * (1.0 / soil_points);
   }
+
+ private:
   template <class C, int S, class T>
   KOKKOS_INLINE_FUNCTION T density(const Mixture& mixture, double ratio, const PointFields<C, S, T>& at) const {
-    return mixture.density(mixture.porosity(ratio, at), at) - (lifted ? mixture.alpha * mixture.fluid_density : 0.0);
+    return mixture.density(mixture.porosity(ratio, at), at) - (submerged ? mixture.alpha * mixture.fluid_density : 0.0);
+  }
+};
+
+struct InertiaForce : PointLaw {
+  static constexpr bool forces = true, inertia = true;
+  BulkDensity density;
+
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    const T rho = density(row, at);
+    for (int i = 0; i < C::dim; ++i) out.force[i] = rho * at.acceleration[i];
+  }
+};
+
+struct Weight : PointLaw {
+  static constexpr bool forces = true, rates = false;
+  BulkDensity density;
+  Point gravity, gravity_old;  // [m/s2] at the level, and at the start of the step
+
+  template <class C, int S, class T>
+  KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    const T rho = density(row, at);
+    for (int i = 0; i < C::dim; ++i) {
+      out.force[i] = rho * -gravity[i];
+      out.standing_force[i] = -value(rho) * gravity_old[i];
+    }
   }
 };
 
@@ -66,48 +85,24 @@ Point Gravity::up(int dimension) const {
   return result;
 }
 
-template <class F>
-void BodyForce::for_each_block(const StepView& view, F&& f) const {
-  const auto now = gravity_.at(view.momentum.time), old = gravity_.at(view.time_old);
-  for (const SoilBlock& b : soil_->blocks) {
-    const auto apply = [&](auto inertia) {
-      constexpr bool accelerates = decltype(inertia)::value;
-      const FieldBlock& at = accelerates ? b.mass : b;
-      f(at, Weight<accelerates>{{},
-                                Mixtures(*soil_, b, *view.committed),
-                                !accelerates && soil_->excess,
-                                {now[0], now[1], now[2]},
-                                {old[0], old[1], old[2]},
-                                view.committed->arrays[b.void_ratio],
-                                at.points,
-                                b.points});
-    };
-    if (kind_ == Kind::inertia)
-      apply(std::true_type{});
-    else
-      apply(std::false_type{});
-  }
-}
-
-bool BodyForce::active(const StepView& view) const {
-  if (kind_ == Kind::inertia) return view.inertia;
-  const auto g = gravity_.at(view.momentum.time);
-  return g != Point{};
-}
-
-int BodyForce::residual(const StepView& view, const ResidualView& f) {
-  if (!active(view)) return 0;
-  int failures = 0;
-  for_each_block(view, [&](const FieldBlock& b, const auto& law) {
-    failures += add_residual(soil_->geometry, b, loop_level(view, view.momentum, b), law, f);
+std::unique_ptr<Term> inertia(std::shared_ptr<const Soil> soil) {
+  const Geometry geometry = soil->geometry;
+  return loop_term("inertia", Role::inertia, geometry, [soil](const StepView& view, auto&& add) {
+    if (!view.inertia) return;
+    for (const SoilBlock& b : soil->blocks)
+      add(b.mass, loop_level(view, view.momentum, b.mass),
+          InertiaForce{{}, BulkDensity(*soil, b, b.mass, *view.committed, false)});
   });
-  return failures;
 }
 
-void BodyForce::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  if (!active(view)) return;
-  for_each_block(view, [&](const FieldBlock& b, const auto& law) {
-    add_tangent(soil_->geometry, b, loop_level(view, view.momentum, b), law, assembler.scatter(b.group), weight);
+std::unique_ptr<Term> weight(std::shared_ptr<const Soil> soil, const Gravity& gravity) {
+  const Geometry geometry = soil->geometry;
+  return loop_term("gravity", Role::force, geometry, [soil, gravity](const StepView& view, auto&& add) {
+    const Point now = gravity.at(view.momentum.time), old = gravity.at(view.time_old);
+    if (now == Point{}) return;
+    for (const SoilBlock& b : soil->blocks)
+      add(b, loop_level(view, view.momentum, b),
+          Weight{{}, BulkDensity(*soil, b, b, *view.committed, soil->excess), now, old});
   });
 }
 

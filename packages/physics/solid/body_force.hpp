@@ -19,27 +19,11 @@ struct Gravity {
   }
 };
 
-/// R_u = int N^T rho b dv at the alpha level with b = a (inertia) or b = -g (gravity); rho = n rho_f + (1-n) rho_s
-/// follows the deformation. With pore pressures in excess of water at rest, gravity acts on rho - alpha rho_f. Inertia
-/// and gravity are two instances so that the balances list them separately.
-class BodyForce : public Term {
- public:
-  enum class Kind { inertia, gravity };
-  BodyForce(std::shared_ptr<Soil> soil, Kind kind, Gravity gravity = {})
-      : soil_(std::move(soil)), kind_(kind), gravity_(gravity) {}
-  std::string name() const override { return kind_ == Kind::inertia ? "inertia" : "gravity"; }
-  Role role() const override { return kind_ == Kind::inertia ? Role::inertia : Role::force; }
-  int residual(const StepView& view, const ResidualView& f) override;
-  void jacobian(const StepView& view, Assembler& assembler, double weight) override;
+/// R_u = int N^T rho a dv at the alpha level; the bulk density rho = n rho_f + (1-n) rho_s follows the deformation.
+std::unique_ptr<Term> inertia(std::shared_ptr<const Soil> soil);
 
- private:
-  bool active(const StepView& view) const;
-  /// Calls f(block, law of balance).
-  template <class F>
-  void for_each_block(const StepView& view, F&& f) const;
-  std::shared_ptr<Soil> soil_;
-  Kind kind_;
-  Gravity gravity_;
-};
+/// R_u = -int N^T rho g dv at the alpha level, with the density of inertia(). With pore pressures in excess of water at
+/// rest, gravity acts on rho - alpha rho_f.
+std::unique_ptr<Term> weight(std::shared_ptr<const Soil> soil, const Gravity& gravity);
 
 }  // namespace mudline

@@ -1,6 +1,6 @@
 #include "physics/solid/rayleigh_damping.hpp"
 
-#include "framework/element_loop.hpp"
+#include "framework/loop_term.hpp"
 #include "physics/soil_points.hpp"
 
 namespace mudline {
@@ -30,30 +30,17 @@ struct Viscosity : PointLaw {
 
 }  // namespace
 
-template <class F>
-void RayleighDamping::for_each_block(const StepView& view, F&& f) const {
-  for (const SoilBlock& b : soil_->blocks) {
-    LoopLevel level = loop_level(view, {view.time_old, view.x_old, 0.0}, b);
-    level.rate = view.velocity;
-    level.displacement.rate = level.displacement.velocity;
-    f(b, level, Viscosity{{}, mass_factor_, stiffness_factor_, SoilPoints(*soil_, b, *view.committed)});
-  }
-}
-
-int RayleighDamping::residual(const StepView& view, const ResidualView& f) {
-  int failures = 0;
-  if (view.inertia)
-    for_each_block(view, [&](const SoilBlock& b, const LoopLevel& level, const auto& law) {
-      failures += add_residual(soil_->geometry, b, level, law, f);
-    });
-  return failures;
-}
-
-void RayleighDamping::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  if (view.inertia)
-    for_each_block(view, [&](const SoilBlock& b, const LoopLevel& level, const auto& law) {
-      add_tangent(soil_->geometry, b, level, law, assembler.scatter(b.group), weight);
-    });
+std::unique_ptr<Term> rayleigh_damping(std::shared_ptr<const Soil> soil, double mass_factor, double stiffness_factor) {
+  const Geometry geometry = soil->geometry;
+  return loop_term("Rayleigh damping", Role::force, geometry, [=](const StepView& view, auto&& add) {
+    if (!view.inertia) return;
+    for (const SoilBlock& b : soil->blocks) {
+      LoopLevel level = loop_level(view, {view.time_old, view.x_old, 0.0}, b);
+      level.rate = view.velocity;
+      level.displacement.rate = level.displacement.velocity;
+      add(b, level, Viscosity{{}, mass_factor, stiffness_factor, SoilPoints(*soil, b, *view.committed)});
+    }
+  });
 }
 
 }  // namespace mudline

@@ -43,7 +43,7 @@ KOKKOS_INLINE_FUNCTION bool find_motion(const PointFields<C, S, T>& at, Midpoint
 /// material.
 struct TotalStress : PointLaw {
   static constexpr bool stresses = true, stands = true, rates = false;
-  Mixtures mixtures;
+  ByMaterial<Mixture> mixtures;
   PointView stress, stress_old;
   ConstPointView tangent;  // of the batch
   int first_row = 0;       // of the batch
@@ -156,7 +156,7 @@ template <class Loop>
 struct Staging {
   Loop loop;
   int first;  // element of the batch's first row
-  Mixtures mixtures;
+  ByMaterial<Mixture> mixtures;
   LawInput to;
   PointView stress, law, void_ratio_old, void_ratio;  // (point, component): committed, and trial void ratio
 
@@ -286,7 +286,7 @@ int StressUpdate::stage_motion(int first, int last) {
     const State &old = *view_.committed, &now = *view_.trial;
     const Staging<Loop> staging{{block_, level_},
                                 first,
-                                Mixtures(soil_, block_, old),
+                                mudline::mixtures(soil_, block_, old),
                                 input_,
                                 old.arrays[block_.stress],
                                 old.arrays[block_.law],
@@ -351,7 +351,7 @@ std::string StressUpdate::describe(const SoilMaterial& material, int row, int po
 }
 
 TotalStress total_stress(const Soil& soil, const SoilBlock& b, const StepView& view) {
-  return {{}, Mixtures(soil, b, *view.committed), view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
+  return {{}, mixtures(soil, b, *view.committed), view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
 }
 
 }  // namespace

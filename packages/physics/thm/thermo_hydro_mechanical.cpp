@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/element_loop.hpp"
+#include "framework/loop_term.hpp"
 #include "physics/biot/darcy.hpp"
 
 namespace mudline {
@@ -20,12 +20,11 @@ namespace {
 
 constexpr int pressure = 0, temperature = 1;  // indices among the scalar fields
 
-/// Heat and water at the points of one block.
+/// Heat and water of one material.
 struct WarmSoil {
   Mixture mixture;
   WaterHeat water;
   double grain_capacity, conductivity;
-  PointView void_ratio;
 
   double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
   /// Density of water over that at the reference temperature and zero pressure [-].
@@ -39,13 +38,14 @@ struct WarmSoil {
 struct Stored : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, rates = false, cancels = true;
-  WarmSoil soil;
+  ByMaterial<WarmSoil> soils;
+  PointView void_ratio;
   double dt, theta;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
-    const double e = soil.void_ratio(row, 0), old_n = e / (1 + e),
-                 old_p = value(at.value[pressure] - at.change[pressure]),
+    const WarmSoil& soil = soils(row);
+    const double e = void_ratio(row, 0), old_n = e / (1 + e), old_p = value(at.value[pressure] - at.change[pressure]),
                  old_t = value(at.value[temperature] - at.change[temperature]);
     const T share = 1.0 / at.volume_ratio, n = soil.mixture.porosity(e, at);
     const T now = n * soil.density(at.value[pressure], at.value[temperature]),
@@ -62,11 +62,12 @@ struct Stored : PointLaw {
 struct Flows : PointLaw {
   static constexpr int fields = 2;
   static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
-  WarmSoil soil;
+  ByMaterial<WarmSoil> soils;
   Darcy darcy;
 
   template <class C, int S, class T>
   void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+    const WarmSoil& soil = soils(row);
     const T& t = at.value[temperature];
     const T density = soil.density(at.value[pressure], t);
     T minus_discharge[C::dim], convected = 0.0;
@@ -82,24 +83,16 @@ struct Flows : PointLaw {
   }
 };
 
-class WaterAndHeat : public Term {
- public:
-  WaterAndHeat(std::shared_ptr<Soil> soil, WaterHeat water, std::vector<std::shared_ptr<const HeatProperties>> heat)
-      : soil_(std::move(soil)), water_(water), heat_(std::move(heat)) {}
-  std::string name() const override { return "water and heat"; }
-  Role role() const override { return Role::balance; }
+/// Heat and water of the whole soil.
+struct WarmGround {
+  std::shared_ptr<const Soil> soil;
+  WaterHeat water;
+  std::vector<std::shared_ptr<const HeatProperties>> heat;  // by material number
 
-  int residual(const StepView& view, const ResidualView& f) override {
-    int failures = 0;
-    for_each_law(view, [&](const SoilBlock& b, const LoopLevel& level, const auto& law) {
-      failures += add_residual(soil_->geometry, b, level, law, f);
-    });
-    return failures;
-  }
-  void jacobian(const StepView& view, Assembler& assembler, double weight) override {
-    for_each_law(view, [&](const SoilBlock& b, const LoopLevel& level, const auto& law) {
-      add_tangent(soil_->geometry, b, level, law, assembler.scatter(b.group), weight);
-    });
+  ByMaterial<WarmSoil> at(const SoilBlock& b, const State& state) const {
+    return {*soil, b, state, [&](int k) {
+              return WarmSoil{Mixture(*soil, b, k, b), water, heat[k]->grain_capacity, heat[k]->conductivity};
+            }};
   }
 
   /// Heat above the reference temperature [J]. Collective.
@@ -108,50 +101,43 @@ class WaterAndHeat : public Term {
     LoopLevel level;
     level.x = state.coordinates;
     level.value = level.value_old = level.value_end = state.value;
-    for (const SoilBlock& b : soil_->blocks) {
-      const WarmSoil soil = warm_soil(b, state);
-      with_element(soil_->geometry, b, [&](auto coordinates, auto shapes) {
+    for (const SoilBlock& b : soil->blocks) {
+      const ByMaterial<WarmSoil> soils = at(b, state);
+      const PointView void_ratio = state.arrays[b.void_ratio];
+      with_element(soil->geometry, b, [&](auto coordinates, auto shapes) {
         using Loop = ElementLoop<decltype(coordinates), decltype(shapes)>;
         const Loop loop{b, level};
         if constexpr (Loop::S > 1)
           for (int e = 0; e < b.elements; ++e)
-            loop.template for_each_point<false>(
-                e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& at) {
-                  const double ratio = soil.void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
-                               t = at.value[temperature];
-                  here += s.dv * (t - soil.mixture.reference) *
-                          ((1 - n) * soil.mixture.grain_density_at(t) * soil.grain_capacity +
-                           n * soil.density(at.value[pressure], t) * soil.water_capacity());
-                });
+            loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s,
+                                                       const typename Loop::Fields& f) {
+              const WarmSoil& warm = soils(e * b.points + q);
+              const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio), t = f.value[temperature];
+              here += s.dv * (t - warm.mixture.reference) *
+                      ((1 - n) * warm.mixture.grain_density_at(t) * warm.grain_capacity +
+                       n * warm.density(f.value[pressure], t) * warm.water_capacity());
+            });
       });
     }
-    Teuchos::reduceAll(*soil_->space->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
+    Teuchos::reduceAll(*soil->space->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
     return everywhere;
   }
-
- private:
-  WarmSoil warm_soil(const SoilBlock& b, const State& state) const {
-    const HeatProperties& heat = *heat_[b.block];
-    const SoilMaterial& material = soil_->any_of(b);
-    return {Mixture(*soil_, b, material, b), water_, heat.grain_capacity, heat.conductivity,
-            state.arrays[b.void_ratio]};
-  }
-
-  /// Calls f(block, level, law); makes no call in a geostatic stage, which takes no time.
-  template <class F>
-  void for_each_law(const StepView& view, F&& f) const {
-    if (!view.flow) return;
-    for (const SoilBlock& b : soil_->blocks) {
-      const WarmSoil soil = warm_soil(b, *view.committed);
-      f(b, end_level(view, b), Stored{{}, soil, view.dt, view.sensitivity[soil_->temperature].value});
-      f(b, loop_level(view, view.balance, b), Flows{{}, soil, Darcy(*soil_, b, view)});
-    }
-  }
-
-  std::shared_ptr<Soil> soil_;
-  WaterHeat water_;
-  std::vector<std::shared_ptr<const HeatProperties>> heat_;  // by block
 };
+
+/// The balances of water and heat. They are zero in a geostatic stage, which takes no time.
+std::unique_ptr<Term> water_and_heat(std::shared_ptr<const WarmGround> ground) {
+  const Geometry geometry = ground->soil->geometry;
+  return loop_term("water and heat", Role::balance, geometry, [ground](const StepView& view, auto&& add) {
+    if (!view.flow) return;
+    const Soil& soil = *ground->soil;
+    for (const SoilBlock& b : soil.blocks) {
+      const ByMaterial<WarmSoil> here = ground->at(b, *view.committed);
+      add(b, end_level(view, b),
+          Stored{{}, here, view.committed->arrays[b.void_ratio], view.dt, view.sensitivity[soil.temperature].value});
+      add(b, loop_level(view, view.balance, b), Flows{{}, here, Darcy(soil, b, view)});
+    }
+  });
+}
 
 }  // namespace
 
@@ -181,25 +167,18 @@ void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
   soil_->water_expansion = water_.expansion;
   soil_->reference_temperature = reference_;
   soil_->viscosity_follows = viscosity_follows_;
-  for (SoilBlock& b : soil_->blocks) {
-    const SoilMaterial& material = soil_->any_of(b);
-    if (b.made_of.size() > 1)
-      context.materials_section.fail("mesh region '" + context.space.mesh().blocks()[b.block].region +
-                                         "' has layers, which physics 'thermo-hydro-mechanical' does not know; make "
-                                         "each a region of the mesh",
-                                     material.name);
-    heat.push_back(material.require<HeatProperties>("heat", context.materials_section));
-    b.grain_expansion = heat.back()->grain_expansion;
+  for (const auto& material : soil_->materials) {
+    heat.push_back(material->require<HeatProperties>("heat", context.materials_section));
+    soil_->grain_expansion.push_back(heat.back()->grain_expansion);
   }
   require_one_fluid_density(context.materials_section, "in physics 'thermo-hydro-mechanical'");
-  auto term = std::make_unique<WaterAndHeat>(soil_, water_, heat);
-  const WaterAndHeat* balance = term.get();
+  const auto ground = std::make_shared<const WarmGround>(WarmGround{soil_, water_, heat});
   const double per_water =
       soil_->blocks.empty() ? 0.0 : water_.capacity * soil_->any_of(soil_->blocks.front()).fluid->density();
   context.conserved.push_back({"heat", "J", soil_->temperature,
-                               [balance](const State& state) { return balance->content(state); }, soil_->pressure,
+                               [ground](const State& state) { return ground->content(state); }, soil_->pressure,
                                per_water, reference_});
-  context.terms.push_back(std::move(term));
+  context.terms.push_back(water_and_heat(ground));
 }
 
 void ThermoHydroMechanical::initialise(StateStore& store, const Section& section) {

@@ -83,6 +83,28 @@ class Heat(MudlineCase):
         for probe in ("one metre", "three metres", "five metres"):
             self.assertLess(np.abs(history[f"probe/{probe}/temperature"] - 30).max(), 1e-8)
 
+    def test_layers(self):
+        """Two layers of one region, each with its conductivity and heat capacity: the steady temperature between them, and the heat
+        that is in them then. The temperature is linear in each layer, so that both are exact but for rounding."""
+        text = open(self.deck("heated_surface")).read()
+        start, end = text.index('<ParameterList name="clay">'), text.index('  </ParameterList>\n  <ParameterList name="physics">')
+        deep = text[start:end].replace('"clay"', '"deep"', 1).replace('name="porosity"', 'name="top" type="double" value="6.0"/>\n<Parameter name="porosity"', 1)
+        deep = deep.replace('"1.5"', '"3.0"').replace('"707.92452830188677"', f'"{2 * 707.92452830188677!r}"')
+        warm = text.index('    <ParameterList name="warm surface">')
+        base = ('<ParameterList name="cold base"><Parameter name="type" type="string" value="value"/><Parameter name="set" type="string" value="bottom"/>'
+                '<Parameter name="field" type="string" value="temperature"/><Parameter name="value" type="double" value="10.0"/></ParameterList>\n')
+        text = text[:end] + deep + text[end:warm] + base + text[warm:]
+        text = text.replace('name="grain expansion" type="double" value="3e-5"', 'name="grain expansion" type="double" value="0.0"').replace('"4e-4"', '"0.0"')
+        history = self.run_deck(self.write("layers.xml", text), (
+            "mesh/cells={1, 8}", "mesh/grading={1.0, 1.0}", "stages/heating/duration=1e13", "stages/heating/time step/initial=1e8",
+            "stages/heating/time step/maximum=1e13", "stages/heating/time step/growth=2", "stages/heating/integrator/start-up steps=100", "output/probes/between={0.05, 6.0}"))
+        between = 0.5 / (6 / 1.5 + 6 / 3.0) * 6 / 3.0
+        self.assert_near("temperature between", history["probe/between/temperature"][-1] - 10, between, 1e-7, between)
+        water, grains = 0.4 * 1000 * 4186, 0.6 * 2650 * 707.92452830188677
+        held = 0.6 * ((water + grains) * (between + 0.5) / 2 + (water + 2 * grains) * between / 2)
+        self.assert_near("heat", history["balance/heat/change"][-1], held, 1e-6, held)
+        self.assertLess(np.abs(history["balance/heat/error"]).max(), 1e-9)
+
     def test_friction_warms_the_soil(self):
         """A plate that slides: what friction makes is in the ground, but for what the little water that moves brings along."""
         overlay = self.write("warm.xml", WARM.format(material="soil", more=""))
