@@ -439,7 +439,7 @@ double RigidBody::own_height() const {
   return extent_along(outline_, up);
 }
 
-double RigidBody::way(const BodyPlacement& from, const BodyPlacement& to) const {
+double RigidBody::largest_displacement(const BodyPlacement& from, const BodyPlacement& to) const {
   double longest = 0;
   for (const Point& x : outline_) longest = std::max(longest, length(from_frame(to, x) - from_frame(from, x)));
   return longest;

@@ -85,7 +85,7 @@ class RigidBody {
   /// Its extent [m] along the upright axis of the body frame.
   double own_height() const;
   /// The largest displacement [m] of a sampled point of its surface from one placement to another.
-  double way(const BodyPlacement& from, const BodyPlacement& to) const;
+  double largest_displacement(const BodyPlacement& from, const BodyPlacement& to) const;
   /// Whether its shape is a body of revolution.
   bool of_revolution() const { return of_revolution_; }
 

@@ -54,7 +54,7 @@ std::vector<Point> PenetrationWatch::places(const Model& model, const ContactPar
 
 double PenetrationWatch::displacement(const Model& model, const ContactPartners& partners, const Record& record) const {
   if (partners.body != nullptr)
-    return partners.body->displacement(record.placement, partners.body->placement(model.store().committed()));
+    return partners.body->largest_displacement(record.placement, partners.body->placement(model.store().committed()));
   const std::vector<Point> now = places(model, partners);
   double farthest = 0;
   for (std::size_t i = 0; i < std::min(now.size(), record.places.size()); ++i)
