@@ -33,6 +33,7 @@ FieldBlock FieldBlock::with_quadrature(int degree) const {
   other.u = tabulate(shape, rule);
   if (scalars > 0) other.p = tabulate(scalar_shape, rule);
   other.points = other.u.points;
+  other.degree = degree;
   return other;
 }
 

@@ -13,6 +13,7 @@ constexpr int max_scalars = 2;  // most scalar fields of one block; element loop
 struct FieldBlock {
   CellShape shape, scalar_shape;
   int elements = 0, points = 0;
+  int degree = 0;         // degree of the quadrature
   int displacement = -1;  // index of the displacement field; -1: not among the unknowns
   int scalars = 0;        // number of scalar fields
   int scalar[max_scalars] = {};

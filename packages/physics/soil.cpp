@@ -155,6 +155,13 @@ double Soil::uplift(const SoilMaterial& material) const {
   return excess && material.porous() ? material.biot_coefficient * material.fluid->density() : 0.0;
 }
 
+std::shared_ptr<std::vector<FieldBlock>> Soil::blocks_with(int field) const {
+  const auto result = std::make_shared<std::vector<FieldBlock>>();
+  for (const SoilBlock& b : blocks)
+    result->emplace_back(*space, b.block, displacement, std::vector<int>{pressure, field}, b.degree);
+  return result;
+}
+
 void Soil::declare_state(StateStore& store) {
   for (SoilBlock& b : blocks) {
     const std::string prefix = space->mesh().blocks()[b.block].region + "/";

@@ -108,6 +108,17 @@ struct Soil {
 
   /// Density of the water in the uplift, alpha rho_f [kg/m3]; zero where pore pressures are total.
   double uplift(const SoilMaterial& material) const;
+  /// A group of properties that a physics needs of every material, by material number. InputError through `where`, the
+  /// deck's "materials", when one is missing.
+  template <class T>
+  std::vector<std::shared_ptr<const T>> require(const std::string& group, const Section& where) const {
+    std::vector<std::shared_ptr<const T>> result;
+    for (const auto& material : materials) result.push_back(material->require<T>(group, where));
+    return result;
+  }
+  /// The same elements and points, block by block, with the pore pressure and another scalar field: for the balance of
+  /// something in the pore water.
+  std::shared_ptr<std::vector<FieldBlock>> blocks_with(int field) const;
   void declare_state(StateStore& store);
   void sparsity(Assembler& assembler);
 };

@@ -1,28 +1,29 @@
 #include "physics/biot/fluid_mass.hpp"
 
-#include "framework/loop_term.hpp"
+#include "framework/medium.hpp"
 #include "physics/biot/darcy.hpp"
 
 namespace mudline {
 
 namespace {
 
+/// Water in the pores, with its acceleration in Darcy's law or without.
 template <bool FluidAcceleration>
-struct DarcyFlow : PointLaw {
-  static constexpr int fields = 1;
-  static constexpr bool storages = true, fluxes = true, gradients = true, inertia = FluidAcceleration;
+struct PoreWater : Medium {
+  enum { pore_pressure, scalars };
+  static constexpr bool stores = false, rates = true, inertia = FluidAcceleration;
   Darcy darcy;
 
-  template <class C, int S, class T>
-  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+  template <class C, class T>
+  void flows(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
     const T n = darcy.porosity(row, at), mobility = darcy.mobility(row, n);
     const Mixture& mixture = darcy.mixture(row);
     const double density = mixture.fluid_density, weight = density - darcy.lift;
-    out.storage[0] = mixture.alpha * at.divergence() + mixture.storage(n) * at.rate[0];
+    out.storage[pore_pressure] = mixture.alpha * at.divergence() + mixture.storage(n) * at.rate[pore_pressure];
     for (int i = 0; i < C::dim; ++i) {
-      T drive = at.gradient[0][i] - weight * darcy.gravity[i];
+      T drive = at.gradient[pore_pressure][i] - weight * darcy.gravity[i];
       if constexpr (FluidAcceleration) drive += density * at.acceleration[i];
-      out.flux[0][i] = mobility * drive;
+      out.flux[pore_pressure][i] = mobility * drive;
     }
   }
 };
@@ -32,15 +33,11 @@ struct DarcyFlow : PointLaw {
 std::unique_ptr<Term> fluid_mass(std::shared_ptr<const Soil> soil, bool fluid_acceleration) {
   const Geometry geometry = soil->geometry;
   return loop_term("fluid mass", Role::balance, geometry, [soil, fluid_acceleration](const StepView& view, auto&& add) {
-    if (!view.flow) return;
-    for (const SoilBlock& b : soil->blocks) {
-      const Darcy darcy(*soil, b, view);
-      const LoopLevel level = loop_level(view, view.balance, b);
+    for (const SoilBlock& b : soil->blocks)
       if (fluid_acceleration && view.inertia)
-        add(b, level, DarcyFlow<true>{{}, darcy});
+        add_medium(view, b, add, [&](const LoopLevel&) { return PoreWater<true>{{}, Darcy(*soil, b, view)}; });
       else
-        add(b, level, DarcyFlow<false>{{}, darcy});
-    }
+        add_medium(view, b, add, [&](const LoopLevel&) { return PoreWater<false>{{}, Darcy(*soil, b, view)}; });
   });
 }
 

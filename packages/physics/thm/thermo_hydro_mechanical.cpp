@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/loop_term.hpp"
+#include "framework/medium.hpp"
 #include "physics/biot/darcy.hpp"
 
 namespace mudline {
@@ -17,8 +17,6 @@ void HeatProperties::parameters(Parameters& p) {
 }
 
 namespace {
-
-constexpr int pressure = 0, temperature = 1;  // indices among the scalar fields
 
 /// Heat and water of one material.
 struct WarmSoil {
@@ -34,51 +32,43 @@ struct WarmSoil {
   }
 };
 
-/// Storage of water and heat over the step, at its end.
-struct Stored : PointLaw {
-  static constexpr int fields = 2;
-  static constexpr bool storages = true, rates = false, cancels = true;
+/// Water and heat in the pores and the grains.
+struct WaterAndHeat : Medium {
+  enum { pore_pressure, temperature, scalars };
+  static constexpr bool cancels = true;
   ByMaterial<WarmSoil> soils;
-  PointView void_ratio;
+  Darcy darcy;
   double dt, theta;
 
-  template <class C, int S, class T>
-  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+  template <class C, class T>
+  void stored(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
     const WarmSoil& soil = soils(row);
-    const double e = void_ratio(row, 0), old_n = e / (1 + e), old_p = value(at.value[pressure] - at.change[pressure]),
+    const double e = darcy.void_ratio(row, 0), old_n = e / (1 + e),
+                 old_p = value(at.value[pore_pressure] - at.change[pore_pressure]),
                  old_t = value(at.value[temperature] - at.change[temperature]);
     const T share = 1.0 / at.volume_ratio, n = soil.mixture.porosity(e, at);
-    const T now = n * soil.density(at.value[pressure], at.value[temperature]),
+    const T now = n * soil.density(at.value[pore_pressure], at.value[temperature]),
             old = old_n * soil.density(old_p, old_t) * share;
     const double grains = (1 - old_n) * soil.mixture.grain_density_at(old_t) * soil.grain_capacity;
     const T capacity = grains * share + soil.water_capacity() * ((1 - theta) * now + theta * old);
-    out.storage[pressure] = (now - old) * (1 / dt);
-    out.cancelled[pressure] = (value(now) + value(old)) / dt;
+    out.storage[pore_pressure] = (now - old) * (1 / dt);
+    out.cancelled[pore_pressure] = (value(now) + value(old)) / dt;
     out.storage[temperature] = capacity * at.change[temperature] * (1 / dt);
   }
-};
 
-/// Flow of water and heat, at the level of balances.
-struct Flows : PointLaw {
-  static constexpr int fields = 2;
-  static constexpr bool storages = true, fluxes = true, gradients = true, rates = false;
-  ByMaterial<WarmSoil> soils;
-  Darcy darcy;
-
-  template <class C, int S, class T>
-  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+  template <class C, class T>
+  void flows(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
     const WarmSoil& soil = soils(row);
     const T& t = at.value[temperature];
-    const T density = soil.density(at.value[pressure], t);
+    const T density = soil.density(at.value[pore_pressure], t);
     T minus_discharge[C::dim], convected = 0.0;
     darcy.minus_discharge(row, at, minus_discharge);
     for (int i = 0; i < C::dim; ++i) {
       const T minus_flow = density * minus_discharge[i];
       convected -= minus_flow * at.gradient[temperature][i];
-      out.flux[pressure][i] = minus_flow;
+      out.flux[pore_pressure][i] = minus_flow;
       out.flux[temperature][i] = soil.conductivity * at.gradient[temperature][i];
     }
-    out.storage[pressure] = 0.0;
     out.storage[temperature] = soil.water_capacity() * convected;
   }
 };
@@ -109,14 +99,15 @@ struct WarmGround {
         const Loop loop{b, level};
         if constexpr (Loop::S > 1)
           for (int e = 0; e < b.elements; ++e)
-            loop.template for_each_point<false>(e, [&](int q, const typename Loop::Shape& s,
-                                                       const typename Loop::Fields& f) {
-              const WarmSoil& warm = soils(e * b.points + q);
-              const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio), t = f.value[temperature];
-              here += s.dv * (t - warm.mixture.reference) *
-                      ((1 - n) * warm.mixture.grain_density_at(t) * warm.grain_capacity +
-                       n * warm.density(f.value[pressure], t) * warm.water_capacity());
-            });
+            loop.template for_each_point<false>(
+                e, [&](int q, const typename Loop::Shape& s, const typename Loop::Fields& f) {
+                  const WarmSoil& warm = soils(e * b.points + q);
+                  const double ratio = void_ratio(e * b.points + q, 0), n = ratio / (1 + ratio),
+                               t = f.value[WaterAndHeat::temperature];
+                  here += s.dv * (t - warm.mixture.reference) *
+                          ((1 - n) * warm.mixture.grain_density_at(t) * warm.grain_capacity +
+                           n * warm.density(f.value[WaterAndHeat::pore_pressure], t) * warm.water_capacity());
+                });
       });
     }
     Teuchos::reduceAll(*soil->space->dofs()->comm(), Teuchos::REDUCE_SUM, here, Teuchos::outArg(everywhere));
@@ -128,14 +119,15 @@ struct WarmGround {
 std::unique_ptr<Term> water_and_heat(std::shared_ptr<const WarmGround> ground) {
   const Geometry geometry = ground->soil->geometry;
   return loop_term("water and heat", Role::balance, geometry, [ground](const StepView& view, auto&& add) {
-    if (!view.flow) return;
     const Soil& soil = *ground->soil;
-    for (const SoilBlock& b : soil.blocks) {
-      const ByMaterial<WarmSoil> here = ground->at(b, *view.committed);
-      add(b, end_level(view, b),
-          Stored{{}, here, view.committed->arrays[b.void_ratio], view.dt, view.sensitivity[soil.temperature].value});
-      add(b, loop_level(view, view.balance, b), Flows{{}, here, Darcy(soil, b, view)});
-    }
+    for (const SoilBlock& b : soil.blocks)
+      add_medium(view, b, add, [&](const LoopLevel&) {
+        return WaterAndHeat{{},
+                            ground->at(b, *view.committed),
+                            Darcy(soil, b, view),
+                            view.dt,
+                            view.sensitivity[soil.temperature].value};
+      });
   });
 }
 
@@ -163,14 +155,11 @@ std::vector<Field> ThermoHydroMechanical::fields() const {
 }
 
 void ThermoHydroMechanical::add_terms(PhysicsContext& context) {
-  std::vector<std::shared_ptr<const HeatProperties>> heat;
+  const auto heat = soil_->require<HeatProperties>("heat", context.materials_section);
   soil_->water_expansion = water_.expansion;
   soil_->reference_temperature = reference_;
   soil_->viscosity_follows = viscosity_follows_;
-  for (const auto& material : soil_->materials) {
-    heat.push_back(material->require<HeatProperties>("heat", context.materials_section));
-    soil_->grain_expansion.push_back(heat.back()->grain_expansion);
-  }
+  for (const auto& of : heat) soil_->grain_expansion.push_back(of->grain_expansion);
   require_one_fluid_density(context.materials_section, "in physics 'thermo-hydro-mechanical'");
   const auto ground = std::make_shared<const WarmGround>(WarmGround{soil_, water_, heat});
   const double per_water =
