@@ -2,7 +2,10 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "contact/conjugate_position.hpp"
 #include "contact/contact_laws.hpp"
 #include "contact/contact_surface.hpp"
 #include "contact/master_surface.hpp"
@@ -88,6 +91,37 @@ class TwoSurfaceContact : public Contact {
   std::string name_;
   int displacement_ = -1;
   bool beyond_reach_ = false;  // surfaces met in this step for which the matrix has no entries
+};
+
+/// Base of the contacts of two surfaces whose points press one by one: the slave's nodes or its Gauss points. Impact of
+/// such a point adds no energy, see end_share(). Deck has an `impact`, a PairImpact.
+template <class Deck>
+class PointwisePairContact : public TwoSurfaceContact<Deck> {
+ public:
+  void predicting(bool on) override { predicting_ = on; }
+  void correction(const StepView&, const ResidualView& f) override {
+    for (const auto& [dof, share] : correction_) f.add(dof, -share);
+  }
+
+ protected:
+  using TwoSurfaceContact<Deck>::TwoSurfaceContact;
+  /// Positions in which gaps are measured, at both ends of the step.
+  struct Positions {
+    ConstCoordinateView old, end;
+  };
+  bool conserves(const StepView& view) const {
+    return view.inertia && view.kind == StepView::Kind::step && !this->deck_.augmented() &&
+           this->deck_.impact == PairImpact::conserving;
+  }
+  Positions positions(const StepView& view) const {
+    if (!conserves(view)) return {view.x_old, view.x_end};
+    const Space& space = this->context_.space;
+    return {moved_ahead(space, view.x_old, view.impact.ahead_old),
+            moved_ahead(space, view.x_end, view.impact.ahead_end)};
+  }
+
+  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
+  bool predicting_ = false;
 };
 
 /// Sums over this rank's part of the slave, and its deepest point.

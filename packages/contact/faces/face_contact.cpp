@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/conjugate_position.hpp"
 #include "contact/convection.hpp"
 #include "contact/laws/impact_share.hpp"
 #include "core/pi.hpp"
@@ -164,16 +163,6 @@ bool FaceContact::look(int row, const ConstCoordinateView& x, Seen& seen) const 
   return true;
 }
 
-bool FaceContact::conserves(const StepView& view) const {
-  return view.inertia && view.kind == StepView::Kind::step && deck_.impact == PairImpact::conserving;
-}
-
-FaceContact::Positions FaceContact::positions(const StepView& view) const {
-  if (!conserves(view)) return {view.x_old, view.x_end};
-  const Space& space = context_.space;
-  return {moved_ahead(space, view.x_old, view.impact.ahead_old), moved_ahead(space, view.x_end, view.impact.ahead_end)};
-}
-
 ContactPointLaw FaceContact::law(const StepView& view, int row) const {
   ContactPointLaw result = laws_.in_step(view, deck_.damping);
   result.penalty = view.trial->arrays[penalties_](rows_[row].side, 0);
@@ -283,10 +272,6 @@ void FaceContact::add_old_share(const StepView& view, int row, double share) {
   const int there = place(row, static_cast<int>(old(row, column::face)));
   if (there >= 0)
     remember(there, old_weights(*view.committed, row), share - (1 - view.end_weight), vector(old, row, column::force));
-}
-
-void FaceContact::correction(const StepView&, const ResidualView& f) {
-  for (const auto& [dof, share] : correction_) f.add(dof, -share);
 }
 
 void FaceContact::add_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen,

@@ -31,9 +31,9 @@ struct FaceParameters : TwoSurfaceParameters {
 /// Parallel: a rank computes its slave sides against the whole master surface, whose nodes it has as ghosts (SetPairs).
 /// State arrays, prefix "contact/<name>/": "points", see face_column, a row per point; "penalty", a row per slave side,
 /// frozen when the contact first starts a step; "damping" (with damping, one row: its heat so far).
-class FaceContact : public TwoSurfaceContact<FaceParameters> {
+class FaceContact : public PointwisePairContact<FaceParameters> {
  public:
-  explicit FaceContact(const ContactContext& context) : TwoSurfaceContact(context) {}
+  explicit FaceContact(const ContactContext& context) : PointwisePairContact(context) {}
   /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, multipliers, friction on the
   /// effective traction of surfaces with pore pressure. Collective.
   void check(const Section& section);
@@ -41,9 +41,7 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  void predicting(bool on) override { predicting_ = on; }
   int residual(const StepView& view, const ResidualView& f) override;
-  void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView&, int) override { return {}; }
   void histories(const StepView& view, Report& values) override;
@@ -63,10 +61,6 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
     int face = -1, place = -1;  // place: in the dof table, -1: none
     FaceProjection projection;
   };
-  /// Where gaps are measured, at both ends of the step.
-  struct Positions {
-    ConstCoordinateView old, end;
-  };
   /// Weights of the slave's nodes, then of the face's nodes: d = sum_k weight_k x_k.
   struct Weights {
     int count;
@@ -78,8 +72,6 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   void measure(const ConstCoordinateView& x);
   bool look(int row, const ConstCoordinateView& x, Seen& seen) const;
   int place(int row, int face) const;
-  bool conserves(const StepView& view) const;
-  Positions positions(const StepView& view) const;
   ContactPointLaw law(const StepView& view, int row) const;
   void evaluate(const StepView& view, const Positions& at, int row, const Seen& seen, bool want_tangent,
                 FaceForce& out) const;
@@ -103,9 +95,7 @@ class FaceContact : public TwoSurfaceContact<FaceParameters> {
   std::unordered_map<long long, int> place_of_;  // (slave side, face)
   ElementDofs dofs_;
   int group_ = -1;
-  double capture_ = 0;                              // [m]
-  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
-  bool predicting_ = false;
+  double capture_ = 0;                               // [m]
   int points_ = -1, penalties_ = -1, damping_ = -1;  // state handles
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/conjugate_position.hpp"
 #include "contact/convection.hpp"
 #include "contact/laws/impact_share.hpp"
 #include "core/pi.hpp"
@@ -146,17 +145,6 @@ NodeCoordinates NodeContact::coordinates(int row, int piece, const ConstCoordina
   return {{x(rows_[row].node, 0), x(rows_[row].node, 1)}, surface_->coordinates(piece, x)};
 }
 
-bool NodeContact::conserves(const StepView& view) const {
-  return view.inertia && view.kind == StepView::Kind::step && !deck_.augmented() &&
-         deck_.impact == PairImpact::conserving;
-}
-
-NodeContact::Positions NodeContact::positions(const StepView& view) const {
-  if (!conserves(view)) return {view.x_old, view.x_end};
-  const Space& space = context_.space;
-  return {moved_ahead(space, view.x_old, view.impact.ahead_old), moved_ahead(space, view.x_end, view.impact.ahead_end)};
-}
-
 NodeLaw NodeContact::law(const StepView& view, int row) const {
   const PointView &multipliers = view.trial->arrays[multipliers_], &old = view.committed->arrays[points_];
   NodeLaw result;
@@ -257,10 +245,6 @@ void NodeContact::add_old_share(const StepView& view, int row, double share) {
   old_force(*view.committed, row, surface_->pieces()[was], before);
   const double more = share - (1 - view.end_weight);
   for (int a = 0; a < node_dofs; ++a) correction_.emplace_back(dofs_(there, a), more * before[a]);
-}
-
-void NodeContact::correction(const StepView&, const ResidualView& f) {
-  for (const auto& [dof, share] : correction_) f.add(dof, -share);
 }
 
 void NodeContact::jacobian(const StepView& view, Assembler& assembler, double weight) {

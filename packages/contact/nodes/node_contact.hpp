@@ -19,9 +19,9 @@ namespace mudline {
 /// Parallel: as PairContact. State arrays, a row each, prefix "contact/<name>/": "points", see node_column;
 /// "multipliers" (normal and shear, augmented Lagrangian); "penalty" (a row per side, frozen when the contact first
 /// starts a step); "damping" (with damping, one row: its heat so far).
-class NodeContact : public TwoSurfaceContact<NodeParameters> {
+class NodeContact : public PointwisePairContact<NodeParameters> {
  public:
-  explicit NodeContact(const ContactContext& context) : TwoSurfaceContact(context) {}
+  explicit NodeContact(const ContactContext& context) : PointwisePairContact(context) {}
   /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, friction on the effective
   /// traction of surfaces with pore pressure. Collective.
   void check(const Section& section);
@@ -29,9 +29,7 @@ class NodeContact : public TwoSurfaceContact<NodeParameters> {
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  void predicting(bool on) override { predicting_ = on; }
   int residual(const StepView& view, const ResidualView& f) override;
-  void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView& view, int count) override;
   void histories(const StepView& view, Report& values) override;
@@ -58,12 +56,6 @@ class NodeContact : public TwoSurfaceContact<NodeParameters> {
   bool look(int row, const ConstCoordinateView& x, Seen& seen) const;
   NodeLaw law(const StepView& view, int row) const;
   NodeCoordinates coordinates(int row, int piece, const ConstCoordinateView& x) const;
-  bool conserves(const StepView& view) const;
-  /// Where gaps are measured, at both ends of the step.
-  struct Positions {
-    ConstCoordinateView old, end;
-  };
-  Positions positions(const StepView& view) const;
   /// Force on nodes and piece that acted at the start of the step, by dof of its place.
   void old_force(const State& committed, int row, const SurfacePiece& piece, double (&force)[node_dofs]) const;
   /// Corrects the old force of a node that pressed at the start of the step: it acts with this share, not with the
@@ -87,10 +79,8 @@ class NodeContact : public TwoSurfaceContact<NodeParameters> {
   std::unordered_map<long long, int> place_of_;  // (row, piece)
   ElementDofs dofs_;
   int group_ = -1;
-  double capture_ = 0, touch_ = 0;                  // [m] of this step
-  double gap_tolerance_ = 0;                        // [m]
-  std::vector<std::pair<int, double>> correction_;  // (dof, share) of the last residual call
-  bool predicting_ = false;
+  double capture_ = 0, touch_ = 0;                                      // [m] of this step
+  double gap_tolerance_ = 0;                                            // [m]
   int points_ = -1, multipliers_ = -1, penalties_ = -1, damping_ = -1;  // state handles
 };
 
