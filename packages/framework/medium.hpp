@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "framework/loop_term.hpp"
 
 namespace mudline {
@@ -8,19 +10,18 @@ namespace mudline {
 /// at compile time, and has one or both of the functions below. Both start from zero storages and fluxes.
 ///     struct Heat : Medium {
 ///       enum { temperature, scalars };  // indices of the scalar fields, and their number
-///       template <class C, class T>     // what is stored over the step, at its end, over the step's length
+///       template <class C, class T>     // what is stored over the step, over its length
 ///       void stored(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const;
-///       template <class C, class T>     // what flows, at the level of balances
+///       template <class C, class T>     // what flows
 ///       void flows(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const;
 ///     };
+/// stored_law() belongs to the end of the step (end_level), flow_law() to the level of balances.
 struct Medium {
-  static constexpr bool stores = true;    // it has stored()
   static constexpr bool rates = false;    // flows() depends on velocities and rates
   static constexpr bool inertia = false;  // flows() depends on accelerations
   static constexpr bool cancels = false;  // a storage of stored() is the difference of large numbers, see PointLaw
 };
 
-/// The law of stored().
 template <class M>
 struct StoredLaw : PointLaw {
   static constexpr int fields = M::scalars;
@@ -34,7 +35,6 @@ struct StoredLaw : PointLaw {
   }
 };
 
-/// The law of flows().
 template <class M>
 struct FlowLaw : PointLaw {
   static constexpr int fields = M::scalars;
@@ -51,19 +51,14 @@ struct FlowLaw : PointLaw {
   }
 };
 
-/// Passes the laws of a medium on one block to `add` of a loop_term. make(level) gives the medium at a level. A
-/// geostatic stage takes no time and has none of these laws.
-template <class Add, class Make>
-void add_medium(const StepView& view, const FieldBlock& block, Add&& add, const Make& make) {
-  if (!view.flow) return;
-  const LoopLevel balance = loop_level(view, view.balance, block);
-  auto medium = make(balance);
-  using M = decltype(medium);
-  if constexpr (M::stores) {
-    const LoopLevel end = end_level(view, block);
-    add(block, end, StoredLaw<M>{{}, make(end)});
-  }
-  add(block, balance, FlowLaw<M>{{}, std::move(medium)});
+/// The laws of a medium, for a loop_term.
+template <class M>
+StoredLaw<M> stored_law(M medium) {
+  return {{}, std::move(medium)};
+}
+template <class M>
+FlowLaw<M> flow_law(M medium) {
+  return {{}, std::move(medium)};
 }
 
 }  // namespace mudline

@@ -18,7 +18,7 @@ Inventory take_inventory(const Soil& soil, const State& state) {
   level.rate = state.rate;
   level.acceleration = state.acceleration;
   for (const SoilBlock& b : soil.blocks) {
-    const ByMaterial<Mixture> mixture_of = mixtures(soil, b, state);
+    const ByMaterial<Mixture> mixture_of = mixtures_of(soil, b, state);
     const PointView void_ratio = state.arrays[b.void_ratio];
     const std::size_t made_of = b.made_of.size();
     std::vector<Point> starts(b.points, Point{});

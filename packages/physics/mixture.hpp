@@ -29,29 +29,24 @@ struct Mixture {
   Mixture() = default;
   /// The mixture of material `number` in block b. `fields`: the block that is looped over, the soil's own or another
   /// one of the same elements.
-  Mixture(const Soil& soil, const SoilBlock& b, int number, const FieldBlock& fields)
-      : Mixture(soil, b, *soil.materials[number], fields) {
-    if (!soil.grain_expansion.empty()) grain_expansion = soil.grain_expansion[number];
+  Mixture(const Soil& soil, const SoilBlock& b, int number, const FieldBlock& fields) {
+    const SoilMaterial& material = *soil.materials[number];
+    const Fluid* fluid = b.porous() ? material.fluid.get() : nullptr;
+    alpha = material.biot_coefficient;
+    grain_density = material.grain_density;
+    fluid_density = fluid ? fluid->density() : 0.0;
+    fluid_compliance = fluid && std::isfinite(fluid->bulk_modulus()) ? 1 / fluid->bulk_modulus() : 0.0;
+    grain_compliance = material.grain_bulk_modulus > 0 ? 1 / material.grain_bulk_modulus : 0.0;
+    grain_expansion = soil.grain_expansion.empty() ? 0.0 : soil.grain_expansion[number];
+    fluid_expansion = soil.water_expansion;
+    reference = soil.reference_temperature;
+    permeability = material.permeability.get();
+    unit_weight = fluid ? fluid->unit_weight() : 0.0;
+    viscosity_follows = soil.viscosity_follows;
+    pressure = place_of_scalar(fields, soil.pressure);
+    temperature = place_of_scalar(fields, soil.temperature);
   }
 
- private:
-  Mixture(const Soil& soil, const SoilBlock& b, const SoilMaterial& material, const FieldBlock& fields)
-      : alpha(material.biot_coefficient),
-        grain_density(material.grain_density),
-        fluid_density(b.porous() ? material.fluid->density() : 0.0),
-        fluid_compliance(
-            b.porous() && std::isfinite(material.fluid->bulk_modulus()) ? 1 / material.fluid->bulk_modulus() : 0.0),
-        grain_compliance(material.grain_bulk_modulus > 0 ? 1 / material.grain_bulk_modulus : 0.0),
-        grain_expansion(0),
-        fluid_expansion(soil.water_expansion),
-        reference(soil.reference_temperature),
-        permeability(material.permeability.get()),
-        unit_weight(b.porous() ? material.fluid->unit_weight() : 0.0),
-        viscosity_follows(soil.viscosity_follows),
-        pressure(place_of_scalar(fields, soil.pressure)),
-        temperature(place_of_scalar(fields, soil.temperature)) {}
-
- public:
   /// Porosity after the volume ratio and, in saturated soil, the changes of pore pressure and temperature of the step.
   /// `warmer`: change of a temperature that is not among the scalar fields [K].
   template <class C, int S, class T>
@@ -111,12 +106,12 @@ struct ByMaterial {
 
 /// The mixtures of a block; `fields`: the block that is looped over, the soil's own or another one of the same
 /// elements.
-inline ByMaterial<Mixture> mixtures(const Soil& soil, const SoilBlock& b, const State& state,
-                                    const FieldBlock& fields) {
+inline ByMaterial<Mixture> mixtures_of(const Soil& soil, const SoilBlock& b, const State& state,
+                                       const FieldBlock& fields) {
   return {soil, b, state, [&](int k) { return Mixture(soil, b, k, fields); }};
 }
-inline ByMaterial<Mixture> mixtures(const Soil& soil, const SoilBlock& b, const State& state) {
-  return mixtures(soil, b, state, b);
+inline ByMaterial<Mixture> mixtures_of(const Soil& soil, const SoilBlock& b, const State& state) {
+  return mixtures_of(soil, b, state, b);
 }
 
 }  // namespace mudline

@@ -22,7 +22,7 @@ PointView temperatures(const SoilBlock& b, int place, const LoopLevel& level) {
 
 Darcy::Darcy(const Soil& soil, const SoilBlock& block, const StepView& view, const FieldBlock& fields,
              const LoopLevel& level)
-    : mixture(mixtures(soil, block, *view.committed, fields)),
+    : mixture(mixtures_of(soil, block, *view.committed, fields)),
       lift(soil.excess ? soil.any_of(block).fluid->density() : 0.0),
       void_ratio(view.committed->arrays[block.void_ratio]) {
   if (place_of_scalar(fields, soil.pressure) < 0)

@@ -11,7 +11,7 @@ namespace {
 template <bool FluidAcceleration>
 struct PoreWater : Medium {
   enum { pore_pressure, scalars };
-  static constexpr bool stores = false, rates = true, inertia = FluidAcceleration;
+  static constexpr bool rates = true, inertia = FluidAcceleration;
   Darcy darcy;
 
   template <class C, class T>
@@ -33,11 +33,15 @@ struct PoreWater : Medium {
 std::unique_ptr<Term> fluid_mass(std::shared_ptr<const Soil> soil, bool fluid_acceleration) {
   const Geometry geometry = soil->geometry;
   return loop_term("fluid mass", Role::balance, geometry, [soil, fluid_acceleration](const StepView& view, auto&& add) {
-    for (const SoilBlock& b : soil->blocks)
+    if (!view.flow) return;
+    for (const SoilBlock& b : soil->blocks) {
+      const Darcy darcy(*soil, b, view);
+      const LoopLevel level = loop_level(view, view.balance, b);
       if (fluid_acceleration && view.inertia)
-        add_medium(view, b, add, [&](const LoopLevel&) { return PoreWater<true>{{}, Darcy(*soil, b, view)}; });
+        add(b, level, flow_law(PoreWater<true>{{}, darcy}));
       else
-        add_medium(view, b, add, [&](const LoopLevel&) { return PoreWater<false>{{}, Darcy(*soil, b, view)}; });
+        add(b, level, flow_law(PoreWater<false>{{}, darcy}));
+    }
   });
 }
 

@@ -22,11 +22,14 @@ std::unique_ptr<Term> in_pore_water(std::string name, std::shared_ptr<const Soil
   const Geometry geometry = soil->geometry;
   const auto blocks = soil->blocks_with(field);
   const auto laws = [soil, blocks, make](const StepView& view, auto&& add) {
+    if (!view.flow) return;
     for (std::size_t i = 0; i < blocks->size(); ++i) {
       const FieldBlock& fields = (*blocks)[i];
       const SoilBlock& b = soil->blocks[i];
-      add_medium(view, fields, add,
-                 [&](const LoopLevel& level) { return make(view, b, Darcy(*soil, b, view, fields, level)); });
+      const auto at = [&](const LoopLevel& level) { return make(view, b, Darcy(*soil, b, view, fields, level)); };
+      const LoopLevel end = end_level(view, fields), balance = loop_level(view, view.balance, fields);
+      add(fields, end, stored_law(at(end)));
+      add(fields, balance, flow_law(at(balance)));
     }
   };
   return loop_term(std::move(name), Role::balance, geometry, laws, blocks);

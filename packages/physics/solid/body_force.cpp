@@ -17,7 +17,7 @@ struct BulkDensity {
   bool submerged;           // less the uplift of the water, alpha rho_f
 
   BulkDensity(const Soil& soil, const SoilBlock& b, const FieldBlock& at, const State& state, bool submerged_)
-      : mixtures(mudline::mixtures(soil, b, state)),
+      : mixtures(mixtures_of(soil, b, state)),
         void_ratio(state.arrays[b.void_ratio]),
         points(at.points),
         soil_points(b.points),

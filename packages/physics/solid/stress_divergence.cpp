@@ -286,7 +286,7 @@ int StressUpdate::stage_motion(int first, int last) {
     const State &old = *view_.committed, &now = *view_.trial;
     const Staging<Loop> staging{{block_, level_},
                                 first,
-                                mudline::mixtures(soil_, block_, old),
+                                mixtures_of(soil_, block_, old),
                                 input_,
                                 old.arrays[block_.stress],
                                 old.arrays[block_.law],
@@ -351,7 +351,8 @@ std::string StressUpdate::describe(const SoilMaterial& material, int row, int po
 }
 
 TotalStress total_stress(const Soil& soil, const SoilBlock& b, const StepView& view) {
-  return {{}, mixtures(soil, b, *view.committed), view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
+  return {
+      {}, mixtures_of(soil, b, *view.committed), view.trial->arrays[b.stress], view.committed->arrays[b.stress], {}};
 }
 
 }  // namespace

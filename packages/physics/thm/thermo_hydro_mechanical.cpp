@@ -119,15 +119,14 @@ struct WarmGround {
 std::unique_ptr<Term> water_and_heat(std::shared_ptr<const WarmGround> ground) {
   const Geometry geometry = ground->soil->geometry;
   return loop_term("water and heat", Role::balance, geometry, [ground](const StepView& view, auto&& add) {
+    if (!view.flow) return;
     const Soil& soil = *ground->soil;
-    for (const SoilBlock& b : soil.blocks)
-      add_medium(view, b, add, [&](const LoopLevel&) {
-        return WaterAndHeat{{},
-                            ground->at(b, *view.committed),
-                            Darcy(soil, b, view),
-                            view.dt,
-                            view.sensitivity[soil.temperature].value};
-      });
+    for (const SoilBlock& b : soil.blocks) {
+      const WaterAndHeat medium{
+          {}, ground->at(b, *view.committed), Darcy(soil, b, view), view.dt, view.sensitivity[soil.temperature].value};
+      add(b, end_level(view, b), stored_law(medium));
+      add(b, loop_level(view, view.balance, b), flow_law(medium));
+    }
   });
 }
 
