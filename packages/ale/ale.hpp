@@ -72,7 +72,7 @@ class Ale {
   /// Whether the mesh is to be moved after step number `step`, given its quality. Collective.
   bool due(int step, const State& committed) const;
   /// Moves mesh and soil state. The caller lets the terms follow (Term::relocate), evaluates the state anew and then
-  /// calls Term::take_evaluated. `constraints`: those of the step that ended. Collective.
+  /// calls Transferred::take_evaluated. `constraints`: those of the step that ended. Collective.
   MeshReceipt relocate(StateStore& store, const Constraints& constraints) const;
   /// Smallest scaled Jacobian of the mesh. Collective.
   double quality(const State& state) const;

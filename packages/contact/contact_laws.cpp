@@ -112,10 +112,10 @@ TouchingSoil ContactLaws::soil(const State& committed, const SurfaceSide& side, 
 
 double ContactLaws::temperature(const State& committed, const SurfaceSide& side, const double* xi) const {
   const bool corners = space_->field(temperature_).support == Support::vertices;
-  const CellShape transfer = corners ? linear_partner(side.shape) : side.shape;
+  const CellShape carrier = corners ? linear_partner(side.shape) : side.shape;
   double shape[max_side_nodes], slope[2 * max_side_nodes], result = 0;
-  evaluate_shape(transfer, xi, shape, slope);
-  for (int a = 0; a < num_nodes(transfer); ++a)
+  evaluate_shape(carrier, xi, shape, slope);
+  for (int a = 0; a < num_nodes(carrier); ++a)
     result += shape[a] * committed.value(space_->node_dof(temperature_)(side.node[a]));
   return result;
 }

@@ -82,8 +82,8 @@ std::vector<T> joined(const Mesh& mesh, const std::vector<T>& own) {
 
 /// The sides of a set on all ranks, in a common order.
 struct SetSides {
-  std::vector<long long> keys;         // (side, 4) sorted global numbers of the corners; unused: -1
-  std::vector<double> mid_side_nodes;  // (side, 3) mean of the corners [m]
+  std::vector<long long> keys;  // (side, 4) sorted global numbers of the corners; unused: -1
+  std::vector<double> centres;  // (side, 3) mean of the corners [m]
 };
 
 SideKey key_of(const Mesh& mesh, const ElementBlock& block, int element, const std::vector<int>& local) {
@@ -105,9 +105,9 @@ SetSides all_sides(const Mesh& mesh, const std::string& set) {
     for (int c = 0; c < corners; ++c)
       for (int i = 0; i < mesh.dimension(); ++i)
         middle[i] += mesh.coordinates()(block.nodes(side.element, local[c]), i) / corners;
-    own.mid_side_nodes.insert(own.mid_side_nodes.end(), middle, middle + 3);
+    own.centres.insert(own.centres.end(), middle, middle + 3);
   }
-  return {joined(mesh, own.keys), joined(mesh, own.mid_side_nodes)};
+  return {joined(mesh, own.keys), joined(mesh, own.centres)};
 }
 
 }  // namespace
@@ -227,12 +227,11 @@ void require_boundary(const Mesh& mesh, const Section& section, const std::strin
   elements = reduced(mesh, Teuchos::REDUCE_SUM, elements);
   for (std::size_t k = 0; k < count; ++k)
     if (elements[k] > 1)
-      section.fail("side set '" + name + "' has a side between two elements, at " +
-                       place_text({sides.mid_side_nodes[3 * k], sides.mid_side_nodes[3 * k + 1],
-                                   sides.mid_side_nodes[3 * k + 2]},
-                                  mesh.dimension()) +
-                       "; all its sides must be on the boundary of the mesh",
-                   entry);
+      section.fail(
+          "side set '" + name + "' has a side between two elements, at " +
+              place_text({sides.centres[3 * k], sides.centres[3 * k + 1], sides.centres[3 * k + 2]}, mesh.dimension()) +
+              "; all its sides must be on the boundary of the mesh",
+          entry);
 }
 
 Point middle_of(const GlobalMesh& mesh, const ElementSide& side) {

@@ -65,14 +65,14 @@ class Numbering {
   GlobalMesh number();
 
  private:
-  void transfer_nodes_from();
+  void take_nodes();
   void take_cells();
   void turn_over(TaggedBlock& block) const;
   void sort_along_curve(TaggedBlock& block) const;
   void number_nodes();
   void index_sides();
   void take_sides();
-  void transfer_points_from(const std::map<std::string, std::vector<Tag>>& sets, const std::string& kind);
+  void take_points(const std::map<std::string, std::vector<Tag>>& sets, const std::string& kind);
   const Point& point(Tag tag) const { return points_.at(tag); }
   GlobalMesh::Side side_of(const Tag* corners, int count, const std::string& set) const;
   std::string text(const Point& place) const { return tuple_text(place.data(), dimension_); }
@@ -88,7 +88,7 @@ class Numbering {
 };
 
 GlobalMesh Numbering::number() {
-  transfer_nodes_from();
+  take_nodes();
   take_cells();
   for (TaggedBlock& block : blocks_) {
     turn_over(block);
@@ -97,12 +97,12 @@ GlobalMesh Numbering::number() {
   number_nodes();
   index_sides();
   take_sides();
-  transfer_points_from(tagged_.points, "point");
-  transfer_points_from(tagged_.curves, "curve");
+  take_points(tagged_.points, "point");
+  take_points(tagged_.curves, "curve");
   return std::move(mesh_);
 }
 
-void Numbering::transfer_nodes_from() {
+void Numbering::take_nodes() {
   for (const TaggedMesh::Node& node : tagged_.nodes) {
     const Point& x = node.place;
     points_[node.tag] = {x[0], x[1], plane() ? 0 : x[2]};
@@ -217,7 +217,7 @@ void Numbering::take_sides() {
   }
 }
 
-void Numbering::transfer_points_from(const std::map<std::string, std::vector<Tag>>& sets, const std::string& kind) {
+void Numbering::take_points(const std::map<std::string, std::vector<Tag>>& sets, const std::string& kind) {
   for (const auto& [set, tags] : sets) {
     auto& nodes = mesh_.node_sets[set];
     for (const Tag tag : tags) {

@@ -13,7 +13,7 @@ struct Conserved {
   int field;
   std::function<double(const State&)> content;  // content of the whole mesh; collective
   int carrier = -1;                             // field whose flow transports it; -1: none
-  double carried = 0, reference = 0;  // transported per outflow of that field: transferred * (value - reference)
+  double carried = 0, reference = 0;            // transported per outflow of that field: carried * (value - reference)
 };
 
 }  // namespace mudline

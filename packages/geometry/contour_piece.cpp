@@ -55,9 +55,9 @@ double ArcPiece::closest(const PlanePoint& x) const {
   const double dx = x[0] - centre_[0], dy = x[1] - centre_[1];
   if (dx == 0 && dy == 0) return 0.5 * length();  // every point is equally near: the middle keeps the symmetry
   // angle from the start in the direction of travel, in [0, 2 pi)
-  double contour_distance = (std::atan2(dy, dx) - start_) * (sweep_ < 0 ? -1 : 1);
-  contour_distance -= 2 * pi * std::floor(contour_distance / (2 * pi));
-  if (contour_distance <= std::abs(sweep_)) return radius_ * contour_distance;
+  double turned = (std::atan2(dy, dx) - start_) * (sweep_ < 0 ? -1 : 1);
+  turned -= 2 * pi * std::floor(turned / (2 * pi));
+  if (turned <= std::abs(sweep_)) return radius_ * turned;
   return distance(x, point(0)) <= distance(x, point(length())) ? 0 : length();
 }
 

@@ -372,7 +372,8 @@ void Run::restore_progress() {
 }
 
 void Run::restore_arrays() {
-  // the results, which keep the initial pressure, are opened later: a placeholder stands for it here
+  // the results, whose array the initial pressure is, are opened later: what is read for it here is dropped, and
+  // restore_initial_pressure() reads it again
   const NodalView room("initial pressure", model_->store().committed().value.extent(0));
   for (const StateArray& array : arrays_of(*model_, room)) restore(checkpoint_, array);
 }

@@ -1,7 +1,7 @@
 // A second physics: the field "temperature" and its balance  C dT/dt = div(lambda grad T).
 //
 // It stands alone, or in a deck beside "biot" or "solid": then all fields are unknowns of one monolithic system, and
-// heat is carried along with the deforming ground. Integrals are on the configuration at the start of the step, so that
+// heat moves with the deforming ground. Integrals are on the configuration at the start of the step, so that
 // the balance does not depend on the unknown displacements.
 #include <memory>
 

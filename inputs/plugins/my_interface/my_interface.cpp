@@ -13,7 +13,7 @@ class WeakeningInterface : public mudline::Friction {
     p.required("peak coefficient", peak_, "-", mudline::non_negative(),
                "Friction coefficient of a point that has not slid");
     p.required("residual coefficient", residual_, "-", mudline::non_negative(),
-               "Friction coefficient after a long way");
+               "Friction coefficient after a long path");
     p.required("weakening length", length_, "m", mudline::positive(),
                "Path over which the strength falls by a factor of e");
     interface_parameters(p);  // the parameters that all laws share

@@ -23,11 +23,11 @@ struct PointNumbers {
       if (direction < D)
         from_centre[direction] -= moved;
       else
-        rotation_of_quaternion(body, direction - D, moved);
+        add_rotation(body, direction - D, moved);
     }
   }
   /// In space the unknowns turn the body about its own axes.
-  void rotation_of_quaternion(const BodyInStep& body, int component, const T& angle) {
+  void add_rotation(const BodyInStep& body, int component, const T& angle) {
     if constexpr (D == 2) {
       turn[0] += angle;
     } else {

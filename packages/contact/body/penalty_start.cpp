@@ -75,12 +75,12 @@ void PenaltyContact::touch_first(std::size_t side, const State& committed, const
     if (deck_.initial_gap.presses()) pressure = in_situ_pressure(side, c, committed, place, outward, normal);
     found.pulled += pressure < 0;
     const double depth = in_situ_penetration(side, c, committed, std::max(0.0, pressure));
-    const bool transferred = pressure > 0 && std::isfinite(depth);
-    found.beyond += pressure > 0 && !transferred;
-    found.close(gap, transferred ? pressure : 0.0);
+    const bool bears = pressure > 0 && std::isfinite(depth);
+    found.beyond += pressure > 0 && !bears;
+    found.close(gap, bears ? pressure : 0.0);
     const int row = first_row_[side] + c;
-    deck_.initial_gap.set_offset(committed, row, gap + (transferred ? depth : 0.0));
-    if (!transferred) continue;
+    deck_.initial_gap.set_offset(committed, row, gap + (bears ? depth : 0.0));
+    if (!bears) continue;
     if (deck_.augmented()) rows_.normal_multiplier(committed, row) = pressure;
     ContactPoint point{};
     point.gap = -depth;

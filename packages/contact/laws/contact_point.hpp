@@ -163,11 +163,11 @@ void add_friction(const ContactPointLaw& law, const ContactMotion<T, D>& point, 
   const double excess = value(magnitude(out.shear)) - strength.value;
   out.slides = !(excess <= 0);  // a strength of NaN is not hidden
   if (!out.slides) return;
-  const T transferred = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope) +
-                        change(point.pore_pressure, strength.pore_slope);
-  out.shear = along(out.shear, transferred);
+  const T limit = strength.value + change(normal, strength.slope) + change(rate, strength.rate_slope) +
+                  change(point.pore_pressure, strength.pore_slope);
+  out.shear = along(out.shear, limit);
   out.slip = excess / stiffness;
-  out.heat = std::abs(value(transferred)) * out.slip * value(point.area);
+  out.heat = std::abs(value(limit)) * out.slip * value(point.area);
 }
 
 }  // namespace detail
