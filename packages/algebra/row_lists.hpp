@@ -46,21 +46,26 @@ struct AddRows {
   }
 };
 
+/// The rows add what the elements [begin, end) of one batch have left in the buffer of `to`.
+template <class Target>
+void add_rows(const char* label, const RowLists& lists, int begin, int end, const Target& to) {
+  const int batch = begin / lists.batch;
+  Kokkos::parallel_for(label, Kokkos::RangePolicy<>(lists.first_row(batch), lists.first_row(batch + 1)),
+                       AddRows<Target>{to, lists, (end - begin) * static_cast<int>(to.dofs.extent(1))});
+}
+
 /// Calls work(first, last, to) for the elements [first, last): all at once, or, where several threads work, batch after
 /// batch; after each batch the rows add from the buffer of `to`. `first` begins a batch.
 template <class Target, class Work>
 void in_order(const char* label, const RowLists& lists, int first, int last, Target to, Work&& work) {
-  if (lists.batch == 0) {
-    work(first, last, to);
-    return;
-  }
-  to.open_buffer(last - first < lists.batch ? last - first : lists.batch);
-  for (int begin = first; begin < last; begin += lists.batch) {
-    const int batch = begin / lists.batch, end = begin + lists.batch < last ? begin + lists.batch : last;
+  const bool batches = lists.batch > 0;
+  const int step = batches && lists.batch < last - first ? lists.batch : last - first;
+  if (batches) to.open_buffer(step);
+  for (int begin = first; begin < last; begin += step) {
+    const int end = begin + step < last ? begin + step : last;
     to.buffer.first = begin;
     work(begin, end, to);
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<>(lists.first_row(batch), lists.first_row(batch + 1)),
-                         AddRows<Target>{to, lists, (end - begin) * static_cast<int>(to.dofs.extent(1))});
+    if (batches) add_rows(label, lists, begin, end, to);
   }
 }
 

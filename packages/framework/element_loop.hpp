@@ -6,12 +6,10 @@
 
 #include "discretisation/cell_map.hpp"
 #include "framework/element_shapes.hpp"
-#include "framework/point_fields.hpp"
+#include "framework/point_tangent.hpp"
 #include "framework/tangent_kernel.hpp"
 #include "framework/vector_scatter.hpp"
-#include "tensor/dual.hpp"
 #include "tensor/mat.hpp"
-#include "tensor/midpoint_rule.hpp"
 
 // g++ completely unrolls a short loop before it tries to vectorise it, which prevents vectorisation.
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
@@ -22,54 +20,6 @@
 
 namespace mudline {
 
-/// The state on which a loop works: coordinates and fields at one level, and their sensitivities to the unknowns.
-struct LoopLevel {
-  ConstCoordinateView x;                // [m]
-  ConstNodalView value_old, value_end;  // of the step; coordinates move by geometry_weight times their difference
-  ConstNodalView value, rate, acceleration;
-  double geometry_weight = 0;  // d x / d u_{n+1}
-  Sensitivity displacement, scalar[max_scalars];
-};
-
-/// The state at one of the levels of a step.
-inline LoopLevel loop_level(const StepView& view, const Level& level, const FieldBlock& block) {
-  LoopLevel at;
-  at.x = level.x;
-  at.value_old = view.value_old;
-  at.value_end = view.value_end;
-  at.value = view.value;
-  at.rate = view.rate;
-  at.acceleration = view.acceleration;
-  at.geometry_weight = level.geometry_weight;
-  if (block.moves()) at.displacement = view.sensitivity[block.displacement];
-  for (int s = 0; s < block.scalars; ++s) at.scalar[s] = view.sensitivity[block.scalar[s]];
-  return at;
-}
-
-/// The state at the end of the step, where state variables live. In the solve for the initial rates of a stage the
-/// coordinates do not depend on the unknowns.
-inline LoopLevel end_level(const StepView& view, const FieldBlock& block) {
-  LoopLevel at =
-      loop_level(view, {view.time_end, view.x_end, view.kind == StepView::Kind::initial_rates ? 0.0 : 1.0}, block);
-  at.value = view.value_end;
-  for (Sensitivity& s : at.scalar) s.value = 1;
-  return at;
-}
-
-/// Declares the outputs of a law and what it depends on. A law inherits this and overrides constants by the same names;
-/// outputs and derivatives that are switched off cost nothing.
-struct PointLaw {
-  static constexpr bool forces = false, stresses = false, storages = false, fluxes = false;
-  static constexpr int any = -1, fields = any;  // number of scalar fields for which it is written
-  static constexpr bool motion = true;    // depends on the displacement gradient, as every law does through the volume
-  static constexpr bool inertia = false;  // depends on velocity or acceleration themselves
-  static constexpr bool scalars = true;   // depends on values (and rates) of the scalar fields
-  static constexpr bool rates = true;     // uses velocities, accelerations or rates at all
-  static constexpr bool gradients = false;  // depends on the gradients of the scalar fields
-  static constexpr bool stands = false;     // its stress lasts from before the step; the law also gives the change
-  static constexpr bool cancels = false;    // a storage is a difference of large numbers; the law also gives their size
-};
-
 /// One generic loop over the elements of a block. A law is called once per quadrature point: law(row, fields, out),
 /// with the row of the point's data, PointFields and PointBalance. It is written once for numbers and dual numbers;
 /// derivatives come by automatic differentiation.
@@ -79,7 +29,10 @@ struct ElementLoop {
   static constexpr int NQ = NS > 0 ? NS : 1, SQ = S > 0 ? S : 1;  // sizes of arrays that may be empty
   static constexpr bool moves = Shapes::moves;
   static constexpr int MU = moves ? D * NU : 0, columns = MU + S * NS;  // number of unknowns: displacement, all
-  static constexpr int gradients_u = D * D + (Coordinates::hoop ? 1 : 0);
+  template <class Law>
+  using Directions = LawDirections<Coordinates, S, Law>;
+  template <class Law>
+  using Rows = LawRows<Coordinates, S, Law>;
   using Fields = PointFields<Coordinates, S, double>;
   using Balance = PointBalance<Coordinates, S, double>;
 
@@ -265,145 +218,12 @@ struct ElementLoop {
     return work;
   }
 
-  // Layout of the derivative indices of a law's dual numbers.
-  template <class Law>
-  struct Directions {
-    static constexpr int motion = 0, inertia = Law::motion ? gradients_u : 0, value = inertia + (Law::inertia ? D : 0),
-                         gradient = value + (Law::scalars ? S : 0), count = gradient + (Law::gradients ? S * D : 0);
-    static constexpr int hoop = D * D;  // index of the hoop strain
-  };
-
-  /// Makes dual numbers of the fields.
-  template <class Law, class T>
-  KOKKOS_INLINE_FUNCTION void seed(const Fields& f, PointFields<Coordinates, S, T>& d) const {
-    using Index = Directions<Law>;
-    const double w = at.geometry_weight;
-    d.hoop_moved = f.hoop_moved;
-    d.volume_ratio = f.volume_ratio;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) d.moved[i][j] = f.moved[i][j];
-    if constexpr (Law::rates) {
-      d.hoop_rate = f.hoop_rate;
-      for (int i = 0; i < D; ++i) {
-        d.velocity[i] = f.velocity[i];
-        d.acceleration[i] = f.acceleration[i];
-        for (int j = 0; j < D; ++j) d.velocity_gradient[i][j] = f.velocity_gradient[i][j];
-      }
-      for (int k = 0; k < S; ++k) d.rate[k] = f.rate[k];
-    }
-    for (int k = 0; k < S; ++k) {
-      d.value[k] = f.value[k];
-      d.change[k] = f.change[k];
-      for (int j = 0; j < D; ++j) d.gradient[k][j] = f.gradient[k][j];
-    }
-    if constexpr (Law::motion) {
-      // a displacement gradient at the level rotates and stretches the frame of the spatial gradients
-      for (int j = 0; j < D; ++j)
-        for (int m = 0; m < D; ++m) {
-          const int index = Index::motion + D * j + m;
-          if (j == m) d.volume_ratio.d[index] = w * f.volume_ratio;
-          if constexpr (Law::rates) {
-            d.velocity_gradient[j][m].d[index] += at.displacement.rate;
-            for (int i = 0; i < D; ++i) d.velocity_gradient[i][m].d[index] -= w * f.velocity_gradient[i][j];
-          }
-          for (int k = 0; k < S; ++k) d.gradient[k][m].d[index] -= w * f.gradient[k][j];
-        }
-      if constexpr (Coordinates::hoop) {
-        d.volume_ratio.d[Index::hoop] = w * f.volume_ratio;
-        if constexpr (Law::rates) d.hoop_rate.d[Index::hoop] = at.displacement.rate - w * f.hoop_rate;
-      }
-    }
-    if constexpr (Law::inertia)
-      for (int i = 0; i < D; ++i) {
-        d.velocity[i].d[Index::inertia + i] = at.displacement.rate;
-        d.acceleration[i].d[Index::inertia + i] = at.displacement.acceleration;
-      }
-    if constexpr (Law::scalars)
-      for (int k = 0; k < S; ++k) {
-        d.value[k].d[Index::value + k] = d.change[k].d[Index::value + k] = at.scalar[k].value;
-        if constexpr (Law::rates) d.rate[k].d[Index::value + k] = at.scalar[k].rate;
-      }
-    if constexpr (Law::gradients)
-      for (int k = 0; k < S; ++k)
-        for (int j = 0; j < D; ++j) d.gradient[k][j].d[Index::gradient + D * k + j] += at.scalar[k].value;
-  }
-
-  /// Adds the derivatives of the integral with respect to the motion of the configuration: dv grows by the trace of the
-  /// displacement gradient, and the gradients of the test functions change.
-  template <class Law, class T>
-  KOKKOS_INLINE_FUNCTION void add_motion(PointBalance<Coordinates, S, T>& out) const {
-    if constexpr (Law::motion) {
-      const double w = at.geometry_weight;
-      for (int j = 0; j < D; ++j)
-        for (int m = 0; m < D; ++m) {
-          const int index = D * j + m;
-          if constexpr (Law::stresses)
-            for (int i = 0; i < D; ++i) out.stress[i][j].d[index] -= w * out.stress[i][m].v;
-          if constexpr (Law::fluxes)
-            for (int k = 0; k < S; ++k) out.flux[k][j].d[index] -= w * out.flux[k][m].v;
-        }
-      if constexpr (Coordinates::hoop && Law::stresses) out.hoop_stress.d[D * D] -= w * out.hoop_stress.v;
-      const auto grow = [&](T& x) {
-        for (int j = 0; j < D; ++j) x.d[D * j + j] += w * x.v;
-        if constexpr (Coordinates::hoop) x.d[D * D] += w * x.v;
-      };
-      for (int i = 0; i < D; ++i) {
-        if constexpr (Law::forces) grow(out.force[i]);
-        if constexpr (Law::stresses)
-          for (int j = 0; j < D; ++j) grow(out.stress[i][j]);
-      }
-      if constexpr (Coordinates::hoop && Law::stresses) grow(out.hoop_stress);
-      for (int k = 0; k < S; ++k) {
-        if constexpr (Law::storages) grow(out.storage[k]);
-        if constexpr (Law::fluxes)
-          for (int j = 0; j < D; ++j) grow(out.flux[k][j]);
-      }
-    }
-  }
-
-  // Rows of a point's matrix: forces, stresses, hoop stress, storages, fluxes; outputs that a law does not have are
-  // left out.
-  template <class Law>
-  struct Rows {
-    static constexpr int force = 0, stress = force + (Law::forces ? D : 0), hoop = stress + (Law::stresses ? D * D : 0),
-                         storage = hoop + (Law::stresses && Coordinates::hoop ? 1 : 0),
-                         flux = storage + (Law::storages ? S : 0), count = flux + (Law::fluxes ? S * D : 0);
-  };
-
   /// Columns of the element's matrix that a law fills.
   template <class Law>
   struct Columns {
     static constexpr int first = Law::motion || Law::inertia ? 0 : MU,
                          last = Law::scalars || Law::gradients ? columns : MU, count = last - first;
   };
-
-  /// The law's derivatives at a point times the volume: (row, derivative index).
-  template <class Law>
-  KOKKOS_INLINE_FUNCTION void point_matrix(int row, const Law& law, const Shape& s, const Fields& f,
-                                           double (&A)[Rows<Law>::count][Directions<Law>::count]) const {
-    using Row = Rows<Law>;
-    constexpr int derivatives = Directions<Law>::count;
-    using T = Dual<derivatives>;
-    PointFields<Coordinates, S, T> in;
-    PointBalance<Coordinates, S, T> out;
-    seed<Law>(f, in);
-    law(row, in, out);
-    add_motion<Law>(out);
-    const auto put = [&](int r, const T& from) {
-      for (int index = 0; index < derivatives; ++index) A[r][index] = s.dv * from.d[index];
-    };
-    for (int i = 0; i < D; ++i) {
-      if constexpr (Law::forces) put(Row::force + i, out.force[i]);
-      if constexpr (Law::stresses)
-        for (int l = 0; l < D; ++l) put(Row::stress + D * i + l, out.stress[i][l]);
-    }
-    if constexpr (Law::stresses && Coordinates::hoop) put(Row::hoop, out.hoop_stress);
-    for (int k = 0; k < S; ++k) {
-      if constexpr (Law::storages) put(Row::storage + k, out.storage[k]);
-      if constexpr (Law::fluxes)
-        for (int l = 0; l < D; ++l) put(Row::flux + D * k + l, out.flux[k][l]);
-    }
-  }
 
   /// Converts derivative indices to the nodes' unknowns: (row, column).
   template <class Law>
@@ -485,7 +305,7 @@ struct ElementLoop {
       Fields f;
       if (!shapes(q, n.x, s) || !fields<Law::rates>(n, s, f)) return;
       double A[Rows<Law>::count][Directions<Law>::count], Y[Rows<Law>::count][width];
-      point_matrix(e * b.points + q, law, s, f, A);
+      PointTangent<Coordinates, S, Law>{at}(e * b.points + q, law, s.dv, f, A);
       to_unknowns<Law>(s, A, Y);
       spread<Law>(s, Y, ku, kp);
     }

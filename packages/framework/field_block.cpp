@@ -5,6 +5,11 @@
 
 namespace mudline {
 
+FieldBlock::FieldBlock() = default;
+FieldBlock::FieldBlock(const FieldBlock&) = default;
+FieldBlock& FieldBlock::operator=(const FieldBlock&) = default;
+FieldBlock::~FieldBlock() = default;
+
 FieldBlock::FieldBlock(const Space& space, int block, int displacement_field, const std::vector<int>& scalar_fields,
                        int degree)
     : displacement(displacement_field), scalars(static_cast<int>(scalar_fields.size())) {

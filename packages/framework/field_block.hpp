@@ -31,7 +31,11 @@ struct FieldBlock {
   /// Value of scalar field k (index into `scalar`) at quadrature point q; `values` by overlap dof.
   double scalar_at(int e, int q, int k, const ConstNodalView& values) const;
 
-  FieldBlock() = default;
+  // Not inline, as those of LoopLevel.
+  FieldBlock();
+  FieldBlock(const FieldBlock&);
+  FieldBlock& operator=(const FieldBlock&);
+  ~FieldBlock();
   /// displacement: index of that field, or -1; scalar_fields: indices of fields that have the same nodes; degree:
   /// degree of the quadrature. std::logic_error where the scalar fields do not fit.
   FieldBlock(const Space& space, int block, int displacement, const std::vector<int>& scalar_fields, int degree);

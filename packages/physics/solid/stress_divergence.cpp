@@ -12,6 +12,7 @@
 #include "physics/soil_points.hpp"
 #include "physics/solid/point_surroundings.hpp"
 #include "tensor/mat.hpp"
+#include "tensor/midpoint_rule.hpp"
 
 namespace mudline {
 
@@ -116,8 +117,7 @@ struct TotalStress : PointLaw {
       const double expansion = here.grain_expansion;  // thermal expansion of the skeleton [1/K]
       const double warmer[6] = {-expansion / 3, -expansion / 3, -expansion / 3, 0, 0, 0};
       for (double& t : turn) t = 0;
-      using Loop = ElementLoop<C, ElementShapes<C::dim + 1, C::dim + 1, S>>;
-      put(Loop::template Directions<TotalStress>::value + here.temperature, warmer, turn);
+      put(LawDirections<C, S, TotalStress>::value + here.temperature, warmer, turn);
     }
   }
 };

@@ -61,7 +61,7 @@ void ResultLock::leave(bool remove) {
 std::string ResultLock::take() {
   bool by_system = true;  // false: the file system has no locks, and the file's content decides
   for (;;) {
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (file_ < 0) return path_ + ": cannot be written: " + std::strerror(errno);
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK)

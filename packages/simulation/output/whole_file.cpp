@@ -21,7 +21,7 @@ using Seal = std::function<std::string(const std::string& path)>;
 /// Reserves room for so many bytes under this name, in a file that is emptied first or as it is, on rank 0. Returns why
 /// there is none, or "".
 std::string take_room(const std::string& path, long long bytes, bool empty) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (empty ? O_TRUNC : 0), 0666);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (empty ? O_TRUNC : 0), 0666);
   if (file < 0) return "cannot create '" + path + "': " + std::strerror(errno);
   const int error = posix_fallocate(file, 0, bytes);
   close(file);

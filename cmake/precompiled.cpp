@@ -1,0 +1,1 @@
+// The source that each set of precompiled headers needs (MudlinePackage.cmake).
