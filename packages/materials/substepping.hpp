@@ -140,7 +140,7 @@ class Substepping : public PlasticPath<T, Model> {
 
   KOKKOS_INLINE_FUNCTION bool integrate_plastic(T time) {
     constexpr double smallest = 1e-8;
-    T step = 1.0 - time, new_stress[N], new_h[H], error_squared;
+    T step = 1.0 - time, new_stress[N], new_h[H], error_squared = 0.0;
     bool rejected = false;
     for (int attempt = 0; attempt < options_.maximum_substeps; ++attempt) {
       ++this->substeps;

@@ -2,7 +2,7 @@
 
 #include "physics/geostatic_column.hpp"
 #include "physics/soil.hpp"
-#include "physics/solid/body_force.hpp"
+#include "physics/solid/gravity.hpp"
 
 namespace mudline {
 

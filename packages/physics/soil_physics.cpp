@@ -4,9 +4,10 @@
 #include "core/text.hpp"
 #include "physics/biot/block_data.hpp"
 #include "physics/soil_points.hpp"
-#include "physics/solid/body_force.hpp"
+#include "physics/solid/inertia.hpp"
 #include "physics/solid/rayleigh_damping.hpp"
 #include "physics/solid/stress_divergence.hpp"
+#include "physics/solid/weight.hpp"
 
 namespace mudline {
 

@@ -81,4 +81,6 @@ double DruckerPrager::k0(double overconsolidation_ratio) const {
   return earth_pressure_within_strength(std::sin(friction * pi / 180.0), overconsolidation_ratio);
 }
 
+template class PointwiseSkeleton<AutomaticTangent<DruckerPrager>>;
+
 }  // namespace mudline

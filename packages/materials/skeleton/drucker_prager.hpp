@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/automatic_tangent.hpp"
 #include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
@@ -70,5 +71,8 @@ struct DruckerPrager : ConeTip {
  private:
   LodeShape circle_, tension_shape_;
 };
+
+// Compiled once, in the source of the law.
+extern template class PointwiseSkeleton<AutomaticTangent<DruckerPrager>>;
 
 }  // namespace mudline

@@ -147,4 +147,6 @@ EarthPressures ModifiedCamClay::earth_pressures(double vertical, double) const {
           cone_earth_pressures(vertical, extension / root3, 0.0).passive};
 }
 
+template class PointwiseSkeleton<ModifiedCamClay>;
+
 }  // namespace mudline

@@ -301,4 +301,7 @@ KOKKOS_INLINE_FUNCTION bool ModifiedCamClay::operator()(const SkeletonPoint& in,
   return true;
 }
 
+// Compiled once, in the source of the law.
+extern template class PointwiseSkeleton<ModifiedCamClay>;
+
 }  // namespace mudline

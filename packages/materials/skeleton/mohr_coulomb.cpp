@@ -64,4 +64,6 @@ double MohrCoulomb::k0(double overconsolidation_ratio) const {
   return earth_pressure_within_strength(sine_, overconsolidation_ratio);
 }
 
+template class PointwiseSkeleton<AutomaticTangent<MohrCoulomb>>;
+
 }  // namespace mudline

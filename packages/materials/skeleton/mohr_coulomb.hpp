@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/automatic_tangent.hpp"
 #include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
@@ -91,5 +92,8 @@ KOKKOS_INLINE_FUNCTION bool MohrCoulomb::update(const SkeletonPoint& in, const T
   return integrate_point(model(state_old[cohesion_here], in.stress), integration, in, strain,
                          state_old[plastic_shear_strain], stress, state[plastic_shear_strain]);
 }
+
+// Compiled once, in the source of the law.
+extern template class PointwiseSkeleton<AutomaticTangent<MohrCoulomb>>;
 
 }  // namespace mudline

@@ -33,4 +33,6 @@ std::string NeoHookean::initialise(const InitialPoint& point, double* state) con
   return reason.str();
 }
 
+template class PointwiseSkeleton<AutomaticTangent<NeoHookean>>;
+
 }  // namespace mudline

@@ -127,4 +127,7 @@ KOKKOS_INLINE_FUNCTION bool NeoHookean::update(const SkeletonPoint&, const T* st
   return true;
 }
 
+// Compiled once, in the source of the law.
+extern template class PointwiseSkeleton<AutomaticTangent<NeoHookean>>;
+
 }  // namespace mudline

@@ -54,4 +54,6 @@ std::string Tresca::initialise(const InitialPoint& point, double* state) const {
   return "";
 }
 
+template class PointwiseSkeleton<AutomaticTangent<Tresca>>;
+
 }  // namespace mudline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/automatic_tangent.hpp"
 #include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
@@ -135,5 +136,8 @@ KOKKOS_INLINE_FUNCTION bool Tresca::update(const SkeletonPoint& in, const T* str
   return integrate_point(model, integration, in, strain, state_old[plastic_shear_strain], stress,
                          state[plastic_shear_strain]);
 }
+
+// Compiled once, in the source of the law.
+extern template class PointwiseSkeleton<AutomaticTangent<Tresca>>;
 
 }  // namespace mudline

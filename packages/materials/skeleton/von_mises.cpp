@@ -23,4 +23,6 @@ std::vector<StateVariable> VonMises::state() {
   return {{"equivalent plastic strain", 1, "-", RemapRule::value, 0.0, 1e300}};
 }
 
+template class PointwiseSkeleton<AutomaticTangent<VonMises>>;
+
 }  // namespace mudline

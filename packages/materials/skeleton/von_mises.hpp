@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/automatic_tangent.hpp"
 #include "materials/earth_pressure.hpp"
 #include "materials/frictional_model.hpp"
 
@@ -86,5 +87,8 @@ KOKKOS_INLINE_FUNCTION bool VonMises::update(const SkeletonPoint& in, const T* s
   return integrate_point(model, integration, in, strain, state_old[equivalent_plastic_strain], stress,
                          state[equivalent_plastic_strain]);
 }
+
+// Compiled once, in the source of the law.
+extern template class PointwiseSkeleton<AutomaticTangent<VonMises>>;
 
 }  // namespace mudline
