@@ -50,7 +50,6 @@ if(MUDLINE_GMSH)
   add_library(mudline::gmsh INTERFACE IMPORTED)
   target_include_directories(mudline::gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
   target_link_libraries(mudline::gmsh INTERFACE ${GMSH_LIBRARY})
-  target_compile_definitions(mudline::gmsh INTERFACE MUDLINE_HAVE_GMSH)
 endif()
 
 find_package(CLI11 REQUIRED)

@@ -28,6 +28,9 @@ install(DIRECTORY packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mudline
 if(TARGET mudline)
   install(TARGETS mudline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+if(MUDLINE_GMSH)  # the program looks for it there (gmsh_library.cpp)
+  install(TARGETS mudline_gmsh LIBRARY DESTINATION libexec/mudline)
+endif()
 # Without what stands beside an example of a plugin that was built and run in its folder.
 install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/mudline
   PATTERN build EXCLUDE PATTERN results EXCLUDE PATTERN "*.so" EXCLUDE)

@@ -3,10 +3,10 @@
 # benchmarks/ holds timed figures, with a CMakeLists.txt: programs to run by hand (docs/benchmarks), never tests.
 #
 #   mudline_package(materials SOURCES a.cpp b.cpp DEPENDS core tensor PRECOMPILED light
-#                   [PRIVATE mudline::metis ...] [GMSH_SOURCES c.cpp] [KERNELS])
+#                   [PRIVATE mudline::metis ...] [KERNELS] [GMSH_TESTS])
 #
-# DEPENDS are packages (the include arrows); PRIVATE are third-party targets; GMSH_SOURCES are left out of a program
-# without Gmsh. Where a source of a package that has some differs without Gmsh, it asks for MUDLINE_HAVE_GMSH.
+# DEPENDS are packages (the include arrows); PRIVATE are third-party targets; the tests of GMSH_TESTS use Gmsh where
+# MUDLINE_HAVE_GMSH is defined.
 # PRECOMPILED names the precompiled headers of the package and its tests (mudline_precompiled below). KERNELS: the
 # package has the loops in which a run spends its time. A release optimises them most (-O3), other packages less (-O2)
 # and tests least (-O1), which halves the time that their compilation takes. The numbers are the same.
@@ -58,14 +58,8 @@ mudline_precompiled(framework <Teuchos_CommHelpers.hpp> <framework/term.hpp>)
 mudline_precompiled(simulation <Teuchos_CommHelpers.hpp> <simulation/model.hpp>)
 
 function(mudline_package name)
-  cmake_parse_arguments(arg "KERNELS" "PRECOMPILED" "SOURCES;DEPENDS;PUBLIC;PRIVATE;GMSH_SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "KERNELS;GMSH_TESTS" "PRECOMPILED" "SOURCES;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
   add_library(mudline_${name} STATIC ${arg_SOURCES})
-  if(MUDLINE_GMSH AND arg_GMSH_SOURCES)
-    target_sources(mudline_${name} PRIVATE ${arg_GMSH_SOURCES})
-    target_compile_definitions(mudline_${name} PRIVATE MUDLINE_HAVE_GMSH)
-  endif()
-  set_target_properties(mudline_${name} PROPERTIES
-    MUDLINE_GMSH_SOURCES "${arg_GMSH_SOURCES}" MUDLINE_LIBRARIES "${arg_PUBLIC};${arg_PRIVATE}")
   add_library(mudline::${name} ALIAS mudline_${name})
   set_target_properties(mudline_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
   target_include_directories(mudline_${name} PUBLIC
@@ -82,14 +76,14 @@ function(mudline_package name)
   set_property(GLOBAL APPEND PROPERTY MUDLINE_PACKAGES mudline_${name})
 
   if(MUDLINE_TESTS)
-    mudline_package_tests(${name} ${arg_PRECOMPILED})
+    mudline_package_tests(${name} ${arg_PRECOMPILED} ${arg_GMSH_TESTS})
   endif()
   if(MUDLINE_BENCHMARKS AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/benchmarks/CMakeLists.txt)
     add_subdirectory(benchmarks)
   endif()
 endfunction()
 
-function(mudline_package_tests name precompiled)
+function(mudline_package_tests name precompiled gmsh)
   file(GLOB serial CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*_test.cpp)
   file(GLOB parallel CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*_test.np2.cpp)
   foreach(kind serial parallel)
@@ -108,6 +102,11 @@ function(mudline_package_tests name precompiled)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -fPIC)  # -fPIC as the package, whose precompiled headers serve here too
     target_precompile_headers(${target} REUSE_FROM mudline_precompiled_${precompiled})
     target_compile_definitions(${target} PRIVATE MUDLINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    if(MUDLINE_GMSH AND gmsh)
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:mudline_gmsh_objects>)
+      target_link_libraries(${target} PRIVATE mudline::gmsh)
+      target_compile_definitions(${target} PRIVATE MUDLINE_HAVE_GMSH)
+    endif()
     mudline_test(unit.${target} LABELS unit RANKS ${ranks} COMMAND ${mudline_mpiexec} -n ${ranks} $<TARGET_FILE:${target}>)
   endforeach()
 endfunction()

@@ -12,6 +12,7 @@
 #include "algebra/blas_kernels.hpp"
 #include "commands.hpp"
 #include "core/documentation.hpp"
+#include "discretisation/gmsh_library.hpp"
 #include "simulation/plugin.hpp"
 
 namespace mudline::cli {
@@ -124,13 +125,7 @@ int version() {
   const BlasKernels kernels = blas_kernels();
   std::cout << "mudline " << MUDLINE_VERSION << "\n"
             << "plugins: " << MUDLINE_ABI << "\n"
-            << "gmsh:    "
-            <<
-#ifdef MUDLINE_HAVE_GMSH
-      "yes"
-#else
-      "no"
-#endif
+            << "gmsh:    " << (has_gmsh() ? "yes" : "no")
             << "\nblas:    " << (kernels.in_use.empty() ? "not OpenBLAS" : "OpenBLAS, kernels " + kernels.in_use)
             << (kernels.replaced.empty() ? "" : " (in place of " + kernels.replaced + ", which OpenBLAS picks here)")
             << std::endl;

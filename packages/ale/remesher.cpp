@@ -9,6 +9,7 @@
 #include "ale/remesher_builder.hpp"
 #include "core/text.hpp"
 #include "discretisation/element_map.hpp"
+#include "discretisation/gmsh_library.hpp"
 #include "discretisation/triangulation.hpp"
 
 namespace mudline {
@@ -114,7 +115,7 @@ void Remesher::find_fixed() {
 }
 
 void Remesher::check(const Section& section) const {
-  if (!has_triangulation()) section.fail("remeshing needs Gmsh, and this program was built without it");
+  if (!has_gmsh()) section.fail("remeshing needs Gmsh, and this program was built without it");
   if (adaptive() && deck_.smallest_size > deck_.largest_size)
     section.fail("must not be smaller than the smallest size, " + number_text(deck_.smallest_size) + " m",
                  "largest size");

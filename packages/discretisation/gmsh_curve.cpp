@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "discretisation/gmsh_session.hpp"
 
 namespace mudline {
 
@@ -119,17 +120,6 @@ class Curve {
 };
 
 }  // namespace
-
-CurvePoint CadCurve::start() const { return kind == Kind::general ? runs.front().at(0).x : points.front(); }
-CurvePoint CadCurve::end() const { return kind == Kind::general ? runs.back().at(1).x : points.back(); }
-
-CadCurve CadCurve::reversed() const {
-  CadCurve result = *this;
-  std::reverse(result.points.begin(), result.points.end());
-  std::reverse(result.runs.begin(), result.runs.end());
-  for (PolynomialRun& run : result.runs) run = run.reversed();
-  return result;
-}
 
 std::vector<CadCurve> read_gmsh_curves(const GmshFile& file, const CurveSelection& selection,
                                        const SourcePosition& position) {

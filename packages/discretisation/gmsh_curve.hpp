@@ -1,31 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "discretisation/gmsh_session.hpp"
-#include "discretisation/piecewise_polynomial.hpp"
+#include "discretisation/cad_curve.hpp"
+#include "discretisation/gmsh_file.hpp"
+#include "discretisation/source_position.hpp"
 
 namespace mudline {
-
-/// One curve of a CAD model in the x-y plane, in the model's direction and the file's unit of length.
-struct CadCurve {
-  enum class Kind { line, circle, general };
-  int tag;
-  Kind kind;
-  std::vector<CurvePoint> points;   // line: its ends; circle: start, a third and two thirds of its length, end
-  std::vector<PolynomialRun> runs;  // general: accurate to 1e-11 of the curve's extent
-  CurvePoint start() const;
-  CurvePoint end() const;
-  CadCurve reversed() const;
-  void transfer(ByteStream& s) { s(tag)(kind)(points)(runs); }
-};
-
-/// The curves of a model to read: a physical group, or tags.
-struct CurveSelection {
-  std::string group;
-  std::vector<int> tags;
-};
 
 /// Reads curves of a geometry (.geo) or CAD model (.step, .stp, .brep) by Gmsh. Lines and circles are recognised; for
 /// all others, the model's own parametrisation is approximated by polynomial_runs(). Throws InputError for a model that

@@ -1,18 +1,11 @@
 #include "discretisation/gmsh_mesh.hpp"
 
-#ifdef MUDLINE_HAVE_GMSH
-#include <gmsh.h>
-#endif
-
 #include <filesystem>
 
 #include "core/errors.hpp"
 #include "core/log.hpp"
-#ifdef MUDLINE_HAVE_GMSH
 #include "discretisation/geometry_commands.hpp"
-#include "discretisation/gmsh_model.hpp"
-#include "discretisation/gmsh_session.hpp"
-#endif
+#include "discretisation/gmsh_library.hpp"
 #include "discretisation/old_msh_file.hpp"
 
 namespace mudline {
@@ -28,12 +21,10 @@ void GmshMesh::check(const Section& section) {
   if (!is_gmsh_geometry(file_.name) && std::filesystem::path(file_.name).extension() != ".msh")
     section.fail("expected a .msh or .geo file, given '" + short_name(file_.name) + "'", "file");
   file_.overrides = gmsh_overrides(section, file_.name);
-#ifndef MUDLINE_HAVE_GMSH
-  if (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name))
+  if (!has_gmsh() && (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name)))
     section.fail("'" + short_name(file_.name) + "' needs Gmsh, and this program was built without it " +
                      "(MUDLINE_GMSH=OFF); allowed: mesh files (.msh) of the formats 1 to 2.2",
                  "file");
-#endif
 }
 
 GlobalMesh GmshMesh::generate() const {
@@ -58,23 +49,9 @@ TaggedMesh GmshMesh::read() const {
   }
 }
 
-#ifdef MUDLINE_HAVE_GMSH
 TaggedMesh GmshMesh::read_by_gmsh() const {
   if (is_gmsh_geometry(file_.name)) refuse_merged_groups();
-  return with_gmsh<TaggedMesh>(file_, position_, [&] {
-    open_in_gmsh(file_, position_);
-    if (is_gmsh_geometry(file_.name)) {
-      gmsh::model::mesh::generate(dimension_);
-      if (gmsh_error().empty()) gmsh::model::mesh::setOrder(order_);
-      const std::string error = gmsh_error();
-      if (!error.empty()) position_.fail("Gmsh, reading '" + short_name(file_.name) + "': " + error, "file");
-    }
-    try {
-      return read_gmsh_model(dimension_);
-    } catch (const InputError& error) {
-      position_.fail("'" + short_name(file_.name) + "': " + error.what(), "file");
-    }
-  });
+  return gmsh_library(position_).read_mesh(file_, dimension_, order_, position_);
 }
 
 void GmshMesh::refuse_merged_groups() const {
@@ -99,8 +76,5 @@ void GmshMesh::refuse_merged_groups() const {
                          "give each group an elementary tag of its own",
                      "file");
 }
-#else
-TaggedMesh GmshMesh::read_by_gmsh() const { throw std::logic_error("there is no Gmsh"); }
-#endif
 
 }  // namespace mudline

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/errors.hpp"
+#include "discretisation/gmsh_session.hpp"
 #include "discretisation/msh_element.hpp"
 
 namespace mudline {
@@ -165,8 +166,26 @@ std::map<std::string, std::vector<Tag>> Reader::read_points(int dimension) const
   return result;
 }
 
+/// The mesh of the model that Gmsh has open. Throws InputError without a position.
+TaggedMesh read_gmsh_model(int dimension) { return Reader(dimension).read(); }
+
 }  // namespace
 
-TaggedMesh read_gmsh_model(int dimension) { return Reader(dimension).read(); }
+TaggedMesh read_gmsh_mesh(const GmshFile& file, int dimension, int order, const SourcePosition& position) {
+  return with_gmsh<TaggedMesh>(file, position, [&] {
+    open_in_gmsh(file, position);
+    if (is_gmsh_geometry(file.name)) {
+      gmsh::model::mesh::generate(dimension);
+      if (gmsh_error().empty()) gmsh::model::mesh::setOrder(order);
+      const std::string error = gmsh_error();
+      if (!error.empty()) position.fail("Gmsh, reading '" + short_name(file.name) + "': " + error, "file");
+    }
+    try {
+      return read_gmsh_model(dimension);
+    } catch (const InputError& error) {
+      position.fail("'" + short_name(file.name) + "': " + error.what(), "file");
+    }
+  });
+}
 
 }  // namespace mudline

@@ -1,5 +1,6 @@
 #include "discretisation/box_mesh.hpp"
 #include "discretisation/extruded_mesh.hpp"
+#include "discretisation/gmsh_library.hpp"
 #include "discretisation/gmsh_mesh.hpp"
 #include "discretisation/revolved_mesh.hpp"
 
@@ -9,12 +10,10 @@ void register_plane_sources(Registry<MeshSource>& registry) {
   registry.add<BoxMesh>("box",
                         "Rectangle of quadrilaterals or triangles, in space box of hexahedra or tetrahedra, optionally "
                         "graded and layered");
-#ifdef MUDLINE_HAVE_GMSH
-  registry.add<GmshMesh>("gmsh", "Mesh file (.msh) or geometry (.geo) of Gmsh; physical groups are regions and sets");
-#else
   registry.add<GmshMesh>(
-      "gmsh", "Mesh file (.msh) of Gmsh's formats 1 to 2.2; others and geometries (.geo) are not in this build");
-#endif
+      "gmsh", has_gmsh()
+                  ? "Mesh file (.msh) or geometry (.geo) of Gmsh; physical groups are regions and sets"
+                  : "Mesh file (.msh) of Gmsh's formats 1 to 2.2; others and geometries (.geo) are not in this build");
 }
 
 void register_mesh_sources(Registry<MeshSource>& registry) {

@@ -38,9 +38,6 @@ class NoTriangulation : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Whether this program can fill regions with triangles and tetrahedra: it was built with Gmsh.
-bool has_triangulation();
-
 /// Triangulates the regions with Gmsh. The sides of the chains are not divided; inside, edges are as long as `size`
 /// asks [m]. Gmsh runs in a process of its own that is ended after `time_limit` seconds; the same input gives the same
 /// triangles. Throws NoTriangulation, and ChildLost where that process is lost, which says nothing about the regions.

@@ -5,11 +5,8 @@
 #include <stdexcept>
 
 #include "core/pi.hpp"
-#ifdef MUDLINE_HAVE_GMSH
+#include "discretisation/gmsh_library.hpp"
 #include "geometry/gmsh_curve_shape.hpp"
-#else
-#include "discretisation/without_gmsh.hpp"
-#endif
 #include "geometry/library_shapes.hpp"
 #include "geometry/path_shape.hpp"
 
@@ -208,16 +205,6 @@ void PolylineShape::check(const Section& section) {
 
 Contour PolylineShape::build() const { return rounded_polygon(points(), radii(), extent_); }
 
-#ifndef MUDLINE_HAVE_GMSH
-namespace {
-class CurveWithoutGmsh : public ContourShape {
- public:
-  void parameters(Parameters& p) { refuse_without_gmsh(p); }
-  Contour build() const override { throw std::logic_error("there is no Gmsh"); }
-};
-}  // namespace
-#endif
-
 void register_contours(Registry<ContourShape>& registry) {
   registry.add<ConeShape>("cone", "Cone on a cylindrical shaft, apex and shoulder rounded on demand");
   registry.add<FlatPileShape>("flat pile", "Flat-ended cylinder or wall with a rounded edge");
@@ -227,11 +214,8 @@ void register_contours(Registry<ContourShape>& registry) {
   registry.add<CylinderShape>("cylinder", "Cylinder lying across the plane: T-bar, pipeline; in axisymmetry a sphere");
   registry.add<StripShape>("strip", "Rigid strip or plate with rounded edges");
   registry.add<PathShape>("path", "Lines, arcs, Bezier, Hermite and NURBS curves, piece after piece");
-#ifdef MUDLINE_HAVE_GMSH
-  registry.add<GmshCurveShape>("gmsh curve", "Curves of a Gmsh geometry or a CAD model");
-#else
-  registry.add<CurveWithoutGmsh>("gmsh curve", "Curves of a Gmsh geometry or a CAD model; not in this build");
-#endif
+  registry.add<GmshCurveShape>("gmsh curve", std::string("Curves of a Gmsh geometry or a CAD model") +
+                                                 (has_gmsh() ? "" : "; not in this build"));
   registry.add<PolylineShape>("polyline", "Straight lines through given points with rounded corners");
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/section.hpp"
-#include "discretisation/gmsh_curve.hpp"
+#include "discretisation/cad_curve.hpp"
 
 namespace mudline {
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/text.hpp"
+#include "discretisation/gmsh_library.hpp"
 #include "geometry/curve_chain.hpp"
 #include "geometry/path_shape.hpp"
 #include "tensor/vec.hpp"
@@ -61,6 +62,7 @@ double size_of(const std::vector<CadCurve>& curves) {
 }  // namespace
 
 void GmshCurveShape::parameters(Parameters& p) {
+  refuse_without_gmsh(p);
   position_.remember(p);
   common_parameters(p);
   file_.parameters(p, "Geometry (.geo) or CAD model (.step, .stp, .brep) in the x-y plane");
@@ -107,7 +109,7 @@ void GmshCurveShape::check(const Section& section) {
     section.fail("expected a .geo, .step, .stp or .brep file, given '" + short_name(file_.name) + "'", "file");
   const std::string entry = group_.empty() ? "curves" : "physical curve";
   file_.overrides = gmsh_overrides(section, file_.name);
-  const auto curves = read_gmsh_curves(file_, selection(section), position_);
+  const auto curves = gmsh_library(position_).read_curves(file_, selection(section), position_);
   const double size = size_of(curves), tolerance = 1e-9 * size;
   std::vector<CadCurve> chain = chained(curves, tolerance, section, entry);
   const CurvePoint first = chain.front().start(), last = chain.back().end();

@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "discretisation/gmsh_curve.hpp"
+#include "discretisation/cad_curve.hpp"
+#include "discretisation/gmsh_file.hpp"
+#include "discretisation/source_position.hpp"
 #include "geometry/contour_shape.hpp"
 #include "geometry/curve_piece.hpp"
 #include "tensor/vec.hpp"

@@ -36,10 +36,9 @@ HEAVY = {
     r"MueLu|Xpetra|Ifpack2": ["packages/algebra/amg.cpp"],
     r"Belos": [],
     r"[sdcz]mumps_": ["packages/algebra/mumps_factor.cpp"],
-    r"gmsh": [f"packages/discretisation/gmsh_{part}.cpp" for part in ("session", "mesh", "model", "curve")] +
-             ["packages/discretisation/triangulation.cpp"],
+    r"gmsh": [f"packages/discretisation/gmsh_{part}.cpp" for part in ("session", "model", "curve", "triangulation")],
     r"hdf5|H5": ["packages/simulation/output/", "packages/simulation/tests/"],
-    r"tinyxml2": ["packages/core/deck_xml.cpp"],
+    r"tinyxml2": ["packages/core/deck_xml.cpp", "packages/simulation/tests/documentation_test.cpp"],
     r"muParser": ["packages/core/function.cpp"],
     r"CLI/": ["apps/mudline/"],
 }

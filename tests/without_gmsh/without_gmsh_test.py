@@ -2,12 +2,12 @@
 import os
 import shutil
 import subprocess
+import tempfile
 import unittest
 
 import mudline_case
 from mudline_case import ROOT, MudlineCase
 
-mudline_case.PROGRAM = os.environ["MUDLINE_WITHOUT_GMSH"]
 NEEDS = "needs Gmsh, and this program was built without it (MUDLINE_GMSH=OFF)"
 BASE = os.path.join(ROOT, "tests", "deck_errors", "base.xml")
 BOX = '<Parameter name="type" type="string" value="box"/>'
@@ -31,6 +31,16 @@ def square():
     lines += ["$Elements", str(len(elements))]
     lines += [f"{k} {kind} 2 {tag} 1 {' '.join(map(str, nodes))}" for k, (kind, tag, nodes) in enumerate(elements, start=1)]
     return "\n".join([*lines, "$EndElements", ""])
+
+
+def setUpModule():
+    global SCRATCH
+    SCRATCH = tempfile.mkdtemp()  # the program alone, without the library that stands beside it
+    mudline_case.PROGRAM = shutil.copy(mudline_case.PROGRAM, SCRATCH)
+
+
+def tearDownModule():
+    shutil.rmtree(SCRATCH)
 
 
 class WithoutGmsh(MudlineCase):

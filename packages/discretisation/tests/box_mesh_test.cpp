@@ -4,7 +4,6 @@
 #include <set>
 
 #include "discretisation/tests/mesh_fixture.hpp"
-#include "discretisation/without_gmsh.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
@@ -159,20 +158,6 @@ TEST(MeshSets, UnknownNamesAreMetWithASuggestion) {
   EXPECT_CONTAINS(input_error([&] { require_side_set(*mesh, section, "side", "tpo"); }),
                   "deck.xml:1: mesh/side: unknown side set 'tpo' (did you mean 'top'?)");
   EXPECT_THROW(mesh->nodes_of_set("tpo"), std::logic_error);
-}
-
-struct SourceThatNeedsGmsh : MeshSource {
-  void parameters(Parameters& p) { refuse_without_gmsh(p); }
-  GlobalMesh generate() const override { return {}; }
-};
-
-TEST(WithoutGmsh, NamesWhatIsMissing) {
-  Registry<MeshSource> sources("mesh source");
-  sources.add<SourceThatNeedsGmsh>("gmsh", "not in this build");
-  EXPECT_EQ(sources.document().size(), 1u);
-  const Section section = mesh_section(gmsh("cone.geo"));
-  EXPECT_CONTAINS(input_error([&] { make_mesh(world(), sources, section); }),
-                  "mesh/type: 'gmsh' needs Gmsh, and this program was built without it");
 }
 
 }  // namespace
