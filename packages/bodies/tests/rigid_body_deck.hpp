@@ -36,4 +36,22 @@ inline std::string body_xml(const std::string& name, const std::string& contour,
          "</ParameterList>\n</ParameterList>\n</ParameterList>\n";
 }
 
+/// The entry bodies/b with a "surface" in space, or with a "contour" in the plane, given as text; at rest unless a
+/// motion is given.
+inline std::string shaped_xml(const std::string& shape, const std::string& parameters, const std::string& more,
+                              const std::string& position,
+                              const std::string& motion = text_parameter("type", "prescribed velocity")) {
+  const std::string space =
+      shape == "surface" ? section_xml("mesh", text_parameter("geometry", geometry_in_space)) : "";
+  return space +
+         section_xml("bodies", section_xml("b", more + array_parameter("position", position) +
+                                                    section_xml(shape, parameters) + section_xml("motion", motion)));
+}
+
+/// A box with its centre at the body's reference point.
+inline std::string beam(double x, double y, double z) {
+  return text_parameter("type", "box") + number_parameter("length x", x) + number_parameter("length y", y) +
+         number_parameter("length z", z) + number_parameter("fillet radius", 0.02);
+}
+
 }  // namespace mudline

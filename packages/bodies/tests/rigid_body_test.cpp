@@ -66,24 +66,6 @@ TEST(BodyMotion, DisplacementCountsChangesOnly) {
   EXPECT_FALSE(pull->moves(0));
 }
 
-/// A body with a surface in space, or a full contour in the plane, that is given as text.
-std::string shaped_xml(const std::string& shape, const std::string& parameters, const std::string& more,
-                       const std::string& position) {
-  const std::string space =
-      shape == "surface"
-          ? "<ParameterList name=\"mesh\">\n" + text_parameter("geometry", geometry_in_space) + "</ParameterList>\n"
-          : "";
-  return space + "<ParameterList name=\"bodies\">\n<ParameterList name=\"b\">\n" + more +
-         array_parameter("position", position) + "<ParameterList name=\"" + shape + "\">\n" + parameters +
-         "</ParameterList>\n<ParameterList name=\"motion\">\n" + text_parameter("type", "prescribed velocity") +
-         "</ParameterList>\n</ParameterList>\n</ParameterList>\n";
-}
-
-std::string beam(double x, double y, double z) {
-  return text_parameter("type", "box") + number_parameter("length x", x) + number_parameter("length y", y) +
-         number_parameter("length z", z) + number_parameter("fillet radius", 0.02);
-}
-
 TEST(RigidBody, ALyingBeamIsAsWideAsItsSectionWhereItMovesDown) {
   BodyDeck deck(shaped_xml("surface", beam(4, 0.3, 0.3), "", "1, 2, 3"));
   const auto body = deck.body("b", Geometry::space);
