@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/deck.hpp"
+#include "core/registry.hpp"
 
 namespace mudline::cli {
 
@@ -51,6 +52,8 @@ std::string result_name(const DeckOptions& options);
 void refuse_unused_functions(const Section& root);
 /// Whether a deck is for `mudline point` alone: it has tests but nothing to mesh.
 bool is_point_deck(const Deck& deck);
+/// The documentation of all types and sections, with the types of a plugin ("": none).
+std::vector<EntryDoc> documentation(const std::string& plugin);
 /// The command line of a Python script of mudline, "report" or "sweep".
 std::vector<std::string> script_command(const std::string& name, const std::vector<std::string>& arguments);
 /// The words as exec takes them, with a null at the end; they point into `command`.

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "algebra/blas_kernels.hpp"
+#include "checks/plausibility.hpp"
 #include "commands.hpp"
 #include "core/documentation.hpp"
 #include "discretisation/gmsh_library.hpp"
@@ -17,9 +18,6 @@
 
 namespace mudline::cli {
 
-namespace {
-
-/// The documentation of all types, with those of the plugin if one is named.
 std::vector<EntryDoc> documentation(const std::string& plugin) {
   Registries registries;
   register_all(registries);
@@ -28,10 +26,10 @@ std::vector<EntryDoc> documentation(const std::string& plugin) {
     list.set("files", Teuchos::Array<std::string>(1, std::filesystem::absolute(plugin).string()));
     load_plugins(Section(list, std::make_shared<Sources>(), std::make_shared<FunctionLibrary>(), ""), registries);
   }
-  return document_all(registries);
+  std::vector<EntryDoc> docs = document_all(registries);
+  docs.push_back(Plausibility::document());
+  return docs;
 }
-
-}  // namespace
 
 int rank() {
   int running = 0, result = 0;

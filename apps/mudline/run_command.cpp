@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <iostream>
 
+#include "checks/deck_checks.hpp"
+#include "checks/penetration_watch.hpp"
+#include "checks/plausibility.hpp"
 #include "commands.hpp"
 #include "core/deck.hpp"
 #include "core/errors.hpp"
@@ -11,7 +14,6 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "discretisation/agree.hpp"
-#include "simulation/plausibility.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/run.hpp"
 
@@ -27,45 +29,8 @@ struct Loaded {
   std::unique_ptr<Model> model;
   OutputSettings output;
   std::unique_ptr<Plausibility> plausibility;
+  Observers observers;
 };
-
-/// Refuses probes at nodes that remeshing would lose, and probes at rest outside the mesh, whose nearest node is not
-/// what the author means. A point of a body may enter the soil later.
-void check_probes(const Loaded& loaded) {
-  const Bounds& box = loaded.model->mesh().bounds();
-  const double slack = 1e-6 * box.extent();
-  const Ale* ale = loaded.model->ale();
-  for (const ProbeSettings& probe : loaded.output.probes)
-    if (probe.at_node && ale && ale->remeshing())
-      loaded.root->section("output").section("probes").fail(
-          "a node is lost when the mesh is remeshed ('mesh motion/remeshing'); give the probe 'moves with' a body or "
-          "nothing",
-          probe.name);
-  for (const ProbeSettings& probe : loaded.output.probes) {
-    const auto& at = probe.point;
-    for (int i = 0; probe.moves_with.empty() && i < loaded.model->mesh().dimension(); ++i)
-      if (at[i] < box.low[i] - slack || at[i] > box.high[i] + slack)
-        loaded.root->section("output").section("probes").fail(
-            std::string(axis_names[i]) + " = " + number_text(at[i]) + " lies outside the mesh, which reaches from " +
-                number_text(box.low[i]) + " to " + number_text(box.high[i]),
-            probe.name);
-  }
-}
-
-/// Refuses an error estimate without soil, from whose stresses it is computed, and adaptive remeshing without an
-/// estimate.
-void check_error_estimate(const Loaded& loaded) {
-  if (loaded.output.error_estimate && !loaded.model->soil())
-    loaded.root->section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
-  const Ale* ale = loaded.model->ale();
-  if (ale && ale->remeshing() && ale->remeshing()->adaptive() && !loaded.output.error_estimate)
-    loaded.root->section("mesh motion")
-        .section("remeshing")
-        .fail(
-            "'adaptive' takes the sizes from the error estimate; it needs output/error estimate = true, and aims at "
-            "output/target error",
-            "size");
-}
 
 std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const std::string& mesh_parts) {
   const RCP<const Comm> comm = Tpetra::getDefaultComm();
@@ -85,12 +50,13 @@ std::unique_ptr<Loaded> load(const Deck& deck, const std::string& name, const st
   loaded->output =
       OutputSettings::read(loaded->root->section("output"), name, loaded->root->section("bodies").section_names());
   loaded->model = std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{mesh_parts});
+  check_deck(*loaded->model, *loaded->root);
   loaded->plausibility = std::make_unique<Plausibility>(*loaded->model, *loaded->root);
+  loaded->observers = read_observers(loaded->root->section("output"), loaded->registries.observers, *loaded->model);
   const std::vector<std::string> unused = loaded->root->unused();
   if (!unused.empty()) loaded->root->fail("unknown parameter", unused.front());
   refuse_unused_functions(*loaded->root);
-  check_probes(*loaded);
-  check_error_estimate(*loaded);
+  check_output(*loaded->model, loaded->output, *loaded->root);
   check_foreign_code();
   return loaded;
 }
@@ -119,14 +85,16 @@ int run(const RunCommand& command) {
   options.accept_changes = command.accept_changes;
   options.overwrite = command.overwrite;
   options.maximum_steps = command.steps;
-  options.doubts = loaded->plausibility->usual();
   const Origin origin{loaded->deck.to_xml(),
                       std::filesystem::weakly_canonical(std::filesystem::absolute(command.deck.decks.front())).string(),
                       std::string("mudline ") + MUDLINE_VERSION};
   const auto on_mesh = [&loaded, comm = loaded->model->mesh().comm()](std::shared_ptr<const RemeshedMesh> mesh) {
     return std::make_unique<Model>(comm, *loaded->root, loaded->registries, MeshOrigin{"", std::move(mesh)});
   };
-  Run run(std::move(loaded->model), on_mesh, loaded->output, origin, options);
+  Observers watchers;
+  watchers.push_back(std::make_unique<PenetrationWatch>(loaded->plausibility->usual()));
+  for (auto& observer : loaded->observers) watchers.push_back(std::move(observer));
+  Run run(std::move(loaded->model), on_mesh, loaded->output, origin, options, std::move(watchers));
   return static_cast<int>(run.execute());
 }
 

@@ -2,7 +2,6 @@
 
 #include "commands.hpp"
 #include "core/documentation.hpp"
-#include "simulation/registries.hpp"
 
 namespace mudline::cli {
 
@@ -106,9 +105,7 @@ std::string deck_of(const std::string& physics) {
 }  // namespace
 
 int print_template(const std::string& name) {
-  Registries registries;
-  register_all(registries);
-  const std::vector<EntryDoc> docs = document_all(registries);
+  const std::vector<EntryDoc> docs = documentation("");
   if (name == "biot" || name == "solid") {
     if (rank() == 0) std::cout << deck_of(name);
     return 0;

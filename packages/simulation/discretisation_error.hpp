@@ -19,6 +19,7 @@ class DiscretisationError {
   /// Declares its state array; to be called before the first step. `target`: wanted relative error of the stress [-].
   /// Collective.
   DiscretisationError(Model& model, double target);
+  const Model& model() const { return model_; }
   /// Takes the committed stress as the one from which changes are counted.
   void start();
   /// Forgets the largest speeds of the motions; to be called when a stage begins.

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/log.hpp"
+#include "core/told.hpp"
 #include "integrator/overlap.hpp"
-#include "simulation/doubts.hpp"
 
 namespace mudline {
 

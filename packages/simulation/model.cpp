@@ -16,7 +16,6 @@
 #include "physics/soil_stress.hpp"
 #include "simulation/model_remeshing.hpp"
 #include "simulation/output/mesh_parts_file.hpp"
-#include "simulation/supports.hpp"
 
 namespace mudline {
 
@@ -109,10 +108,10 @@ Model::Model(RCP<const Comm> comm, const Section& deck, const Registries& regist
                                        [this](const StepView& view) { return block_data(view); });
   if (ale_)
     if (const std::string problem = ale_->problem(*store_); !problem.empty()) deck.section("mesh motion").fail(problem);
-  if (!remeshed_) check_start(deck);
+  if (!remeshed_) initialise(deck);
 }
 
-void Model::check_start(const Section& deck) {
+void Model::initialise(const Section& deck) {
   if (ale_ && ale_->remeshing())
     if (const std::string problem = remeshing_problem(*this); !problem.empty())
       deck.section("mesh motion").section("remeshing").fail(problem);
@@ -120,14 +119,6 @@ void Model::check_start(const Section& deck) {
   for (std::size_t i = 0; i < physics_.size(); ++i)
     call_physics(physics.section(physics.section_names()[i]),
                  [&](const Section& entry) { physics_[i]->initialise(*store_, entry); });
-  check_contradictions(deck);
-  check_motions(deck);
-  if (space_->find("displacement") >= 0) {
-    const MeshParts parts = mesh_parts(*mesh_);
-    check_parts(deck, parts);
-    check_supports(deck, parts);
-  }
-  check_unused(deck);
 }
 
 void Model::read_materials(const Section& deck, const Registries& registries) {
@@ -366,128 +357,6 @@ void Model::start_bodies(const Stage& stage) {
     if (starts(*body)) set_free(*body, store_->committed(), unbalanced, changed_motions_.count(name) > 0);
 }
 
-void Model::check_motions(const Section& deck) const {
-  const Section stages = deck.section("stages"), contacts = deck.section("contacts");
-  std::map<std::string, std::shared_ptr<const BodyMotion>> before;
-  for (const auto& stage : stages_) {
-    const Section section = stages.section(stage->name);
-    const bool geostatic = stage->type == Stage::Type::geostatic;
-    if (geostatic && section.has_section("motions"))
-      section.fail("bodies rest in a geostatic stage, which takes no time: it has no 'motions'", "motions");
-    for (const auto& [name, body] : bodies_) {
-      const auto motion = motion_in(*stage, name);
-      const bool anew = std::exchange(before[name], motion) != motion;
-      if (!motion || !motion->released()) continue;
-      Point velocity{}, spin{};
-      if (anew && stage->type != Stage::Type::dynamic && motion->released()->initial_velocity(velocity, spin)) {
-        const bool own = motion == body->own_motion();
-        const Section entry =
-            own ? deck.section("bodies").section(name).section("motion") : section.section("motions").section(name);
-        entry.fail("body '" + name + "' would start with this in stage '" + stage->name +
-                       "', which is quasi-static: without inertia it has no effect, and later stages that go on with "
-                       "the motion do not give it again; allowed where a dynamic stage sets the body free (give this "
-                       "stage another motion in its 'motions', or its type 'dynamic')",
-                   entry.has_parameter("initial velocity") ? "initial velocity" : "initial spin");
-      }
-      if (stage->type == Stage::Type::dynamic) {
-        if (body->properties().mass <= 0)
-          section.fail("body '" + name + "' is released in this dynamic stage: it needs a 'mass' greater than 0");
-        continue;
-      }
-      const bool touched =
-          std::any_of(stage->contacts.begin(), stage->contacts.end(), [&, body = name](const std::string& contact) {
-            return contacts.section(contact).has_parameter("body") && contacts.section(contact).text("body") == body;
-          });
-      if (!touched)
-        section.fail("body '" + name +
-                     "' is released in this quasi-static stage, but no contact that acts in it could hold the body; "
-                     "name the motion 'held'");
-    }
-  }
-}
-
-void Model::check_supports(const Section& deck, const MeshParts& parts) {
-  if (!soil_) return;
-  const Supports supports(*this, parts);
-  double time = 0;
-  bool pressed_in = false;
-  for (const auto& stage : stages_) {
-    const bool dynamic = stage->type == Stage::Type::dynamic;
-    const bool plugin_may_hold = std::any_of(conditions_.begin(), conditions_.end(), [&](const auto& condition) {
-      const auto& names = stage->conditions;
-      return condition->may_hold() && std::find(names.begin(), names.end(), condition->name) != names.end();
-    });
-    const std::string problem = dynamic || plugin_may_hold ? "" : supports.missing(*stage, time, pressed_in);
-    if (!problem.empty())
-      deck.section("stages")
-          .section(stage->name)
-          .fail(problem + ": nothing that acts in this stage holds it, and the stage has no inertia");
-    pressed_in = pressed_in || stage->duration > 0;
-    time += stage->duration;
-  }
-}
-
-void Model::check_unused(const Section& deck) const {
-  const Section conditions = deck.section("boundary conditions"), contacts = deck.section("contacts");
-  // A list that an overlay or the command line replaces may leave out names on purpose.
-  const auto listed = [&](const char* list, std::vector<std::string> Stage::*names, const std::string& name,
-                          const std::string& source) {
-    return std::any_of(stages_.begin(), stages_.end(), [&](const auto& stage) {
-      const std::vector<std::string>& of_stage = (*stage).*names;
-      const Section section = deck.section("stages").section(stage->name);
-      return std::find(of_stage.begin(), of_stage.end(), name) != of_stage.end() ||
-             (section.has_parameter(list) && apart(section.source(list), source));
-    });
-  };
-  for (const auto& material : materials_)
-    for (const std::string& group : material->unused())
-      deck.section("materials").section(material->name).fail("no physics of this model uses these properties", group);
-  for (const auto& condition : conditions_)
-    if (!listed("conditions", &Stage::conditions, condition->name, conditions.source(condition->name)))
-      conditions.fail("no stage lists this condition in its 'conditions'", condition->name);
-  for (const auto& [name, contact] : contacts_)
-    if (!listed("contacts", &Stage::contacts, name, contacts.source(name)))
-      contacts.fail(
-          "this contact acts in no stage; name it in the 'contacts' of one (absent: all, but in geostatic stages)",
-          name);
-  const std::vector<const char*> users{"contacts", "mesh motion", "output"};
-  for (const auto& [name, body] : bodies_) {
-    const bool released = std::any_of(stages_.begin(), stages_.end(), [&, body = name](const auto& stage) {
-      const auto motion = motion_in(*stage, body);
-      return motion && motion->released();
-    });
-    const bool named = std::any_of(users.begin(), users.end(), [&, body = name](const char* user) {
-      return mentions(deck.section(user).list(), body);
-    });
-    if (!released && !named)
-      deck.section("bodies").fail("no contact, mesh motion or probe names this body, and no stage releases it", name);
-  }
-}
-
-void Model::check_parts(const Section& deck, const MeshParts& parts) const {
-  if (parts.places.size() < 2) return;
-  std::vector<std::string> holding;
-  for (const auto& condition : conditions_) {
-    if (condition->may_hold()) return;  // it may hold any part
-    if (!condition->holds().empty()) holding.push_back(condition->holds());
-  }
-  for (const Section& contact : collection(deck.section("contacts")))
-    for (const char* surface : {"surface", "slave", "master"})
-      if (contact.has_parameter(surface)) holding.push_back(contact.text(surface));
-  std::vector<char> held(parts.places.size(), 0);
-  for (const std::string& set : holding) {
-    const auto touched = parts.of_set.find(set);
-    if (touched == parts.of_set.end()) continue;
-    for (int part : touched->second) held[part] = 1;
-  }
-  for (std::size_t part = 0; part < parts.places.size(); ++part)
-    if (!held[part])
-      deck.section("mesh").fail("the mesh is in " + std::to_string(parts.places.size()) +
-                                " parts that have no common nodes, and nothing could hold the one at " +
-                                place_text(parts.places[part], mesh_->dimension()) +
-                                ": no displacement is prescribed on it and no contact has a surface of it");
-}
-
 std::vector<const Term*> Model::all_terms() const {
   std::vector<const Term*> terms;
   for (const auto& term : terms_) terms.push_back(term.get());
@@ -516,43 +385,6 @@ void Model::prescribe(const Stage& stage, double t_old, double t_end, const Stat
                                  "' prescribes a value that is not finite at t = " + number_text(t_end) + " s");
   }
   for (const auto& [name, body] : bodies_) body->prescribe(committed, t_old, t_end, to);
-}
-
-void Model::check_contradictions(const Section& deck) const {
-  const int n = space_->dofs()->num_overlap_dofs();
-  double time = 0;
-  for (const auto& stage : stages_) {
-    for (double fraction : {0.5, 1.0}) {
-      const double t_end = time + fraction * stage->duration, t_old = t_end - 1e-3 * stage->duration;
-      std::vector<int> owner(n, -1);
-      std::vector<double> value(n, 0.0);
-      std::string problem, second;
-      for (std::size_t c = 0; c < conditions_.size(); ++c) {
-        if (std::find(stage->conditions.begin(), stage->conditions.end(), conditions_[c]->name) ==
-            stage->conditions.end())
-          continue;
-        Constraints mine(n);
-        conditions_[c]->prescribe(t_old, t_end, store_->committed(), mine);
-        for (int i = 0; i < n; ++i) {
-          if (!mine.mask(i)) continue;
-          const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
-          if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
-            char text[160];
-            std::snprintf(text, sizeof text, ": %s is prescribed as %.6g and as %.6g in stage '",
-                          space_->field(space_->dofs()->field_of(i)).name.c_str(), value[i], mine.value(i));
-            second = conditions_[c]->name;
-            problem = "contradicts '" + conditions_[owner[i]]->name + "' on a shared node" + text + stage->name + "'";
-          }
-          owner[i] = static_cast<int>(c);
-          value[i] = mine.value(i);
-        }
-      }
-      agree(*space_->dofs()->comm(), [&] {
-        if (!problem.empty()) deck.section("boundary conditions").fail(problem, second);
-      });
-    }
-    time += stage->duration;
-  }
 }
 
 }  // namespace mudline

@@ -8,7 +8,6 @@
 
 #include "ale/ale.hpp"
 #include "bodies/body_terms.hpp"
-#include "discretisation/mesh_topology.hpp"
 #include "framework/closed_sides.hpp"
 #include "integrator/stepper.hpp"
 #include "simulation/registries.hpp"
@@ -25,8 +24,8 @@ struct MeshOrigin {
 /// The deck turned into objects: mesh, fields, terms, conditions, bodies, contacts, stages, solver; ready to step.
 class Model {
  public:
-  /// Builds and validates everything; a remeshed mesh gets only those checks that apply to it, and no initial state.
-  /// InputError on every rank alike. Collective.
+  /// Builds everything and validates what it reads; on a remeshed mesh there is no initial state. What contradicts each
+  /// other is refused by check_deck() of the package checks. InputError on every rank alike. Collective.
   Model(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin = {});
 
   const Mesh& mesh() const { return *mesh_; }
@@ -36,6 +35,8 @@ class Model {
   StateStore& store() { return *store_; }
   const StateStore& store() const { return *store_; }
   Stepper& stepper() { return *stepper_; }
+  const Stepper& stepper() const { return *stepper_; }
+  const Materials& materials() const { return materials_; }
   const std::shared_ptr<Soil>& soil() const { return soil_; }
   const std::vector<Conserved>& conserved() const { return conserved_; }
   const std::vector<std::unique_ptr<Stage>>& stages() const { return stages_; }
@@ -66,7 +67,8 @@ class Model {
 
  private:
   void read_mesh(RCP<const Comm> comm, const Section& deck, const Registries& registries, const MeshOrigin& origin);
-  void check_start(const Section& deck);
+  /// Sets the state at the start of a run.
+  void initialise(const Section& deck);
   void read_materials(const Section& deck, const Registries& registries);
   void read_physics(const Section& deck, const Registries& registries);
   void read_conditions(const Section& deck, const Registries& registries);
@@ -75,13 +77,6 @@ class Model {
   void read_mesh_motion(const Section& deck, const Registries& registries);
   void read_stages(const Section& deck, const Registries& registries);
   void read_solver(const Section& deck, const Registries& registries);
-  void check_contradictions(const Section& deck) const;
-  void check_motions(const Section& deck) const;
-  void check_supports(const Section& deck, const MeshParts& parts);
-  /// Refuses conditions and contacts that no stage lists, and bodies that nothing uses.
-  void check_unused(const Section& deck) const;
-  /// Refuses a mesh in several parts of which one has no condition or contact that could hold it in any stage.
-  void check_parts(const Section& deck, const MeshParts& parts) const;
   /// Data of the physics for the linear solver, with the nodes at which contacts press.
   BlockData block_data(const StepView& view) const;
 

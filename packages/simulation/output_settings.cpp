@@ -54,6 +54,7 @@ void OutputSettings::parameters(Parameters& p) {
               "named points: Array(double) of its coordinates for the nearest node that carries a field (pore "
               "pressure: the nearest cell corner), wherever it goes, with the soil or with the mesh; or a section with "
               "a point and what it moves with");
+  p.passes_on("observers", "further outputs and watches, by name; see the observer types, which plugins bring");
 }
 
 OutputSettings OutputSettings::read(const Section& section, const std::string& deck_name,

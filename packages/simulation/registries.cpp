@@ -5,7 +5,6 @@
 #include "geometry/path_shape.hpp"
 #include "integrator/step_control.hpp"
 #include "simulation/output_settings.hpp"
-#include "simulation/plausibility.hpp"
 #include "simulation/plugin.hpp"
 #include "simulation/stage.hpp"
 
@@ -89,8 +88,7 @@ std::vector<EntryDoc> document_all(const Registries& r) {
   append(docs, r.point_tests);
   docs.push_back(
       fixed("output", "what is written, where and how often", [](Parameters& p) { OutputSettings().parameters(p); }));
-  docs.push_back(fixed("plausibility", "what is usual: outside of it the program doubts the deck, and goes on",
-                       [](Parameters& p) { Plausibility::document(p); }));
+  append(docs, r.observers);
   docs.push_back(
       fixed("plugins", "shared libraries that bring further types", [](Parameters& p) { document_plugins(p); }));
   return docs;

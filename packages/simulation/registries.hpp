@@ -12,6 +12,7 @@
 #include "materials/point/point_test.hpp"
 #include "materials/register_materials.hpp"
 #include "physics/register.hpp"
+#include "simulation/observer.hpp"
 
 namespace mudline {
 
@@ -35,12 +36,13 @@ struct Registries {
   Registry<TimeIntegrator> integrators{"integrator"};
   Registry<LinearSolver> linear_solvers{"linear solver"};
   Registry<PointTest> point_tests{"test"};
+  Registry<Observer> observers{"observer"};
 };
 
 /// Fills the registries with mudline's own types.
 void register_all(Registries& registries);
 
-/// Documentation of every registered type and of the deck's fixed sections, in deck order.
+/// Documentation of every registered type and of the deck's fixed sections, in deck order, without "plausibility".
 std::vector<EntryDoc> document_all(const Registries& registries);
 
 }  // namespace mudline

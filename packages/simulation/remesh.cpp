@@ -1,4 +1,6 @@
 // Remeshing: the run goes on with a model on a new mesh, or with the old one where that fails.
+#include <utility>
+
 #include "core/log.hpp"
 #include "core/run_error.hpp"
 #include "core/text.hpp"
@@ -15,8 +17,7 @@ bool Run::remeshing_due() {
 }
 
 std::unique_ptr<const WantedSizes> Run::wanted_sizes() {
-  results_->estimate_error();
-  return model_->ale()->wanted_sizes(error_estimate_->wanted_sizes(), model_->store().committed());
+  return model_->ale()->wanted_sizes(error_estimate_->wanted_sizes(view()), model_->store().committed());
 }
 
 void Run::remesh() {
@@ -47,7 +48,8 @@ void Run::remesh() {
 
 std::string Run::transfer_to(std::unique_ptr<Model> next) {
   auto balances = std::make_unique<Balances>(*next);
-  auto error = make_error_estimate(*next);
+  auto pressures = std::make_unique<ExcessPressure>(*next);
+  tell([&](Observer& observer) { observer.declare_state(*next); });
   const std::vector<double> conserved = balances_->conserved();
   const auto [receipt, change] = transfer_from(*model_, stage(), *next);
   if (!receipt.moved) return receipt.veto;
@@ -55,22 +57,18 @@ std::string Run::transfer_to(std::unique_ptr<Model> next) {
   balances->add_remap_of_conserved(conserved);
   const int pressure = model_->space().find("pore pressure");
   const NodalView reference("reference pressure", next->store().committed().value.extent(0));
-  if (pressure >= 0) change->transfer(pressure, results_->reference_pressure(), reference);
-  const double time = model_->store().committed().time;
-  const ResultsRestart files{{results_->history_mark(), time, false},
-                             {results_->field_steps(), time, false, results_->field_marks(), true}};
+  if (pressure >= 0) change->transfer(pressure, pressure_->reference(), reference);
   const long long elements = model_->mesh().num_global_elements();
-  results_.reset();
-  error_estimate_ = std::move(error);  // the old one refers to the old model
-  model_ = std::move(next);
+  const std::unique_ptr<Model> old =
+      std::exchange(model_, std::move(next));  // observers refer to it until they are told
   balances_ = std::move(balances);
-  results_ = std::make_unique<Results>(*model_, settings_, origin_, error_estimate_.get(), files);
-  results_->take_reference_pressure(reference);
-  look_at_mesh();
-  tell_transfer(receipt,
-                "  remeshed: " + std::to_string(elements) + " -> " +
-                    std::to_string(model_->mesh().num_global_elements()) + " elements, ",
-                log::info);
+  pressure_ = std::move(pressures);
+  pressure_->take_reference(reference);
+  tell(&Observer::remeshed);
+  transfers_.tell(*model_, receipt,
+                  "  remeshed: " + std::to_string(elements) + " -> " +
+                      std::to_string(model_->mesh().num_global_elements()) + " elements, ",
+                  log::info);
   return "";
 }
 

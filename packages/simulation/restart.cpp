@@ -212,7 +212,7 @@ void Run::save_checkpoint() {
   CheckpointData data;
   // this comes first, because a solver may free memory here that the arrays then use
   data.arrays["linear solver"] = model_->stepper().solver_memory();
-  for (const StateArray& array : arrays_of(*model_, results_->initial_pressure())) {
+  for (const StateArray& array : arrays_of(*model_, pressure_->initial())) {
     data.arrays[array.name].assign(array.values, array.values + array.size);
     // an array without rows on this rank may have some on others
     if (max_over_ranks(*model_->mesh().comm(), array.rows.ids.empty() ? 0.0 : 1.0) > 0)
@@ -225,16 +225,15 @@ void Run::save_checkpoint() {
   data.scalars["stage start"] = progress_.stage_start;
   data.scalars["next dt"] = progress_.next_dt;
   data.scalars["last dt"] = progress_.last_dt;
-  data.scalars["next field time"] = progress_.next_field_time;
   data.scalars["stage open"] = progress_.stage_open;
   for (const auto& [name, sizes] : by_name(model_->stepper().measures()))
     for (std::size_t f = 0; f < sizes->size(); ++f) data.scalars[name + std::to_string(f)] = (*sizes)[f];
-  const HistoryMark& history = results_->history_mark();
+  const HistoryMark& history = history_->mark();
   data.integers["history"] = {history.rows, history.bytes, static_cast<long long>(history.fingerprint)};
-  data.scalars["field steps"] = results_->field_steps();
+  data.scalars["field steps"] = fields_->num_steps();
   data.texts["deck"] = origin_.deck;
-  data.texts[field_marks] = text_of(results_->field_marks());
-  for (const auto& [contact, wall] : walls_.start())
+  data.texts[field_marks] = text_of(fields_->marks());
+  for (const auto& [contact, wall] : walls_->start())
     data.arrays[walls_at_start + contact] = {wall.pressure, wall.position[0], wall.position[1], wall.position[2]};
   if (model_->ale() && model_->ale()->remeshing()) data.scalars["remesh tried"] = progress_.remesh_tried;
   if (model_->remeshed())
@@ -283,9 +282,7 @@ void Run::load_mesh(const CheckpointReader& reader) {
   if (max_over_ranks(comm, static_cast<double>(written.size())) == 0) return;
   RemeshedMesh mesh;
   if (!written.empty()) mesh = RemeshedMesh::from_bytes(unpacked(written));
-  model_ = make_model_(std::make_shared<const RemeshedMesh>(broadcast(comm, std::move(mesh))));
-  balances_ = std::make_unique<Balances>(*model_);
-  error_estimate_ = make_error_estimate(*model_);
+  take_model(make_model_(std::make_shared<const RemeshedMesh>(broadcast(comm, std::move(mesh)))));
 }
 
 void Run::refuse_or_warn(const std::string& difference) const {
@@ -348,15 +345,12 @@ void Run::restore_progress() {
   progress_.stage_start = scalar(data, "stage start");
   progress_.next_dt = scalar(data, "next dt");
   progress_.last_dt = scalar(data, "last dt");
-  // the interval may have changed
-  progress_.next_field_time =
-      std::min(scalar(data, "next field time"), next_field_time(model_->store().committed().time));
   progress_.stage_open = counter(data, "stage open", 1) == 1;
   std::map<std::string, WallDissipation::Start> walls;
   for (const auto& [name, wall] : data.arrays)
     if (name.rfind(walls_at_start, 0) == 0 && wall.size() >= 4)  // the same on all ranks
       walls[name.substr(std::strlen(walls_at_start))] = {wall[0], {wall[1], wall[2], wall[3]}};
-  walls_.resume(std::move(walls));
+  walls_->resume(std::move(walls));
   if (data.scalars.count("remesh tried")) progress_.remesh_tried = counter(data, "remesh tried", 2e9);
   if (model_->store().committed().time < progress_.stage_start && progress_.stage_open)
     throw InputError("its time lies before the start of its stage");
@@ -372,24 +366,16 @@ void Run::restore_progress() {
 }
 
 void Run::restore_arrays() {
-  // the results, whose array the initial pressure is, are opened later: what is read for it here is dropped, and
-  // restore_initial_pressure() reads it again
-  const NodalView room("initial pressure", model_->store().committed().value.extent(0));
-  for (const StateArray& array : arrays_of(*model_, room)) restore(checkpoint_, array);
+  for (const StateArray& array : arrays_of(*model_, pressure_->initial())) restore(checkpoint_, array);
 }
 
-void Run::restore_initial_pressure() {
-  for (const StateArray& array : arrays_of(*model_, results_->initial_pressure()))
-    if (array.name == "nodal/initial pressure") restore(checkpoint_, array);
-}
-
-ResultsRestart Run::results_restart() const {
+void Run::restore_results() {
   const double time = model_->store().committed().time;
   const std::vector<long long>& history = find(checkpoint_.integers, "history", "history");
   if (history.size() < 3) does_not_fit("history");
-  return {{{history[0], history[1], static_cast<std::uint64_t>(history[2])}, time, options_.accept_changes},
-          {static_cast<long long>(scalar(checkpoint_, "field steps")), time, options_.accept_changes,
-           field_marks_of(checkpoint_)}};
+  history_->go_on({{history[0], history[1], static_cast<std::uint64_t>(history[2])}, time, options_.accept_changes});
+  fields_->go_on({static_cast<long long>(scalar(checkpoint_, "field steps")), time, options_.accept_changes,
+                  field_marks_of(checkpoint_)});
 }
 
 void Run::restore_solver() {

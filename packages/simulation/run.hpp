@@ -5,14 +5,16 @@
 #include <memory>
 #include <string>
 
-#include "discretisation/mesh_quality.hpp"
 #include "simulation/balances.hpp"
+#include "simulation/error_output.hpp"
+#include "simulation/excess_pressure.hpp"
+#include "simulation/field_output.hpp"
+#include "simulation/history_output.hpp"
 #include "simulation/model.hpp"
 #include "simulation/old_results.hpp"
 #include "simulation/output/checkpoint_file.hpp"
 #include "simulation/output/result_lock.hpp"
-#include "simulation/penetration_watch.hpp"
-#include "simulation/results.hpp"
+#include "simulation/transfer_log.hpp"
 #include "simulation/wall_dissipation.hpp"
 
 namespace mudline {
@@ -25,26 +27,26 @@ struct RunOptions {
   bool accept_changes = false;  // restart even if the model differs or earlier results are missing
   bool overwrite = false;       // replace results of another deck
   int maximum_steps = 0;        // stop after so many accepted steps of this run, with a checkpoint; 0: no limit
-  Doubts doubts;                // usual ranges of the quantities that the run watches
 };
 
 /// Makes a model of the run's deck on another mesh. InputError on every rank alike. Collective.
 using ModelMaker = std::function<std::unique_ptr<Model>(std::shared_ptr<const RemeshedMesh> mesh)>;
 
-/// Runs the stages of a model: steps, cuts, outputs, checkpoints, signals.
+/// Runs the stages of a model: steps, cuts, mesh motion, remeshing, checkpoints, signals. What is written and told
+/// besides is the matter of its observers.
 class Run {
  public:
-  /// `origin`: kept in the results. InputError when a restart does not fit, when another run writes the same results,
-  /// or when those of another deck are in the way. Collective.
+  /// `origin`: kept in the results; `watchers`: observers beside the run's own. InputError when a restart does not fit,
+  /// when another run writes the same results, or when those of another deck are in the way. Collective.
   Run(std::unique_ptr<Model> model, ModelMaker make_model, const OutputSettings& settings, const Origin& origin,
-      const RunOptions& options);
+      const RunOptions& options, Observers watchers);
   ExitCode execute();
 
  private:
   /// Progress of the run; together with the committed state it makes a restart exact.
   struct Progress {
     int stage = 0, step_in_stage = 0, step = 0;
-    double stage_start = 0, next_dt = 0, last_dt = 0, next_field_time = 0;
+    double stage_start = 0, next_dt = 0, last_dt = 0;
     bool stage_open = false;  // the stage has begun
     int remesh_tried = 0;     // step after which remeshing was last tried
   };
@@ -55,54 +57,39 @@ class Run {
   bool take_step(const Stage& stage, double& dt, StepReport& report, ExitCode& exit);
   /// Accepts a converged step and moves the mesh where that is due. False, with the state as before, when the mesh
   /// cannot be moved.
-  bool accept(const Stage& stage, StepReport& report);
+  bool accept(const Stage& stage, StepReport& solve);
   bool moves_mesh(const Stage& stage) const;
-  /// Whether the trial state turns elements inside out that were not before.
-  bool folds_elements() const;
   /// Moves the mesh. Returns "" or why it was not moved; the state is then undefined.
   std::string relocate_mesh();
-  /// Tells in a line what a mesh motion or a remeshing changed, and in one more what it changed in layers.
-  void tell_transfer(const MeshReceipt& receipt, const std::string& begin, void (*tell)(const std::string&));
-  /// Text on what a transfer changed in the layers.
-  std::string layers_text(const MeshReceipt& receipt) const;
   bool remeshing_due();
   /// Element sizes that the error estimate wants: see Ale::wanted_sizes.
   std::unique_ptr<const WantedSizes> wanted_sizes();
-  /// The error estimate of a model; null where none is asked for.
-  std::unique_ptr<DiscretisationError> make_error_estimate(Model& model) const;
   /// Remeshes and goes on with a model on the new mesh, or, where that is refused, with the present one.
   void remesh();
   /// Transfers the state to `next` and makes it the run's model. Returns "", or why the state cannot be transferred.
   std::string transfer_to(std::unique_ptr<Model> next);
-  /// Adds the mesh's columns of the history to a report.
-  void report_mesh(Report& report) const;
-  /// Measures the mesh of the committed state; warns once, where it is first poor.
-  void look_at_mesh();
-  /// Whether the run must end because elements are folded; logs an error then.
-  bool ends_folded(const Stage& stage) const;
-  /// Logs how far the stage has dissipated the excess pore pressures on the walls of bodies at rest.
-  void tell_dissipation(const Stage& stage);
   void after_step(const Stage& stage, double dt, const StepReport& report);
-  /// The first multiple of the field interval, from the stage's start, after `time`.
-  double next_field_time(double time) const;
+  /// Tells the observers' objections to going on. Returns whether there are any.
+  bool observers_object();
   double choose_dt(const Stage& stage) const;
   LocalError local_error(const Stage& stage) const;
   /// Sets the number of the next increment; `taken`: steps that are not counted in the progress yet.
   void count_increment(int taken);
   StepRequest request(const Stage& stage, double dt) const;
   void reset_displacements();
-  /// Takes the committed state as the start of balances, excess pressures and errors.
+  /// Takes the committed state as the start of balances, excess pressures and observers.
   void take_start();
-  /// Report of the terms, of contacts that do not act, and of conditions. Collective.
-  Report report_terms();
-  /// Report of the contacts alone, in the committed state. Collective.
-  Report report_contacts();
-  /// Writes the last step's row of the history, where that has not been written yet.
-  void write_row();
-  /// Saves a checkpoint where the run ends within a stage, and then writes a row that a run without this end may not
-  /// have; a restart drops it.
-  void save_and_end();
-  void log_step(const Stage& stage, double dt, const StepReport& report) const;
+  /// Makes a model that of the run.
+  void take_model(std::unique_ptr<Model> model);
+  void make_observers(Observers watchers);
+  RunView view(bool resumed = false) const;
+  void tell(const std::function<void(Observer&)>& action);
+  void tell(void (Observer::*event)(const RunView&), bool resumed = false);
+  /// Tells the observers of an accepted step, after they have added to its report. Collective.
+  void tell_step(const StepReport& solve);
+  /// Tells the observers that the run ends; with a checkpoint before.
+  void end(RunEnd how);
+  void save_and_end(RunEnd how);
   bool stop_requested() const;
   void save_checkpoint();
   /// Throws InputError, on every rank alike, when the checkpoint is missing, damaged, or that of another run.
@@ -115,34 +102,34 @@ class Run {
   void check_stages(const std::string& old_deck) const;
   void restore_progress();
   void restore_arrays();
-  void restore_initial_pressure();
-  ResultsRestart results_restart() const;
+  /// Lets the files of the results go on where the checkpoint stands.
+  void restore_results();
   void restore_solver();
   std::string checkpoint_path() const { return settings_.stem() + ".restart"; }
 
   std::unique_ptr<Model> model_;
   ModelMaker make_model_;
   OutputSettings settings_;
+  const std::string stem_ = settings_.stem();  // of the names of all files
   Origin origin_;
   RunOptions options_;
   std::unique_ptr<ResultLock> lock_;
-  PenetrationWatch penetration_;
   std::unique_ptr<Balances> balances_;
-  std::unique_ptr<DiscretisationError> error_estimate_;  // null: not asked for
-  std::unique_ptr<Results> results_;
-  WallDissipation walls_;
+  std::unique_ptr<ExcessPressure> pressure_;
+  Observers observers_;
+  // those of the observers that the run needs for more than telling
+  ErrorOutput* error_estimate_ = nullptr;  // null: not asked for
+  HistoryOutput* history_ = nullptr;
+  FieldOutput* fields_ = nullptr;
+  WallDissipation* walls_ = nullptr;
   Progress progress_;
   CheckpointData checkpoint_;  // checkpoint of the restart
   LocalError error_;           // estimate for the step last tried
-  Report report_;              // report of that step's terms
-  int iterations_ = 0;         // Newton iterations of the last step
-  bool row_is_due_ = false;    // the last step's row of the history is not written yet
+  Report report_;              // report of the last accepted step
+  StepReport solve_;           // likewise, its iterations
   int steps_here_ = 0;
   int rejected_ = 0;
-  MeshQuality quality_;          // quality of the committed state's mesh
-  bool poor_mesh_ = false;       // the warning was given
-  bool restarted_laws_ = false;  // likewise, that laws were started anew
-  double wall_start_ = 0;
+  TransferLog transfers_;
 };
 
 /// From now on SIGINT, SIGTERM, SIGUSR1 and SIGHUP (unless it is ignored, as under nohup) ask the run to stop after the

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/log.hpp"
 #include "discretisation/side_map.hpp"
 #include "integrator/overlap.hpp"
 #include "physics/soil_points.hpp"
+#include "simulation/excess_pressure.hpp"
 #include "simulation/pressed_direction.hpp"
 #include "tensor/mat.hpp"
 
@@ -86,7 +88,10 @@ WallDissipation::Wall WallDissipation::look(const Model& model, const Contact& c
   return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], sum[3]};
 }
 
-void WallDissipation::begin(const Model& model, const NodalView& excess) {
+void WallDissipation::begin_stage(const RunView& run) {
+  const Model& model = run.model;
+  if (run.resumed || !model.soil() || model.soil()->pressure < 0) return;
+  const NodalView excess = run.pressure.values();
   start_.clear();
   for (const auto& [name, contact] : model.contacts()) {
     const RigidBody* body = contact->partners().body;
@@ -96,8 +101,10 @@ void WallDissipation::begin(const Model& model, const NodalView& excess) {
   }
 }
 
-std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, const NodalView& excess, double duration) {
-  std::vector<Line> lines;
+void WallDissipation::end_stage(const RunView& run) {
+  const Model& model = run.model;
+  if (run.stage.type == Stage::Type::geostatic || !model.soil() || model.soil()->pressure < 0) return;
+  const NodalView excess = run.pressure.values();
   for (const auto& [name, contact] : model.contacts()) {
     const auto start = start_.find(name);
     if (start == start_.end()) continue;
@@ -108,7 +115,7 @@ std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, cons
     const bool rested = length(body.position(model.store().committed()) - start->second.position) < 0.01 * width;
     if (!rested || !(now.area > 0) || !(start->second.pressure > 0) || now.pressure >= start->second.pressure) continue;
     char text[300];
-    const double way = std::sqrt(now.diffusivity * duration);
+    const double way = std::sqrt(now.diffusivity * run.stage.duration);
     const bool coarse = now.thickness > finest * std::min(width, way);
     if (coarse)
       std::snprintf(
@@ -123,9 +130,8 @@ std::vector<WallDissipation::Line> WallDissipation::end(const Model& model, cons
                     "contact '%s': excess pore pressure on the wall %.3g -> %.3g kPa, %.0f %% dissipated", name.c_str(),
                     start->second.pressure / 1e3, now.pressure / 1e3,
                     100 * (1 - now.pressure / start->second.pressure));
-    lines.push_back({text, coarse});
+    coarse ? log::warn(text) : log::info(std::string("  ") + text);
   }
-  return lines;
 }
 
 }  // namespace mudline

@@ -6,24 +6,19 @@
 #include <vector>
 
 #include "simulation/model.hpp"
+#include "simulation/observer.hpp"
 
 namespace mudline {
 
 /// The excess pore pressure on the walls of bodies that rest during a stage: how much of it the stage has dissipated,
 /// and whether the elements there are fine enough to tell. It keeps no reference to a model, because remeshing replaces
 /// the model.
-class WallDissipation {
+class WallDissipation : public Observer {
  public:
-  struct Line {
-    std::string text;
-    bool doubtful;
-  };
-  /// Notes the walls' state; to be called when a stage begins. `excess`: excess pore pressure [Pa] by overlap dof.
-  /// Collective.
-  void begin(const Model& model, const NodalView& excess);
-  /// Lines on the dissipation; to be called when the stage ends, after `duration` [s]. Empty where neither begin() nor
-  /// resume() was called. Collective.
-  std::vector<Line> end(const Model& model, const NodalView& excess, double duration);
+  /// Notes the walls' state.
+  void begin_stage(const RunView& run) override;
+  /// Tells the dissipation, or that the mesh does not resolve it.
+  void end_stage(const RunView& run) override;
 
   /// State of a contact's wall when the stage began; part of the checkpoint.
   struct Start {
@@ -31,7 +26,7 @@ class WallDissipation {
     Point position;   // [m] of the body
   };
   const std::map<std::string, Start>& start() const { return start_; }
-  /// Replaces begin() where a run is continued within a stage.
+  /// Replaces begin_stage() where a run is continued within a stage.
   void resume(std::map<std::string, Start> start) { start_ = std::move(start); }
 
  private:

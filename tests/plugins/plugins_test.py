@@ -73,6 +73,43 @@ class Tag : public Physics {
 }
 MUDLINE_PLUGIN(registries) { registries.physics.add<Tag>("tag", "the height that soil comes from"); }
 """
+ALARM = """
+#include "simulation/model.hpp"
+#include "simulation/observer.hpp"
+#include "simulation/output/field_file.hpp"
+#include "simulation/output/history_file.hpp"
+#include "simulation/plugin.hpp"
+namespace {
+using namespace mudline;
+class Alarm : public Observer {
+ public:
+  void parameters(Parameters& p) {
+    p.add("objects at", objects_at_, "-", non_negative(), "Step from which it objects; 0: never");
+    p.add("throws at", throws_at_, "-", non_negative(), "Step in which it throws, on the last rank; 0: never");
+  }
+  void declare_state(Model& model) override { model.store().declare({"alarm", {{"steps", 1, "-"}}}, 1); }
+  void step(const RunView& run) override {
+    run.state.arrays[run.model.store().find("alarm")](0, 0) += 1;
+    const auto& comm = *run.model.mesh().comm();
+    if (run.step == throws_at_ && comm.getRank() == comm.getSize() - 1) throw 7;
+  }
+  std::string objection(const RunView& run) override {
+    return objects_at_ > 0 && run.step >= objects_at_ ? "enough after step " + std::to_string(run.step) : "";
+  }
+  void columns(const RunView& run, std::vector<HistoryValue>& to) override {
+    to.push_back({"alarm/steps", "-", run.state.arrays[run.model.store().find("alarm")](0, 0)});
+  }
+  void cell_fields(const RunView& run, std::vector<OutputField>& to) override {
+    std::vector<double> ids;
+    for (const ElementBlock& block : run.model.mesh().blocks()) ids.insert(ids.end(), block.global_ids.begin(), block.global_ids.end());
+    to.push_back({"alarm/id", "-", 1, ids});
+  }
+ private:
+  int objects_at_ = 0, throws_at_ = 0;
+};
+}
+MUDLINE_PLUGIN(registries) { registries.observers.add<Alarm>("alarm", "counts steps"); }
+"""
 NO_PLUGIN = 'extern "C" int something_else() { return 1; }\n'
 
 
@@ -100,7 +137,7 @@ def setUpModule():
     PREFIX = os.path.join(SCRATCH, "prefix")
     call("cmake", "--install", os.environ["MUDLINE_BUILD"], "--prefix", PREFIX)
     sources = []
-    for name in ("my_clay", "heat_conduction", "my_interface", "solute"):
+    for name in ("my_clay", "heat_conduction", "my_interface", "solute", "wall_profile"):
         sources.append(os.path.join(SCRATCH, name))
         shutil.copytree(os.path.join(PREFIX, "share", "mudline", "inputs", "plugins", name), sources[-1])  # as an author has it, away from mudline's tree
     with concurrent.futures.ThreadPoolExecutor(2) as pool:  # the test has two processors
@@ -390,6 +427,80 @@ class Plugins(MudlineCase):
         direct = self.run_deck(deck, settings)
         amg = self.run_deck(deck, settings + ["solver/linear solver/type=block amg"])
         self.assert_same_run(direct, amg, ("probe/base/temperature", "probe/base/pore pressure"), "block amg", rounding=1e-6)
+
+    # an output
+    def profile(self, stage, name="wall"):
+        """Columns by name, without units, of the wall's profile at the end of a stage."""
+        with open(os.path.join(self.folder, "results", f"{name}.wall.{stage}.csv")) as file:
+            names = [column.split(" [")[0] for column in file.readline().strip().split(",")]
+            return dict(zip(names, np.loadtxt(file, delimiter=",").T))
+
+    def test_wall_profile(self):
+        """At the start K0 of the effective stress and the water; later the numbers of the fields, and friction where the wall slides."""
+        self.run_deck(self.example("wall_profile/wall.xml"))
+        start, lift = self.profile("start"), self.profile("lift")
+        z = start["depth"]
+        np.testing.assert_allclose(z, np.linspace(0, 5, 21), atol=1e-4)
+        water = 1e4 * z
+        np.testing.assert_allclose(start["pore pressure"], water, atol=10)
+        normal = 0.5 * (10e3 + 0.6 * (2700 - 1000) * 10 * z) + water
+        np.testing.assert_allclose(start["normal traction"][1:-1], normal[1:-1], rtol=2e-3)  # the ends have points on one side only
+        np.testing.assert_allclose(start["shear traction"], 0, atol=1)
+        slides = slice(2, 8)
+        effective = lift["normal traction"] - lift["pore pressure"]
+        np.testing.assert_allclose(np.abs(lift["shear traction"][slides]), 0.3 * effective[slides], rtol=2e-2)
+        with h5py.File(os.path.join(self.folder, "results", "wall.h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]
+            places = step["coordinates"][:]
+            nodes = [np.hypot(places[:, 0] - x, places[:, 1] - y).argmin() for x, y in zip(lift["x"], lift["y"])]
+            for column, field in (("normal traction", "contact pressure face"), ("shear traction", "contact shear face"),
+                                  ("pore pressure", "pore pressure")):
+                np.testing.assert_allclose(lift[column], step["nodal"][field.replace(" ", "_")][:].reshape(-1)[nodes], rtol=1e-10, atol=1e-6)
+
+    def test_wall_profile_on_two_ranks(self):
+        deck = self.example("wall_profile/wall.xml")
+        self.run_deck(deck)
+        self.run_deck(deck, ["output/name=two"], ranks=2, name="two")
+        one, two = self.profile("lift"), self.profile("lift", "two")
+        for column in one:
+            np.testing.assert_allclose(two[column], one[column], atol=1e-6 * max(1.0, np.abs(one[column]).max()))
+
+    def test_wall_profile_is_explained_and_refused(self):
+        deck, library = self.example("wall_profile/wall.xml"), self.example("wall_profile/build/wall_profile.so")
+        self.assertIn("Height from which depths are counted", program(["explain", "wall profile", "--plugin", library], folder=self.folder).stdout)
+        self.assertIn("wall profile", program(["list", "observer", "--plugin", library], folder=self.folder).stdout)
+        self.assertIn("wall profile", program(["list", "--xsd", "--plugin", library], folder=self.folder).stdout)
+        self.assertIn("output/observers/wall/contact: unknown contact 'fase' (did you mean 'face'?)",
+                      self.refused(["check", deck, "--set", "output/observers/wall/contact=fase"]))
+        self.assertIn("output/observers/wall/mudlin", self.refused(["check", deck, "--set", "output/observers/wall/mudlin=5"]))
+        self.write("without.xml", text_of(deck).replace("{build/wall_profile.so}", "{}"))
+        self.assertIn("output/observers/wall/type: no type of observer is known: plugins bring them ('plugins/files')",
+                      self.refused(["check", "without.xml"]))
+
+    def test_observers_of_all_kinds(self):
+        """A column and a field from an observer that keeps a sum in the state, over a restart; one that objects, and one that throws on one rank."""
+        source = os.path.join(SCRATCH, "alarm")
+        os.makedirs(source, exist_ok=True)
+        with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
+            file.write("cmake_minimum_required(VERSION 3.22)\nproject(alarm CXX)\nfind_package(mudline REQUIRED)\nmudline_add_plugin(alarm alarm.cpp)\n")
+        with open(os.path.join(source, "alarm.cpp"), "w") as file:
+            file.write(ALARM)
+        build(source)
+        libraries = ", ".join(os.path.join(SCRATCH, name, "build", name + ".so") for name in ("wall_profile", "alarm"))
+        deck = self.example("wall_profile/wall.xml")
+        settings = [f"plugins/files={{{libraries}}}", "output/observers/bell/type=alarm"]
+        self.run_deck(deck, settings, extra=("--steps", "4"))
+        history = self.run_deck(deck, settings, extra=("--restart",))
+        np.testing.assert_array_equal(history["alarm/steps"], np.arange(1, len(history.time) + 1))
+        with h5py.File(os.path.join(self.folder, "results", "wall.h5"), "r") as file:
+            step = file["steps"][sorted(file["steps"])[-1]]
+            np.testing.assert_array_equal(step["cell"]["alarm_id"][:].reshape(-1), np.arange(160))
+        command = ["run", "-q", deck] + [word for setting in settings for word in ("--set", setting)]
+        done = program(command + ["--set", "output/observers/bell/objects at=3"], folder=self.folder)
+        self.assertEqual((done.returncode, done.stderr.strip()), (3, "error: observer 'bell': enough after step 3"))
+        done = program(command + ["--set", "output/observers/bell/throws at=2"], ranks=2, folder=self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("error: observer 'bell': ", done.stderr)
 
     # what is no plugin, or somebody else's
     def with_plugin(self, file):

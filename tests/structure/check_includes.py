@@ -27,6 +27,7 @@ ARROWS = {
     "integrator": ["core", "tensor", "algebra", "discretisation", "framework"],
 }
 ARROWS["simulation"] = list(ARROWS)
+ARROWS["checks"] = list(ARROWS)
 
 # Headers that cost seconds of compilation, or that another library could replace one day: each stays in its corner.
 # A header in a list hands the burden on, so only files of the same list may include it. A name ending in / is a folder.

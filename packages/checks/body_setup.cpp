@@ -1,0 +1,226 @@
+#include "checks/body_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "discretisation/element_map.hpp"
+#include "integrator/overlap.hpp"
+#include "physics/soil_points.hpp"
+#include "tensor/vec.hpp"
+
+namespace mudline {
+
+namespace {
+
+constexpr int parts_of_a_stage = 100;
+
+/// A side of the mesh in its reference coordinates.
+struct SideFigures {
+  std::vector<Point> corners;
+  Point middle{}, normal{};  // outward, unit
+  double shortest = any_size, longest = 0;
+};
+
+SideFigures figures(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks()[side.block];
+  const std::vector<int> local = side_nodes(block.shape, side.side);
+  const int count = num_corners(side_shape(block.shape));
+  SideFigures result;
+  for (int c = 0; c < count; ++c) {
+    result.corners.push_back(mesh.place(block.nodes(side.element, local[c])));
+    result.middle += 1.0 / count * result.corners.back();
+  }
+  for (int c = 0; c < (count == 2 ? 1 : count); ++c) {
+    const double edge = length(result.corners[(c + 1) % count] - result.corners[c]);
+    result.shortest = std::min(result.shortest, edge);
+    result.longest = std::max(result.longest, edge);
+  }
+  const Point along = result.corners[1] - result.corners[0];
+  const Point across = count == 2 ? Point{along[1], -along[0], 0} : cross(along, result.corners[2] - result.corners[0]);
+  const double size = length(across);
+  if (size > 0) result.normal = 1 / size * across;
+  return result;
+}
+
+/// Gap [m] of a place from the body at its start, and the body's outward normal there.
+std::pair<double, Point> nearest(const RigidBody& body, const Point& x) {
+  const BodyPlacement placement = body.initial_placement();
+  if (body.dimension() == 3) {
+    const SurfaceProjection projection = body.projection(placement, x);
+    return {projection.gap, projection.normal};
+  }
+  const ContourProjection projection = body.closest(placement, {x[0], x[1]});
+  return {projection.gap, {projection.normal[0], projection.normal[1], 0}};
+}
+
+}  // namespace
+
+BodySetup::BodySetup(const Setup& setup, const RigidBody& body)
+    : model(setup.model()),
+      body(body),
+      entry(setup.deck().section("bodies").section(body.name())),
+      dim(body.dimension()),
+      up(body.dimension() - 1),
+      soil_gravity(setup.gravity_vector()) {
+  find_box();
+  follow(setup.deck());
+  find_surfaces();
+}
+
+void BodySetup::find_box() {
+  for (const Point& p : body.outline(body.initial_placement())) box.enclose(p);
+  for (int i = 0; i < dim; ++i) size = std::max(size, length_of(i));
+  Point vertical{};
+  vertical[up] = 1;
+  shadow = body.shadow(body.initial_placement(), vertical);
+  width = shadow.width;
+}
+
+void BodySetup::follow(const Section& deck) {
+  BodyState now;
+  double time = 0, angle = 0;
+  places = {{0, {}, 0}};
+  for (const auto& stage : model.stages()) {
+    const auto law = model.motion_in(*stage, body.name());
+    if (!law || stage->type == Stage::Type::geostatic) continue;
+    const Section own = deck.section("stages").section(stage->name).section("motions");
+    motions.push_back({stage->name, time, stage->duration, law,
+                       own.has_section(body.name()) ? own.section(body.name()) : entry.section("motion")});
+    if (law->released() && !release) release = law->released();
+    const double dt = stage->duration / parts_of_a_stage;
+    if (!release)
+      for (int i = 0; i < parts_of_a_stage; ++i) {
+        const BodyState next = law->advance(now, time + i * dt, time + (i + 1) * dt);
+        angle += length((next.turn * now.turn.inverse()).vector());
+        now = next;
+        places.push_back({time + (i + 1) * dt, now.displacement, angle});
+      }
+    time += stage->duration;
+  }
+}
+
+void BodySetup::find_surfaces() {
+  const Comm& comm = *model.mesh().comm();
+  std::vector<SideFigures> sides;
+  for (const auto& [name, contact] : model.contacts())
+    if (contact->partners().body == &body)
+      for (const Side& side : model.mesh().side_sets().at(contact->partners().surface))
+        sides.push_back(figures(model.mesh(), side));
+  Surfaces& s = surfaces;
+  double count = 0, under = 0, top = -any_size;
+  for (const SideFigures& side : sides) {
+    bool within = true;
+    for (int i = 0; i < dim; ++i)
+      within = within && (i == up || (side.middle[i] >= box.low[i] && side.middle[i] <= box.high[i]));
+    count += 1;
+    under += within;
+    s.shortest = std::min(s.shortest, side.shortest);
+    s.longest = std::max(s.longest, side.longest);
+    s.gap = std::min(s.gap, nearest(body, side.middle).first);
+    for (const Point& x : side.corners) {
+      s.gap = std::min(s.gap, nearest(body, x).first);
+      s.box.enclose(x);
+      top = std::max(top, x[up]);
+    }
+  }
+  s.sides = static_cast<int>(sum_over_ranks(comm, count));
+  s.under = static_cast<int>(sum_over_ranks(comm, under));
+  s.gap = min_over_ranks(comm, s.gap);
+  s.shortest = min_over_ranks(comm, s.shortest);
+  s.longest = max_over_ranks(comm, s.longest);
+  top = max_over_ranks(comm, top);
+  for (int i = 0; i < 3; ++i) {
+    s.box.low[i] = min_over_ranks(comm, s.box.low[i]);
+    s.box.high[i] = max_over_ranks(comm, s.box.high[i]);
+  }
+  if (s.sides == 0) return;
+  // the sides nearest to the body should face it, and the sides of a hole in which it lies should touch it
+  const bool touches = s.gap < 0.5 * s.shortest;
+  for (const SideFigures& side : sides) {
+    const auto [gap, normal] = nearest(body, side.middle);
+    const double facing = -dot(side.normal, normal);
+    if (gap <= s.gap + s.longest) s.facing = std::max(s.facing, facing);
+    const double away = std::abs(side.middle[0] - 0.5 * (box.low[0] + box.high[0]));
+    const bool in_hole = side.middle[up] < top - 2 * side.longest && away < 0.75 * shadow.length && facing > 0.5 &&
+                         side.middle[up] < box.high[up];
+    if (!touches || !in_hole) continue;
+    // on a curved shape the middles of sides are off by the arc's height, but corners are not
+    double corners = 0;
+    for (const Point& x : side.corners) corners = std::max(corners, std::abs(nearest(body, x).first));
+    const double misfit = std::min(std::abs(gap), corners);
+    if (misfit > s.misfit) {
+      s.misfit = misfit;
+      s.reach = side.longest;
+    }
+  }
+  s.facing = max_over_ranks(comm, s.facing);
+  const double misfit = max_over_ranks(comm, s.misfit);
+  s.reach = max_over_ranks(comm, misfit == s.misfit ? s.reach : 0.0);
+  s.misfit = misfit;
+}
+
+SoilBehind soil_behind(const Model& model, const std::string& surface) {
+  SoilBehind behind;
+  enum { count, edges, springs, sums };
+  std::vector<double> sum(sums, 0.0);
+  for (const Side& s : model.mesh().side_sets().at(surface)) {
+    const SideFigures at = figures(model.mesh(), s);
+    const SoilBlock& b = model.soil()->blocks[s.block];
+    const SoilPoints points(*model.soil(), b, model.store().committed());
+    for (int row = s.element * b.points; row < (s.element + 1) * b.points; ++row)
+      behind.strength = std::max(behind.strength, points.soil_state(row).undrained_strength.value_or(0.0));
+    const ElementBlock& block = model.mesh().blocks()[s.block];
+    std::vector<Point> nodes;
+    for (int a = 0; a < num_nodes(block.shape); ++a) nodes.push_back(model.mesh().place(block.nodes(s.element, a)));
+    sum[count] += 1;
+    sum[edges] += 0.5 * (at.shortest + at.longest);
+    sum[springs] += model.constrained_modulus(s.block, s.element) /
+                    ElementMap(block.shape, [&](int a) { return nodes[a].data(); }).size().height;
+  }
+  const Comm& comm = *model.mesh().comm();
+  sum = sum_over_ranks(comm, sum);
+  behind.strength = max_over_ranks(comm, behind.strength);
+  if (sum[count] == 0) return behind;
+  behind.side = sum[edges] / sum[count];
+  behind.stiffness = sum[springs] / sum[count];
+  return behind;
+}
+
+ContactSetup::ContactSetup(const Setup& setup, const std::string& name, const Contact& contact)
+    : name(name),
+      model(setup.model()),
+      partners(contact.partners()),
+      entry(setup.deck().section("contacts").section(name)),
+      deck(setup.deck()),
+      soil(soil_behind(model, partners.surface)) {}
+
+double number_in(const Section& section, const std::string& name, double fallback) {
+  double value = fallback;
+  if (section.has_parameter(name)) Parameters(section).add(name, value, "", any(), "");
+  return value;
+}
+
+void declare_body_checks(Doubts& doubts) {
+  for (const BodyCheck& check : body_checks()) doubts.declare(check.quantity);
+  for (const ContactCheck& check : contact_checks()) doubts.declare(check.quantity);
+}
+
+void look_at_bodies(const Setup& setup, Doubts& doubts) {
+  const auto judge_of = [&](const Usual& quantity) {
+    return [&doubts, &quantity](double value, const std::string& what, const std::string& advice) {
+      doubts.judge(quantity.name, value, what, advice);
+    };
+  };
+  const std::vector<BodyCheck> of_bodies = body_checks();
+  for (const auto& [name, body] : setup.model().bodies()) {
+    const BodySetup of(setup, *body);
+    for (const BodyCheck& check : of_bodies) check.look(of, judge_of(check.quantity));
+  }
+  const std::vector<ContactCheck> of_contacts = contact_checks();
+  for (const auto& [name, contact] : setup.model().contacts()) {
+    const ContactSetup of(setup, name, *contact);
+    for (const ContactCheck& check : of_contacts) check.look(of, judge_of(check.quantity));
+  }
+}
+
+}  // namespace mudline

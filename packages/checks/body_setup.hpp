@@ -1,0 +1,107 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "checks/setup.hpp"
+
+namespace mudline {
+
+/// Takes a value that a check found, the text that says what the value is, and the advice where it is unusual.
+using Judge = std::function<void(double value, const std::string& what, const std::string& advice)>;
+
+/// A body before the first step, in the plane or in space: its place, the surfaces that it may touch, and its motions
+/// in the stages.
+struct BodySetup {
+  /// Collective.
+  BodySetup(const Setup& setup, const RigidBody& body);
+
+  /// A stage's motion of the body.
+  struct Motion {
+    std::string stage;
+    double begin, duration;  // [s]
+    std::shared_ptr<const BodyMotion> law;
+    Section entry;
+  };
+  /// A place to which prescribed motion brings the body, up to the first stage that releases it.
+  struct Place {
+    double time;         // [s]
+    Point displacement;  // [m]
+    double angle;        // [rad] rotation so far
+  };
+  /// The surfaces of the body's contacts, over all ranks.
+  struct Surfaces {
+    int sides = 0, under = 0;  // number of all sides, and of those whose middle lies below or above the body's box
+    double gap = any_size, shortest = any_size, longest = 0;  // [m] gap of the nearest middle or corner; edges
+    double facing = -1;              // largest cosine between a side near the body and the body's surface opposite
+    double misfit = 0, reach = 0;    // [m] of a side of a hole around the body: largest distance, and the side's length
+    Bounds box = Bounds::nothing();  // [m]
+  };
+  std::string called() const { return "body '" + body.name() + "'"; }
+  bool free() const { return release != nullptr; }
+  double length_of(int axis) const { return box.high[axis] - box.low[axis]; }
+
+  const Model& model;
+  const RigidBody& body;
+  Section entry;
+  int dim, up;
+  Bounds box = Bounds::nothing();  // [m] box of the body at the start
+  Shadow shadow;                   // shadow along the vertical axis
+  double width = 0, size = 0;      // [m] width of the shadow, and largest extent along any axis
+  std::vector<Motion> motions;
+  std::vector<Place> places;
+  const ReleasedMotion* release = nullptr;  // the first release; null: none
+  Surfaces surfaces;
+  Point soil_gravity{};  // [m/s2] gravity of the deck's physics; 0: none
+
+ private:
+  void find_box();
+  void follow(const Section& deck);
+  void find_surfaces();
+};
+
+/// One check of whether a body's entries may be mistaken. Its quantity's name is that of the doubt.
+struct BodyCheck {
+  Usual quantity;
+  void (*look)(const BodySetup& body, const Judge& judge);
+};
+
+/// The soil behind a surface of the mesh, over all ranks.
+struct SoilBehind {
+  double side = 0, stiffness = 0;  // means over the sides: length of edges [m], constrained modulus over height [Pa/m]
+  double strength = 0;             // [Pa] largest undrained strength; 0: unknown
+};
+/// Collective.
+SoilBehind soil_behind(const Model& model, const std::string& surface);
+
+/// A contact before the first step.
+struct ContactSetup {
+  /// Collective.
+  ContactSetup(const Setup& setup, const std::string& name, const Contact& contact);
+  std::string called() const { return "contact '" + name + "'"; }
+  std::string name;
+  const Model& model;
+  ContactPartners partners;
+  Section entry, deck;
+  SoilBehind soil;
+};
+/// One check of whether a contact's entries may be mistaken; see BodyCheck.
+struct ContactCheck {
+  Usual quantity;
+  void (*look)(const ContactSetup& contact, const Judge& judge);
+};
+
+/// A number of the deck, or the fallback where it gives none.
+double number_in(const Section& section, const std::string& name, double fallback);
+
+/// The checks of a group; a new one is a line in its list.
+std::vector<BodyCheck> body_checks();
+std::vector<ContactCheck> contact_checks();
+
+/// Declare the quantities of these checks; make the checks and keep their doubts. Collective.
+void declare_body_checks(Doubts& doubts);
+void look_at_bodies(const Setup& setup, Doubts& doubts);
+
+}  // namespace mudline

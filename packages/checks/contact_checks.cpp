@@ -1,0 +1,186 @@
+// Plausibility checks of contacts: penalties, friction, and loads beside them.
+#include <algorithm>
+#include <cmath>
+
+#include "checks/body_setup.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Bearing pressure of a body at the soil's surface over the undrained strength, some ten.
+constexpr double bearing_factor = 10;
+
+/// Judges a given penalty over the stiffness of the soil behind it, where the contact is enforced with (`augmented`) or
+/// without multipliers.
+void judge_penalty(const ContactSetup& of, bool augmented, const std::string& advice, const Judge& judge) {
+  const double given = number_in(of.entry, "penalty", 0);
+  const bool is_augmented = of.entry.has_parameter("enforcement") && of.entry.text("enforcement") != "penalty";
+  if (!(given > 0) || !(of.soil.stiffness > 0) || is_augmented != augmented || of.entry.text("type") == "mortar")
+    return;
+  const double bears = of.soil.strength > 0
+                           ? std::min(of.soil.stiffness, bearing_factor * of.soil.strength / (0.5 * of.soil.side))
+                           : of.soil.stiffness;
+  judge(given / bears,
+        of.called() + ": its 'penalty' of " + told(given) + " Pa/m over what the soil behind it bears, " + told(bears) +
+            " Pa/m (modulus over element height, or ten times the strength over half a side),",
+        advice);
+}
+
+void penalty(const ContactSetup& of, const Judge& judge) {
+  judge_penalty(of, false, "give it in Pa/m, or leave it out: 'penalty factor' times the modulus over the height",
+                judge);
+}
+
+/// Multipliers make up for a soft penalty, but a softer one takes more augmentations.
+void augmented_penalty(const ContactSetup& of, const Judge& judge) {
+  judge_penalty(
+      of, true,
+      "give it in Pa/m, or leave it out; multipliers that make up for so soft a penalty take many rounds, and "
+      "those for so stiff a one leave Newton's method little to go by",
+      judge);
+}
+
+void penalty_factor(const ContactSetup& of, const Judge& judge) {
+  if (of.entry.has_parameter("penalty factor"))
+    judge(number_in(of.entry, "penalty factor", 10), of.called() + ": its 'penalty factor'",
+          "below 1 the contact deforms more than the soil, far above 1000 Newton's method has a hard time");
+}
+
+Section friction_of(const ContactSetup& of) { return of.entry.section("friction"); }
+
+void friction(const ContactSetup& of, const Judge& judge) {
+  for (const char* entry : {"coefficient", "kinetic coefficient"})
+    if (friction_of(of).has_parameter(entry))
+      judge(number_in(friction_of(of), entry, 0), of.called() + ": its friction's '" + entry + "'",
+            "it is the tangent of the interface's angle: 20 degrees is 0.36");
+}
+
+void kinetic(const ContactSetup& of, const Judge& judge) {
+  const double at_rest = number_in(friction_of(of), "coefficient", 0);
+  if (friction_of(of).has_parameter("kinetic coefficient") && at_rest > 0)
+    judge(number_in(friction_of(of), "kinetic coefficient", 0) / at_rest,
+          of.called() + ": the kinetic over the friction coefficient", "sliding surfaces have the lower one");
+}
+
+void adhesion(const ContactSetup& of, const Judge& judge) {
+  const double value = number_in(friction_of(of), "adhesion", 0);
+  if (value > 0) judge(value, of.called() + ": its 'adhesion'", "give it in Pa (1 to 100 may be kPa)");
+}
+
+void adhesion_over_strength(const ContactSetup& of, const Judge& judge) {
+  const double value = number_in(friction_of(of), "adhesion", 0);
+  if (value > 0 && of.soil.strength > 0)
+    judge(value / of.soil.strength,
+          of.called() + ": its 'adhesion' over the largest undrained strength at the surface, " +
+              told(of.soil.strength) + " Pa,",
+          "the soil shears before: give a share of the strength");
+}
+
+void cap(const ContactSetup& of, const Judge& judge) {
+  if (!friction_of(of).has_parameter("cap")) return;
+  Function limit;
+  Parameters(friction_of(of)).add("cap", limit, "", "");
+  if (limit.is_constant()) judge(limit(0, {}), of.called() + ": its 'cap'", "give it in Pa (1 to 100 may be kPa)");
+}
+
+void tangential(const ContactSetup& of, const Judge& judge) {
+  if (friction_of(of).has_parameter("tangential penalty factor"))
+    judge(number_in(friction_of(of), "tangential penalty factor", 1), of.called() + ": its 'tangential penalty factor'",
+          "what sticks should move by little against what slides");
+}
+
+/// The load also acts on the part of the surface that the body covers, and reduces the contact pressure from which
+/// friction follows.
+void surcharge(const ContactSetup& of, const Judge& judge) {
+  const Section conditions = of.deck.section("boundary conditions");
+  if (of.partners.body == nullptr || !(number_in(friction_of(of), "coefficient", 0) > 0)) return;
+  for (const std::string& name : conditions.section_names()) {
+    const Section entry = conditions.section(name);
+    const std::string type = entry.text("type");
+    if ((type != "pressure" && type != "traction") || !entry.has_parameter("set") ||
+        entry.text("set") != of.partners.surface)
+      continue;
+    bool together = false;
+    for (const auto& stage : of.model.stages())
+      together = together ||
+                 (Setup::acts(name, *stage) && std::count(stage->contacts.begin(), stage->contacts.end(), of.name) > 0);
+    const char* component = type == "pressure" ? "value" : of.model.mesh().dimension() == 3 ? "z" : "y";
+    Function load;
+    Parameters(entry).add(component, load, "", "");
+    double time = 0;
+    for (const auto& stage : of.model.stages()) time += stage->duration;
+    const double most = std::max(std::abs(load(0, {})), std::abs(load(time, {})));
+    if (together && of.soil.side > 0)
+      judge(most / (of.soil.stiffness * of.soil.side),
+            of.called() + ": condition '" + name + "' loads its surface with " + told(most) +
+                " Pa where the body covers it too, and takes that from the traction that friction grows with; over the "
+                "soil's modulus this",
+            "let the load act beside the body alone, or model it by the initial state's 'surcharge' and weight");
+  }
+}
+
+void capture(const ContactSetup& of, const Judge& judge) {
+  const double distance = number_in(of.entry, "capture distance", 0);
+  if (distance > 0 && of.soil.side > 0)
+    judge(distance / of.soil.side, of.called() + ": its 'capture distance' over the mean side",
+          "give it in m, or leave it out");
+}
+
+void advance(const ContactSetup& of, const Judge& judge) {
+  if (of.entry.has_parameter("advance limit"))
+    judge(number_in(of.entry, "advance limit", 0.25), of.called() + ": its 'advance limit'",
+          "in a step of more than a side a body jumps over what it should touch; far below, steps are many");
+}
+
+void gap_tolerance(const ContactSetup& of, const Judge& judge) {
+  const double gap = number_in(of.entry, "gap tolerance", 0);
+  if (gap > 0 && of.soil.side > 0)
+    judge(gap / of.soil.side, of.called() + ": its 'gap tolerance' over the mean side",
+          "give it in m, or leave it out");
+}
+
+void sealing(const ContactSetup& of, const Judge& judge) {
+  if (of.entry.has_parameter("sealing gap"))
+    judge(number_in(of.entry, "sealing gap", 0.1), of.called() + ": its 'sealing gap'",
+          "it is a share of a side, no length");
+}
+
+void damping(const ContactSetup& of, const Judge& judge) {
+  const double value = number_in(of.entry, "damping", 0);
+  if (value > 0)
+    judge(value, of.called() + ": its 'damping'", "it is a time per length: the pressure grows by it times the speed");
+}
+
+}  // namespace
+
+std::vector<ContactCheck> contact_checks() {
+  return {
+      {{"penalty", "-", {0.5, 1e5}, "a contact's given penalty over what the soil behind it bears per metre"}, penalty},
+      {{"augmented penalty",
+        "-",
+        {0.02, 1e5},
+        "as 'penalty', of a contact by augmented Lagrangian, whose multipliers make up for a soft one"},
+       augmented_penalty},
+      {{"penalty factor", "-", {0.3, 1e4}, "of a contact's automatic penalty"}, penalty_factor},
+      {{"friction coefficient", "-", {0, 1}, "of a contact"}, friction},
+      {{"kinetic friction", "-", {0, 1}, "kinetic over friction coefficient"}, kinetic},
+      {{"adhesion", "Pa", {200, 1e6}, "of a contact with friction"}, adhesion},
+      {{"adhesion over strength", "-", {0, 1.001}, "adhesion over the undrained strength at the surface"},
+       adhesion_over_strength},
+      {{"friction cap", "Pa", {200, 1e7}, "shear stress limit of a contact with friction"}, cap},
+      {{"tangential penalty", "-", {0.01, 100}, "tangential penalty factor of friction"}, tangential},
+      {{"load under friction",
+        "-",
+        {0, 2e-3},
+        "load on the surface of a contact with friction over the soil's modulus"},
+       surcharge},
+      {{"capture distance", "-", {0.5, 1000}, "of a contact over the mean side"}, capture},
+      {{"advance limit", "-", {0.01, 4}, "of a contact, in sides"}, advance},
+      {{"gap tolerance", "-", {0, 0.01}, "of a contact over the mean side"}, gap_tolerance},
+      {{"sealing gap", "-", {0, 2}, "of a contact, in sides"}, sealing},
+      {{"contact damping", "s/m", {0, 10}, "of a contact"}, damping},
+  };
+}
+
+}  // namespace mudline

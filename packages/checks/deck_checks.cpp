@@ -1,0 +1,242 @@
+#include "checks/deck_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "checks/supports.hpp"
+#include "core/entry.hpp"
+#include "core/text.hpp"
+#include "discretisation/agree.hpp"
+#include "discretisation/mesh_topology.hpp"
+
+namespace mudline {
+
+namespace {
+
+/// Refuses conditions that prescribe different values of one unknown in a stage.
+void check_contradictions(const Model& model, const Section& deck) {
+  const int n = model.space().dofs()->num_overlap_dofs();
+  double time = 0;
+  for (const auto& stage : model.stages()) {
+    for (double fraction : {0.5, 1.0}) {
+      const double t_end = time + fraction * stage->duration, t_old = t_end - 1e-3 * stage->duration;
+      std::vector<int> owner(n, -1);
+      std::vector<double> value(n, 0.0);
+      std::string problem, second;
+      for (std::size_t c = 0; c < model.conditions().size(); ++c) {
+        if (std::find(stage->conditions.begin(), stage->conditions.end(), model.conditions()[c]->name) ==
+            stage->conditions.end())
+          continue;
+        Constraints mine(n);
+        model.conditions()[c]->prescribe(t_old, t_end, model.store().committed(), mine);
+        for (int i = 0; i < n; ++i) {
+          if (!mine.mask(i)) continue;
+          const double scale = std::max({std::abs(mine.value(i)), std::abs(value[i]), 1e-12});
+          if (owner[i] >= 0 && std::abs(mine.value(i) - value[i]) > 1e-9 * scale && problem.empty()) {
+            char text[160];
+            std::snprintf(text, sizeof text, ": %s is prescribed as %.6g and as %.6g in stage '",
+                          model.space().field(model.space().dofs()->field_of(i)).name.c_str(), value[i], mine.value(i));
+            second = model.conditions()[c]->name;
+            problem =
+                "contradicts '" + model.conditions()[owner[i]]->name + "' on a shared node" + text + stage->name + "'";
+          }
+          owner[i] = static_cast<int>(c);
+          value[i] = mine.value(i);
+        }
+      }
+      agree(*model.space().dofs()->comm(), [&] {
+        if (!problem.empty()) deck.section("boundary conditions").fail(problem, second);
+      });
+    }
+    time += stage->duration;
+  }
+}
+
+/// Refuses motions that a stage cannot give.
+void check_motions(const Model& model, const Section& deck) {
+  const Section stages = deck.section("stages"), contacts = deck.section("contacts");
+  std::map<std::string, std::shared_ptr<const BodyMotion>> before;
+  for (const auto& stage : model.stages()) {
+    const Section section = stages.section(stage->name);
+    const bool geostatic = stage->type == Stage::Type::geostatic;
+    if (geostatic && section.has_section("motions"))
+      section.fail("bodies rest in a geostatic stage, which takes no time: it has no 'motions'", "motions");
+    for (const auto& [name, body] : model.bodies()) {
+      const auto motion = model.motion_in(*stage, name);
+      const bool anew = std::exchange(before[name], motion) != motion;
+      if (!motion || !motion->released()) continue;
+      Point velocity{}, spin{};
+      if (anew && stage->type != Stage::Type::dynamic && motion->released()->initial_velocity(velocity, spin)) {
+        const bool own = motion == body->own_motion();
+        const Section entry =
+            own ? deck.section("bodies").section(name).section("motion") : section.section("motions").section(name);
+        entry.fail("body '" + name + "' would start with this in stage '" + stage->name +
+                       "', which is quasi-static: without inertia it has no effect, and later stages that go on with "
+                       "the motion do not give it again; allowed where a dynamic stage sets the body free (give this "
+                       "stage another motion in its 'motions', or its type 'dynamic')",
+                   entry.has_parameter("initial velocity") ? "initial velocity" : "initial spin");
+      }
+      if (stage->type == Stage::Type::dynamic) {
+        if (body->properties().mass <= 0)
+          section.fail("body '" + name + "' is released in this dynamic stage: it needs a 'mass' greater than 0");
+        continue;
+      }
+      const bool touched =
+          std::any_of(stage->contacts.begin(), stage->contacts.end(), [&, body = name](const std::string& contact) {
+            return contacts.section(contact).has_parameter("body") && contacts.section(contact).text("body") == body;
+          });
+      if (!touched)
+        section.fail("body '" + name +
+                     "' is released in this quasi-static stage, but no contact that acts in it could hold the body; "
+                     "name the motion 'held'");
+    }
+  }
+}
+
+/// Refuses a mesh in several parts of which one has no condition or contact that could hold it in any stage.
+void check_parts(const Model& model, const Section& deck, const MeshParts& parts) {
+  if (parts.places.size() < 2) return;
+  std::vector<std::string> holding;
+  for (const auto& condition : model.conditions()) {
+    if (condition->may_hold()) return;  // it may hold any part
+    if (!condition->holds().empty()) holding.push_back(condition->holds());
+  }
+  for (const auto& entry : model.contacts()) {
+    const Section contact = deck.section("contacts").section(entry.first);
+    for (const char* surface : {"surface", "slave", "master"})
+      if (contact.has_parameter(surface)) holding.push_back(contact.text(surface));
+  }
+  std::vector<char> held(parts.places.size(), 0);
+  for (const std::string& set : holding) {
+    const auto touched = parts.of_set.find(set);
+    if (touched == parts.of_set.end()) continue;
+    for (int part : touched->second) held[part] = 1;
+  }
+  for (std::size_t part = 0; part < parts.places.size(); ++part)
+    if (!held[part])
+      deck.section("mesh").fail("the mesh is in " + std::to_string(parts.places.size()) +
+                                " parts that have no common nodes, and nothing could hold the one at " +
+                                place_text(parts.places[part], model.mesh().dimension()) +
+                                ": no displacement is prescribed on it and no contact has a surface of it");
+}
+
+/// Refuses stages without inertia in which something is free to move.
+void check_supports(Model& model, const Section& deck, const MeshParts& parts) {
+  if (!model.soil()) return;
+  const Supports supports(model, parts);
+  double time = 0;
+  bool pressed_in = false;
+  for (const auto& stage : model.stages()) {
+    const bool dynamic = stage->type == Stage::Type::dynamic;
+    const bool plugin_may_hold =
+        std::any_of(model.conditions().begin(), model.conditions().end(), [&](const auto& condition) {
+          const auto& names = stage->conditions;
+          return condition->may_hold() && std::find(names.begin(), names.end(), condition->name) != names.end();
+        });
+    const std::string problem = dynamic || plugin_may_hold ? "" : supports.missing(*stage, time, pressed_in);
+    if (!problem.empty())
+      deck.section("stages")
+          .section(stage->name)
+          .fail(problem + ": nothing that acts in this stage holds it, and the stage has no inertia");
+    pressed_in = pressed_in || stage->duration > 0;
+    time += stage->duration;
+  }
+}
+
+/// Refuses conditions and contacts that no stage lists, and bodies and properties that nothing uses.
+void check_unused(const Model& model, const Section& deck) {
+  const Section conditions = deck.section("boundary conditions"), contacts = deck.section("contacts");
+  // A list that an overlay or the command line replaces may leave out names on purpose.
+  const auto listed = [&](const char* list, std::vector<std::string> Stage::*names, const std::string& name,
+                          const std::string& source) {
+    return std::any_of(model.stages().begin(), model.stages().end(), [&](const auto& stage) {
+      const std::vector<std::string>& of_stage = (*stage).*names;
+      const Section section = deck.section("stages").section(stage->name);
+      return std::find(of_stage.begin(), of_stage.end(), name) != of_stage.end() ||
+             (section.has_parameter(list) && apart(section.source(list), source));
+    });
+  };
+  for (const auto& material : model.materials())
+    for (const std::string& group : material->unused())
+      deck.section("materials").section(material->name).fail("no physics of this model uses these properties", group);
+  for (const auto& condition : model.conditions())
+    if (!listed("conditions", &Stage::conditions, condition->name, conditions.source(condition->name)))
+      conditions.fail("no stage lists this condition in its 'conditions'", condition->name);
+  for (const auto& [name, contact] : model.contacts())
+    if (!listed("contacts", &Stage::contacts, name, contacts.source(name)))
+      contacts.fail(
+          "this contact acts in no stage; name it in the 'contacts' of one (absent: all, but in geostatic stages)",
+          name);
+  const std::vector<const char*> users{"contacts", "mesh motion", "output"};
+  for (const auto& [name, body] : model.bodies()) {
+    const bool released =
+        std::any_of(model.stages().begin(), model.stages().end(), [&, body = name](const auto& stage) {
+          const auto motion = model.motion_in(*stage, body);
+          return motion && motion->released();
+        });
+    const bool named = std::any_of(users.begin(), users.end(), [&, body = name](const char* user) {
+      return mentions(deck.section(user).list(), body);
+    });
+    if (!released && !named)
+      deck.section("bodies").fail("no contact, mesh motion or probe names this body, and no stage releases it", name);
+  }
+}
+
+/// Refuses probes at nodes that remeshing would lose, and probes at rest outside the mesh, whose nearest node is not
+/// what the author means. A point of a body may enter the soil later.
+void check_probes(const Model& model, const OutputSettings& output, const Section& deck) {
+  const Bounds& box = model.mesh().bounds();
+  const double slack = 1e-6 * box.extent();
+  const Ale* ale = model.ale();
+  for (const ProbeSettings& probe : output.probes)
+    if (probe.at_node && ale && ale->remeshing())
+      deck.section("output").section("probes").fail(
+          "a node is lost when the mesh is remeshed ('mesh motion/remeshing'); give the probe 'moves with' a body or "
+          "nothing",
+          probe.name);
+  for (const ProbeSettings& probe : output.probes) {
+    const auto& at = probe.point;
+    for (int i = 0; probe.moves_with.empty() && i < model.mesh().dimension(); ++i)
+      if (at[i] < box.low[i] - slack || at[i] > box.high[i] + slack)
+        deck.section("output").section("probes").fail(std::string(axis_names[i]) + " = " + number_text(at[i]) +
+                                                          " lies outside the mesh, which reaches from " +
+                                                          number_text(box.low[i]) + " to " + number_text(box.high[i]),
+                                                      probe.name);
+  }
+}
+
+/// Refuses an error estimate without soil, from whose stresses it is computed, and adaptive remeshing without an
+/// estimate.
+void check_error_estimate(const Model& model, const OutputSettings& output, const Section& deck) {
+  if (output.error_estimate && !model.soil())
+    deck.section("output").fail("the model has no soil whose stresses could be looked at", "error estimate");
+  const Ale* ale = model.ale();
+  if (ale && ale->remeshing() && ale->remeshing()->adaptive() && !output.error_estimate)
+    deck.section("mesh motion")
+        .section("remeshing")
+        .fail(
+            "'adaptive' takes the sizes from the error estimate; it needs output/error estimate = true, and aims at "
+            "output/target error",
+            "size");
+}
+
+}  // namespace
+
+void check_deck(Model& model, const Section& deck) {
+  check_contradictions(model, deck);
+  check_motions(model, deck);
+  if (model.space().find("displacement") >= 0) {
+    const MeshParts parts = mesh_parts(model.mesh());
+    check_parts(model, deck, parts);
+    check_supports(model, deck, parts);
+  }
+  check_unused(model, deck);
+}
+
+void check_output(const Model& model, const OutputSettings& output, const Section& deck) {
+  check_probes(model, output, deck);
+  check_error_estimate(model, output, deck);
+}
+
+}  // namespace mudline

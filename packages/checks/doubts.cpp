@@ -1,0 +1,52 @@
+#include "checks/doubts.hpp"
+
+#include <stdexcept>
+
+namespace mudline {
+
+void Doubts::declare(const Usual& quantity) {
+  if (!place_.emplace(quantity.name, quantities_.size()).second)
+    throw std::logic_error(std::string("two doubts are called '") + quantity.name + "'");
+  quantities_.push_back(quantity);
+}
+
+void Doubts::parameters(Parameters& p) {
+  for (Usual& quantity : quantities_) {
+    p.add(quantity.name, quantity.range, quantity.unit, std::string("usual {lowest, highest} ") + quantity.meaning);
+    if (!p.documenting() && quantity.range[0] > quantity.range[1])
+      p.deck().fail("the first value, the lowest, is above the second", quantity.name);
+  }
+}
+
+const Usual& Doubts::find(const std::string& name) const {
+  const auto found = place_.find(name);
+  if (found == place_.end()) throw std::logic_error("no doubt is called '" + name + "'");
+  return quantities_[found->second];
+}
+
+bool Doubts::usual(const std::string& name, double value) const {
+  const auto& range = find(name).range;
+  return value >= range[0] && value <= range[1];
+}
+
+std::string Doubts::unit_behind(const std::string& name) const {
+  const std::string unit = find(name).unit;
+  return unit == "-" ? "" : " " + unit;
+}
+
+std::string Doubts::line(const std::string& name, double value, const std::string& what,
+                         const std::string& advice) const {
+  if (usual(name, value)) return "";
+  const Usual& quantity = find(name);
+  const std::string low = told(quantity.range[0], "%.4g"), high = told(quantity.range[1], "%.4g");
+  const std::string range = quantity.range[1] >= any_size ? low + " or more" : low + " to " + high;
+  return what + " is " + told(value, "%.4g") + unit_behind(name) + ", usual is " + range + " (plausibility/" + name +
+         ")" + (advice.empty() ? "" : ": " + advice);
+}
+
+void Doubts::judge(const std::string& name, double value, const std::string& what, const std::string& advice) {
+  const std::string found = line(name, value, what, advice);
+  if (!found.empty()) lines_.push_back(found);
+}
+
+}  // namespace mudline

@@ -1,0 +1,74 @@
+#include "simulation/excess_pressure.hpp"
+
+#include <algorithm>
+
+#include "integrator/overlap.hpp"
+
+namespace mudline {
+
+ExcessPressure::ExcessPressure(const Model& model)
+    : model_(model),
+      initial_("initial pore pressure", model.space().dofs()->num_overlap_dofs()),
+      fluid_density_(fluid_density()) {}
+
+NodalView ExcessPressure::values() const {
+  const State& state = model_.store().committed();
+  const int field = model_.space().find("pore pressure");
+  NodalView excess("excess", state.value.extent(0));
+  const NodalView deeper = deeper_by();
+  for (int node = 0; node < model_.mesh().num_nodes(); ++node) {
+    const int dof = model_.space().node_dof(field)(node);
+    if (dof >= 0) excess(dof) = state.value(dof) - initial_(dof) - deeper(dof);
+  }
+  return excess;
+}
+
+void ExcessPressure::take_start() { Kokkos::deep_copy(initial_, model_.store().committed().value); }
+
+NodalView ExcessPressure::reference() const {
+  const NodalView result = deeper_by();
+  for (std::size_t dof = 0; dof < result.extent(0); ++dof) result(dof) += initial_(dof);
+  return result;
+}
+
+void ExcessPressure::take_reference(const NodalView& at_present_places) {
+  const NodalView deeper = deeper_by();
+  for (std::size_t dof = 0; dof < deeper.extent(0); ++dof) initial_(dof) = at_present_places(dof) - deeper(dof);
+}
+
+NodalView ExcessPressure::fluid_density() const {
+  const Soil* soil = model_.soil().get();
+  const DofMap& dofs = *model_.space().dofs();
+  NodalView sum("sum", dofs.num_overlap_dofs()), elements("elements", dofs.num_overlap_dofs());
+  if (soil == nullptr || soil->pressure < 0) return sum;
+  const auto& table = model_.space().node_dof(soil->pressure);
+  for (const SoilBlock& b : soil->blocks)
+    for (int e = 0; e < b.elements; ++e)
+      for (int c = 0; c < num_corners(b.shape); ++c) {
+        sum(table(b.nodes(e, c))) += soil->any_of(b).fluid->density();
+        elements(table(b.nodes(e, c))) += 1;
+      }
+  const NodalView density = sum_overlap(dofs, sum), around = sum_overlap(dofs, elements);
+  for (std::size_t i = 0; i < density.extent(0); ++i) density(i) /= std::max(1.0, around(i));
+  return density;
+}
+
+NodalView ExcessPressure::deeper_by() const {
+  const State& state = model_.store().committed();
+  NodalView result("deeper by", state.value.extent(0));
+  const int field = model_.space().find("pore pressure");
+  if (field < 0 || !model_.soil()) return result;
+  const auto gravity = model_.soil()->water_gravity(state.time);
+  const auto& start = model_.mesh().coordinates();
+  for (int node = 0; node < model_.mesh().num_nodes(); ++node) {
+    const int dof = model_.space().node_dof(field)(node);
+    if (dof < 0) continue;
+    double deeper = 0;
+    for (int i = 0; i < model_.mesh().dimension(); ++i)
+      deeper += gravity[i] * (state.coordinates(node, i) - start(node, i));
+    result(dof) = fluid_density_(dof) * deeper;
+  }
+  return result;
+}
+
+}  // namespace mudline

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "simulation/excess_pressure.hpp"
+#include "simulation/model.hpp"
+#include "simulation/output/field_file.hpp"
+
+namespace mudline {
+
+/// The committed state as fields at the nodes: unknowns with their rates, excess pore pressures, tractions of contacts.
+/// Collective.
+std::vector<OutputField> nodal_fields(const Model& model, const ExcessPressure& pressure);
+
+/// The committed state as means over the points of each element: stresses, void ratios, all variables of laws.
+std::vector<OutputField> cell_fields(const Model& model);
+
+}  // namespace mudline
