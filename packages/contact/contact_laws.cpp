@@ -65,11 +65,11 @@ void ContactLaws::check_two_surfaces(const Section& section) const {
   if (!read_.pore_pressure || space_->find("pore pressure") < 0) return;
   if (friction_ && friction_->effective())
     section.section("friction")
-        .fail("effective needs the pore pressure between two surfaces, which a pair does not know; allowed here: total",
+        .fail("effective needs the pore pressure between two surfaces, which mortar does not know; allowed here: total",
               "on");
   const bool by_friction = friction_ && friction_->reads().pore_pressure;
   section.section(by_friction ? "friction" : "normal law")
-      .fail("this law reads the pore pressure between two surfaces, which a pair does not know", "type");
+      .fail("this law reads the pore pressure between two surfaces, which mortar does not know", "type");
 }
 
 void ContactLaws::declare_state(const StateStore& store) {

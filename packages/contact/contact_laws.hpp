@@ -19,7 +19,7 @@ class ContactLaws {
   void read(const ContactContext& context, const Section& section);
   /// InputError for a normal law that is not linear where it has to be.
   void check_linear(const Section& section, bool multipliers, bool conserving) const;
-  /// InputError for laws that read the pore pressure between two surfaces, which a contact of them does not know.
+  /// InputError for laws that read the pore pressure, for a contact of two surfaces that does not know it.
   void check_two_surfaces(const Section& section) const;
   /// Finds the arrays of the soil's effective stress, which the physics has declared before. InputError for laws that
   /// read the stress where there is none.

@@ -78,4 +78,23 @@ void SideShifts::convect(const PointView& rows, int first, int column) const {
     rows(first + c, column) = values[c] + gradient[0] * shift_[c][0] + gradient[1] * shift_[c][1];
 }
 
+void convect_rows(const std::vector<SurfaceSide>& sides, const std::map<CellShape, ContactRule>& rules,
+                  const ConstCoordinateView& x_old, const State& committed,
+                  const std::vector<std::pair<int, int>>& columns) {
+  if (columns.empty()) return;
+  int first = 0;
+  for (const SurfaceSide& side : sides) {
+    const ContactRule& rule = rules.at(side.shape);
+    const SideCoordinates before = side_coordinates(side, x_old), after = side_coordinates(side, committed.coordinates);
+    std::vector<Point> from, to;
+    for (int c = 0; c < rule.points; ++c) {
+      from.push_back(rule.place(c, before));
+      to.push_back(rule.place(c, after));
+    }
+    const SideShifts shifts(from, to, side.shape, before);
+    for (const auto& [array, column] : columns) shifts.convect(committed.arrays[array], first, column);
+    first += rule.points;
+  }
+}
+
 }  // namespace mudline

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_rule.hpp"
@@ -28,5 +30,11 @@ class SideShifts {
   Along slope(const std::vector<double>& values) const;
   std::vector<Along> at_, shift_;
 };
+
+/// Convects (array, column) pairs of the committed state whose rows are the points of the sides, one side after the
+/// other, when the nodes have been moved from x_old to the committed coordinates.
+void convect_rows(const std::vector<SurfaceSide>& sides, const std::map<CellShape, ContactRule>& rules,
+                  const ConstCoordinateView& x_old, const State& committed,
+                  const std::vector<std::pair<int, int>>& columns);
 
 }  // namespace mudline

@@ -28,18 +28,6 @@ void TwoSurfaceParameters::parameters(Parameters& p) {
   ContactLaws::declare_normal_law(p);
 }
 
-void declare_impact(Parameters& p, PairImpact& impact) {
-  p.choice("impact", impact, {{"conserving", PairImpact::conserving}, {"interpolated", PairImpact::interpolated}},
-           "Dynamic steps, 'enforcement' = penalty: nodes or points exert the share of their force that does the work "
-           "of the penalty spring (no impact adds energy), or what the integrator interpolates");
-}
-
-void declare_corner_angle(Parameters& p, double& angle) {
-  p.add("corner angle [deg]", angle, "deg", Range{0, 180, true, false},
-        "Where straight lines between the master's nodes, in space its faces, turn by more than this at the start, it "
-        "has a corner, which stays one");
-}
-
 void check_two_sets(const Mesh& mesh, int dimension, const Section& section, const std::string& slave,
                     const std::string& master) {
   if (mesh.dimension() != dimension)
@@ -71,7 +59,6 @@ void check_two_sets(const Mesh& mesh, int dimension, const Section& section, con
 
 void read_laws_of_two(const ContactContext& context, const Section& section, ContactLaws& laws) {
   laws.read(context, section);
-  laws.check_two_surfaces(section);
   if (laws.friction() && context.space.find("temperature") >= 0)
     log::warn(section.source() + ": " + section.path() +
               ": the heat of friction between two surfaces does not warm them; it is counted only");
@@ -92,7 +79,8 @@ void check_overlap_of_two(const ContactSurface& slave, const Section& section, c
   section.fail("surface '" + name + text, "slave");
 }
 
-double closing_limit(const Space& space, const ContactSurface& slave, const MasterSurface& master, double advance_limit,
+double closing_limit(const Space& space, const ContactSurface& slave,
+                     const std::vector<MasterSurface::MasterSide>& master, double advance_limit,
                      const State& committed) {
   const auto& first = space.node_dof(space.find("displacement"));
   const ConstCoordinateView& x = committed.coordinates;
@@ -106,14 +94,14 @@ double closing_limit(const Space& space, const ContactSurface& slave, const Mast
   // whole master
   Point mean{};
   double nodes = 0, fastest[2] = {0, 0}, nearest = 1e300;
-  for (const auto& side : master.sides())
+  for (const auto& side : master)
     for (int a = 0; a < side.count; ++a, ++nodes) mean += velocity(side.node[a]);
   mean = 1 / std::max(1.0, nodes) * mean;
   const auto speed = [&](int node) { return length(velocity(node) - mean); };
   for (const SurfaceSide& side : slave.sides()) {
     for (int a = 0; a < side.count; ++a) fastest[0] = std::max(fastest[0], speed(side.node[a]));
     const auto box = side_box(side.node, side.count, x);
-    for (const auto& other : master.sides()) {
+    for (const auto& other : master) {
       const auto there = side_box(other.node, other.count, x);
       Point apart;
       for (int i = 0; i < 3; ++i) apart[i] = std::max({0.0, there[0][i] - box[1][i], box[0][i] - there[1][i]});
@@ -121,7 +109,7 @@ double closing_limit(const Space& space, const ContactSurface& slave, const Mast
     }
   }
   if (!slave.sides().empty())
-    for (const auto& side : master.sides())
+    for (const auto& side : master)
       for (int a = 0; a < side.count; ++a) fastest[1] = std::max(fastest[1], speed(side.node[a]));
   const Teuchos::Comm<int>& comm = *slave.mesh().comm();
   double largest[2], least = 0;

@@ -135,8 +135,9 @@ void transfer_held_forces(Model& from, const MeshChange& change, Model& to) {
 std::string remeshing_problem(const Model& model) {
   const std::set<int> of_contacts = arrays_of_contacts(model);
   for (const auto& [name, contact] : model.contacts())
-    if (!contact->partners().opposite.empty())
-      return "the contact '" + name + "' of two surfaces cannot go over to another mesh; only contacts with a body can";
+    if (contact->surface_rows(model.store().committed().coordinates).empty())
+      return "the contact '" + name +
+             "' cannot go over to another mesh; those with a body, of nodes to segments and of points to faces can";
   for (int handle = 0; handle < model.store().num_arrays(); ++handle) {
     const ArrayInfo& info = model.store().info(handle);
     if (info.block >= 0) continue;

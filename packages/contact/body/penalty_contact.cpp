@@ -4,24 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "contact/body/body_search.hpp"
 #include "contact/conjugate_position.hpp"
-#include "contact/convection.hpp"
 #include "tensor/vec.hpp"
 
 namespace mudline {
 
 void PenaltyContact::declare_state(StateStore& store) {
-  laws_.declare_state(store);
   body_->declare_state(store);
-  const auto ids = surface_->row_ids([this](std::size_t s) { return first_row_[s + 1] - first_row_[s]; });
-  rows_.declare_state(store, name() + "/", ids, axes(), laws_.friction() != nullptr, deck_.augmented());
-  if (deck_.has_film()) deck_.film.declare_state(store, name() + "/", ids, axes());
-  deck_.initial_gap.declare_state(store, name() + "/", ids);
-  penalties_ = declare_rows(store, name() + "/penalty", {{"penalty", 1, "Pa/m"}},
-                            surface_->row_ids([](std::size_t) { return 1; }));
+  std::vector<StateVariable> more = {{"height", 1, "m"}};
+  if (axes() == 2)
+    more.push_back({"moment", 1, "N m"});
+  else
+    for (const char* axis : axis_names) more.push_back({std::string("moment ") + axis, 1, "N m"});
+  declare_points(store, more);
   std::vector<StateVariable> sums = {{"work", 1, "J"}, {"damping heat", 1, "J"}};
   for (int i = 0; i < axes(); ++i) sums.push_back({std::string("damping ") + axis_names[i], 1, "N"});
   work_ = declare_rows(store, name() + "/work", sums, {}, true);
@@ -39,10 +36,7 @@ void PenaltyContact::sparsity(Assembler& assembler) {
 }
 
 void PenaltyContact::begin(const StepView& view) {
-  deck_.start_penalties(*surface_, context_.stiffness, view.trial->arrays[penalties_]);
-  start_multipliers(view);
-  if (deck_.has_film()) deck_.film.cover(covered_sides(*view.committed));
-  if (leak_) leak_->open(view.flow ? covered_sides(*view.committed) : std::vector<char>());
+  begin_parts(view);
   const BodyPlacement from = body_->placement(*view.committed), to = body_->placement(*view.trial);
   // what a free body will do in the step is not known yet
   const double advance = body_->released() ? body_->speed(*view.committed, view.dt) * view.dt
@@ -62,32 +56,19 @@ double PenaltyContact::least_gap(std::size_t side, const ConstCoordinateView& co
   return body_->gap(placement, box.low + 0.5 * across) - 0.5 * length(across);
 }
 
-ContactPoint PenaltyContact::away(const StepView& view, int row) const {
-  ContactPoint point{};
-  point.gap = capture_;
-  point.shear = rows_.shear(*view.committed, row);
-  point.shear.shear = {};
-  point.shear.slides = false;
-  return point;
+void PenaltyContact::write(const State& trial, int row, const ContactPoint& point) const {
+  write_point(trial, row, point);
+  double* const more = rows_.more(trial, row);
+  more[0] = point.height;
+  if (axes() == 2)
+    more[1] = point.total.moment[2];
+  else
+    std::copy_n(point.total.moment.data(), 3, more + 1);
 }
 
-ContactStart PenaltyContact::point_start(const StepView& view, std::size_t side, int row) const {
-  const State &committed = *view.committed, &trial = *view.trial;
-  const SurfaceSide& at = surface_->sides()[side];
-  ContactStart start;
-  start.offset = deck_.initial_gap.offset(trial, row);
-  start.shear = rows_.shear(committed, row);
-  start.force = rows_.total(committed, row);
-  start.normal_force = rows_.pressure(committed, row) * rows_.area(committed, row);
-  start.soil = laws_.soil(committed, at, rule(at).xi[row - first_row_[side]].data());
-  if (!deck_.augmented()) return start;
-  const double penalty = trial.arrays[penalties_](side, 0);
-  start.shift = rows_.normal_multiplier(trial, row) / penalty;
-  start.shift_old = rows_.normal_multiplier(committed, row) / penalty;
-  if (laws_.friction())
-    start.shear.shear =
-        start.shear.shear + rows_.shear_multiplier(trial, row) - initial_shear_multiplier(committed, row);
-  return start;
+PointForce PenaltyContact::total(const State& state, int row) const {
+  const double* const moment = rows_.more(state, row) + 1;
+  return {rows_.force(state, row), axes() == 2 ? Point{0, 0, moment[0]} : Point{moment[0], moment[1], moment[2]}};
 }
 
 PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const {
@@ -99,14 +80,6 @@ PenaltyContact::Positions PenaltyContact::positions(const StepView& view) const 
           moved_ahead(context_.space, view.x_end, view.impact.ahead_end)};
 }
 
-ContactPointLaw PenaltyContact::law(const StepView& view, std::size_t side) const {
-  ContactPointLaw result = laws_.in_step(view, deck_.damping);
-  result.penalty = view.trial->arrays[penalties_](side, 0);
-  result.first_guess = predicting_;
-  result.conserves = conserves(view);
-  return result;
-}
-
 SideContact PenaltyContact::side_contact(const StepView& view, const Positions& positions, std::size_t side) const {
   const SurfaceSide& at = surface_->sides()[side];
   SideContact contact;
@@ -115,15 +88,13 @@ SideContact PenaltyContact::side_contact(const StepView& view, const Positions& 
   if (!contact.near) return contact;
   contact.x_old = side_coordinates(at, positions.x_old);
   contact.x = side_coordinates(at, positions.x_end);
-  contact.law = law(view, side);
+  contact.law = law(view, side, deck_.damping);
+  contact.law.conserves = conserves(view);
   contact.reach = touch_;
   // the force that moves the body until it touches is not known: every linearisation lets it move ten times as far
   contact.reach_share = std::pow(0.1, view.linearisation);
-  if (deck_.has_film()) {
-    const Point weight = context_.water_weight ? context_.water_weight(at.block, view.time_end) : Point{};
-    contact.film = deck_.film.of_side(view, side, weight);
-    contact.law.film = contact.film.acts;
-  }
+  contact.film = film(view, side);
+  contact.law.film = contact.film.acts;
   contact.pressure_nodes = surface_->pressure_nodes(at.shape);
   for (int a = 0; a < contact.pressure_nodes; ++a)
     contact.pressure[a] = view.value_end(surface_->dofs(at.shape)(at.row, axes() * at.count + a));
@@ -139,8 +110,8 @@ std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Posit
     if (!contact.near) continue;
     for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) {
       const int c = row - first_row_[s];
-      starts_(row) = point_start(view, s, row);
-      if (contact.film.acts) deck_.film.start(view, row, rule(at).place(c, contact.x_old), starts_(row));
+      static_cast<PointHistory&>(starts_(row)) = history(view, s, row, rule(at).place(c, contact.x_old));
+      starts_(row).force = total(*view.committed, row);
       search(*body_, body, rule(at), contact, c, starts_(row));
     }
   }
@@ -153,7 +124,7 @@ std::vector<ContactSides> PenaltyContact::look(const StepView& view, const Posit
 bool PenaltyContact::conserves(const StepView& view) const {
   if (!view.inertia || view.kind != StepView::Kind::step) return false;
   if (deck_.impact == PenaltyParameters::Impact::automatic)
-    return !deck_.augmented() && !deck_.has_film() && laws_.normal().linear() && body_->unknowns().count > 0;
+    return !deck_.augmented() && !deck_.drainage.has_film() && laws_.normal().linear() && body_->unknowns().count > 0;
   return deck_.impact == PenaltyParameters::Impact::conserving;
 }
 
@@ -167,7 +138,7 @@ void PenaltyContact::add_damping(const State& trial) const {
 
 namespace {
 
-// Kernels over the sides, and over the points.
+/// Kernel over the sides.
 struct AddLater {
   PointView later;
   VectorScatter to;
@@ -177,15 +148,6 @@ struct AddLater {
       const double size = ::fabs(later(s, a));
       if (size != 0) to.add(s, static_cast<int>(a), -later(s, a), size, size);
     }
-  }
-};
-struct WritePoint {
-  Kokkos::View<const ContactPoint*> points;
-  PointRows::Writer rows;
-  WaterFilm::Writer film;
-  KOKKOS_FUNCTION void operator()(int row) const {
-    rows.write(row, points(row));
-    film.write(row, points(row));
   }
 };
 
@@ -218,8 +180,8 @@ void PenaltyContact::add_heat(const StepView& view, const ResidualView& f) const
 PointForce PenaltyContact::local_force(const State& state) const {
   PointForce sum;
   for (int row = 0; row < first_row_.back(); ++row) {
-    const PointForce total = rows_.total(state, row);
-    sum = {sum.force + total.force, sum.moment + total.moment};
+    const PointForce point = total(state, row);
+    sum = {sum.force + point.force, sum.moment + point.moment};
   }
   return sum;
 }
@@ -236,15 +198,14 @@ int PenaltyContact::residual(const StepView& view, const ResidualView& f) {
   for (int i = 0; i < axes(); ++i) done(0, 2 + i) = 0;
   for (std::size_t s = 0; s < surface_->sides().size(); ++s) {
     if (candidate_[s]) continue;
-    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) happens_(row) = away(view, row);
+    for (int row = first_row_[s]; row < first_row_[s + 1]; ++row) happens_(row) = away(*view.committed, row, capture_);
   }
   int failures = 0;
   const std::vector<ContactSides> sides = look(view, positions(view));
   std::size_t k = 0;
   for (const auto& [shape, of_shape] : shapes_)
     failures += add_side_forces(sides[k++], of_shape.rows, {f, surface_->dofs(shape)}, of_shape.later);
-  Kokkos::parallel_for("contact points", Kokkos::RangePolicy<>(0, first_row_.back()),
-                       WritePoint{happens_, rows_.writer(*view.trial), deck_.film.writer(*view.trial)});
+  for (int row = 0; row < first_row_.back(); ++row) write(*view.trial, row, happens_(row));
   if (damps(view)) add_damping(*view.trial);
   done(0, 0) =
       view.committed->arrays[work_](0, 0) + work(local_force(*view.committed), local_force(*view.trial),
@@ -276,7 +237,7 @@ void PenaltyContact::mark_pressed(const State& state, std::vector<char>& nodes) 
 }
 
 void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double weight) {
-  const SideWeights weights{weight, conserves(view) ? view.impact.conjugate : 1.0, deck_.has_film()};
+  const SideWeights weights{weight, conserves(view) ? view.impact.conjugate : 1.0, deck_.drainage.has_film()};
   const std::vector<ContactSides> sides = look(view, positions(view));
   std::size_t k = 0;
   for (const auto& [shape, of_shape] : shapes_)
@@ -284,33 +245,27 @@ void PenaltyContact::jacobian(const StepView& view, Assembler& assembler, double
   if (leak_) leak_->jacobian(view, assembler);
 }
 
-bool PenaltyContact::covered(std::size_t side, const State& committed, const BodyPlacement& placement) const {
-  // The criterion is the distance: with the pressure alone single points along a stretched side would lift off by
-  // micrometres, and a vertex that is drained for a step loses its pore pressure.
-  const SideCoordinates x = side_coordinates(surface_->sides()[side], committed.coordinates);
-  const double near = deck_.sealing_gap * edges(surface_->sides()[side], committed.coordinates).second;
-  if (least_gap(side, committed.coordinates, placement) >= near) return false;
-  const ContactRule& points = rule(surface_->sides()[side]);
-  int count = 0;
-  for (int c = 0; c < points.points; ++c)
-    count += gap(committed, first_row_[side] + c, placement, points.place(c, x)) < near;
-  return 2 * count > points.points;
+bool PenaltyContact::may_be_near(const State& committed, std::size_t side, double distance) const {
+  return least_gap(side, committed.coordinates, body_->placement(committed)) < distance;
 }
 
-std::vector<char> PenaltyContact::covered_sides(const State& committed) const {
+std::optional<PointContact::Nearest> PenaltyContact::nearest(const State& committed, std::size_t, const Point& place,
+                                                             const Point&, double) const {
   const BodyPlacement placement = body_->placement(committed);
-  std::vector<char> flags;
-  for (std::size_t s = 0; s < surface_->sides().size(); ++s) flags.push_back(covered(s, committed, placement));
-  return flags;
+  if (body_->dimension() == 3) {
+    const SurfaceProjection projection = body_->projection(placement, place);
+    return Nearest{projection.gap, projection.normal, {}};
+  }
+  const ContourProjection projection = body_->closest(placement, in_plane(place));
+  return Nearest{projection.gap, {projection.normal[0], projection.normal[1], 0}, {}};
 }
 
-void PenaltyContact::close(const State& committed, ClosedSides& closed) const {
-  if (deck_.drainage == PenaltyParameters::Drainage::drained || pressure_ < 0) return;
-  closed.possible = true;
-  const std::vector<Side>& sides = surface_->mesh().side_sets().at(deck_.surface);
-  const std::vector<char> flags = covered_sides(committed);
-  for (std::size_t s = 0; s < sides.size(); ++s)
-    if (flags[s]) closed.sides.insert({sides[s].block, sides[s].element, sides[s].side});
+void PenaltyContact::write_first(const State& committed, int row, const Point& place, const Nearest&,
+                                 ContactPoint& point) const {
+  const BodyPlacement placement = body_->placement(committed);
+  point.height = body_->height(placement, place);
+  point.total.moment = cross(place - placement.centre, point.total.force);
+  write(committed, row, point);
 }
 
 double PenaltyContact::step_limit(const State& committed, double dt) const {
@@ -344,10 +299,7 @@ struct PenaltyContact::Sums {
     heat,
     sliding,
     damping_heat,
-    water,
-    vapour,
-    film,
-    moment = film + 3,
+    moment,
     count = moment + 3
   };
   double of[count] = {}, deepest = 0;
@@ -368,19 +320,13 @@ PenaltyContact::Sums PenaltyContact::sums(const State& state) const {
   for (int i = 0; i < 3; ++i) local[Sums::moment + i] = -moment[i];
   local[Sums::work] = done(0, 0);
   local[Sums::damping_heat] = done(0, 1);
-  if (deck_.has_film()) {
-    const WaterFilm::Sums between = deck_.film.sums(state);
-    local[Sums::water] = between.water;
-    local[Sums::vapour] = between.vapour;
-    for (int i = 0; i < axes(); ++i) local[Sums::film + i] = -between.force[i];
-  }
   for (int row = 0; row < first_row_.back(); ++row) {
     const ShearState shear = rows_.shear(state, row);
     for (int i = 0; i < axes(); ++i) local[Sums::friction + i] -= rows_.friction(state, row)[i];
     local[Sums::heat] += shear.dissipated;
     local[Sums::sliding] += shear.slides;
     if (!rows_.active(state, row)) continue;
-    if (rows_.height(state, row) < body_->tip_height()) local[Sums::tip] -= rows_.total(state, row).force[axes() - 1];
+    if (rows_.more(state, row)[0] < body_->tip_height()) local[Sums::tip] -= total(state, row).force[axes() - 1];
     local[Sums::area] += rows_.area(state, row);
     local[Sums::active] += 1;
     here.deepest = std::max(here.deepest, -rows_.gap(state, row));
@@ -409,11 +355,7 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   values[name() + "/active points"] = {"-", sum[Sums::active]};
   values[name() + "/maximum penetration"] = {"m", all.deepest};
   values[name() + "/work"] = {"J", sum[Sums::work], true};
-  if (deck_.has_film()) {
-    values[name() + "/film water"] = {"m3", sum[Sums::water]};
-    values[name() + "/film vapour"] = {"m3", sum[Sums::vapour]};
-    add_vector("film force", Sums::film);
-  }
+  report_parts(state, -1.0, values);
   if (deck_.damping > 0) {
     values[name() + "/damping heat"] = {"J", sum[Sums::damping_heat]};
     add_vector("damping", Sums::damping);
@@ -428,94 +370,5 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
   values[name() + "/friction heat"] = {"J", sum[Sums::heat]};
   values[name() + "/sliding points"] = {"-", sum[Sums::sliding]};
 }
-
-std::vector<double> PenaltyContact::nodal_mean(const std::function<double(int row)>& quantity) const {
-  const int nodes = context_.space.mesh().num_nodes();
-  std::vector<double> weighted(nodes, 0.0), weights(nodes, 0.0);
-  const auto& sides = surface_->sides();
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const ContactRule& r = rule(sides[s]);
-    for (int a = 0; a < sides[s].count; ++a)
-      for (int c = 0; c < r.points; ++c) {
-        const double near = nearness(r, c, a);
-        weighted[sides[s].node[a]] += near * quantity(first_row_[s] + c);
-        weights[sides[s].node[a]] += near;
-      }
-  }
-  return surface_->mean(std::move(weighted), std::move(weights));
-}
-
-std::vector<double> PenaltyContact::nodal_pressure(const State& state) const {
-  return nodal_mean([&](int row) { return rows_.pressure(state, row); });
-}
-
-std::vector<double> PenaltyContact::nodal_shear(const State& state) const {
-  if (!laws_.friction()) return {};
-  return nodal_mean([&](int row) {
-    const Point shear = rows_.shear(state, row).shear;
-    return axes() == 2 ? shear[0] : length(shear);
-  });
-}
-
-void PenaltyContact::relocate(const ConstCoordinateView& x_old, State& committed) {
-  // gaps and pressures are evaluated again at the new positions; the shear stress, the path slid, multipliers and
-  // initial gaps are history and are convected along the side, see SideShifts
-  std::vector<std::pair<int, int>> convected;  // (array, column)
-  if (laws_.friction())
-    for (int column = 0; column <= rows_.slip_column(); ++column) convected.emplace_back(rows_.frictions(), column);
-  if (deck_.augmented())
-    for (int column = 0; column <= rows_.shears(); ++column) convected.emplace_back(rows_.multipliers(), column);
-  if (deck_.has_film()) convected.emplace_back(deck_.film.array(), WaterFilm::vapour_column);
-  if (deck_.initial_gap.adjusts()) convected.emplace_back(deck_.initial_gap.array(), 0);
-  if (convected.empty()) return;
-  const auto& sides = surface_->sides();
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const int points = first_row_[s + 1] - first_row_[s];
-    const SideCoordinates before = side_coordinates(sides[s], x_old),
-                          after = side_coordinates(sides[s], committed.coordinates);
-    std::vector<Point> from, to;
-    for (int c = 0; c < points; ++c) {
-      from.push_back(rule(sides[s]).place(c, before));
-      to.push_back(rule(sides[s]).place(c, after));
-    }
-    const SideShifts shifts(from, to, sides[s].shape, before);
-    for (const auto& [array, column] : convected) shifts.convect(committed.arrays[array], first_row_[s], column);
-  }
-  if (!deck_.augmented()) return;
-  for (int row = 0; row < first_row_.back(); ++row) {
-    double& normal = rows_.normal_multiplier(committed, row);
-    normal = std::max(normal, 0.0);
-  }
-}
-
-std::vector<SurfaceRows> PenaltyContact::surface_rows(const ConstCoordinateView& x) const {
-  SurfaceRows of_points, of_sides;
-  for (const SurfaceSide& side : surface_->sides()) {
-    const SideCoordinates at = side_coordinates(side, x);
-    double area[max_contact_points] = {};
-    contact_areas(rule(side), at, context_.space.mesh().geometry(), area);
-    for (int c = 0; c < rule(side).points; ++c) {
-      of_points.places.push_back(rule(side).place(c, at));
-      of_points.areas.push_back(area[c]);
-    }
-    Point centre{};
-    const int corners = axes() == 3 ? num_corners(side.shape) : 2;
-    for (int c = 0; c < corners; ++c) centre += 1.0 / corners * at[c];
-    of_sides.places.push_back(centre);
-    of_sides.areas.push_back(std::accumulate(area, area + rule(side).points, 0.0));
-  }
-  std::vector<SurfaceRows> result;
-  const auto add = [&](int array, SurfaceRows rows) {
-    rows.array = array;
-    result.push_back(std::move(rows));
-  };
-  add(penalties_, of_sides);
-  for (int array : {rows_.points(), rows_.frictions(), rows_.multipliers(), deck_.has_film() ? deck_.film.array() : -1,
-                    deck_.initial_gap.array()})
-    if (array >= 0) add(array, of_points);
-  return result;
-}
-
-void PenaltyContact::take_evaluated(const State& evaluated, State& committed) { rows_.copy(evaluated, committed); }
 
 }  // namespace mudline

@@ -22,20 +22,8 @@ void PenaltyParameters::parameters(Parameters& p) {
   EnforcementParameters::parameters(p);
   p.add("capture distance", capture_distance, "m", non_negative(),
         "Sides farther away than this at the start of a step are skipped in it; 0: two sides and the body's advance");
-  p.choice("drainage", drainage,
-           {{"sealed", Drainage::sealed},
-            {"drained", Drainage::drained},
-            {"leaky", Drainage::leaky},
-            {"film", Drainage::film}},
-           "sealed: under the body the surface's prescribed pore pressure is released (no flow); drained: it stays "
-           "prescribed; leaky: it is released, and water leaves through the body by 'conductance'; "
-           "film: it is released, and water stands between soil and body, whose pressure acts on both: where the gap "
-           "grows it comes from the soil or from the open end of the gap");
-  film.parameters(p);
+  drainage.parameters(p);
   initial_gap.parameters(p);
-  p.add("conductance", conductance, "m/(Pa s)", non_negative(),
-        "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
-  p.add("outside pressure", outside, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
   p.choice(
       "impact", impact,
       {{"automatic", Impact::automatic}, {"conserving", Impact::conserving}, {"interpolated", Impact::interpolated}},
@@ -44,8 +32,6 @@ void PenaltyParameters::parameters(Parameters& p) {
       "smoother where a body is pushed "
       "steadily; automatic: conserving for a body that may be free in a contact by penalty, interpolated otherwise");
   p.add("damping", damping, "s/m", non_negative(), damping_documentation);
-  p.add("sealing gap", sealing_gap, "-", non_negative(),
-        "Gap, as a fraction of a side's length, up to which the body still seals the side");
   ContactLaws::declare_normal_law(p);
   p.add("advance limit", advance_limit, "-", positive(),
         "Largest advance of the body in one step, as a fraction of the surface's shortest side; while the body is far "
@@ -63,9 +49,7 @@ void PenaltyContact::parameters(Parameters& p) {
 }
 
 void PenaltyContact::check(const Section& section) {
-  name_ = section.name();
-  const Space& space = context_.space;
-  const Mesh& mesh = space.mesh();
+  const Mesh& mesh = context_.space.mesh();
   const auto body = context_.bodies.find(deck_.body);
   if (body == context_.bodies.end()) {
     std::vector<std::string> names;
@@ -73,55 +57,33 @@ void PenaltyContact::check(const Section& section) {
     section.fail("unknown body '" + deck_.body + "'" + suggestion(deck_.body, names), "body");
   }
   body_ = body->second;
-  const int displacement = space.find("displacement");
-  pressure_ = space.find("pore pressure");
-  temperature_ = space.find("temperature");
-  if (displacement < 0) section.fail("contact needs a model with the field 'displacement'", "type");
+  read(section);
   require_boundary(mesh, section, "surface", deck_.surface);
   if (deck_.penalty == 0 && !context_.stiffness)
     throw std::logic_error("an automatic penalty needs the soil's stiffness");
   check_enforcement(section);
   check_quadrature(section);
-  deck_.initial_gap.check(section);
   laws_.read(context_, section);
   laws_.check_linear(section, deck_.augmented(), deck_.impact == PenaltyParameters::Impact::conserving);
-  check_drainage(section);
-  if (deck_.has_film()) laws_.ask_for_pore_pressure();
-  surface_ = std::make_unique<ContactSurface>(space, deck_.surface, laws_.read_pore_pressure(), body_->unknowns());
-  if (deck_.drainage == PenaltyParameters::Drainage::leaky)
-    leak_ = std::make_unique<LeakySurface>(space, *surface_, deck_.conductance, deck_.outside);
+  check_parts(section, deck_.impact == PenaltyParameters::Impact::conserving, deck_.damping > 0);
+  make_points(deck_.surface, body_->unknowns(), deck_.method, deck_.quadrature_degree);
   if (surface_->num_global_sides() == 0) section.fail("side set '" + deck_.surface + "' has no sides", "surface");
   gap_tolerance_ = deck_.gap_tolerance > 0 ? deck_.gap_tolerance : 1e-6 * surface_->shortest(mesh.coordinates());
-  rules_.clear();
-  for (CellShape shape : surface_->shapes())
-    rules_.emplace(shape, ContactRule(deck_.method, shape, deck_.quadrature_degree));
-  first_row_.assign(1, 0);
-  for (const SurfaceSide& side : surface_->sides()) first_row_.push_back(first_row_.back() + rule(side).points);
   candidate_.assign(surface_->sides().size(), 1);
   if (context_.remeshed) return;
   check_overlap(section);
   check_above(section);
 }
 
-void PenaltyContact::check_drainage(const Section& section) const {
-  if (deck_.has_film()) {
-    if (pressure_ < 0)
-      section.fail("film needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
-    if (deck_.augmented()) section.fail("a film has no multipliers; allowed with it: penalty", "enforcement");
-    if (deck_.impact == PenaltyParameters::Impact::conserving)
-      section.fail("a film takes energy; allowed with it: automatic, interpolated", "impact");
-    if (deck_.damping > 0) section.fail("a film damps by itself; it takes no 'damping'", "damping");
-  } else {
-    WaterFilm::refuse(section);
-  }
-  if (deck_.drainage == PenaltyParameters::Drainage::leaky) {
-    if (!(deck_.conductance > 0)) section.fail("a leaky contact needs a conductance greater than 0", "conductance");
-    if (pressure_ < 0)
-      section.fail("leaky needs a model with the field 'pore pressure'; allowed here: sealed, drained", "drainage");
-    return;
-  }
-  for (const char* entry : {"conductance", "outside pressure"})
-    if (section.has_parameter(entry)) section.fail("has a meaning only with 'drainage' = leaky", entry);
+void PenaltyContact::check_enforcement(const Section& section) const {
+  deck_.check(section);
+  if (!deck_.augmented()) return;
+  if (deck_.impact == PenaltyParameters::Impact::conserving)
+    section.fail(
+        "conserving is for 'enforcement' = penalty: its shares are those of the penalty spring's energy, which "
+        "multipliers "
+        "do not have; allowed with augmented Lagrangian: automatic, interpolated",
+        "impact");
 }
 
 void PenaltyContact::check_quadrature(const Section& section) const {

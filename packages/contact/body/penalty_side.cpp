@@ -192,43 +192,6 @@ void add_to_side(const ContactSides& on, const SideContact& side, int c, const S
   }
 }
 
-/// Gradients [1/m] of the pore pressure's shape functions at point c, along the side as it was at the start of the
-/// step.
-template <int D>
-void pressure_slopes(const ContactTables& rule, const SideContact& side, int c, Point* slope) {
-  const bool corners = side.pressure_nodes < rule.nodes;
-  const double* dP = corners ? &rule.corner_slope(c, 0) : &rule.shape_slope(c, 0);
-  SideMap<D> map;
-  map.compute(rule.nodes, &rule.shape(c, 0), &rule.shape_slope(c, 0), [&](int a, int i) { return side.x_old[a][i]; });
-  constexpr int K = D - 1;
-  Mat<double, K> metric, inverse;
-  for (int k = 0; k < K; ++k)
-    for (int l = 0; l < K; ++l) {
-      metric[k][l] = 0;
-      for (int i = 0; i < D; ++i) metric[k][l] += map.along[k][i] * map.along[l][i];
-    }
-  if constexpr (K == 1) {
-    inverse[0][0] = 1 / metric[0][0];
-  } else {
-    const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
-    for (int k = 0; k < K; ++k)
-      for (int l = 0; l < K; ++l) inverse[k][l] = (k == l ? metric[1 - k][1 - k] : -metric[k][l]) / det;
-  }
-  for (int a = 0; a < side.pressure_nodes; ++a) {
-    slope[a] = {};
-    for (int k = 0; k < K; ++k)
-      for (int l = 0; l < K; ++l)
-        for (int i = 0; i < D; ++i) slope[a][i] += inverse[k][l] * dP[K * a + l] * map.along[k][i];
-  }
-}
-
-/// Thickness of the film [m].
-template <class T>
-T film_thickness(const T& gap, double aperture) {
-  const T root = square_root(gap * gap + 4 * aperture * aperture);
-  return value(gap) > 0 ? 0.5 * (gap + root) : T(2 * aperture * aperture) / (root - gap);
-}
-
 /// Adds the film's water at point c, which fills the growing gap or flows along the side. Its rates go into the rows of
 /// the pore pressures; its water, vapour and force into `point`.
 template <class T, int D>
@@ -237,30 +200,24 @@ void add_film(const ContactSides& on, const SideContact& side, int c, const Side
               SideForce<T, D>& out) {
   const SideFilm& film = side.film;
   const ContactStart& start = on.starts(side.first + c);
-  const T thickness = film_thickness(projection.gap, film.aperture);
-  const T lack = start.cavitation - x.pore_pressure;
-  const T vapour = value(lack) > 0 ? thickness * lack * (1 / film.softness) : T(0.0), water = thickness - vapour;
-  point.water = value(water) * point.area;
-  point.vapour = value(vapour);
+  const FilmWater<T> at(film, start, projection.gap, gap_old, x.area, areas.old[c], x.pore_pressure, side.law.dt);
+  point.water = value(at.water) * point.area;
+  point.vapour = value(at.vapour);
   for (int i = 0; i < D; ++i) point.film[i] = value(projection.normal[i]) * value(x.pore_pressure) * point.area;
   if (!film.flows) return;
-  const double water_old = (film_thickness(gap_old, film.aperture) - start.vapour) * areas.old[c];
-  const T growth = (water * x.area - water_old) * (1 / side.law.dt);  // [m3/s]
-  const T open = value(water) > 0 ? water : T(0.0);
-  const T conduction = open * open * open * (areas.old[c] / (12 * film.viscosity));  // [m5/(Pa s)]
   Point slope[max_side_nodes], drive = -film.weight;
-  pressure_slopes<D>(on.rule, side, c, slope);
+  pressure_slopes<D>(on.rule, c, side.x_old, side.pressure_nodes, slope);
   for (int a = 0; a < side.pressure_nodes; ++a) drive += side.pressure[a] * slope[a];
   const int first = D * on.rule.nodes;
   for (int a = 0; a < side.pressure_nodes; ++a) {
     const double share = pressure_shape(on, side, c)[a];
-    const T flow = growth * share + conduction * dot(slope[a], drive);
+    const T flow = at.growth * share + at.conduction * dot(slope[a], drive);
     out.f[first + a] += value(flow);
     if constexpr (!std::is_same_v<T, double>) {
       double column[max_side_dofs<D>], *row = &out.k[(first + a) * out.dofs];
       spread<T, D>(on, side, c, areas, flow, column);
       for (int b = 0; b < out.dofs; ++b) row[b] += column[b];
-      for (int b = 0; b < side.pressure_nodes; ++b) row[first + b] += value(conduction) * dot(slope[a], slope[b]);
+      for (int b = 0; b < side.pressure_nodes; ++b) row[first + b] += value(at.conduction) * dot(slope[a], slope[b]);
     }
   }
 }

@@ -3,37 +3,12 @@
 #include "bodies/rigid_body.hpp"
 #include "contact/contact_rule.hpp"
 #include "contact/laws/contact_point.hpp"
+#include "contact/parts/film_law.hpp"
+#include "contact/point_data.hpp"
 #include "framework/vector_scatter.hpp"
 #include "tensor/mat.hpp"
 
 namespace mudline {
-
-/// Force on the soil at a point [N], and its moment about the body's centre [N m], in the plane about z.
-struct PointForce {
-  Point force{}, moment{};
-};
-
-/// Friction history of a contact point.
-struct ShearState {
-  /// [Pa] on the soil; 0 off the body. In the plane one number, along the contour's direction of travel; in space a
-  /// vector.
-  Point shear{};
-  double slip = 0;        // [m] path that the point has slid so far
-  double dissipated = 0;  // [J] heat, over the point's area
-  bool slides = false;
-};
-
-/// Water between a side and the body in a step. A point's film is as thick as the gap g where that is wide: its
-/// thickness is (g + sqrt(g^2 + 4 a^2))/2 with the aperture a that rough surfaces leave where they meet. Where the pore
-/// pressure p is below that of cavitation, p_c, the share 1 - (p_c - p)/softness of the film is water, the rest vapour.
-struct SideFilm {
-  bool acts = false;     // its pressure is the pore pressure of the soil's surface
-  bool flows = false;    // its water moves: it comes from the soil or flows along the film
-  double viscosity = 0;  // [Pa s]
-  double softness = 0;   // [Pa]
-  double aperture = 0;   // [m]
-  Point weight{};        // [N/m3] of the water
-};
 
 /// Unknowns of the body, and its placements at both ends of a step.
 struct BodyInStep {
@@ -51,35 +26,11 @@ struct BodyPlace {
   double travel = 0;            // [-] in the plane: path of the closest point per displacement along the contour
 };
 
-/// Data of a contact point before it is evaluated. Augmented Lagrangian: shift = multiplier / penalty, and tangential
-/// multipliers are part of the shear.
-struct ContactStart {
-  double offset = 0;                // [m] by which the gap that counts is smaller than that of the geometry
-  double shift = 0, shift_old = 0;  // [m] in this step; in the committed state
-  TouchingSoil soil;                // its pore pressure is added to that of the side's nodes
-  ShearState shear;                 // committed
-  PointForce force;                 // committed
-  double normal_force = 0;          // [N] committed
-  double cavitation = 0;            // [Pa] of the film
-  double vapour = 0;                // [m] of the film's thickness, committed
-  BodyPlace now, before;            // at the ends of the step; `before` only where looks_back()
-  double contour_distance = 0;      // [m] in the plane: from closest point to closest point along the contour
-  double height = 0;                // [m] in the body's frame above its reference point
-};
-
-/// Result of the evaluation of one contact point.
-struct ContactPoint {
-  double gap, pressure;  // [m] counted, negative: penetration; [Pa] >= 0
-  PointForce total;      // on the soil
-  double area;           // [m2]
-  bool active;           // presses: gap < shift
-  ShearState shear;      // with friction
-  Point friction;        // [N] part of the force that is along the surface
-  double height;         // [m] in the body's frame above its reference point
-  Point damping;         // [N] what damping adds to the mean force over the step
-  double damped;         // [J] heat of damping in the step
-  double water, vapour;  // [m3]; [m] of the film's thickness
-  Point film;            // [N] part of the force that is the film's
+/// History of a contact point, and its closest points as the search on the host found them.
+struct ContactStart : PointHistory {
+  BodyPlace now, before;        // at the ends of the step; `before` only where looks_back()
+  double contour_distance = 0;  // [m] in the plane: from closest point to closest point along the contour
+  double height = 0;            // [m] in the body's frame above its reference point
 };
 
 /// One side of the soil's surface against a body, at both ends of a step.

@@ -12,10 +12,10 @@ MasterFaces::MasterFaces(const Mesh& mesh, const std::string& side_set, double c
     : surface_(mesh, side_set), around_(surface_.sides().size()), normals_(surface_.sides().size()) {
   const ConstCoordinateView x = mesh.coordinates();
   std::map<int, std::vector<Corner>> meeting;  // by mesh node
-  for (int f = 0; f < size(); ++f)
+  for (int f = 0; f < pieces(); ++f)
     for (int a = 0; a < surface_.sides()[f].count; ++a) meeting[surface_.sides()[f].node[a]].push_back({f, a});
   const double least = std::cos(corner_angle);
-  for (int f = 0; f < size(); ++f) {
+  for (int f = 0; f < pieces(); ++f) {
     const auto& side = surface_.sides()[f];
     around_[f].resize(side.count);
     for (int a = 0; a < side.count; ++a) {
@@ -43,7 +43,7 @@ Point MasterFaces::normal_at(int face, int node, const ConstCoordinateView& x) c
 
 void MasterFaces::update(const ConstCoordinateView& x) {
   surface_.sort(x);
-  for (int f = 0; f < size(); ++f)
+  for (int f = 0; f < pieces(); ++f)
     for (int a = 0; a < surface_.sides()[f].count; ++a) {
       Point sum{};
       for (const Corner& at : around_[f][a]) {
@@ -60,7 +60,7 @@ MasterFace MasterFaces::face(int index, const ConstCoordinateView& x) const {
 }
 
 bool MasterFaces::find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
-                       const ConstCoordinateView& x, int& index, FaceProjection& projection) const {
+                       const ConstCoordinateView& x, TargetPlace& place) const {
   double nearest = capture;
   bool found = false;
   for (int candidate : candidates) {
@@ -68,16 +68,21 @@ bool MasterFaces::find(const std::vector<int>& candidates, const Point& at, cons
     const BoxSearch::Corners box = side_box(surface_.sides()[candidate].node, there.count, x);
     bool apart = false;
     for (int i = 0; i < 3; ++i) apart = apart || at[i] < box[0][i] - nearest || at[i] > box[1][i] + nearest;
-    FaceProjection here;
+    TargetPlace here;
     if (apart || !find_projection(there, at, here) || std::abs(here.gap) > nearest) continue;
     if (found && std::abs(here.gap) == nearest) continue;
     if (dot(face_normal(there, here), outward) >= 0) continue;  // back to back
     nearest = std::abs(here.gap);
-    index = candidate;
-    projection = here;
+    place = here;
+    place.piece = candidate;
     found = true;
   }
   return found;
+}
+
+void MasterFaces::weights(int piece, const double* at, double* weight) const {
+  double dN[2 * max_side_nodes];
+  evaluate_shape(sides()[piece].shape, at, weight, dN);
 }
 
 }  // namespace mudline

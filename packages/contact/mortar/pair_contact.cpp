@@ -203,7 +203,7 @@ void PairContact::jacobian(const StepView& view, Assembler& assembler, double we
 }
 
 double PairContact::step_limit(const State& committed, double) const {
-  return closing_limit(context_.space, *slave_, *master_, deck_.advance_limit, committed);
+  return closing_limit(context_.space, *slave_, master_->sides(), deck_.advance_limit, committed);
 }
 
 void PairContact::relocate(const ConstCoordinateView& x_old, State& committed) {
@@ -233,11 +233,15 @@ void PairParameters::parameters(Parameters& p) {
 }
 
 void PairContact::check(const Section& section) {
-  check_surfaces(section, 2);
+  name_ = section.name();
   const Space& space = context_.space;
   const Mesh& mesh = space.mesh();
+  displacement_ = space.find("displacement");
+  if (displacement_ < 0) section.fail("contact needs a model with the field 'displacement'", "type");
+  check_two_sets(mesh, 2, section, deck_.slave, deck_.master);
   deck_.check(section);
   read_laws_of_two(context_, section, laws_);
+  laws_.check_two_surfaces(section);
   laws_.check_linear(section, deck_.augmented(), false);
   if (laws_.friction() && laws_.friction()->reads_slip())
     section.section("friction")

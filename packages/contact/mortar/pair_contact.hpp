@@ -35,21 +35,31 @@ struct PairParameters : TwoSurfaceParameters {
 /// length and of the touching area; remaining misfit and stretch of Uzawa's method), "contact/<name>/multipliers"
 /// (normal and shear), "contact/<name>/penalty" (a row per slave side, frozen when the contact first starts a step),
 /// "contact/<name>/heat" (of friction and of damping).
-class PairContact : public TwoSurfaceContact<PairParameters> {
+class PairContact : public Contact {
  public:
-  explicit PairContact(const ContactContext& context) : TwoSurfaceContact(context) {}
+  explicit PairContact(const ContactContext& context) : context_(context) {}
+  static void document(Parameters& p) { declare_with_friction(p, PairParameters()); }
+  void parameters(Parameters& p) { declare_with_friction(p, deck_); }
   /// InputError for unknown, empty, equal or touching sets, deep overlap at the start, friction on the effective
   /// traction of surfaces with pore pressure. Collective.
   void check(const Section& section);
 
+  std::string name() const override { return "contact/" + name_; }
+  ContactPartners partners() const override {
+    return {deck_.slave, deck_.master, nullptr, laws_.friction() != nullptr};
+  }
+  bool asks_for_prediction() const override { return laws_.friction() != nullptr; }
+  void predicting(bool on) override { predicting_ = on; }
   void declare_state(StateStore& store) override;
   void sparsity(Assembler& assembler) override;
   void begin(const StepView& view) override;
-  void predicting(bool on) override { predicting_ = on; }
   int residual(const StepView& view, const ResidualView& f) override;
   void correction(const StepView& view, const ResidualView& f) override;
   void jacobian(const StepView& view, Assembler& assembler, double weight) override;
   Augmentation augment(const StepView& view, int count) override;
+  std::string hint(const StepView&) const override {
+    return beyond_reach_hint(*context_.space.mesh().comm(), name_, beyond_reach_);
+  }
   void histories(const StepView& view, Report& values) override;
   double step_limit(const State& committed, double dt) const override;
   void relocate(const ConstCoordinateView& x_old, State& committed) override;
@@ -71,16 +81,22 @@ class PairContact : public TwoSurfaceContact<PairParameters> {
   Misfit misfit(const State& state) const;
   std::vector<double> nodal_mean(const State& state, int column) const;
 
+  ContactContext context_;
+  PairParameters deck_;
+  ContactLaws laws_;
+  std::string name_;
+  int displacement_ = -1;
+  bool beyond_reach_ = false;  // surfaces met in this step for which the matrix has no entries
+  bool predicting_ = false;
+  std::vector<std::pair<int, double>> correction_;  // (dof, damping) of the last residual call
   std::unique_ptr<ContactSurface> slave_;
   std::unique_ptr<MasterSurface> master_;
   std::vector<Pair> pairs_;                    // of this step, ordered by slave side
   std::unordered_map<long long, int> row_of_;  // (slave, master) in the dof table
   ElementDofs dofs_;
-  QuadratureRule rule_;                                 // on a segment
-  int group_ = -1, nodes_ = 3;                          // of a side
-  double gap_tolerance_ = 0, capture_ = 0, touch_ = 0;  // [m]
-  std::vector<std::pair<int, double>> correction_;      // (dof, damping) of the last residual call
-  bool predicting_ = false;
+  QuadratureRule rule_;                                             // on a segment
+  int group_ = -1, nodes_ = 3;                                      // of a side
+  double gap_tolerance_ = 0, capture_ = 0, touch_ = 0;              // [m]
   int sides_ = -1, multipliers_ = -1, penalties_ = -1, heat_ = -1;  // state handles
 };
 

@@ -30,7 +30,7 @@ Weights slope(int before, int at, int after, double h1, double h2) {
 
 SmoothSurface::SmoothSurface(const std::vector<MasterSurface::MasterSide>& sides, Drawing drawing, double corner_angle,
                              double overhang, const ConstCoordinateView& x)
-    : drawing_(drawing), overhang_(overhang) {
+    : sides_(sides), drawing_(drawing), overhang_(overhang) {
   if (drawing == Drawing::sides) {
     for (const auto& side : sides)
       add(side.count == 3 ? Kind::parabola : Kind::straight, std::vector<int>(side.node, side.node + side.count), false,
@@ -156,17 +156,16 @@ void SmoothSurface::update(const ConstCoordinateView& x) {
   boxes_.sort(boxes);
 }
 
-bool SmoothSurface::projection_on(int index, const PlanePoint& at, const ConstCoordinateView& x,
-                                  NodeProjection& projection, double& distance, PlanePoint& normal) const {
+bool SmoothSurface::projection_on(int index, const PlanePoint& at, const ConstCoordinateView& x, TargetPlace& place,
+                                  PlanePoint& normal) const {
   const SurfacePiece& piece = pieces_[index];
   const PieceCoordinates nodes = coordinates(index, x);
   const double low = piece.start == PieceEnd::open ? -overhang_ : 0.0,
                high = piece.end == PieceEnd::open ? 1 + overhang_ : 1.0;
   const PieceProjection found = closest_on_piece(piece, nodes, at, low, high);
   if ((found.at_low && piece.start == PieceEnd::open) || (found.at_high && piece.end == PieceEnd::open)) return false;
-  distance = found.distance;
   normal = right_of(piece_direction(piece, nodes, found.eta));
-  projection = {found.eta, false, {}};
+  place = {index, {found.eta, 0}, found.distance, false, {}};
   const int other = found.at_low && piece.start == PieceEnd::corner  ? piece.before
                     : found.at_high && piece.end == PieceEnd::corner ? piece.after
                                                                      : -1;
@@ -174,31 +173,85 @@ bool SmoothSurface::projection_on(int index, const PlanePoint& at, const ConstCo
   const PlanePoint beyond = right_of(piece_direction(pieces_[other], coordinates(other, x), found.at_low ? 1.0 : 0.0));
   const double mean[2] = {normal[0] + beyond[0], normal[1] + beyond[1]}, size = std::hypot(mean[0], mean[1]);
   if (size > 1e-6) normal = {mean[0] / size, mean[1] / size};
-  projection.corner = true;
-  projection.outward = normal;
+  place.corner = true;
+  place.outward = normal;
   return true;
 }
 
-bool SmoothSurface::find_projection(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing,
-                                    double capture, const ConstCoordinateView& x, int& piece,
-                                    NodeProjection& projection) const {
-  const PlanePoint outward = right_of(facing);
+bool SmoothSurface::find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
+                         const ConstCoordinateView& x, TargetPlace& place) const {
   double nearest = capture;
   bool found = false;
+  PlanePoint facing{};
   for (int candidate : candidates) {
-    NodeProjection here;
-    double distance = 0;
+    TargetPlace here;
     PlanePoint normal{};
-    if (!projection_on(candidate, at, x, here, distance, normal) || distance > nearest ||
-        (found && distance == nearest))
+    if (!projection_on(candidate, in_plane(at), x, here, normal) || here.gap > nearest ||
+        (found && here.gap == nearest))
       continue;
     if (normal[0] * outward[0] + normal[1] * outward[1] >= 0) continue;  // back to back
-    nearest = distance;
-    piece = candidate;
-    projection = here;
+    nearest = here.gap;
+    place = here;
+    facing = normal;
     found = true;
   }
-  return found;
+  if (!found) return false;
+  const PlanePoint foot = piece_point(pieces_[place.piece], coordinates(place.piece, x), place.at[0]);
+  if (dot(in_plane(at) - foot, facing) < 0) place.gap = -place.gap;
+  return true;
+}
+
+ClosestPoint SmoothSurface::closest(const TargetPlace& place, const Point& at, const ConstCoordinateView& x) const {
+  const SurfacePiece& piece = pieces_[place.piece];
+  const PieceCoordinates nodes = coordinates(place.piece, x);
+  double W[max_piece_nodes], dW[max_piece_nodes], ddW[max_piece_nodes];
+  piece.weights(place.at[0], W, dW, ddW);
+  PlanePoint y{}, slope{}, bend{};
+  for (int j = 0; j < piece.count; ++j) {
+    y += W[j] * nodes[j];
+    slope += dW[j] * nodes[j];
+    bend += ddW[j] * nodes[j];
+  }
+  ClosestPoint result;
+  result.nodes = piece.count;
+  std::copy_n(W, piece.count, result.weight);
+  const PlanePoint offset = in_plane(at) - y;
+  if (place.corner) {
+    const double distance = length(offset);
+    PlanePoint normal = place.outward;
+    result.gap = dot(offset, normal);
+    if (distance > 1e-12 * length(nodes[piece.count - 1] - nodes[0])) {
+      result.gap = result.gap < 0 ? -distance : distance;
+      normal = offset / result.gap;
+      const PlanePoint along{-normal[1], normal[0]};
+      for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 2; ++k) result.normal_slope[i][k] = along[i] * along[k] / result.gap;
+    }
+    result.normal = {normal[0], normal[1], 0};
+    std::copy_n(result.normal.data(), 2, result.gap_slope);
+    return result;
+  }
+  const double stretch = length(slope);
+  const PlanePoint along = slope / stretch, normal = right_of(along);
+  result.gap = dot(offset, normal);
+  result.normal = {normal[0], normal[1], 0};
+  std::copy_n(result.normal.data(), 2, result.gap_slope);
+  // derivatives of the place on the piece, and of the rotation from the direction of travel to the normal
+  const double whole = dot(slope, slope) - dot(offset, bend), curvature = dot(normal, bend) / stretch;
+  const double eta[] = {slope[0] / whole, slope[1] / whole, result.gap * stretch / whole};
+  for (int k = 0; k < ClosestPoint::motions; ++k) {
+    const double rotation = curvature * eta[k] + (k == 2 ? 1.0 : 0.0);
+    for (int i = 0; i < 2; ++i) result.normal_slope[i][k] = -along[i] * rotation;
+    for (int j = 0; j < piece.count; ++j) result.weight_slope[j][k] = dW[j] * eta[k];
+  }
+  for (int j = 0; j < piece.count; ++j) result.turn[j] = dW[j] / stretch;
+  return result;
+}
+
+void SmoothSurface::weights(int piece, const double* at, double* weight) const {
+  double dW[max_piece_nodes], ddW[max_piece_nodes], W[max_piece_nodes];
+  pieces_[piece].weights(at[0], W, dW, ddW);
+  std::copy_n(W, pieces_[piece].count, weight);
 }
 
 }  // namespace mudline

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "contact/box_search.hpp"
 #include "contact/nodes/node_chain.hpp"
-#include "contact/nodes/node_segment.hpp"
+#include "contact/nodes/surface_piece.hpp"
+#include "contact/target.hpp"
 
 namespace mudline {
 
@@ -15,29 +15,29 @@ namespace mudline {
 /// next two, with the node as control point; it cuts corners by an eighth of spacing squared over radius.
 enum class Drawing { sides, linear, hermite, bezier };
 
-/// A side set as pieces of curves, for contact with the nodes of another surface. Its topology is fixed, and so are the
-/// nodes that each piece depends on. The coefficients of `hermite` are those of the coordinates at the last update().
-class SmoothSurface {
+/// A side set of the plane as pieces of curves, which nodes of another surface touch. The coefficients of `hermite` are
+/// those of the coordinates at the last update().
+class SmoothSurface : public Target {
  public:
   /// Corners: straight lines between neighbouring nodes that turn by more than `corner_angle` [rad] in x are not
   /// smoothed. `overhang`: an open end continues for this fraction of its last piece.
   SmoothSurface(const std::vector<MasterSurface::MasterSide>& sides, Drawing drawing, double corner_angle,
                 double overhang, const ConstCoordinateView& x);
 
-  const std::vector<SurfacePiece>& pieces() const { return pieces_; }
+  int pieces() const override { return static_cast<int>(pieces_.size()); }
+  const SurfacePiece& piece(int index) const { return pieces_[index]; }
+  TargetNodes nodes(int piece) const override { return {pieces_[piece].count, pieces_[piece].node}; }
+  const std::vector<MasterSurface::MasterSide>& sides() const override { return sides_; }
   PieceCoordinates coordinates(int piece, const ConstCoordinateView& x) const;
-  /// Updates coefficients and boxes; called at the start of a step.
-  void update(const ConstCoordinateView& x);
-  /// Pieces whose nodes' box comes within `distance` [m] of a point, in ascending order.
-  std::vector<int> near(const PlanePoint& at, double distance) const {
-    const Point x{at[0], at[1], 0};
-    return boxes_.near({x, x}, distance);
+  void update(const ConstCoordinateView& x) override;
+  std::vector<int> near(const BoxSearch::Corners& box, double distance) const override {
+    return boxes_.near(box, distance);
   }
-
-  /// Finds the closest point of a node on one of `candidates`; false where none of them faces it within `capture` [m].
-  /// `facing`: a direction along the slave surface, its body on the left.
-  bool find_projection(const std::vector<int>& candidates, const PlanePoint& at, const PlanePoint& facing,
-                       double capture, const ConstCoordinateView& x, int& piece, NodeProjection& projection) const;
+  bool find(const std::vector<int>& candidates, const Point& at, const Point& outward, double capture,
+            const ConstCoordinateView& x, TargetPlace& place) const override;
+  /// At a corner the normal is the direction from the corner to the point, or the mean normal on the corner itself.
+  ClosestPoint closest(const TargetPlace& place, const Point& at, const ConstCoordinateView& x) const override;
+  void weights(int piece, const double* at, double* weight) const override;
 
  private:
   /// Kind and nodes of a piece. Its nodes are those that it runs between (and a parabola through), or the one that it
@@ -53,9 +53,10 @@ class SmoothSurface {
   void join(int before, int after, PieceEnd how);
   void join_corners();
   void set_coefficients(int piece, const ConstCoordinateView& x);
-  bool projection_on(int piece, const PlanePoint& at, const ConstCoordinateView& x, NodeProjection& projection,
-                     double& distance, PlanePoint& normal) const;
+  bool projection_on(int piece, const PlanePoint& at, const ConstCoordinateView& x, TargetPlace& place,
+                     PlanePoint& normal) const;
 
+  std::vector<MasterSurface::MasterSide> sides_;
   Drawing drawing_;
   double overhang_;
   std::vector<SurfacePiece> pieces_;

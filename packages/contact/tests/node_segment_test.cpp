@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/nodes/node_parameters.hpp"
-#include "contact/nodes/smooth_surface.hpp"
+#include "contact/nodes/node_contact.hpp"
 #include "slope_friction.hpp"
 
 namespace mudline {
@@ -32,10 +31,8 @@ TEST(NodeParameters, TheOverhangOfAnOpenEnd) {
     deck.parameters(p);
     const SmoothSurface surface({{2, {0, 1, -1}}, {2, {1, 2, -1}}}, Drawing::linear, 1.5, deck.overhang, x);
     for (const double beyond : {-0.1, 0.2, 0.4}) {
-      NodeProjection projection;
-      int piece = -1;
-      EXPECT_EQ(surface.find_projection({0, 1}, {2 + beyond, 0.05}, {1, 0}, 1, x, piece, projection), beyond < overhang)
-          << beyond;
+      TargetPlace place;
+      EXPECT_EQ(surface.find({0, 1}, {2 + beyond, 0.05}, {0, -1}, 1, x, place), beyond < overhang) << beyond;
     }
   }
 }
@@ -58,48 +55,53 @@ class EveryState : public testing::TestWithParam<Case> {
     for (int i = 0; i < 5; ++i) sides_.push_back({2, {i, i + 1, -1}});
     surface_ = std::make_unique<SmoothSurface>(sides_, c.drawing, 1.5, 0.1, old_);
     law_.penalty = 1e6;
-    law_.area = 0.7;
-    law_.normal = c.multiplier;
-    law_.shear = 0.2 * c.multiplier;
+    old_state_.shift = c.multiplier / law_.penalty;
+    old_state_.shear.shear[0] = 0.2 * c.multiplier;
+    old_state_.normal_force = 2e4;
     if (c.friction > 0) law_.friction = &friction_;
     law_.conserves = c.late;
-    law_.gap_old = 0.01;
     law_.viscous = c.viscous;
-    law_.normal_old = 2e4;
     if (c.late || c.viscous > 0) law_.start_weight = 0.4;
   }
-  /// Force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by them.
-  NodeForce evaluate(double (&f)[14], double (&k)[14][14]) {
-    NodeProjection projection;
-    std::vector<int> all(surface_->pieces().size());
+  /// Acting force at the present coordinates, by node of the surface (six, then the slave), with the derivatives by
+  /// them.
+  TargetForce evaluate(double (&f)[14], double (&k)[14][14]) {
+    TargetPlace place;
+    std::vector<int> all(surface_->pieces());
     std::iota(all.begin(), all.end(), 0);
-    EXPECT_TRUE(surface_->find_projection(all, {x_(6, 0), x_(6, 1)}, {1, 0}, 1, x_, piece_, projection));
-    corner_ = projection.corner;
-    const SurfacePiece& piece = surface_->pieces()[piece_];
-    NodeForce out, plain;
-    const auto at = [&](const Coordinates& x) {
-      return NodeCoordinates{{x(6, 0), x(6, 1)}, surface_->coordinates(piece_, x)};
-    };
-    node_force(law_, piece, projection, at(old_), at(x_), true, out);
-    node_force(law_, piece, projection, at(old_), at(x_), false, plain);
+    const Point at{x_(6, 0), x_(6, 1), 0};
+    EXPECT_TRUE(surface_->find(all, at, {0, -1, 0}, 1, x_, place));
+    corner_ = place.corner;
+    const ClosestPoint closest = surface_->closest(place, at, x_);
+    EXPECT_NEAR(place.gap, closest.gap, 1e-12);
+    const SurfacePiece& piece = surface_->piece(place.piece);
+    Point before[max_piece_nodes];
+    for (int j = 0; j < piece.count; ++j) before[j] = place_of(old_, piece.node[j]);
+    TargetPoint point{law_, closest, before, place_of(old_, 6), area_, 0.01, 0, {}, old_state_};
+    const TargetForce out = target_force<2>(point, true), plain = target_force<2>(point, false);
     for (double& v : f) v = 0;
     for (auto& row : k)
       for (double& v : row) v = 0;
-    const auto place = [&](int a) { return a < 2 ? 12 + a : 2 * piece.node[(a - 2) / 2] + a % 2; };
-    for (int a = 0; a < node_dofs; ++a) {
-      EXPECT_EQ(out.f[a], plain.f[a]);
-      EXPECT_EQ(out.damping[a], plain.damping[a]);
-      f[place(a)] += out.share * out.f[a] + out.damping[a] / (1 - law_.start_weight);
-      for (int b = 0; b < node_dofs; ++b) k[place(a)][place(b)] += out.k[a][b];
+    TargetColumns w{1, 1 + closest.nodes, {1}};
+    for (int j = 0; j < closest.nodes; ++j) w.weight[1 + j] = -closest.weight[j];
+    const auto node = [&](int a) { return a == 0 ? 6 : piece.node[a - 1]; };
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(out.acting[i], plain.acting[i]);
+      for (int a = 0; a < w.count; ++a) f[2 * node(a) + i] += w.weight[a] * out.acting[i];
     }
+    node_slopes<2>(w, closest, out, {1, w.count, {}}, {}, [&](int a, int i, const double* by) {
+      spread_slopes<2>(w, closest, by,
+                       [&](int b, int j, double slope) { k[2 * node(a) + i][2 * node(b) + j] += slope; });
+    });
     return out;
   }
   Slope friction_;
   Coordinates x_, old_;
   std::vector<MasterSurface::MasterSide> sides_;
   std::unique_ptr<SmoothSurface> surface_;
-  NodeLaw law_;
-  int piece_ = -1;
+  ContactPointLaw law_;
+  PointHistory old_state_;
+  static constexpr double area_ = 0.7;
   bool corner_ = false;
 };
 
@@ -127,10 +129,10 @@ INSTANTIATE_TEST_SUITE_P(Contact, EveryState,
 
 TEST_P(EveryState, TangentIsTheDifferencedForce) {
   double f[14], k[14][14], plus[14], minus[14], unused[14][14];
-  const NodeForce at = evaluate(f, k);
-  ASSERT_TRUE(at.presses);
+  const TargetForce at = evaluate(f, k);
+  ASSERT_TRUE(at.point.active);
   ASSERT_EQ(corner_, GetParam().corner);
-  ASSERT_EQ(at.slides, GetParam().friction > 0 && GetParam().friction < 1);
+  ASSERT_EQ(at.point.shear.slides, GetParam().friction > 0 && GetParam().friction < 1);
   double size = 0, error = 0;
   for (int b = 0; b < 14; ++b) {
     constexpr double h = 1e-6;
@@ -149,7 +151,7 @@ TEST_P(EveryState, TangentIsTheDifferencedForce) {
 
 TEST_P(EveryState, ForcesAndMomentsCancel) {
   double f[14], k[14][14], sum[2] = {0, 0}, moment = 0, size = 0;
-  const NodeForce at = evaluate(f, k);
+  const TargetForce at = evaluate(f, k);
   for (int a = 0; a < 7; ++a) {
     for (int i = 0; i < 2; ++i) sum[i] += f[2 * a + i];
     moment += x_(a, 0) * f[2 * a + 1] - x_(a, 1) * f[2 * a];
@@ -157,12 +159,13 @@ TEST_P(EveryState, ForcesAndMomentsCancel) {
   }
   EXPECT_LT(std::hypot(sum[0], sum[1]), 1e-14 * size);
   // friction acts across the gap
-  EXPECT_NEAR(moment, at.share * law_.area * at.gap * at.shear, 1e-13 * size + 1e-9 * std::abs(moment));
+  EXPECT_NEAR(moment, at.share * area_ * at.point.gap * at.point.shear.shear[0],
+              1e-13 * size + 1e-9 * std::abs(moment));
 }
 
 TEST_P(EveryState, RigidMotionOfAllIsNotSeen) {
   double f[14], k[14][14], turned[14];
-  const NodeForce at = evaluate(f, k);
+  const TargetForce at = evaluate(f, k);
   const double c = std::cos(0.7), s = std::sin(0.7);
   for (Coordinates* x : {&x_, &old_})
     for (int a = 0; a < 7; ++a) {
@@ -171,9 +174,9 @@ TEST_P(EveryState, RigidMotionOfAllIsNotSeen) {
       (*x)(a, 1) = s * r[0] + c * r[1] - 2;
     }
   surface_->update(old_);
-  const NodeForce there = evaluate(turned, k);
-  EXPECT_NEAR(there.gap, at.gap, 1e-12);
-  EXPECT_NEAR(there.shear, at.shear, 1e-6 * (1 + std::abs(at.shear)));
+  const TargetForce there = evaluate(turned, k);
+  EXPECT_NEAR(there.point.gap, at.point.gap, 1e-12);
+  EXPECT_NEAR(there.point.shear.shear[0], at.point.shear.shear[0], 1e-6 * (1 + std::abs(at.point.shear.shear[0])));
   for (int a = 0; a < 7; ++a) {
     EXPECT_NEAR(turned[2 * a], c * f[2 * a] - s * f[2 * a + 1], 1e-5);
     EXPECT_NEAR(turned[2 * a + 1], s * f[2 * a] + c * f[2 * a + 1], 1e-5);
@@ -185,20 +188,19 @@ TEST(NodeSegment, OpenNodeHasNeitherForceNorStiffness) {
   Coordinates x("x", 2, 2);
   x(0, 0) = 1;
   const SmoothSurface surface(sides, Drawing::linear, 1, 0.1, x);
-  NodeLaw law;
+  ContactPointLaw law;
   law.penalty = 1e6;
-  law.area = 1;
-  int piece = -1;
-  NodeProjection projection;
-  ASSERT_TRUE(surface.find_projection({0}, {0.4, 0.01}, {1, 0}, 0.1, x, piece, projection));
-  const NodeCoordinates at{{0.4, 0.01}, surface.coordinates(0, x)};
-  NodeForce force;
-  node_force(law, surface.pieces()[0], projection, at, at, true, force);
-  EXPECT_FALSE(force.presses);
-  EXPECT_NEAR(force.gap, 0.01, 1e-15);
-  for (int a = 0; a < node_dofs; ++a) {
-    EXPECT_EQ(force.f[a], 0);
-    for (int b = 0; b < node_dofs; ++b) EXPECT_EQ(force.k[a][b], 0);
+  TargetPlace place;
+  const Point at{0.4, 0.01, 0};
+  ASSERT_TRUE(surface.find({0}, at, {0, -1, 0}, 0.1, x, place));
+  const ClosestPoint closest = surface.closest(place, at, x);
+  const Point before[2] = {place_of(x, 0), place_of(x, 1)};
+  const TargetForce force = target_force<2>({law, closest, before, at, 1.0}, true);
+  EXPECT_FALSE(force.point.active);
+  EXPECT_NEAR(force.point.gap, 0.01, 1e-15);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(force.acting[i], 0);
+    for (double slope : force.acting_slope[i]) EXPECT_EQ(slope, 0);
   }
 }
 

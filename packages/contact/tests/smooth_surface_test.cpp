@@ -31,15 +31,15 @@ struct Arc {
 std::pair<double, double> errors(const Arc& arc, Drawing drawing) {
   const SmoothSurface surface(arc.sides, drawing, 1.0, 0.1, arc.x);
   double radial = 0, jump = 0;
-  for (std::size_t k = 0; k < surface.pieces().size(); ++k) {
-    const SurfacePiece& piece = surface.pieces()[k];
-    const PieceCoordinates nodes = surface.coordinates(static_cast<int>(k), arc.x);
+  for (int k = 0; k < surface.pieces(); ++k) {
+    const SurfacePiece& piece = surface.piece(k);
+    const PieceCoordinates nodes = surface.coordinates(k, arc.x);
     for (int i = 0; i <= 10; ++i) {
       const PlanePoint y = piece_point(piece, nodes, i / 10.0);
       radial = std::max(radial, std::abs(std::hypot(y[0], y[1]) - 1));
     }
     if (piece.after < 0) continue;
-    const SurfacePiece& next = surface.pieces()[piece.after];
+    const SurfacePiece& next = surface.piece(piece.after);
     const PlanePoint a = piece_direction(piece, nodes, 1),
                      b = piece_direction(next, surface.coordinates(piece.after, arc.x), 0);
     jump = std::max(jump, std::abs(a[0] * b[1] - a[1] * b[0]));
@@ -78,21 +78,19 @@ TEST(SmoothSurface, CornersStay) {
     for (int k = 0; k < 2; ++k) square.x(i, k) = places[i][k];
   for (Drawing drawing : {Drawing::linear, Drawing::hermite, Drawing::bezier}) {
     const SmoothSurface surface(square.sides, drawing, pi / 4, 0.1, square.x);
-    const auto gap = [&](double x, double y, const PlanePoint& facing) {
-      int piece = -1;
-      NodeProjection projection;
-      const bool seen =
-          surface.find_projection(surface.near({x, y}, 1), {x, y}, facing, 0.5, square.x, piece, projection);
-      if (!seen) return std::pair{1e300, false};
-      const double size = node_gap(surface.pieces()[piece], projection, {{x, y}, surface.coordinates(piece, square.x)});
-      return std::pair{size, projection.corner};
+    const auto gap = [&](double x, double y, const Point& outward) {
+      TargetPlace place;
+      const Point at{x, y, 0};
+      if (!surface.find(surface.near({at, at}, 1), at, outward, 0.5, square.x, place)) return std::pair{1e300, false};
+      EXPECT_NEAR(surface.closest(place, at, square.x).gap, place.gap, 1e-13);
+      return std::pair{place.gap, place.corner};
     };
-    EXPECT_NEAR(gap(0.3, 1.1, {1, 0}).first, 0.1, 1e-13);
-    EXPECT_NEAR(gap(0.97, 0.9, {0, -1}).first, -0.03, 1e-13);
-    const auto [corner, is_corner] = gap(1.03, 1.04, {1, -1});
+    EXPECT_NEAR(gap(0.3, 1.1, {0, -1}).first, 0.1, 1e-13);
+    EXPECT_NEAR(gap(0.97, 0.9, {-1, 0}).first, -0.03, 1e-13);
+    const auto [corner, is_corner] = gap(1.03, 1.04, {-1, -1});
     EXPECT_NEAR(corner, 0.05, 1e-13);
     EXPECT_TRUE(is_corner);
-    EXPECT_EQ(gap(0.3, 1.1, {-1, 0}).first, 1e300) << "back to back";
+    EXPECT_EQ(gap(0.3, 1.1, {0, 1}).first, 1e300) << "back to back";
   }
 }
 
@@ -103,21 +101,19 @@ TEST(SmoothSurface, OpenEndsOverhangAndThenEnd) {
     line.x(i, 1) = 0;
   }
   const SmoothSurface surface(line.sides, Drawing::hermite, 1, 0.1, line.x);
-  int piece = -1;
-  NodeProjection projection;
-  EXPECT_TRUE(surface.find_projection({0, 1}, {0.05, 0.1}, {1, 0}, 0.5, line.x, piece, projection));
-  EXPECT_FALSE(surface.find_projection({0, 1}, {0.15, 0.1}, {1, 0}, 0.5, line.x, piece, projection));
-  EXPECT_FALSE(surface.find_projection({0, 1}, {-1, 0.6}, {1, 0}, 0.5, line.x, piece, projection))
-      << "farther than it looks";
+  TargetPlace place;
+  EXPECT_TRUE(surface.find({0, 1}, {0.05, 0.1}, {0, -1}, 0.5, line.x, place));
+  EXPECT_FALSE(surface.find({0, 1}, {0.15, 0.1}, {0, -1}, 0.5, line.x, place));
+  EXPECT_FALSE(surface.find({0, 1}, {-1, 0.6}, {0, -1}, 0.5, line.x, place)) << "farther than it looks";
 }
 
 TEST(SmoothSurface, SidesAreTheElementsParabolas) {
   Arc arc(3, 0, 0.4, false);
   const std::vector<MasterSurface::MasterSide> side{{3, {0, 2, 1}}};
   const SmoothSurface surface(side, Drawing::sides, 1, 0.1, arc.x);
-  ASSERT_EQ(surface.pieces().size(), 1u);
+  ASSERT_EQ(surface.pieces(), 1);
   for (double eta : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-    const PlanePoint y = piece_point(surface.pieces()[0], surface.coordinates(0, arc.x), eta);
+    const PlanePoint y = piece_point(surface.piece(0), surface.coordinates(0, arc.x), eta);
     double N[3], dN[3];
     evaluate_line(3, 2 * eta - 1, N, dN);
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(y[i], N[0] * arc.x(0, i) + N[1] * arc.x(2, i) + N[2] * arc.x(1, i), 1e-14);

@@ -27,6 +27,20 @@ Transfinite Surface {1, 2};
 Physical Surface("soil") = {1, 2};
 Physical Curve("hole") = {1, 2}; Physical Curve("far side") = {3, 4}; Physical Curve("axis") = {5, 7};
 '''
+# The disc that fills the hole, with a core that is held, and sides that do not match the hole's.
+DISC = '''
+Point(11) = {0, 0, 0}; Point(12) = {0, -0.5, 0}; Point(13) = {0.5, 0, 0}; Point(14) = {0, 0.5, 0};
+Point(15) = {0, -0.2, 0}; Point(16) = {0.2, 0, 0}; Point(17) = {0, 0.2, 0};
+Circle(11) = {12, 11, 13}; Circle(12) = {13, 11, 14}; Circle(13) = {15, 11, 16}; Circle(14) = {16, 11, 17};
+Line(15) = {12, 15}; Line(16) = {13, 16}; Line(17) = {14, 17};
+Curve Loop(11) = {11, 16, -13, -15}; Curve Loop(12) = {12, 17, -14, -16};
+Plane Surface(11) = {11}; Plane Surface(12) = {12};
+Transfinite Curve {11, 12, 13, 14} = 10;
+Transfinite Curve {15, 16, 17} = 4;
+Transfinite Surface {11, 12};
+Physical Surface("disc") = {11, 12};
+Physical Curve("hull") = {11, 12}; Physical Curve("core") = {13, 14}; Physical Curve("axis") = {5, 7, 15, 17};
+'''
 ELASTIC = {"type": "linear elastic", "Young's modulus": YOUNG, "Poisson's ratio": POISSON}
 DRY = ("solid", {"density": 2000.0, "skeleton": ELASTIC}, {})
 WET = ("biot", {"porosity": 0.4, "Biot coefficient": 0.8, "skeleton": ELASTIC, "fluid": {"type": "water"},
@@ -106,6 +120,41 @@ class WishedInPlace(MudlineCase):
         """Saturated soil under the same total stress, part of it in the water (Biot coefficient 0.8)."""
         history = self.run_deck(self.deck("wet", "plane strain", soil=WET))
         self.assert_error("penetration", abs(history["contact/hull/maximum penetration"][-1] * 1e12 / STRESS - 1), 1e-3)
+
+    def meshed(self, soil=DRY, pull=True):
+        """A stiff disc of the mesh instead of the body, with other sides than the hole's: its points press the nodes of the hole. Its
+        stress is that of the soil, so it is in balance too. Nodes whose forces are those of their tributary lengths are less exact."""
+        physics, material, water = soil
+        ring = (RING % (12, 8, 1.25, "")).replace('; Physical Curve("axis") = {5, 7};', ";") + DISC
+        self.write("disc.geo", ring)
+        effective = STRESS - 0.8 * water.get("pore pressure", 0.0)
+        stiff = {**material, "skeleton": {**ELASTIC, "Young's modulus": 1e5 * YOUNG}}
+        conditions = {"far side": {"type": "fixed", "set": "far side"}, "axis": {"type": "fixed", "set": "axis", "components": "x"},
+                      "disc": {"type": "displacement", "set": "core", "y": f"{WAY}*t"}}
+        stages = {"start": {"type": "geostatic", "contacts": ["hull"], "balance tolerance": 2e-3 * SCALE}}
+        if pull:
+            stages["pull"] = PULL
+        return self.run_deck(self.write("meshed.xml", deck_text("meshed", {
+            "mesh": {"type": "gmsh", "file": "disc.geo", "geometry": "plane strain"},
+            "materials": {"soil": {**material, "regions": ["soil"]}, "disc": {**stiff, "regions": ["disc"]}},
+            "physics": {"ground": {"type": physics, "initial state": {
+                "type": "uniform", **{f"effective stress {i}": effective for i in ("xx", "yy", "zz")}, **water}}},
+            "boundary conditions": conditions,
+            "contacts": {"hull": {"type": "node to segment", "slave": "hole", "master": "hull", "penalty": 1e12, "initial gap": "in-situ stress"}},
+            "stages": stages})))
+
+    def test_meshed_body(self):
+        """Pulled as the rigid one, and balanced from the start: a factor in the pressures would show at once."""
+        history = self.meshed()
+        force = -history["contact/hull/force on slave y"]
+        self.assertLess(abs(force[0]), 1e-3 * STRESS * A)
+        expected = 0.5 * Ring(1, A, B, YOUNG, POISSON).pulled(WAY)
+        self.assert_error("meshed disc pulled", abs(abs(force[-1] / expected) - 1), 0.015)
+        self.assert_error("meshed disc: area", abs(history["contact/hull/contact area"][0] / (np.pi * A) - 1), 1e-3)
+
+    def test_meshed_body_under_water(self):
+        history = self.meshed(WET, pull=False)
+        self.assert_error("penetration", abs(history["contact/hull/maximum penetration"][-1] * 1e12 / STRESS - 1), 1e-2)
 
     def test_weight_of_the_soil_carries_the_body(self):
         """K0 = 1 under gravity: the reaction is the weight of the soil that the hole is missing."""

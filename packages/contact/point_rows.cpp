@@ -1,4 +1,4 @@
-#include "contact/body/point_rows.hpp"
+#include "contact/point_rows.hpp"
 
 #include "contact/contact_surface.hpp"
 
@@ -9,21 +9,20 @@ namespace {
 using Columns = std::vector<StateVariable>;
 
 void add_components(Columns& to, const std::string& name, int components, const std::string& unit) {
-  const char* axes[] = {" x", " y", " z"};
-  for (int i = 0; i < components; ++i) to.push_back({components == 1 ? name : name + axes[i], 1, unit});
+  for (int i = 0; i < components; ++i) to.push_back({components == 1 ? name : name + " " + axis_names[i], 1, unit});
 }
 
 }  // namespace
 
 void PointRows::declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes,
-                              bool friction, bool multipliers) {
+                              const std::vector<StateVariable>& more, bool friction, bool multipliers) {
   axes_ = axes;
   shears_ = axes == 2 ? 1 : 3;
-  area_ = 3 + axes;
+  more_ = 4 + axes;
   Columns points = {{"gap", 1, "m"}, {"pressure", 1, "Pa"}, {"active", 1, "-"}};
   add_components(points, "force", axes_, "N");
-  points.insert(points.end(), {{"area", 1, "m2"}, {"height", 1, "m"}});
-  add_components(points, "moment", shears_, "N m");
+  points.push_back({"area", 1, "m2"});
+  points.insert(points.end(), more.begin(), more.end());
   points_ = declare_rows(store, prefix + "points", points, ids);
   if (multipliers) {
     Columns columns = {{"normal", 1, "Pa"}};
@@ -44,19 +43,29 @@ Point PointRows::vector(const PointView& rows, int row, int first, int component
   return result;
 }
 
-PointRows::Writer PointRows::writer(const State& trial) const {
-  return {trial.arrays[points_], frictions_ < 0 ? PointView() : trial.arrays[frictions_], axes_, shears_, area_};
+void PointRows::put(const PointView& rows, int row, int first, int components, const Point& values) {
+  for (int i = 0; i < components; ++i) rows(row, first + i) = values[i];
+}
+
+void PointRows::write(const State& trial, int row, const ContactPoint& point) const {
+  const PointView& rows = trial.arrays[points_];
+  rows(row, 0) = point.gap;
+  rows(row, 1) = point.pressure;
+  rows(row, 2) = point.active;
+  put(rows, row, 3, axes_, point.total.force);
+  rows(row, more_ - 1) = point.area;
+  if (frictions_ < 0) return;
+  const PointView& frictions = trial.arrays[frictions_];
+  put(frictions, row, 0, shears_, point.shear.shear);
+  frictions(row, shears_) = point.shear.slip;
+  frictions(row, shears_ + 1) = point.shear.dissipated;
+  frictions(row, shears_ + 2) = point.shear.slides;
+  put(frictions, row, shears_ + 3, axes_, point.friction);
 }
 
 void PointRows::copy(const State& from, const State& to) const {
   Kokkos::deep_copy(to.arrays[points_], from.arrays[points_]);
   if (frictions_ >= 0) Kokkos::deep_copy(to.arrays[frictions_], from.arrays[frictions_]);
-}
-
-PointForce PointRows::total(const State& state, int row) const {
-  const PointView& rows = state.arrays[points_];
-  const Point moment = vector(rows, row, area_ + 2, shears_);
-  return {vector(rows, row, 3, axes_), axes_ == 2 ? Point{0, 0, moment[0]} : moment};
 }
 
 ShearState PointRows::shear(const State& state, int row) const {
@@ -73,8 +82,13 @@ Point PointRows::friction(const State& state, int row) const {
   return frictions_ < 0 ? Point{} : vector(state.arrays[frictions_], row, shears_ + 3, axes_);
 }
 
-void PointRows::set_shear_multiplier(const State& state, int row, const Point& stress) const {
-  Writer::put(state.arrays[multipliers_], row, 1, shears_, stress);
+std::vector<std::pair<int, int>> PointRows::convected() const {
+  std::vector<std::pair<int, int>> result;
+  if (frictions_ >= 0)
+    for (int column = 0; column <= shears_; ++column) result.emplace_back(frictions_, column);
+  if (multipliers_ >= 0)
+    for (int column = 0; column <= shears_; ++column) result.emplace_back(multipliers_, column);
+  return result;
 }
 
 }  // namespace mudline

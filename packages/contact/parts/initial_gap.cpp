@@ -1,4 +1,4 @@
-#include "contact/body/initial_gap.hpp"
+#include "contact/parts/initial_gap.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

@@ -1,4 +1,4 @@
-#include "contact/body/water_film.hpp"
+#include "contact/parts/water_film.hpp"
 
 #include <algorithm>
 
@@ -46,9 +46,17 @@ SideFilm WaterFilm::of_side(const StepView& view, std::size_t side, const Point&
   return film;
 }
 
-void WaterFilm::start(const StepView& view, int row, const Point& place, ContactStart& point) const {
+void WaterFilm::start(const StepView& view, int row, const Point& place, PointHistory& point) const {
   point.cavitation = cavitation_(view.time_end, place);
   point.vapour = std::max(0.0, view.committed->arrays[rows_](row, vapour_column));
+}
+
+void WaterFilm::write(const State& trial, int row, const ContactPoint& point) const {
+  const PointView& rows = trial.arrays[rows_];
+  rows(row, vapour_column) = point.vapour;
+  rows(row, 1) = point.water;
+  rows(row, 2) = point.vapour * point.area;
+  for (int i = 0; i < axes_; ++i) rows(row, 3 + i) = point.film[i];
 }
 
 WaterFilm::Sums WaterFilm::sums(const State& state) const {

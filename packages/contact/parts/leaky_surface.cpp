@@ -1,4 +1,4 @@
-#include "contact/body/leaky_surface.hpp"
+#include "contact/parts/leaky_surface.hpp"
 
 #include "framework/side_loop.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/body/penalty_side.hpp"
+#include "contact/parts/film_law.hpp"
 #include "core/function.hpp"
 #include "core/parameters.hpp"
 #include "framework/state.hpp"
@@ -26,20 +26,9 @@ class WaterFilm {
   /// Film of a side in a step. `weight`: of the pore water behind the side [N/m3].
   SideFilm of_side(const StepView& view, std::size_t side, const Point& weight) const;
   /// Adds the film's data to those of a point; `place`: of the point at the start of the step [m].
-  void start(const StepView& view, int row, const Point& place, ContactStart& point) const;
-  /// Writes points in kernels.
-  struct Writer {
-    PointView rows;  // empty: there is no film
-    int axes;
-    KOKKOS_INLINE_FUNCTION void write(int row, const ContactPoint& point) const {
-      if (rows.data() == nullptr) return;
-      rows(row, vapour_column) = point.vapour;
-      rows(row, 1) = point.water;
-      rows(row, 2) = point.vapour * point.area;
-      for (int i = 0; i < axes; ++i) rows(row, 3 + i) = point.film[i];
-    }
-  };
-  Writer writer(const State& trial) const { return {rows_ < 0 ? PointView() : trial.arrays[rows_], axes_}; }
+  void start(const StepView& view, int row, const Point& place, PointHistory& point) const;
+  /// Writes a point of a contact with a film.
+  void write(const State& trial, int row, const ContactPoint& point) const;
 
   /// Array and column that are convected when the sides move past the soil.
   int array() const { return rows_; }

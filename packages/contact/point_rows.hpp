@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/point_data.hpp"
+#include "framework/state.hpp"
+
+namespace mudline {
+
+/// State of the points of a contact, a row per point, in up to three arrays: "<prefix>points" (gap, pressure, active,
+/// force on the slave, area, and what the kind of target adds), with friction "<prefix>friction" (shear stress, path
+/// slid, heat, sliding, force of friction), and with multipliers "<prefix>multipliers" (those of normal and shear
+/// stress with which the other arrays were evaluated). Forces have as many components as the model has axes; a shear
+/// stress has one in the plane and three in space.
+class PointRows {
+ public:
+  /// `more`: further columns of the points, which a target needs.
+  void declare_state(StateStore& store, const std::string& prefix, const std::vector<long long>& ids, int axes,
+                     const std::vector<StateVariable>& more, bool friction, bool multipliers);
+
+  void write(const State& trial, int row, const ContactPoint& point) const;
+  /// Copies the points from one state to another, without their multipliers.
+  void copy(const State& from, const State& to) const;
+
+  double gap(const State& state, int row) const { return state.arrays[points_](row, 0); }
+  double pressure(const State& state, int row) const { return state.arrays[points_](row, 1); }
+  bool active(const State& state, int row) const { return state.arrays[points_](row, 2) > 0; }
+  Point force(const State& state, int row) const { return vector(state.arrays[points_], row, 3, axes_); }
+  double area(const State& state, int row) const { return state.arrays[points_](row, more_ - 1); }
+  /// Further columns of a row, in the order in which they were declared.
+  double* more(const State& state, int row) const { return &state.arrays[points_](row, more_); }
+
+  /// Friction history of a point; all 0 without friction.
+  ShearState shear(const State& state, int row) const;
+  bool sticks(const State& state, int row) const;
+  Point friction(const State& state, int row) const;
+
+  double& normal_multiplier(const State& state, int row) const { return state.arrays[multipliers_](row, 0); }
+  Point shear_multiplier(const State& state, int row) const {
+    return vector(state.arrays[multipliers_], row, 1, shears_);
+  }
+  void set_shear_multiplier(const State& state, int row, const Point& stress) const {
+    put(state.arrays[multipliers_], row, 1, shears_, stress);
+  }
+
+  /// Handles of the arrays; -1: there is none.
+  int points() const { return points_; }
+  int frictions() const { return frictions_; }
+  int multipliers() const { return multipliers_; }
+  /// Components of a shear stress, the first columns of the array of friction.
+  int shears() const { return shears_; }
+  /// Array and column of what is history along the surface, and is convected with it: shear stress, path slid,
+  /// multipliers.
+  std::vector<std::pair<int, int>> convected() const;
+
+ private:
+  static Point vector(const PointView& rows, int row, int first, int components);
+  static void put(const PointView& rows, int row, int first, int components, const Point& values);
+  int axes_ = 2, shears_ = 1, more_ = 6;
+  int points_ = -1, frictions_ = -1, multipliers_ = -1;
+};
+
+}  // namespace mudline

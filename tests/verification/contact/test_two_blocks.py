@@ -1,0 +1,113 @@
+"""What contact of two deformable surfaces has in common with that of a body: a film of water between two blocks that are pulled
+apart, and blocks that are pressed, dragged and remeshed meanwhile."""
+import unittest
+
+import numpy as np
+
+from contact_case import ContactCase
+from mudline_case import deck_text
+from references.suction import PulledPlate
+from sliding_blocks import SLIDE
+
+HEIGHT, WIDTH, UNIT_WEIGHT = 1.0, 0.1, 1e4
+COLUMN = f'''
+Point(1) = {{0, 0, 0}}; Point(2) = {{{WIDTH}, 0, 0}}; Point(3) = {{{WIDTH}, {HEIGHT}, 0}}; Point(4) = {{0, {HEIGHT}, 0}};
+Point(5) = {{0, {HEIGHT}, 0}}; Point(6) = {{{WIDTH}, {HEIGHT}, 0}}; Point(7) = {{{WIDTH}, 1.1, 0}}; Point(8) = {{0, 1.1, 0}};
+Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}}; Line(4) = {{4, 1}};
+Line(5) = {{5, 6}}; Line(6) = {{6, 7}}; Line(7) = {{7, 8}}; Line(8) = {{8, 5}};
+Curve Loop(1) = {{1, 2, 3, 4}}; Curve Loop(2) = {{5, 6, 7, 8}};
+Plane Surface(1) = {{1}}; Plane Surface(2) = {{2}};
+Transfinite Curve {{1, 3, 5, 7, 6, 8}} = 2;
+Transfinite Curve {{2}} = 41 Using Progression 1.0548;
+Transfinite Curve {{4}} = 41 Using Progression 1 / 1.0548;
+Transfinite Surface {{1, 2}};
+Recombine Surface {{1, 2}};
+Physical Surface("lower") = {{1}}; Physical Surface("upper") = {{2}};
+Physical Curve("bottom") = {{1}}; Physical Curve("face") = {{3}}; Physical Curve("under") = {{5}}; Physical Curve("top") = {{7}};
+Physical Curve("sides") = {{2, 4, 6, 8}};
+'''
+
+
+def saturated(region, young, conductivity):
+    return {"regions": [region], "porosity": 0.4, "skeleton": {"type": "linear elastic", "Young's modulus": young, "Poisson's ratio": 0.25},
+            "fluid": {"type": "water", "incompressible": True, "unit weight": UNIT_WEIGHT},
+            "permeability": {"type": "constant", "hydraulic conductivity": conductivity}}
+
+
+class PulledApart(ContactCase):
+    """A stiff drained block is pulled off a column of clay: the film between them is that of a rigid plate."""
+
+    def pull(self, young, conductivity, velocity, stress, duration, **contact):
+        modulus = 1.2 * young
+        time = HEIGHT**2 * UNIT_WEIGHT / (modulus * conductivity)
+        rest = 20 * time if stress > 0 else 0.0
+        stages = {}
+        if stress > 0:
+            stages["press"] = {"type": "quasi-static", "duration": rest, "time step": {"initial": 0.01 * time, "growth": 1.5}}
+        stages["pull"] = {"type": "quasi-static", "duration": duration * time,
+                          "integrator": {"type": "theta", "theta": 0.5, "start-up steps": 8},
+                          "time step": {"initial": 1e-5 * time, "growth": 1.1, "maximum": 0.01 * time}}
+        self.write("column.geo", COLUMN)
+        history = self.run_deck(self.write("pull.xml", deck_text("pull", {
+            "mesh": {"type": "gmsh", "file": "column.geo", "order": 2},
+            "materials": {"clay": saturated("lower", young, conductivity), "stiff": saturated("upper", 1e5 * young, conductivity)},
+            "physics": {"ground": {"type": "biot"}},
+            "boundary conditions": {
+                "base": {"type": "fixed", "set": "bottom"}, "sides": {"type": "fixed", "set": "sides", "components": "x"},
+                "pulled": {"type": "displacement", "set": "top",
+                           "y": f"{-stress * HEIGHT / modulus}*min(t/{time},1)+{velocity}*max(t-{rest},0)"},
+                **{f"drained {name}": {"type": "pore pressure", "set": name} for name in ("bottom", "face", "under", "top")}},
+            "contacts": {"face": {"type": "node to segment", "slave": "face", "master": "under", "drainage": "film",
+                                  "penalty factor": 1e4, "residual aperture": 1e-11, **contact}},
+            "stages": stages})))
+        pulled = history.time > rest * (1 + 1e-9)
+        exact = PulledPlate(HEIGHT, modulus, conductivity / UNIT_WEIGHT, velocity, stress, contact.get("cavitation pressure", -np.inf))
+        return history, pulled, history.time[pulled] - rest, exact
+
+    def test_pressed_then_pulled(self):
+        """Tolerances are those of the rigid plate (test_film.py)."""
+        history, pulled, times, exact = self.pull(1e7, 1e-6, 2e-9, 10.0, 1.5)
+        total = np.array([exact.total(t) for t in times])
+        self.assert_within("force on the column", -history["contact/face/force on slave y"][pulled] / WIDTH, total, 5e-3,
+                           scale=np.max(np.abs(total)))
+        self.assert_within("of the film", -history["contact/face/film force y"][pulled][-1] / WIDTH, total[-1], 5e-3)
+        gap = np.array([exact.gap(t) for t in times])
+        self.assert_within("water in the gap", history["contact/face/film water"][pulled] / WIDTH, gap, 5e-3, scale=gap.max())
+
+    def test_cavitation(self):
+        history, _, times, exact = self.pull(1e9, 1e-6, 4e-5, 0.0, 1.0, **{"cavitation pressure": -100e3})
+        self.assert_within("force on the column", -history["contact/face/force on slave y"] / WIDTH, [exact.total(t) for t in times], 8e-3,
+                           scale=100e3)
+        vapour = np.array([exact.vapour(t) for t in times])
+        self.assert_within("vapour", history["contact/face/film vapour"] / WIDTH, vapour, 1e-2, scale=vapour.max())
+
+
+class Remeshed(ContactCase):
+    """The upper of two blocks is pressed and dragged while both are remeshed every second step."""
+
+    def test_slides_as_without_remeshing(self):
+        slide = self.write("slide.xml", SLIDE)
+        overlay = self.write("penalty.xml", deck_text("penalty", {"contacts": {"face": {
+            "type": "node to segment", "enforcement": "penalty", "master surface": "sides", "penalty factor": 100.0}}}))
+        with open(self.deck("blocks")) as file:
+            text = "".join(line for line in file if "gap tolerance" not in line)
+        blocks = self.write("blocks.xml", text.replace("blocks.geo", self.deck("blocks").replace(".xml", ".geo")))
+        slide = self.write("slide.xml", "".join(line for line in SLIDE.splitlines(True) if "gap tolerance" not in line))
+        remeshing = self.write("remeshing.xml", deck_text("remeshing", {"mesh motion": {"remeshing": {
+            "when side above": 0.1, "least steps": 2, "when quality below": 0.0}}}))
+        settings = ("solver/newton/damped retry=false", "mesh/parameters/lower_cells=6", "mesh/parameters/upper_cells=9")
+        still = self.run_deck([blocks, overlay, slide], settings)
+        moved = self.run_deck([blocks, overlay, slide, remeshing], settings)
+        self.assertGreaterEqual(moved["mesh/remeshings"][-1], 4)
+        for time in (1.25, 1.5, 1.75, 2.0):
+            drag = -still.at("contact/face/force on slave x", time)
+            self.assertGreater(drag, 5)
+            self.assert_within(f"drag at {time}", -moved.at("contact/face/force on slave x", time), drag, 5e-3, 30)
+        self.assert_within("load", moved["contact/face/force on slave y"], 100, 1e-3)
+        heat = still["contact/face/friction heat"][-1]
+        self.assertGreater(heat, 1e-3)
+        self.assert_within("heat", moved["contact/face/friction heat"][-1], heat, 0.01)
+
+
+if __name__ == "__main__":
+    unittest.main()
