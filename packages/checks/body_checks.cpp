@@ -34,7 +34,7 @@ Point gravity_of(const BodySetup& of, const ReleasedMotion& motion) {
   return 1 / mass * (load_at(of, motion, mass, 0) - load_at(of, motion, 0, 0));
 }
 
-void size(const BodySetup& of, const Judge& judge) {
+void largest_extent(const BodySetup& of, const Judge& judge) {
   judge(of.size, of.called() + ": its largest extent",
         "give lengths in m (a file in mm has a thousand times as much), or the file's 'scale'");
 }
@@ -438,9 +438,9 @@ void tip(const BodySetup& of, const Judge& judge) {
 
 }  // namespace
 
-std::vector<BodyCheck> body_checks() {
+std::vector<Check<BodySetup>> body_checks() {
   return {
-      {{"body size", "m", {1e-3, 200}, "of a body, its largest extent as far as it is drawn"}, size},
+      {{"body size", "m", {1e-3, 200}, "of a body, its largest extent as far as it is drawn"}, largest_extent},
       {{"body over mesh", "-", {0, 1.001}, "half width of a body over that of the mesh from its middle on"}, over_mesh},
       {{"beside the surface", "-", {0, 1e-6}, "how far a body stands beside its contact's surface, in widths"}, aside},
       {{"facing", "-", {0, 1.001}, "cosine between the sides that are nearest to a body and its surface there"},

@@ -201,26 +201,14 @@ double number_in(const Section& section, const std::string& name, double fallbac
 }
 
 void declare_body_checks(Doubts& doubts) {
-  for (const BodyCheck& check : body_checks()) doubts.declare(check.quantity);
-  for (const ContactCheck& check : contact_checks()) doubts.declare(check.quantity);
+  for (const auto& check : body_checks()) doubts.declare(check.quantity);
+  for (const auto& check : contact_checks()) doubts.declare(check.quantity);
 }
 
 void look_at_bodies(const Setup& setup, Doubts& doubts) {
-  const auto judge_of = [&](const Usual& quantity) {
-    return [&doubts, &quantity](double value, const std::string& what, const std::string& advice) {
-      doubts.judge(quantity.name, value, what, advice);
-    };
-  };
-  const std::vector<BodyCheck> of_bodies = body_checks();
-  for (const auto& [name, body] : setup.model().bodies()) {
-    const BodySetup of(setup, *body);
-    for (const BodyCheck& check : of_bodies) check.look(of, judge_of(check.quantity));
-  }
-  const std::vector<ContactCheck> of_contacts = contact_checks();
-  for (const auto& [name, contact] : setup.model().contacts()) {
-    const ContactSetup of(setup, name, *contact);
-    for (const ContactCheck& check : of_contacts) check.look(of, judge_of(check.quantity));
-  }
+  for (const auto& [name, body] : setup.model().bodies()) look(body_checks(), BodySetup(setup, *body), doubts);
+  for (const auto& [name, contact] : setup.model().contacts())
+    look(contact_checks(), ContactSetup(setup, name, *contact), doubts);
 }
 
 }  // namespace mudline

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,9 +7,6 @@
 #include "checks/setup.hpp"
 
 namespace mudline {
-
-/// Takes a value that a check found, the text that says what the value is, and the advice where it is unusual.
-using Judge = std::function<void(double value, const std::string& what, const std::string& advice)>;
 
 /// A body before the first step, in the plane or in space: its place, the surfaces that it may touch, and its motions
 /// in the stages.
@@ -62,12 +58,6 @@ struct BodySetup {
   void find_surfaces();
 };
 
-/// One check of whether a body's entries may be mistaken. Its quantity's name is that of the doubt.
-struct BodyCheck {
-  Usual quantity;
-  void (*look)(const BodySetup& body, const Judge& judge);
-};
-
 /// The soil behind a surface of the mesh, over all ranks.
 struct SoilBehind {
   double side = 0, stiffness = 0;  // means over the sides: length of edges [m], constrained modulus over height [Pa/m]
@@ -87,18 +77,13 @@ struct ContactSetup {
   Section entry, deck;
   SoilBehind soil;
 };
-/// One check of whether a contact's entries may be mistaken; see BodyCheck.
-struct ContactCheck {
-  Usual quantity;
-  void (*look)(const ContactSetup& contact, const Judge& judge);
-};
 
 /// A number of the deck, or the fallback where it gives none.
 double number_in(const Section& section, const std::string& name, double fallback);
 
 /// The checks of a group; a new one is a line in its list.
-std::vector<BodyCheck> body_checks();
-std::vector<ContactCheck> contact_checks();
+std::vector<Check<BodySetup>> body_checks();
+std::vector<Check<ContactSetup>> contact_checks();
 
 /// Declare the quantities of these checks; make the checks and keep their doubts. Collective.
 void declare_body_checks(Doubts& doubts);

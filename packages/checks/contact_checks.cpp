@@ -154,7 +154,7 @@ void damping(const ContactSetup& of, const Judge& judge) {
 
 }  // namespace
 
-std::vector<ContactCheck> contact_checks() {
+std::vector<Check<ContactSetup>> contact_checks() {
   return {
       {{"penalty", "-", {0.5, 1e5}, "a contact's given penalty over what the soil behind it bears per metre"}, penalty},
       {{"augmented penalty",

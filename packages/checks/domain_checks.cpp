@@ -12,8 +12,6 @@ namespace mudline {
 
 namespace {
 
-using Findings = std::vector<Finding>;
-
 /// A loaded or pressed part of the upper surface: footing, embankment.
 struct Patch {
   std::string name;   // of the condition
@@ -94,47 +92,40 @@ double friction(const Setup& setup) {
   return largest;
 }
 
-Findings cells_under_load(const Setup& setup) {
-  Findings found;
+void cells_under_load(const Setup& setup, const Judge& judge) {
   for (const Patch& patch : patches(setup))
-    found.push_back({patch.cells,
-                     "condition '" + patch.name + "': the number of cells under its half width of " + told(patch.half) +
-                         " m, those of quadratic cells counted twice,",
-                     "refine there: stresses change most at its edge"});
-  return found;
+    judge(patch.cells,
+          "condition '" + patch.name + "': the number of cells under its half width of " + told(patch.half) +
+              " m, those of quadratic cells counted twice,",
+          "refine there: stresses change most at its edge");
 }
 
 /// Prandtl's mechanism of a strip reaches B tan(45 + phi/2) exp(pi/2 tan phi) beyond its edges.
-Findings domain_width(const Setup& setup) {
-  Findings found;
+void domain_width(const Setup& setup, const Judge& judge) {
   const double phi = friction(setup);
   for (const Patch& patch : patches(setup)) {
     const double reach =
         patch.reach * 2 * patch.half * std::tan(0.25 * pi + 0.5 * phi) * std::exp(0.5 * pi * std::tan(phi));
-    found.push_back({patch.beside / reach,
-                     "condition '" + patch.name + "': the distance from its edge to the side of the mesh, " +
-                         told(patch.beside) + " m, over the reach of a collapse, " + told(reach) + " m,",
-                     "widen the mesh: the sides hold what should move"});
+    judge(patch.beside / reach,
+          "condition '" + patch.name + "': the distance from its edge to the side of the mesh, " + told(patch.beside) +
+              " m, over the reach of a collapse, " + told(reach) + " m,",
+          "widen the mesh: the sides hold what should move");
   }
-  return found;
 }
 
-Findings domain_depth(const Setup& setup) {
-  Findings found;
+void domain_depth(const Setup& setup, const Judge& judge) {
   const double phi = friction(setup);
   for (const Patch& patch : patches(setup)) {
     const double reach = patch.reach * patch.half * std::cos(phi) / std::cos(0.25 * pi + 0.5 * phi) *
                          std::exp((0.25 * pi + 0.5 * phi) * std::tan(phi));
-    found.push_back({setup.extent(setup.vertical()) / reach,
-                     "condition '" + patch.name + "': the depth of the mesh, " + told(setup.extent(setup.vertical())) +
-                         " m, over that of a collapse, " + told(reach) + " m,",
-                     "deepen the mesh, where the base is no rock"});
+    judge(setup.extent(setup.vertical()) / reach,
+          "condition '" + patch.name + "': the depth of the mesh, " + told(setup.extent(setup.vertical())) +
+              " m, over that of a collapse, " + told(reach) + " m,",
+          "deepen the mesh, where the base is no rock");
   }
-  return found;
 }
 
-Findings absorbing_distance(const Setup& setup) {
-  Findings found;
+void absorbing_distance(const Setup& setup, const Judge& judge) {
   const std::vector<Patch> loaded = patches(setup);
   for (const auto& condition : setup.conditions()) {
     if (condition.type != "absorbing") continue;
@@ -145,18 +136,17 @@ Findings absorbing_distance(const Setup& setup) {
         const double away = std::max({0.0, set.box[i].low - patch.box[i].high, patch.box[i].low - set.box[i].high});
         square += away * away;
       }
-      found.push_back({std::sqrt(square) / (2 * patch.half),
-                       "condition '" + condition.name + "': its distance from the loaded '" + patch.name +
-                           "', over that load's width,",
-                       "dashpots absorb plane waves that meet them head on: put them farther away"});
+      judge(std::sqrt(square) / (2 * patch.half),
+            "condition '" + condition.name + "': its distance from the loaded '" + patch.name +
+                "', over that load's width,",
+            "dashpots absorb plane waves that meet them head on: put them farther away");
     }
   }
-  return found;
 }
 
 /// Linear cells lock where the soil keeps its volume: by its elasticity, or where it yields without change of volume.
-Findings linear_cells(const Setup& setup) {
-  if (setup.porous()) return {};  // its volume is kept by the pore pressure
+void linear_cells(const Setup& setup, const Judge& judge) {
+  if (setup.porous()) return;  // its volume is kept by the pore pressure
   const Soil& soil = *setup.model().soil();
   const State& state = setup.model().store().committed();
   double stiffest = 0;
@@ -169,19 +159,18 @@ Findings linear_cells(const Setup& setup) {
     }
   }
   stiffest = max_over_ranks(*setup.mesh().comm(), stiffest);
-  if (stiffest == 0) return {};
-  return {{stiffest, "K/G of soil in linear cells",
-           "they lock where the volume is kept, and are up to some times too stiff: take quadratic cells (tri6 or "
-           "quad9, tet10 or hex27)"}};
+  if (stiffest == 0) return;
+  judge(stiffest, "K/G of soil in linear cells",
+        "they lock where the volume is kept, and are up to some times too stiff: take quadratic cells (tri6 or "
+        "quad9, tet10 or hex27)");
 }
 
 /// Laws of constant volume in plastic flow.
-Findings linear_cells_that_yield(const Setup& setup) {
-  if (setup.porous()) return {};
+void linear_cells_that_yield(const Setup& setup, const Judge& judge) {
+  if (setup.porous()) return;
   bool linear = false;
   for (const SoilBlock& b : setup.model().soil()->blocks) linear = linear || order(b.shape) == 1;
-  if (!linear) return {};
-  Findings found;
+  if (!linear) return;
   for (const Section& entry : setup.materials()) {
     const std::string law = Setup::word(entry.section("skeleton"), "type");
     const Span dilation = setup.given(entry.section("skeleton"), "dilation angle [deg]");
@@ -189,63 +178,58 @@ Findings linear_cells_that_yield(const Setup& setup) {
     const bool keeps =
         law == "tresca" || law == "von mises" || (frictional && !(dilation.known() && dilation.high > 0));
     if (keeps)
-      found.push_back(
-          {1, "material '" + entry.name() + "': the number of laws that yield at constant volume in linear cells",
-           "collapse loads come out far too high there: take quadratic cells (tri6 or quad9, tet10 or "
-           "hex27)"});
+      judge(1, "material '" + entry.name() + "': the number of laws that yield at constant volume in linear cells",
+            "collapse loads come out far too high there: take quadratic cells (tri6 or quad9, tet10 or "
+            "hex27)");
   }
-  return found;
 }
 
-Findings damping(const Setup& setup) {
+void damping(const Setup& setup, const Judge& judge) {
   bool dynamic = false;
   for (const auto& stage : setup.model().stages()) dynamic = dynamic || stage->type == Stage::Type::dynamic;
   const auto& soil = setup.soil();
-  if (!dynamic || !(soil.density > 0) || !(soil.shear > 0)) return {};
-  Findings found;
+  if (!dynamic || !(soil.density > 0) || !(soil.shear > 0)) return;
   for (const Section& entry : setup.physics()) {
     const Span mass = setup.given(entry, "mass damping"), stiffness = setup.given(entry, "stiffness damping");
     const double a = mass.known() ? mass.high : 0, b = stiffness.known() ? stiffness.high : 0;
     if (a == 0 && b == 0) continue;
     const double omega = 0.5 * pi * std::sqrt(soil.shear / soil.density) / setup.extent(setup.vertical());
-    found.push_back(
-        {0.5 * (a / omega + b * omega),
-         "physics '" + entry.name() + "': the damping ratio of the first mode, of " + told(omega) + " rad/s,",
-         "Rayleigh damping is alpha/(2 omega) + beta omega/2: lower 'mass damping' or 'stiffness damping'; "
-         "soils have 0.01 to 0.1"});
+    judge(0.5 * (a / omega + b * omega),
+          "physics '" + entry.name() + "': the damping ratio of the first mode, of " + told(omega) + " rad/s,",
+          "Rayleigh damping is alpha/(2 omega) + beta omega/2: lower 'mass damping' or 'stiffness damping'; "
+          "soils have 0.01 to 0.1");
   }
-  return found;
 }
 
-Findings mesh_size(const Setup& setup) {
-  return {{setup.longest_extent(), "the largest extent of the mesh", "lengths are in m (10000 may be mm, 0.001 km)"}};
+void mesh_size(const Setup& setup, const Judge& judge) {
+  judge(setup.longest_extent(), "the largest extent of the mesh", "lengths are in m (10000 may be mm, 0.001 km)");
 }
 
-Findings tolerance(const Setup& setup, const char* name) {
+void tolerance(const Setup& setup, const char* name, const Judge& judge) {
   const Span given = setup.given(setup.deck().section("solver"), name);
-  if (!given.known()) return {};
-  return {{given.high, std::string("solver: '") + name + "'", "steps that are not solved drift; the default serves"}};
+  if (!given.known()) return;
+  judge(given.high, std::string("solver: '") + name + "'", "steps that are not solved drift; the default serves");
 }
 
-Findings residual_tolerance(const Setup& setup) { return tolerance(setup, "residual tolerance"); }
-Findings update_tolerance(const Setup& setup) { return tolerance(setup, "update tolerance"); }
+void residual_tolerance(const Setup& setup, const Judge& judge) { tolerance(setup, "residual tolerance", judge); }
+void update_tolerance(const Setup& setup, const Judge& judge) { tolerance(setup, "update tolerance", judge); }
 
 /// Gravity that acts at once on soil without stress, in a stage with inertia: the soil falls and swings.
-Findings sudden_weight(const Setup& setup) {
-  if (setup.gravity() == 0 || setup.model().stages().front()->type != Stage::Type::dynamic) return {};
+void sudden_weight(const Setup& setup, const Judge& judge) {
+  if (setup.gravity() == 0 || setup.model().stages().front()->type != Stage::Type::dynamic) return;
   const Section& entry = *setup.gravity_entry();
-  if (Setup::word(entry.section("initial state"), "type", "stress free") != "stress free") return {};
+  if (Setup::word(entry.section("initial state"), "type", "stress free") != "stress free") return;
   const auto factor = setup.function(entry, "gravity factor");
   const Span range = setup.given(entry, "gravity factor");
-  return {{factor ? std::abs((*factor)(0, {})) / std::max(1e-300, std::abs(range.largest())) : 1.0,
-           "the share of gravity that acts at once on soil without stress in the dynamic stage '" +
-               setup.model().stages().front()->name + "'",
-           "begin with a geostatic start or stage, or let 'gravity factor' grow slowly"}};
+  judge(factor ? std::abs((*factor)(0, {})) / std::max(1e-300, std::abs(range.largest())) : 1.0,
+        "the share of gravity that acts at once on soil without stress in the dynamic stage '" +
+            setup.model().stages().front()->name + "'",
+        "begin with a geostatic start or stage, or let 'gravity factor' grow slowly");
 }
 
 }  // namespace
 
-std::vector<SetupCheck> domain_checks() {
+std::vector<Check<Setup>> domain_checks() {
   return {
       {{"cells under a load",
         "-",

@@ -9,7 +9,6 @@ namespace mudline {
 
 namespace {
 
-using Findings = std::vector<Finding>;
 using Condition = Setup::ConditionEntry;
 
 std::string called(const Condition& condition) { return "condition '" + condition.name + "': "; }
@@ -52,20 +51,17 @@ std::pair<double, bool> largest(const Setup& setup, const Condition& condition) 
   return {size, given};
 }
 
-Findings load_size(const Setup& setup) {
-  if (setup.scales()) return {};
-  Findings found;
+void load_size(const Setup& setup, const Judge& judge) {
+  if (setup.scales()) return;
   for (const Condition& condition : setup.conditions()) {
     if (!is_load(condition)) continue;
     const auto [size, given] = largest(setup, condition);
     if (given && size > 0)
-      found.push_back({size, called(condition) + "its largest size", "give it in Pa (50 may be kPa, 0.1 MPa)"});
+      judge(size, called(condition) + "its largest size", "give it in Pa (50 may be kPa, 0.1 MPa)");
   }
-  return found;
 }
 
-Findings load_at_all(const Setup& setup) {
-  Findings found;
+void load_at_all(const Setup& setup, const Judge& judge) {
   for (const Condition& condition : setup.conditions()) {
     if (!is_load(condition) && condition.type != "flux" && condition.type != "velocity") continue;
     const auto [size, given] = largest(setup, condition);
@@ -78,30 +74,26 @@ Findings load_at_all(const Setup& setup) {
       elsewhere = elsewhere || (span.known() && span.largest() != 0);
     }
     if (given && size == 0 && written && !elsewhere)
-      found.push_back({size, called(condition) + "the largest size of its function, in the stages in which it acts,",
-                       "the time of functions is that of the whole run: look at their times and at the stages' "
-                       "'conditions'"});
+      judge(size, called(condition) + "the largest size of its function, in the stages in which it acts,",
+            "the time of functions is that of the whole run: look at their times and at the stages' "
+            "'conditions'");
   }
-  return found;
 }
 
-Findings load_over_stiffness(const Setup& setup) {
-  Findings found;
+void load_over_stiffness(const Setup& setup, const Judge& judge) {
   for (const Condition& condition : setup.conditions()) {
     if (!is_load(condition) || !(setup.soil().modulus > 0)) continue;
     const double size = largest(setup, condition).first;
     if (size > 0)
-      found.push_back({size / setup.soil().modulus,
-                       called(condition) + "its largest size, " + told(size) + " Pa, over the soil's stiffness, " +
-                           told(setup.soil().modulus) + " Pa,",
-                       "give loads and moduli in Pa"});
+      judge(size / setup.soil().modulus,
+            called(condition) + "its largest size, " + told(size) + " Pa, over the soil's stiffness, " +
+                told(setup.soil().modulus) + " Pa,",
+            "give loads and moduli in Pa");
   }
-  return found;
 }
 
 /// Largest load into the soil over its largest size, for soil that bears by friction or is saturated.
-Findings load_direction(const Setup& setup) {
-  Findings found;
+void load_direction(const Setup& setup, const Judge& judge) {
   bool loose = setup.porous();
   for (const Section& entry : setup.materials())
     loose = loose || setup.given(entry.section("skeleton"), "friction angle [deg]").known();
@@ -120,11 +112,10 @@ Findings load_direction(const Setup& setup) {
       size = std::max(size, std::abs(span.largest()));
     }
     if (size > 0)
-      found.push_back({most / size, called(condition) + "its largest part into the soil, over its size,",
-                       "it only pulls: a 'pressure' presses where it is positive, a 'traction' where it points into "
-                       "the soil"});
+      judge(most / size, called(condition) + "its largest part into the soil, over its size,",
+            "it only pulls: a 'pressure' presses where it is positive, a 'traction' where it points into "
+            "the soil");
   }
-  return found;
 }
 
 /// Times [s] from the stage's start at which its steps end when none is cut.
@@ -181,8 +172,7 @@ double unresolved(const Function& f, const Point& x, double begin, const std::ve
   return range.length() > 0 ? most / range.length() : 0;
 }
 
-Findings load_steps(const Setup& setup) {
-  Findings found;
+void load_steps(const Setup& setup, const Judge& judge) {
   const auto& stages = setup.model().stages();
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const Stage& stage = *stages[i];
@@ -201,30 +191,26 @@ Findings load_steps(const Setup& setup) {
         worst = std::max(worst, unresolved(*f, x, setup.begin(i), ends, stage.type == Stage::Type::dynamic));
       }
       if (worst > 0)
-        found.push_back({worst,
-                         "stage '" + stage.name + "', condition '" + condition.name +
-                             "': the part of its function that the steps pass over, of its range,",
-                         "take steps of a tenth of its shortest rise or period; the first is " +
-                             told(stage.control.initial) + " s, the largest " + told(stage.control.maximum) + " s"});
+        judge(worst,
+              "stage '" + stage.name + "', condition '" + condition.name +
+                  "': the part of its function that the steps pass over, of its range,",
+              "take steps of a tenth of its shortest rise or period; the first is " + told(stage.control.initial) +
+                  " s, the largest " + told(stage.control.maximum) + " s");
     }
   }
-  return found;
 }
 
-Findings wave_step(const Setup& setup) {
-  Findings found;
+void wave_step(const Setup& setup, const Judge& judge) {
   const double longest = setup.longest_extent();
   for (const auto& stage : setup.model().stages())
     if (stage->type == Stage::Type::dynamic && setup.soil().density > 0 && setup.model().bodies().empty())
-      found.push_back({stage->control.initial * std::sqrt(setup.soil().modulus / setup.soil().density) / longest,
-                       "stage '" + stage->name + "': its first step, over the time in which a wave crosses the mesh,",
-                       "give times in s, and steps that resolve the waves; without them the stage is quasi-static"});
-  return found;
+      judge(stage->control.initial * std::sqrt(setup.soil().modulus / setup.soil().density) / longest,
+            "stage '" + stage->name + "': its first step, over the time in which a wave crosses the mesh,",
+            "give times in s, and steps that resolve the waves; without them the stage is quasi-static");
 }
 
 /// Prescribed displacements, those from velocities too, over the largest extent of the mesh.
-Findings prescribed_displacement(const Setup& setup) {
-  Findings found;
+void prescribed_displacement(const Setup& setup, const Judge& judge) {
   const double longest = setup.longest_extent();
   const auto& stages = setup.model().stages();
   for (const Condition& condition : setup.conditions()) {
@@ -241,72 +227,61 @@ Findings prescribed_displacement(const Setup& setup) {
       }
     }
     if (distance > 0)
-      found.push_back({distance / longest,
-                       called(condition) + "its largest displacement, " + told(distance) +
-                           " m, over the largest extent of the mesh,",
-                       "give m and m/s (-5 may be mm)"});
+      judge(distance / longest,
+            called(condition) + "its largest displacement, " + told(distance) +
+                " m, over the largest extent of the mesh,",
+            "give m and m/s (-5 may be mm)");
   }
-  return found;
 }
 
 /// Prescribed pore pressures that are not zero.
-Findings prescribed_pressure(const Setup& setup) {
-  if (setup.scales()) return {};
-  Findings found;
+void prescribed_pressure(const Setup& setup, const Judge& judge) {
+  if (setup.scales()) return;
   for (const Condition& condition : setup.conditions()) {
     if (condition.type != "pore pressure") continue;
     const Span span = over_stages(setup, condition, "value");
     if (span.known() && span.largest() != 0)
-      found.push_back({span.largest(), called(condition) + "its largest value",
-                       "give the pore pressure in Pa, compression positive (50 may be kPa, 5 a height of water)"});
+      judge(span.largest(), called(condition) + "its largest value",
+            "give the pore pressure in Pa, compression positive (50 may be kPa, 5 a height of water)");
   }
-  return found;
 }
 
-Findings prescribed_temperature(const Setup& setup) {
-  Findings found;
+void prescribed_temperature(const Setup& setup, const Judge& judge) {
   for (const Condition& condition : setup.conditions()) {
     if (condition.type != "value" || Setup::word(condition.entry, "field") != "temperature") continue;
     const Span span = over_stages(setup, condition, "value");
     for (double value : span.ends())
-      found.push_back({value, called(condition) + "its temperature", "give degrees Celsius (293 may be kelvins)"});
+      judge(value, called(condition) + "its temperature", "give degrees Celsius (293 may be kelvins)");
   }
-  return found;
 }
 
-Findings hydrostatic_weight(const Setup& setup) {
-  Findings found;
+void hydrostatic_weight(const Setup& setup, const Judge& judge) {
   for (const Condition& condition : setup.conditions()) {
     const Span span = setup.given(condition.entry, "unit weight");
     if (condition.type == "hydrostatic pressure" && span.known())
-      found.push_back({span.high, called(condition) + "'unit weight'", "give it in N/m3, as 9810 (9.81 is kN/m3)"});
+      judge(span.high, called(condition) + "'unit weight'", "give it in N/m3, as 9810 (9.81 is kN/m3)");
   }
-  return found;
 }
 
 /// Discharge over the conductivity: the hydraulic gradient that it needs.
-Findings flux_gradient(const Setup& setup) {
-  Findings found;
+void flux_gradient(const Setup& setup, const Judge& judge) {
   for (const Condition& condition : setup.conditions()) {
     if (condition.type != "flux" || Setup::word(condition.entry, "field", "pore pressure") != "pore pressure") continue;
     const auto [size, given] = largest(setup, condition);
     if (given && size > 0 && setup.soil().conductivity > 0)
-      found.push_back({size / setup.soil().conductivity,
-                       called(condition) + "the hydraulic gradient that its discharge needs",
-                       "give m/s (1 may be mm a day, 1.2e-8 m/s)"});
+      judge(size / setup.soil().conductivity, called(condition) + "the hydraulic gradient that its discharge needs",
+            "give m/s (1 may be mm a day, 1.2e-8 m/s)");
   }
-  return found;
 }
 
 /// Largest jump of the pore pressure that a condition makes at a geostatic start.
-Findings drawdown(const Setup& setup) {
+void drawdown(const Setup& setup, const Judge& judge) {
   const Soil& soil = *setup.model().soil();
-  if (!setup.porous() || soil.excess || setup.gravity() == 0) return {};
+  if (!setup.porous() || soil.excess || setup.gravity() == 0) return;
   bool geostatic = false;
   for (const Section& entry : setup.physics())
     geostatic = geostatic || Setup::word(entry.section("initial state"), "type") == "geostatic";
-  if (!geostatic) return {};
-  Findings found;
+  if (!geostatic) return;
   const State& state = setup.model().store().committed();
   const auto& dof = soil.space->node_dof(soil.pressure);
   const auto& stages = setup.model().stages();
@@ -328,13 +303,12 @@ Findings drawdown(const Setup& setup) {
         most = std::max(most, std::abs(held.value(dof(node)) - state.value(dof(node))));
     most = max_over_ranks(*setup.mesh().comm(), most);
     if (most > 0)
-      found.push_back({most,
-                       "condition '" + condition->name + "': the jump of the pore pressure that it brings to stage '" +
-                           first->name + "'",
-                       "it does not fit the start's 'water level'; give pressures of that level, or let them change "
-                       "with time where the water is drawn down"});
+      judge(most,
+            "condition '" + condition->name + "': the jump of the pore pressure that it brings to stage '" +
+                first->name + "'",
+            "it does not fit the start's 'water level'; give pressures of that level, or let them change "
+            "with time where the water is drawn down");
   }
-  return found;
 }
 
 /// Number of nodes at which a stage prescribes pore pressures.
@@ -373,9 +347,8 @@ double drainage_path(const Setup& setup, const Stage& stage) {
   return longest;
 }
 
-Findings drained_sides(const Setup& setup) {
-  if (!setup.porous() || !setup.model().bodies().empty()) return {};
-  Findings found;
+void drained_sides(const Setup& setup, const Judge& judge) {
+  if (!setup.porous() || !setup.model().bodies().empty()) return;
   const auto& stages = setup.model().stages();
   double smallest = 1e300;
   for (int i = 0; i < setup.dimension(); ++i) smallest = std::min(smallest, setup.extent(i));
@@ -386,22 +359,21 @@ Findings drained_sides(const Setup& setup) {
     bool flow = false;
     for (const Condition& condition : setup.conditions(stage)) flow = flow || condition.type == "flux";
     if (spread > 0.01 && !flow)
-      found.push_back({static_cast<double>(drained_nodes(setup, stage, setup.begin(i))),
-                       "stage '" + stage.name + "': the number of nodes with a prescribed pore pressure",
-                       "no water can leave although the stage lasts long enough (T_v " + told(spread) +
-                           "): add a condition 'pore pressure' and list it in the stage's 'conditions'"});
+      judge(static_cast<double>(drained_nodes(setup, stage, setup.begin(i))),
+            "stage '" + stage.name + "': the number of nodes with a prescribed pore pressure",
+            "no water can leave although the stage lasts long enough (T_v " + told(spread) +
+                "): add a condition 'pore pressure' and list it in the stage's 'conditions'");
   }
-  return found;
 }
 
-Findings consolidation_time(const Setup& setup) {
-  if (!setup.porous() || !setup.model().bodies().empty() || !(setup.soil().consolidation > 0)) return {};
+void consolidation_time(const Setup& setup, const Judge& judge) {
+  if (!setup.porous() || !setup.model().bodies().empty() || !(setup.soil().consolidation > 0)) return;
   const auto& stages = setup.model().stages();
   double time = 0, path = 0;
   bool driven = false;
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const Stage& stage = *stages[i];
-    if (stage.type == Stage::Type::dynamic) return {};
+    if (stage.type == Stage::Type::dynamic) return;
     if (stage.type != Stage::Type::quasi_static || drained_nodes(setup, stage, setup.begin(i)) == 0) continue;
     const double here = drainage_path(setup, stage);
     if (here == 0) continue;
@@ -409,16 +381,16 @@ Findings consolidation_time(const Setup& setup) {
     path = std::max(path, here);
     for (const Condition& condition : setup.conditions(stage)) driven = driven || is_load(condition);
   }
-  if (!driven || path == 0) return {};
-  return {{setup.soil().consolidation * time / (path * path),
-           "c_v t/H^2 of the drained stages, with c_v = " + told(setup.soil().consolidation) +
-               " m2/s, t = " + told(time) + " s, H = " + told(path) + " m,",
-           "give durations in s and conductivities in m/s: nothing consolidates before 1e-3, all is over at 2"}};
+  if (!driven || path == 0) return;
+  judge(setup.soil().consolidation * time / (path * path),
+        "c_v t/H^2 of the drained stages, with c_v = " + told(setup.soil().consolidation) + " m2/s, t = " + told(time) +
+            " s, H = " + told(path) + " m,",
+        "give durations in s and conductivities in m/s: nothing consolidates before 1e-3, all is over at 2");
 }
 
 }  // namespace
 
-std::vector<SetupCheck> load_checks() {
+std::vector<Check<Setup>> load_checks() {
   return {
       {{"load",
         "Pa",

@@ -10,8 +10,6 @@ namespace mudline {
 
 namespace {
 
-using Findings = std::vector<Finding>;
-
 std::string material(const Section& entry) { return "material '" + entry.name() + "': "; }
 
 std::string law(const Section& entry) { return Setup::word(entry.section("skeleton"), "type"); }
@@ -28,56 +26,52 @@ bool has_friction(const Setup& setup, const Section& entry) {
   return number(setup, entry.section("skeleton"), "friction angle [deg]", 0) >= 20;
 }
 
-Findings grain_density(const Setup& setup) {
-  Findings found;
+void grain_density(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span given = setup.given(entry, "grain density");
     if (given.known() && void_ratio(setup, entry) > 0)  // without pores it is the density of a solid
-      found.push_back({given.high, material(entry) + "'grain density'",
-                       "give the mass density of the grains in kg/m3, as 2650 (2.65 is t/m3, 26.5 kN/m3; 1800 may be "
-                       "that of the soil)"});
+      judge(given.high, material(entry) + "'grain density'",
+            "give the mass density of the grains in kg/m3, as 2650 (2.65 is t/m3, 26.5 kN/m3; 1800 may be "
+            "that of the soil)");
   }
-  return found;
 }
 
-Findings density(const Setup& setup) {
-  Findings found;
+void density(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const auto& mean = setup.soils().at(entry.name());
     if (mean.points > 0 && mean.density > 0)
-      found.push_back({mean.density, material(entry) + "the density of the soil as a whole",
-                       "give mass densities in kg/m3 (1.8 is t/m3, 18 kN/m3, 18000 N/m3)"});
+      judge(mean.density, material(entry) + "the density of the soil as a whole",
+            "give mass densities in kg/m3 (1.8 is t/m3, 18 kN/m3, 18000 N/m3)");
   }
-  return found;
 }
 
-Findings gravity_direction(const Setup& setup) {
+void gravity_direction(const Setup& setup, const Judge& judge) {
   const Point g = setup.gravity_vector();
-  if (length(g) == 0) return {};
-  return {{-g[setup.vertical()] / length(g), "the downward share of 'gravity'",
-           std::string("down is -") + axis_names[setup.vertical()] + " in this mesh: gravity = {0, " +
-               (setup.dimension() == 3 ? "0, " : "") + "-9.81}"}};
+  if (length(g) == 0) return;
+  judge(-g[setup.vertical()] / length(g), "the downward share of 'gravity'",
+        std::string("down is -") + axis_names[setup.vertical()] + " in this mesh: gravity = {0, " +
+            (setup.dimension() == 3 ? "0, " : "") + "-9.81}");
 }
 
-Findings gravity_size(const Setup& setup) {
+void gravity_size(const Setup& setup, const Judge& judge) {
   const bool hydrostatic = std::any_of(setup.conditions().begin(), setup.conditions().end(),
                                        [](const auto& c) { return c.type == "hydrostatic pressure"; });
-  if (setup.gravity() == 0 && !hydrostatic) return {};
-  return {{setup.gravity(),
-           hydrostatic && setup.gravity() == 0 ? "beside a condition 'hydrostatic pressure' the size of 'gravity'"
-                                               : "the size of 'gravity', with its factor,",
-           "give m/s2, as 9.81 (981 is cm/s2, 9810 mm/s2, 1 a multiple of g)"}};
+  if (setup.gravity() == 0 && !hydrostatic) return;
+  judge(setup.gravity(),
+        hydrostatic && setup.gravity() == 0 ? "beside a condition 'hydrostatic pressure' the size of 'gravity'"
+                                            : "the size of 'gravity', with its factor,",
+        "give m/s2, as 9.81 (981 is cm/s2, 9810 mm/s2, 1 a multiple of g)");
 }
 
 /// Growth of the pore pressure with depth, over that of water at rest.
-Findings water_at_rest(const Setup& setup) {
+void water_at_rest(const Setup& setup, const Judge& judge) {
   const Soil& soil = *setup.model().soil();
   const int up = setup.vertical();
-  if (!setup.porous() || soil.excess || setup.gravity() == 0 || soil.up[up] < 0.99) return {};
+  if (!setup.porous() || soil.excess || setup.gravity() == 0 || soil.up[up] < 0.99) return;
   const Stage& first = *setup.model().stages().front();
   const Span factor = setup.given(*setup.gravity_entry(), "gravity factor", 0, 0);
-  if (factor.known() && factor.high == 0) return {};  // gravity is applied later
-  if (first.type == Stage::Type::dynamic) return {};  // a dynamic run may leave out the soil's own weight
+  if (factor.known() && factor.high == 0) return;  // gravity is applied later
+  if (first.type == Stage::Type::dynamic) return;  // a dynamic run may leave out the soil's own weight
   const State& state = setup.model().store().committed();
   const Mesh& mesh = setup.mesh();
   const auto& dof = soil.space->node_dof(soil.pressure);
@@ -90,170 +84,148 @@ Findings water_at_rest(const Setup& setup) {
   }
   sums = sum_over_ranks(*mesh.comm(), sums);
   const double spread = sums[0] * sums[3] - sums[1] * sums[1];
-  if (!(spread > 0)) return {};
+  if (!(spread > 0)) return;
   const double slope = -(sums[0] * sums[4] - sums[1] * sums[2]) / spread;
   const double weight = soil.any_of(soil.blocks.front()).fluid->density() * length(setup.gravity_vector());
-  return {{slope / weight, "the growth of the pore pressure with depth at the start, over that of water at rest,",
-           "give the start a 'water level', or count pore pressures in excess of water at rest ('pore pressure' = "
-           "excess); otherwise the water flows down from the start"}};
+  judge(slope / weight, "the growth of the pore pressure with depth at the start, over that of water at rest,",
+        "give the start a 'water level', or count pore pressures in excess of water at rest ('pore pressure' = "
+        "excess); otherwise the water flows down from the start");
 }
 
 /// Largest suction at the start, of water above the water level.
-Findings suction(const Setup& setup) {
+void suction(const Setup& setup, const Judge& judge) {
   const Soil& soil = *setup.model().soil();
-  if (!setup.porous() || soil.excess) return {};
+  if (!setup.porous() || soil.excess) return;
   const State& state = setup.model().store().committed();
   const auto& dof = soil.space->node_dof(soil.pressure);
   double lowest = 0;
   for (int node = 0; node < setup.mesh().num_nodes(); ++node)
     if (dof(node) >= 0) lowest = std::min(lowest, state.value(dof(node)));
   lowest = min_over_ranks(*setup.mesh().comm(), lowest);
-  return {{0.0 - lowest, "the suction at the start, above the water level",
-           "the soil is saturated everywhere: put the water level at the surface, or begin the mesh at the water level "
-           "with the soil above as 'surcharge' and load; or widen the range where capillary water reaches that high"}};
+  judge(0.0 - lowest, "the suction at the start, above the water level",
+        "the soil is saturated everywhere: put the water level at the surface, or begin the mesh at the water level "
+        "with the soil above as 'surcharge' and load; or widen the range where capillary water reaches that high");
 }
 
-Findings compression_slope(const Setup& setup) {
-  Findings found;
+void compression_slope(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span slope = setup.given(entry.section("skeleton"), "compression slope");
     if (slope.known())
-      found.push_back({slope.high / (1 + void_ratio(setup, entry)),
-                       material(entry) + "'compression slope' " + told(slope.high) + " over 1 + e",
-                       "lambda is the slope over ln p': the compression index Cc divided by 2.303"});
+      judge(slope.high / (1 + void_ratio(setup, entry)),
+            material(entry) + "'compression slope' " + told(slope.high) + " over 1 + e",
+            "lambda is the slope over ln p': the compression index Cc divided by 2.303");
   }
-  return found;
 }
 
 /// Natural clays: Cc = 0.54 (e - 0.35) (Nishida 1956).
-Findings compression_and_void_ratio(const Setup& setup) {
-  Findings found;
+void compression_and_void_ratio(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span slope = setup.given(entry.section("skeleton"), "compression slope");
     const double e = void_ratio(setup, entry), usual = 0.54 * (e - 0.35) / std::log(10.0);
     if (slope.known() && slope.high > 0.04 && e > 0)
-      found.push_back({usual > 0 ? slope.high / usual : any_size,
-                       material(entry) + "'compression slope' " + told(slope.high) +
-                           " over that of clays with e = " + told(e) + ", 0.54 (e - 0.35)/2.303,",
-                       "look whether a porosity was given as 'void ratio' or the reverse, and Cc as lambda"});
+      judge(usual > 0 ? slope.high / usual : any_size,
+            material(entry) + "'compression slope' " + told(slope.high) + " over that of clays with e = " + told(e) +
+                ", 0.54 (e - 0.35)/2.303,",
+            "look whether a porosity was given as 'void ratio' or the reverse, and Cc as lambda");
   }
-  return found;
 }
 
-Findings swelling_ratio(const Setup& setup) {
-  Findings found;
+void swelling_ratio(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Section skeleton = entry.section("skeleton");
     const Span lambda = setup.given(skeleton, "compression slope"), kappa = setup.given(skeleton, "swelling slope");
     if (lambda.known() && kappa.known())
-      found.push_back({kappa.high / lambda.high, material(entry) + "'swelling slope' over 'compression slope'",
-                       "both are slopes over ln p': indices Cs and Cc are to be divided by 2.303"});
+      judge(kappa.high / lambda.high, material(entry) + "'swelling slope' over 'compression slope'",
+            "both are slopes over ln p': indices Cs and Cc are to be divided by 2.303");
   }
-  return found;
 }
 
-Findings porosity(const Setup& setup) {
-  Findings found;
+void porosity(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span given = setup.given(entry, "porosity");
     if (given.known() && given.high > 0)
-      found.push_back({given.high, material(entry) + "'porosity'", "n = e/(1 + e): 0.8 may be a void ratio"});
+      judge(given.high, material(entry) + "'porosity'", "n = e/(1 + e): 0.8 may be a void ratio");
   }
-  return found;
 }
 
-Findings drained_poisson(const Setup& setup) {
-  Findings found;
+void drained_poisson(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span given = setup.given(entry.section("skeleton"), "Poisson's ratio");
     if (given.known() && entry.has_section("fluid"))
-      found.push_back({given.high, material(entry) + "Poisson's ratio of the drained skeleton",
-                       "of saturated soil give the drained one, 0.15 to 0.35: the pore water makes it incompressible"});
+      judge(given.high, material(entry) + "Poisson's ratio of the drained skeleton",
+            "of saturated soil give the drained one, 0.15 to 0.35: the pore water makes it incompressible");
   }
-  return found;
 }
 
-Findings undrained_poisson(const Setup& setup) {
-  Findings found;
+void undrained_poisson(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span given = setup.given(entry.section("skeleton"), "Poisson's ratio");
     if (given.known() && law(entry) == "tresca" && !entry.has_section("fluid"))
-      found.push_back({given.low, material(entry) + "Poisson's ratio of undrained soil in total stress",
-                       "undrained soil keeps its volume: 0.49 or so"});
+      judge(given.low, material(entry) + "Poisson's ratio of undrained soil in total stress",
+            "undrained soil keeps its volume: 0.49 or so");
   }
-  return found;
 }
 
-Findings permeability_index(const Setup& setup) {
-  Findings found;
+void permeability_index(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span given = setup.given(entry.section("permeability"), "permeability index");
     if (given.known() && void_ratio(setup, entry) > 0)
-      found.push_back({given.high / void_ratio(setup, entry),
-                       material(entry) + "'permeability index' over the void ratio",
-                       "Ck is the change of e for a tenfold conductivity, about e/2"});
+      judge(given.high / void_ratio(setup, entry), material(entry) + "'permeability index' over the void ratio",
+            "Ck is the change of e for a tenfold conductivity, about e/2");
   }
-  return found;
 }
 
 /// A clay's conductivity grows with its void ratio and falls with its plasticity, for which its compression slope
 /// stands.
-Findings clay_conductivity(const Setup& setup) {
-  Findings found;
+void clay_conductivity(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span slope = setup.given(entry.section("skeleton"), "compression slope");
     const auto& mean = setup.soils().at(entry.name());
     if (!slope.known() || slope.high < 0.02 || !(mean.conductivity > 0) || !(mean.void_ratio > 0)) continue;
     const double usual = 1e-9 * std::pow(mean.void_ratio, 4) * std::pow(0.1 / slope.high, 2);
-    found.push_back({mean.conductivity / usual,
-                     material(entry) + "the conductivity of " + told(mean.conductivity) +
-                         " m/s, over that of clays of this void ratio and compression slope, about " +
-                         told(usual, "%.1g") + " m/s,",
-                     "give m/s (1e-7 may be cm/s, 1e-4 m/day or m/year, 1e-16 m2)"});
+    judge(mean.conductivity / usual,
+          material(entry) + "the conductivity of " + told(mean.conductivity) +
+              " m/s, over that of clays of this void ratio and compression slope, about " + told(usual, "%.1g") +
+              " m/s,",
+          "give m/s (1e-7 may be cm/s, 1e-4 m/day or m/year, 1e-16 m2)");
   }
-  return found;
 }
 
-Findings sand_conductivity(const Setup& setup) {
-  Findings found;
+void sand_conductivity(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const auto& mean = setup.soils().at(entry.name());
     if (!has_friction(setup, entry) || !(mean.conductivity > 0)) continue;
     if (number(setup, entry.section("skeleton"), "cohesion", 0) > 5e3) continue;
-    found.push_back({mean.conductivity, material(entry) + "the conductivity of a frictional soil",
-                     "give m/s: sands have 1e-6 to 1e-2 (1e-11 may be m2, 10 m/day)"});
+    judge(mean.conductivity, material(entry) + "the conductivity of a frictional soil",
+          "give m/s: sands have 1e-6 to 1e-2 (1e-11 may be m2, 10 m/day)");
   }
-  return found;
 }
 
 /// alpha = 1 - K/K_s.
-Findings grain_compressibility(const Setup& setup) {
-  Findings found;
+void grain_compressibility(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Span alpha = setup.given(entry, "Biot coefficient"), grains = setup.given(entry, "grain bulk modulus");
     const auto& mean = setup.soils().at(entry.name());
     if (!alpha.known() && !grains.known()) continue;
     const double bulk = mean.modulus - 4.0 / 3 * mean.shear;
     const double share = grains.known() && grains.high > 0 ? bulk / grains.high : 0;
-    found.push_back({(alpha.known() ? alpha.high : 1) + share,
-                     material(entry) + "'Biot coefficient' + K/'grain bulk modulus', with K = " + told(bulk) + " Pa,",
-                     "alpha = 1 - K/K_s: give both, K_s in Pa, as 36e9 (36 is GPa, 3.6e7 kPa)"});
+    judge((alpha.known() ? alpha.high : 1) + share,
+          material(entry) + "'Biot coefficient' + K/'grain bulk modulus', with K = " + told(bulk) + " Pa,",
+          "alpha = 1 - K/K_s: give both, K_s in Pa, as 36e9 (36 is GPa, 3.6e7 kPa)");
   }
-  return found;
 }
 
-Findings weight_over_stiffness(const Setup& setup) {
+void weight_over_stiffness(const Setup& setup, const Judge& judge) {
   const auto& soil = setup.soil();
-  if (setup.gravity() == 0 || !(soil.modulus > 0)) return {};
+  if (setup.gravity() == 0 || !(soil.modulus > 0)) return;
   const double weight = soil.density * setup.gravity() * setup.extent(setup.vertical());
-  return {
-      {weight / soil.modulus,
-       "the soil's own weight, " + told(weight) + " Pa at the base, over its stiffness, " + told(soil.modulus) + " Pa,",
-       "give stiffnesses in Pa, densities in kg/m3 and lengths in m: a model in kPa needs t/m3"}};
+  judge(
+      weight / soil.modulus,
+      "the soil's own weight, " + told(weight) + " Pa at the base, over its stiffness, " + told(soil.modulus) + " Pa,",
+      "give stiffnesses in Pa, densities in kg/m3 and lengths in m: a model in kPa needs t/m3");
 }
 
-Findings rigidity(const Setup& setup) {
-  Findings found;
+void rigidity(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.materials()) {
     const Section skeleton = entry.section("skeleton");
     const Span index = setup.given(skeleton, "rigidity index");
@@ -263,30 +235,27 @@ Findings rigidity(const Setup& setup) {
     if (!index.known() && strength.known() && strength.high > 0)
       value = setup.soils().at(entry.name()).shear / strength.high;
     if (value > 0 && !(law(entry) == "tresca" && setup.given(skeleton, "undrained strength gradient").high > 0))
-      found.push_back({value, material(entry) + "the rigidity index G/s_u",
-                       "give strength and stiffness in Pa; clays have 50 to 1000"});
+      judge(value, material(entry) + "the rigidity index G/s_u",
+            "give strength and stiffness in Pa; clays have 50 to 1000");
   }
-  return found;
 }
 
 /// Pore pressure and stress of a uniform start.
-Findings uniform_start(const Setup& setup) {
-  Findings found;
+void uniform_start(const Setup& setup, const Judge& judge) {
   for (const Section& entry : setup.physics()) {
     const Section start = entry.section("initial state");
     for (const char* name : {"effective stress xx", "effective stress yy", "effective stress zz", "pore pressure"}) {
       const Span given = setup.given(start, name);
       if (given.known() && given.high != 0 && (given.high < 0 || !setup.scales()))
-        found.push_back({given.high, "physics '" + entry.name() + "': '" + name + "' of the start",
-                         "give it in Pa (100 may be kPa), compression positive"});
+        judge(given.high, "physics '" + entry.name() + "': '" + name + "' of the start",
+              "give it in Pa (100 may be kPa), compression positive");
     }
   }
-  return found;
 }
 
 }  // namespace
 
-std::vector<SetupCheck> material_checks() {
+std::vector<Check<Setup>> material_checks() {
   return {
       {{"grain density", "kg/m3", {1900, 5500}, "of the grains of a soil with pores"}, grain_density},
       {{"density", "kg/m3", {300, 12000}, "of the soil as a whole at the start, mean of a material"}, density},

@@ -197,8 +197,7 @@ const ParameterCheck table[] = {
      "it is no ratio of damping: 2 xi omega"},
 };
 
-std::vector<Finding> look(const ParameterCheck& check, const Setup& setup) {
-  std::vector<Finding> found;
+void look(const ParameterCheck& check, const Setup& setup, const Judge& judge) {
   const bool of_materials = std::string(check.collection) == "materials";
   for (const Section& entry : of_materials ? setup.materials() : setup.physics()) {
     const Section section = *check.section ? entry.section(check.section) : entry;
@@ -206,19 +205,17 @@ std::vector<Finding> look(const ParameterCheck& check, const Setup& setup) {
     if (!span.known()) continue;
     for (double value : span.ends())
       if (value != 0 || !check.zero_is_usual)
-        found.push_back({value,
-                         (of_materials ? "material '" : "physics '") + entry.name() + "': '" + check.parameter + "'",
-                         check.advice});
+        judge(value, (of_materials ? "material '" : "physics '") + entry.name() + "': '" + check.parameter + "'",
+              check.advice);
   }
-  return found;
 }
 
 }  // namespace
 
-std::vector<SetupCheck> parameter_checks() {
-  std::vector<SetupCheck> checks;
+std::vector<Check<Setup>> parameter_checks() {
+  std::vector<Check<Setup>> checks;
   for (const ParameterCheck& check : table)
-    checks.push_back({check.quantity, [&check](const Setup& setup) { return look(check, setup); }});
+    checks.push_back({check.quantity, [&check](const Setup& setup, const Judge& judge) { look(check, setup, judge); }});
   return checks;
 }
 

@@ -57,7 +57,7 @@ Doubts all_quantities() {
   Doubts result;
   for (const Usual& quantity : own_quantities) result.declare(quantity);
   PenetrationWatch::declare(result);
-  for (const SetupCheck& check : setup_checks())
+  for (const auto& check : setup_checks())
     if (*check.quantity.meaning) result.declare(check.quantity);  // one without is declared by another check
   declare_body_checks(result);
   return result;
@@ -144,9 +144,7 @@ Plausibility::Plausibility(Model& model, const Section& deck) : model_(model), u
   tell_mesh();
   tell_stages(deck);
   const Setup setup(model, deck);
-  for (const SetupCheck& check : setup_checks())
-    for (const Finding& found : check.look(setup))
-      usual_.judge(check.quantity.name, found.value, found.what, found.advice);
+  look(setup_checks(), setup, usual_);
   look_at_bodies(setup, usual_);
 }
 

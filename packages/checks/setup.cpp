@@ -210,8 +210,8 @@ const Setup::SetFigures& Setup::set(const std::string& name) const {
   return figures;
 }
 
-std::vector<SetupCheck> setup_checks() {
-  std::vector<SetupCheck> all;
+std::vector<Check<Setup>> setup_checks() {
+  std::vector<Check<Setup>> all;
   for (const auto& group : {parameter_checks(), material_checks(), load_checks(), domain_checks()})
     all.insert(all.end(), group.begin(), group.end());
   return all;

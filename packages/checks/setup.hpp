@@ -1,12 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "checks/doubts.hpp"
+#include "checks/check.hpp"
 #include "simulation/model.hpp"
 
 namespace mudline {
@@ -115,25 +114,12 @@ class Setup {
   mutable std::map<std::string, SetFigures> sets_;
 };
 
-/// A value that a check has found, what it is, and what to change where it is unusual.
-struct Finding {
-  double value;
-  std::string what, advice;
-};
-
-/// One check of whether a deck's entries may be mistaken. Its quantity's name is that of the doubt.
-struct SetupCheck {
-  Usual quantity;
-  /// Collective: the same findings on every rank.
-  std::function<std::vector<Finding>(const Setup& setup)> look;
-};
-
 /// The checks of a group; a new one is a line in its list.
-std::vector<SetupCheck> material_checks();
-std::vector<SetupCheck> parameter_checks();
-std::vector<SetupCheck> load_checks();
-std::vector<SetupCheck> domain_checks();
+std::vector<Check<Setup>> material_checks();
+std::vector<Check<Setup>> parameter_checks();
+std::vector<Check<Setup>> load_checks();
+std::vector<Check<Setup>> domain_checks();
 /// The checks of all groups, in the order of their doubts.
-std::vector<SetupCheck> setup_checks();
+std::vector<Check<Setup>> setup_checks();
 
 }  // namespace mudline
