@@ -1,8 +1,11 @@
 #include "ale/layer_remap.hpp"
 
+#include <Teuchos_LAPACK.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "discretisation/mesh_topology.hpp"
 #include "materials/guarded_law.hpp"
@@ -21,41 +24,17 @@ struct Spread {
   double along[3] = {};
   Point direction[3] = {};
 
-  Spread(int dim, const Mat<double, 3>& moments) { dim == 2 ? in_plane(moments) : in_space(moments); }
-
- private:
-  void in_plane(const Mat<double, 3>& m) {
-    const double middle = 0.5 * (m[0][0] + m[1][1]), radius = std::hypot(0.5 * (m[0][0] - m[1][1]), m[0][1]),
-                 angle = 0.5 * std::atan2(2 * m[0][1], m[0][0] - m[1][1]);
-    along[0] = middle + radius;
-    along[1] = middle - radius;
-    direction[0] = {std::cos(angle), std::sin(angle), 0};
-    direction[1] = {-std::sin(angle), std::cos(angle), 0};
-  }
-  /// Eigenvectors by Jacobi's rotations.
-  void in_space(const Mat<double, 3>& m) {
-    Mat<double, 3> a, v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // v: the directions as columns
-    std::copy(&m[0][0], &m[0][0] + 9, &a[0][0]);
-    for (int sweep = 0; sweep < 20; ++sweep)
-      for (int p = 0; p < 3; ++p) {
-        const int q = (p + 1) % 3;
-        const double apart = a[p][p] - a[q][q],
-                     angle = 0.5 * std::atan2(std::copysign(2.0, apart) * a[p][q], std::abs(apart)),
-                     c = std::cos(angle), s = std::sin(angle);
-        const auto turn = [&](double& x, double& y) {
-          const double old = x;
-          x = c * x + s * y;
-          y = c * y - s * old;
-        };
-        for (int i = 0; i < 3; ++i) turn(a[i][p], a[i][q]);
-        for (int i = 0; i < 3; ++i) turn(a[p][i], a[q][i]);
-        for (int i = 0; i < 3; ++i) turn(v[i][p], v[i][q]);
-      }
-    int order[3] = {0, 1, 2};
-    std::sort(order, order + 3, [&](int i, int k) { return a[i][i] > a[k][k]; });
-    for (int k = 0; k < 3; ++k) {
-      along[k] = a[order[k]][order[k]];
-      for (int i = 0; i < 3; ++i) direction[k][i] = v[i][order[k]];
+  Spread(int dim, const Mat<double, 3>& moments) {
+    double matrix[9], values[3], work[24];  // column by column; eigenvalues ascend
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) matrix[dim * j + i] = moments[i][j];
+    int info = 0;
+    Teuchos::LAPACK<int, double>().SYEV('V', 'U', dim, matrix, dim, values, work, 24, &info);
+    if (info != 0) throw std::runtime_error("the principal directions of a patch of elements are not found");
+    for (int k = 0; k < dim; ++k) {
+      const int from = dim - 1 - k;
+      along[k] = values[from];
+      for (int i = 0; i < dim; ++i) direction[k][i] = matrix[dim * from + i];
     }
   }
 };

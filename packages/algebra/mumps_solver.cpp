@@ -54,9 +54,11 @@ std::string MumpsSolver::prepare(RCP<const DofMap> dofs) {
   dofs_ = std::move(dofs);
   evaluate_ = std::make_unique<FieldResidualEvaluator>(dofs_);
   gmres_ = std::make_unique<FieldGmres>(dofs_);
+  bool in_space = false;
+  for (int f = 0; f < dofs_->num_fields(); ++f)
+    in_space = in_space || (dofs_->field(f).components == 3 && !dofs_->field(f).apart);
   // In the plane the order that MUMPS finds is as good.
-  const int u = dofs_->find("displacement");
-  node_of_row_ = u >= 0 && dofs_->field(u).components == 3 ? nodes_of_rows(*dofs_) : std::vector<GlobalOrdinal>();
+  node_of_row_ = in_space ? nodes_of_rows(*dofs_) : std::vector<GlobalOrdinal>();
   return "";
 }
 

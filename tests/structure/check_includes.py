@@ -35,7 +35,7 @@ HEAVY = {
     r"NOX": ["packages/integrator/nox_interface.hpp", "packages/integrator/guarded_step.hpp", "packages/integrator/newton.cpp"],
     r"Thyra|Stratimikos": [],
     r"MueLu|Xpetra|Ifpack2": ["packages/algebra/amg.cpp"],
-    r"Belos": [],
+    r"Belos": ["packages/algebra/krylov.cpp"],
     r"[sdcz]mumps_": ["packages/algebra/mumps_factor.cpp"],
     r"gmsh": [f"packages/discretisation/gmsh_{part}.cpp" for part in ("session", "model", "curve", "triangulation")],
     r"hdf5|H5": ["packages/simulation/output/", "packages/simulation/tests/"],
