@@ -239,7 +239,7 @@ void Plausibility::tell_body(const BodyPath& path) {
 
 void Plausibility::doubt_body(const BodyPath& path, const std::string& name) {
   const double gap = std::max(0.0, path.first_gap()), width = 2 * path.radius();
-  usual_.judge("first gap", gap / width, name + ": its distance from the soil, in widths,");
+  if (width > 0) usual_.judge("first gap", gap / width, name + ": its distance from the soil, in widths,");
   if (path.leaves()) {
     usual_.tell(name + " moves away from the soil: down is negative");
     return;
