@@ -31,6 +31,9 @@ class GmshLibrary {
 /// Whether the program has the library. It is not loaded for that.
 bool has_gmsh();
 
+/// Says that something needs Gmsh, for a program without it.
+std::string needs_gmsh(const std::string& what);
+
 /// The library, loaded where that is not done yet; null: there is none, and `why` is the reason.
 const GmshLibrary* find_gmsh_library(std::string& why);
 

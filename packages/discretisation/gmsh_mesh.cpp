@@ -22,9 +22,7 @@ void GmshMesh::check(const Section& section) {
     section.fail("expected a .msh or .geo file, given '" + short_name(file_.name) + "'", "file");
   file_.overrides = gmsh_overrides(section, file_.name);
   if (!has_gmsh() && (is_gmsh_geometry(file_.name) || !is_old_msh(file_.name)))
-    section.fail("'" + short_name(file_.name) + "' needs Gmsh, and this program was built without it " +
-                     "(MUDLINE_GMSH=OFF); allowed: mesh files (.msh) of the formats 1 to 2.2",
-                 "file");
+    section.fail(needs_gmsh(short_name(file_.name)) + "; allowed: mesh files (.msh) of the formats 1 to 2.2", "file");
 }
 
 GlobalMesh GmshMesh::generate() const {
