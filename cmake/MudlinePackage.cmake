@@ -9,7 +9,7 @@
 # MUDLINE_HAVE_GMSH is defined.
 # PRECOMPILED names the precompiled headers of the package and its tests (mudline_precompiled below). KERNELS: the
 # package has the loops in which a run spends its time. A release optimises them most (-O3), other packages less (-O2)
-# and tests least (-O1), which halves the time that their compilation takes. The numbers are the same.
+# and tests least (-O1), which takes a third off the time that tests compile. The numbers are the same.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)  # paths relative to the checkout: clones share what was compiled once
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1

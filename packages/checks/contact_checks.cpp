@@ -41,10 +41,23 @@ void augmented_penalty(const ContactSetup& of, const Judge& judge) {
       judge);
 }
 
+/// Judges an entry that the deck gives, as it stands.
+void judge_given(const ContactSetup& of, const Section& section, const char* entry, const char* advice,
+                 const Judge& judge) {
+  if (section.has_parameter(entry)) judge(number_in(section, entry, 0), of.called() + ": its '" + entry + "'", advice);
+}
+
+/// Judges a length that the deck gives over the mean side of the surface.
+void judge_over_side(const ContactSetup& of, const char* entry, const Judge& judge) {
+  const double length = number_in(of.entry, entry, 0);
+  if (length > 0 && of.soil.side > 0)
+    judge(length / of.soil.side, of.called() + ": its '" + entry + "' over the mean side",
+          "give it in m, or leave it out");
+}
+
 void penalty_factor(const ContactSetup& of, const Judge& judge) {
-  if (of.entry.has_parameter("penalty factor"))
-    judge(number_in(of.entry, "penalty factor", 10), of.called() + ": its 'penalty factor'",
-          "below 1 the contact deforms more than the soil, far above 1000 Newton's method has a hard time");
+  judge_given(of, of.entry, "penalty factor",
+              "below 1 the contact deforms more than the soil, far above 1000 Newton's method has a hard time", judge);
 }
 
 Section friction_of(const ContactSetup& of) { return of.entry.section("friction"); }
@@ -85,9 +98,8 @@ void cap(const ContactSetup& of, const Judge& judge) {
 }
 
 void tangential(const ContactSetup& of, const Judge& judge) {
-  if (friction_of(of).has_parameter("tangential penalty factor"))
-    judge(number_in(friction_of(of), "tangential penalty factor", 1), of.called() + ": its 'tangential penalty factor'",
-          "what sticks should move by little against what slides");
+  judge_given(of, friction_of(of), "tangential penalty factor", "what sticks should move by little against what slides",
+              judge);
 }
 
 /// The load also acts on the part of the surface that the body covers, and reduces the contact pressure from which
@@ -120,30 +132,17 @@ void surcharge(const ContactSetup& of, const Judge& judge) {
   }
 }
 
-void capture(const ContactSetup& of, const Judge& judge) {
-  const double distance = number_in(of.entry, "capture distance", 0);
-  if (distance > 0 && of.soil.side > 0)
-    judge(distance / of.soil.side, of.called() + ": its 'capture distance' over the mean side",
-          "give it in m, or leave it out");
-}
+void capture(const ContactSetup& of, const Judge& judge) { judge_over_side(of, "capture distance", judge); }
 
 void advance(const ContactSetup& of, const Judge& judge) {
-  if (of.entry.has_parameter("advance limit"))
-    judge(number_in(of.entry, "advance limit", 0.25), of.called() + ": its 'advance limit'",
-          "in a step of more than a side a body jumps over what it should touch; far below, steps are many");
+  judge_given(of, of.entry, "advance limit",
+              "in a step of more than a side a body jumps over what it should touch; far below, steps are many", judge);
 }
 
-void gap_tolerance(const ContactSetup& of, const Judge& judge) {
-  const double gap = number_in(of.entry, "gap tolerance", 0);
-  if (gap > 0 && of.soil.side > 0)
-    judge(gap / of.soil.side, of.called() + ": its 'gap tolerance' over the mean side",
-          "give it in m, or leave it out");
-}
+void gap_tolerance(const ContactSetup& of, const Judge& judge) { judge_over_side(of, "gap tolerance", judge); }
 
 void sealing(const ContactSetup& of, const Judge& judge) {
-  if (of.entry.has_parameter("sealing gap"))
-    judge(number_in(of.entry, "sealing gap", 0.1), of.called() + ": its 'sealing gap'",
-          "it is a share of a side, no length");
+  judge_given(of, of.entry, "sealing gap", "it is a share of a side, no length", judge);
 }
 
 void damping(const ContactSetup& of, const Judge& judge) {

@@ -330,6 +330,11 @@ double PointContact::in_situ_pressure(std::size_t side, int point, const State& 
 }
 
 void PointContact::report_parts(const State& state, double sign, Report& values) const {
+  if (enforcement_.augmented()) {
+    const auto [gap, stretch, spring] = misfit(state).largest(*context_.space.mesh().comm());
+    values[name() + "/weighted gap"] = {"m", gap};
+    if (laws_.friction()) values[name() + "/stretch"] = {"m", stretch};
+  }
   if (!parts_.drainage.has_film()) return;
   const WaterFilm::Sums sums = parts_.drainage.film.sums(state);
   double local[] = {sums.water, sums.vapour, sums.force[0], sums.force[1], sums.force[2]}, all[5];

@@ -107,7 +107,7 @@ class PointContact : public Contact, public ClosesSides, public FirstActs {
   const double* pressure_shape(const SurfaceSide& side, int point) const;
   /// Differences between stresses and multipliers. Collective.
   Misfit misfit(const State& state) const;
-  /// History columns of the parts; `sign`: -1 where forces are those on the target. Collective.
+  /// History columns of the parts and of multipliers; `sign`: -1 where forces are those on the target. Collective.
   void report_parts(const State& state, double sign, Report& values) const;
   std::vector<double> nodal_mean(const std::function<double(int row)>& quantity) const;
 

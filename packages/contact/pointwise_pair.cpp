@@ -200,7 +200,7 @@ ContactPointLaw PointwisePairContact::law(const StepView& view, int row) const {
 }
 
 TargetForce PointwisePairContact::evaluate(const StepView& view, const Positions& at, int row, const Seen& seen,
-                                           bool want_tangent) const {
+                                           const SideFilm& film, bool want_tangent) const {
   ContactPointLaw acting = law(view, row);
   const SlavePoint& here = points_[row];
   const TargetNodes nodes = target_->nodes(seen.at.piece);
@@ -210,9 +210,9 @@ TargetForce PointwisePairContact::evaluate(const StepView& view, const Positions
   point.old = history(view, here.side, row, point.place_old);
   point.gap_old = rows_.gap(*view.committed, row);
   point.pore_pressure = point.old.soil.pore_pressure + pore_pressure(here.side, here.point, view.value_end);
-  point.film = film(view, here.side);
-  acting.film = point.film.acts;
-  if (point.film.flows) {
+  point.film = film;
+  acting.film = film.acts;
+  if (film.flows) {
     Seen start;
     point.gap_old = look(row, at.old, start) ? start.closest.gap - point.old.offset : capture_;
   }
@@ -261,7 +261,8 @@ int PointwisePairContact::residual(const StepView& view, const ResidualView& f) 
       add_old_share(view, row, start_share(rows_.gap(*view.committed, row), capture_, view.impact.damping));
       continue;
     }
-    const TargetForce force = evaluate(view, at, row, seen, false);
+    const SideFilm water = film(view, points_[row].side);
+    const TargetForce force = evaluate(view, at, row, seen, water, false);
     const ContactPoint& point = force.point;
     add_old_share(view, row, force.start_share);
     if (seen.entry < 0) {
@@ -271,7 +272,7 @@ int PointwisePairContact::residual(const StepView& view, const ResidualView& f) 
     }
     const TargetColumns w = columns(row, seen.at.piece, seen.closest.weight);
     if (force.acts) {
-      const bool pressed = point.active || !film(view, points_[row].side).acts;
+      const bool pressed = point.active || !water.acts;
       const double cancelled =
           pressed ? stiffness(*view.trial, row) * points_[row].area * length(place(row, at.end)) : 0.0;
       for (int k = 0; k < w.count; ++k)
@@ -284,7 +285,7 @@ int PointwisePairContact::residual(const StepView& view, const ResidualView& f) 
       if (force.share != 1) remember(seen.entry, w, view.end_weight * (force.share - 1), point.total.force);
     }
     if (point.damped != 0) remember(seen.entry, w, 1, point.damping);
-    add_film(view, row, seen, force, f);
+    add_film(view, row, seen, water, force, f);
     damped += point.damped;
     write(*view.trial, row, point, seen.at, seen.closest.normal);
   }
@@ -329,20 +330,20 @@ void PointwisePairContact::pressure_slopes_at(const StepView& view, int row, Poi
     pressure_slopes<3>(rule(row), points_[row].point, x_old, nodes, slope);
 }
 
-Point PointwisePairContact::drive(const StepView& view, int row, const Point* slope) const {
+Point PointwisePairContact::drive(const StepView& view, int row, const SideFilm& film, const Point* slope) const {
   const SurfaceSide& at = side(row);
-  Point result = -film(view, points_[row].side).weight;
+  Point result = -film.weight;
   for (int a = 0; a < surface_->pressure_nodes(at.shape); ++a)
     result += view.value_end(surface_->dofs(at.shape)(at.row, axes() * at.count + a)) * slope[a];
   return result;
 }
 
-void PointwisePairContact::add_film(const StepView& view, int row, const Seen& seen, const TargetForce& force,
-                                    const ResidualView& f) {
-  if (!film(view, points_[row].side).flows) return;
+void PointwisePairContact::add_film(const StepView& view, int row, const Seen& seen, const SideFilm& film,
+                                    const TargetForce& force, const ResidualView& f) {
+  if (!film.flows) return;
   Point slope[max_side_nodes];
   pressure_slopes_at(view, row, slope);
-  const Point along = drive(view, row, slope);
+  const Point along = drive(view, row, film, slope);
   const double* const shape = pressure_shape(side(row), points_[row].point);
   const double cancelled = points_[row].area * length(place(row, view.x_end)) / view.dt;
   for (int a = 0; a < surface_->pressure_nodes(side(row).shape); ++a) {
@@ -353,11 +354,11 @@ void PointwisePairContact::add_film(const StepView& view, int row, const Seen& s
 }
 
 void PointwisePairContact::add_film_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen,
-                                            const TargetForce& force) const {
-  if (!film(view, points_[row].side).flows) return;
+                                            const SideFilm& film, const TargetForce& force) const {
+  if (!film.flows) return;
   Point slope[max_side_nodes];
   pressure_slopes_at(view, row, slope);
-  const Point along = drive(view, row, slope);
+  const Point along = drive(view, row, film, slope);
   const double* const shape = pressure_shape(side(row), points_[row].point);
   const int first = first_pressure(row, seen), nodes = surface_->pressure_nodes(side(row).shape);
   const TargetColumns w = columns(row, seen.at.piece, seen.closest.weight);
@@ -405,12 +406,13 @@ void PointwisePairContact::jacobian(const StepView& view, Assembler& assembler, 
   for (int row = 0; row < rows(); ++row) {
     Seen seen;
     if (!look(row, at.end, seen) || seen.entry < 0) continue;
-    const TargetForce force = evaluate(view, at, row, seen, true);
+    const SideFilm water = film(view, points_[row].side);
+    const TargetForce force = evaluate(view, at, row, seen, water, true);
     if (axes() == 2)
       add_tangent<2>(view, to, row, seen, force, weight, moved);
     else
       add_tangent<3>(view, to, row, seen, force, weight, moved);
-    add_film_tangent(view, to, row, seen, force);
+    add_film_tangent(view, to, row, seen, water, force);
   }
   if (leak_) leak_->jacobian(view, assembler);
 }
@@ -454,14 +456,8 @@ void PointwisePairContact::histories(const StepView& view, Report& values) {
     here.deepest = std::max(here.deepest, -rows_.gap(state, row));
   }
   if (damping_ >= 0) here.damped = state.arrays[damping_](0, 0);
-  const Comm& comm = *context_.space.mesh().comm();
-  const SlaveSums all = report_slave(comm, axes(), name(), deck_, here, values);
+  const SlaveSums all = report_slave(*context_.space.mesh().comm(), axes(), name(), deck_, here, values);
   report_parts(state, 1.0, values);
-  if (deck_.augmented()) {
-    const auto [gap, stretch, spring] = misfit(state).largest(comm);
-    values[name() + "/weighted gap"] = {"m", gap};
-    if (laws_.friction()) values[name() + "/stretch"] = {"m", stretch};
-  }
   if (laws_.friction()) values[name() + "/friction heat"] = {"J", all.heat};
   if (laws_.friction() && axes() == 3) values[name() + "/sliding points"] = {"-", all.slides};
 }

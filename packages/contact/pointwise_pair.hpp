@@ -100,19 +100,22 @@ class PointwisePairContact : public PointContact {
   bool look(int row, const ConstCoordinateView& x, Seen& seen) const;
   int entry(int row, int piece) const;
   ContactPointLaw law(const StepView& view, int row) const;
-  TargetForce evaluate(const StepView& view, const Positions& at, int row, const Seen& seen, bool want_tangent) const;
+  /// `film`: of the point's side, here and below.
+  TargetForce evaluate(const StepView& view, const Positions& at, int row, const Seen& seen, const SideFilm& film,
+                       bool want_tangent) const;
   TargetColumns columns(int row, int piece, const double* of_target) const;
   void write(const State& trial, int row, const ContactPoint& point, const TargetPlace& at, const Point& normal) const;
   /// Writes a point that sees nothing of the target. Its gap is the capture distance, which is a lower bound.
   void write_away(const StepView& view, int row) const;
   /// Remembers the rates of the film's water at a point.
-  void add_film(const StepView& view, int row, const Seen& seen, const TargetForce& force, const ResidualView& f);
-  void add_film_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen,
+  void add_film(const StepView& view, int row, const Seen& seen, const SideFilm& film, const TargetForce& force,
+                const ResidualView& f);
+  void add_film_tangent(const StepView& view, const MatrixScatter& to, int row, const Seen& seen, const SideFilm& film,
                         const TargetForce& force) const;
   /// Gradients of the pore pressure's shapes at a point, along the side at the start of the step [1/m].
   void pressure_slopes_at(const StepView& view, int row, Point* slope) const;
   /// Gradient of the film's pressure less the water's weight [Pa/m].
-  Point drive(const StepView& view, int row, const Point* slope) const;
+  Point drive(const StepView& view, int row, const SideFilm& film, const Point* slope) const;
   /// First column of the pore pressures in a row of the dof table.
   int first_pressure(int row, const Seen& seen) const;
   void remember(int entry, const TargetColumns& columns, double factor, const Point& force);

@@ -29,4 +29,13 @@ LoopLevel end_level(const StepView& view, const FieldBlock& block) {
   return at;
 }
 
+LoopLevel level_of(const State& state) {
+  LoopLevel at;
+  at.x = state.coordinates;
+  at.value = at.value_old = at.value_end = state.value;
+  at.rate = state.rate;
+  at.acceleration = state.acceleration;
+  return at;
+}
+
 }  // namespace mudline

@@ -27,4 +27,7 @@ LoopLevel loop_level(const StepView& view, const Level& level, const FieldBlock&
 /// coordinates do not depend on the unknowns.
 LoopLevel end_level(const StepView& view, const FieldBlock& block);
 
+/// A state by itself, outside of a step: no sensitivities.
+LoopLevel level_of(const State& state);
+
 }  // namespace mudline

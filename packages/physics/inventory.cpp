@@ -12,11 +12,7 @@ namespace mudline {
 Inventory take_inventory(const Soil& soil, const State& state) {
   constexpr int shared = 8;  // momentum (3) and the other members of Inventory in their order; then grains by material
   std::vector<double> local(shared + soil.materials.size(), 0.0), total(local);
-  LoopLevel level;
-  level.x = state.coordinates;
-  level.value = level.value_old = level.value_end = state.value;
-  level.rate = state.rate;
-  level.acceleration = state.acceleration;
+  const LoopLevel level = level_of(state);
   for (const SoilBlock& b : soil.blocks) {
     const ByMaterial<Mixture> mixture_of = mixtures_of(soil, b, state);
     const PointView void_ratio = state.arrays[b.void_ratio];

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/run_error.hpp"
 #include "simulation/output/collective.hpp"
 #include "simulation/stage.hpp"
 #include "simulation/state_fields.hpp"
@@ -81,8 +80,7 @@ void FieldOutput::end_run(const RunView& run, RunEnd end) {
   const Comm& comm = *run.model.mesh().comm();
   std::string lost = comm.getRank() == 0 ? file_->missing() : "";
   if (!lost.empty()) lost += ": the file was removed by another program while the run went on";
-  lost = agreed_message(raw_communicator(comm), lost);
-  if (!lost.empty()) throw RunError(lost);
+  end_where_lost(raw_communicator(comm), lost);
 }
 
 void FieldOutput::write(const RunView& run, const std::string& stage) {

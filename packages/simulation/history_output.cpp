@@ -1,6 +1,5 @@
 #include "simulation/history_output.hpp"
 
-#include "core/run_error.hpp"
 #include "simulation/balances.hpp"
 #include "simulation/error_output.hpp"
 #include "simulation/excess_pressure.hpp"
@@ -24,8 +23,7 @@ void HistoryOutput::end_run(const RunView& run, RunEnd end) {
   write_due_row(run);
   if (end != RunEnd::done) return;
   const Comm& comm = *run.model.mesh().comm();
-  const std::string lost = agreed_message(raw_communicator(comm), comm.getRank() == 0 ? file_->lost() : "");
-  if (!lost.empty()) throw RunError(lost);
+  end_where_lost(raw_communicator(comm), comm.getRank() == 0 ? file_->lost() : "");
 }
 
 void HistoryOutput::write_due_row(const RunView& run) {

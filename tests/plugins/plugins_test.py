@@ -126,6 +126,18 @@ def build(source):
     call("cmake", "--build", source + "/build")
 
 
+def build_plugin(name, code):
+    """Builds a plugin of one source in a folder of its own, and returns the folder."""
+    source = os.path.join(SCRATCH, name)
+    os.makedirs(source, exist_ok=True)
+    with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
+        file.write(f"cmake_minimum_required(VERSION 3.22)\nproject({name} CXX)\nfind_package(mudline REQUIRED)\nmudline_add_plugin({name} {name}.cpp)\n")
+    with open(os.path.join(source, name + ".cpp"), "w") as file:
+        file.write(code)
+    build(source)
+    return source
+
+
 def text_of(path):
     with open(path) as file:
         return file.read()
@@ -388,13 +400,7 @@ class Plugins(MudlineCase):
     def test_point_data_are_carried_by_the_mesh_motion(self):
         """The height from which a point of the soil comes, painted on it: under the pile the mesh moves against the soil, and the paint
         goes with the soil. Written to the fields, kept through a restart."""
-        source = os.path.join(SCRATCH, "tag")
-        os.makedirs(source, exist_ok=True)
-        with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
-            file.write("cmake_minimum_required(VERSION 3.22)\nproject(tag CXX)\nfind_package(mudline REQUIRED)\nmudline_add_plugin(tag tag.cpp)\n")
-        with open(os.path.join(source, "tag.cpp"), "w") as file:
-            file.write(TAG)
-        build(source)
+        source = build_plugin("tag", TAG)
         self.write("tag.xml", f"""<ParameterList name="tag">
           <ParameterList name="plugins"><Parameter name="files" type="Array(string)" value="{{{source}/build/tag.so}}"/></ParameterList>
           <ParameterList name="physics"><ParameterList name="paint"><Parameter name="type" type="string" value="tag"/></ParameterList></ParameterList>
@@ -479,13 +485,7 @@ class Plugins(MudlineCase):
 
     def test_observers_of_all_kinds(self):
         """A column and a field from an observer that keeps a sum in the state, over a restart; one that objects, and one that throws on one rank."""
-        source = os.path.join(SCRATCH, "alarm")
-        os.makedirs(source, exist_ok=True)
-        with open(os.path.join(source, "CMakeLists.txt"), "w") as file:
-            file.write("cmake_minimum_required(VERSION 3.22)\nproject(alarm CXX)\nfind_package(mudline REQUIRED)\nmudline_add_plugin(alarm alarm.cpp)\n")
-        with open(os.path.join(source, "alarm.cpp"), "w") as file:
-            file.write(ALARM)
-        build(source)
+        build_plugin("alarm", ALARM)
         libraries = ", ".join(os.path.join(SCRATCH, name, "build", name + ".so") for name in ("wall_profile", "alarm"))
         deck = self.example("wall_profile/wall.xml")
         settings = [f"plugins/files={{{libraries}}}", "output/observers/bell/type=alarm"]

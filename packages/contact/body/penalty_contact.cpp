@@ -360,11 +360,6 @@ void PenaltyContact::histories(const StepView& view, Report& values) {
     values[name() + "/damping heat"] = {"J", sum[Sums::damping_heat]};
     add_vector("damping", Sums::damping);
   }
-  if (deck_.augmented()) {
-    const auto [gap, stretch, spring] = misfit(state).largest(*context_.space.mesh().comm());
-    values[name() + "/weighted gap"] = {"m", gap};
-    if (laws_.friction()) values[name() + "/stretch"] = {"m", stretch};
-  }
   if (!laws_.friction()) return;
   add_vector("friction", Sums::friction);
   values[name() + "/friction heat"] = {"J", sum[Sums::heat]};

@@ -12,7 +12,8 @@ void Drainage::parameters(Parameters& p) {
   film.parameters(p);
   p.add("conductance", conductance_, "m/(Pa s)", non_negative(),
         "Leaky: flow out of the soil per difference of pore pressure and outside pressure");
-  p.add("outside pressure", outside_, "Pa", "Leaky: water pressure beyond the body, a function of time and place");
+  p.add("outside pressure", outside_, "Pa",
+        "Leaky: water pressure beyond what it touches, a function of time and place");
   p.add("sealing gap", sealing_gap_, "-", non_negative(),
         "Gap, as a fraction of a side's length, up to which the side is still sealed");
 }

@@ -60,13 +60,10 @@ void pressure_slopes(const ContactTables& rule, int c, const SideCoordinates& x_
       metric[k][l] = 0;
       for (int i = 0; i < D; ++i) metric[k][l] += map.along[k][i] * map.along[l][i];
     }
-  if constexpr (K == 1) {
-    inverse[0][0] = 1 / metric[0][0];
-  } else {
-    const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
-    for (int k = 0; k < K; ++k)
-      for (int l = 0; l < K; ++l) inverse[k][l] = (k == l ? metric[1 - k][1 - k] : -metric[k][l]) / det;
-  }
+  if constexpr (K == 1)
+    invert(metric, metric[0][0], inverse);
+  else
+    invert(metric, determinant(metric), inverse);
   for (int a = 0; a < pressure_nodes; ++a) {
     slope[a] = {};
     for (int k = 0; k < K; ++k)

@@ -14,7 +14,7 @@ constexpr double softness = 500;
 }  // namespace
 
 void WaterFilm::parameters(Parameters& p) {
-  p.add("film viscosity", viscosity_, "Pa s", positive(), "Film: of the water between the surface and the body");
+  p.add("film viscosity", viscosity_, "Pa s", positive(), "Film: of its water");
   p.add("residual aperture", aperture_, "m", positive(),
         "Film: its thickness where the surfaces just meet, from their roughness; it vanishes where they press");
   p.add("cavitation pressure", cavitation_, "Pa",

@@ -11,7 +11,7 @@
 
 namespace mudline {
 
-/// Water film between the soil's surface and a body: the deck entries, the sides that have a film, and the state array
+/// Water film between the slave and what it touches: the deck entries, the sides that have a film, and the state array
 /// "<prefix>film" with a row per point: vapour [m] of its thickness, volumes of water and vapour [m3], and the force of
 /// its pressure on the soil [N].
 class WaterFilm {

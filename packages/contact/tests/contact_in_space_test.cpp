@@ -11,18 +11,7 @@ constexpr double eps = 1e6;
 
 /// 3 x 3 x 1 cells over [-0.6, 0.6]^2 x [-0.5, 0], the side set "surface" on top.
 GlobalMesh block(const std::string& cell, double distortion = 0) {
-  Deck deck;
-  deck.overlay("<ParameterList name=\"deck\">\n<ParameterList name=\"mesh\">\n" + text_parameter("type", "box") +
-                   text_parameter("geometry", "three-dimensional") + text_parameter("cell", cell) +
-                   "<Parameter name=\"cells\" type=\"Array(int)\" value=\"{3, 3, 1}\"/>\n" +
-                   array_parameter("lower", "-0.6, -0.6, -0.5") + array_parameter("upper", "0.6, 0.6, 0") +
-                   number_parameter("distortion", distortion) + "</ParameterList>\n</ParameterList>\n",
-               "deck.xml");
-  Registry<MeshSource> sources{"mesh"};
-  register_mesh_sources(sources);
-  GlobalMesh mesh = sources.create(deck.root().section("mesh"))->generate();
-  mesh.side_sets["surface"] = mesh.side_sets.at("top");
-  return mesh;
+  return box_in_space(cell, "{3, 3, 1}", "-0.6, -0.6, -0.5", "0.6, 0.6, 0", distortion);
 }
 
 std::string in_space(const std::string& surface, const std::string& motion, const std::string& position) {

@@ -55,6 +55,23 @@ inline GlobalMesh strip(Cells cells, int nx, int ny, double x0, double width, do
   return mesh;
 }
 
+/// Cells of a box in space, with the side set "surface" on top. `cells`, `lower`, `upper`: as in a deck.
+inline GlobalMesh box_in_space(const std::string& cell, const std::string& cells, const std::string& lower,
+                               const std::string& upper, double distortion = 0) {
+  Deck deck;
+  deck.overlay("<ParameterList name=\"deck\">\n<ParameterList name=\"mesh\">\n" + text_parameter("type", "box") +
+                   text_parameter("geometry", geometry_in_space) + text_parameter("cell", cell) +
+                   "<Parameter name=\"cells\" type=\"Array(int)\" value=\"" + cells + "\"/>\n" +
+                   array_parameter("lower", lower) + array_parameter("upper", upper) +
+                   number_parameter("distortion", distortion) + "</ParameterList>\n</ParameterList>\n",
+               "deck.xml");
+  Registry<MeshSource> sources{"mesh"};
+  register_mesh_sources(sources);
+  GlobalMesh mesh = sources.create(deck.root().section("mesh"))->generate();
+  mesh.side_sets["surface"] = mesh.side_sets.at("top");
+  return mesh;
+}
+
 /// Mesh section of a deck in space, so that points have three coordinates.
 inline std::string space_xml() { return section_xml("mesh", text_parameter("geometry", geometry_in_space)); }
 

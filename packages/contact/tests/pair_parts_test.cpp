@@ -13,18 +13,7 @@ constexpr double eps = 1e6, viscosity = 1e-3;
 /// A box of cells below z = 0, with the side set "surface" on top.
 GlobalMesh box(const std::string& cells, double half) {
   const std::string to = std::to_string(half);
-  Deck deck;
-  deck.overlay("<ParameterList name=\"deck\">\n<ParameterList name=\"mesh\">\n" + text_parameter("type", "box") +
-                   text_parameter("geometry", "three-dimensional") + text_parameter("cell", "hex8") +
-                   "<Parameter name=\"cells\" type=\"Array(int)\" value=\"" + cells + "\"/>\n" +
-                   array_parameter("lower", "-" + to + ", -" + to + ", -0.5") +
-                   array_parameter("upper", to + ", " + to + ", 0") + "</ParameterList>\n</ParameterList>\n",
-               "deck.xml");
-  Registry<MeshSource> sources{"mesh"};
-  register_mesh_sources(sources);
-  GlobalMesh mesh = sources.create(deck.root().section("mesh"))->generate();
-  mesh.side_sets["surface"] = mesh.side_sets.at("top");
-  return mesh;
+  return box_in_space("hex8", cells, "-" + to + ", -" + to + ", -0.5", to + ", " + to + ", 0");
 }
 
 /// The master, and above it the slave, which hangs upside down at a gap; both meshes have their set "surface" at 0.

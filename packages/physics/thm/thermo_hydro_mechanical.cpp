@@ -88,9 +88,7 @@ struct WarmGround {
   /// Heat above the reference temperature [J]. Collective.
   double content(const State& state) const {
     double here = 0, everywhere = 0;
-    LoopLevel level;
-    level.x = state.coordinates;
-    level.value = level.value_old = level.value_end = state.value;
+    const LoopLevel level = level_of(state);
     for (const SoilBlock& b : soil->blocks) {
       const ByMaterial<WarmSoil> soils = at(b, state);
       const PointView void_ratio = state.arrays[b.void_ratio];

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "core/run_error.hpp"
+
 namespace mudline {
 
 namespace {
@@ -26,6 +28,11 @@ std::string agreed_message(MPI_Comm comm, const std::string& message) {
   int first = ranks;
   MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, comm);
   return first == ranks ? "" : broadcast_from(comm, message, first);
+}
+
+void end_where_lost(MPI_Comm comm, const std::string& lost) {
+  const std::string agreed = agreed_message(comm, lost);
+  if (!agreed.empty()) throw RunError(agreed);
 }
 
 std::string broadcast(MPI_Comm comm, const std::string& text) { return broadcast_from(comm, text, 0); }

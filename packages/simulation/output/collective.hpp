@@ -11,6 +11,9 @@ namespace mudline {
 /// Collective.
 std::string agreed_message(MPI_Comm comm, const std::string& message);
 
+/// Throws RunError on every rank where the first one says that a file of the results is lost. Collective.
+void end_where_lost(MPI_Comm comm, const std::string& lost);
+
 /// Rank 0's text on every rank. Collective.
 std::string broadcast(MPI_Comm comm, const std::string& text);
 
