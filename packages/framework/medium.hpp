@@ -10,10 +10,12 @@ namespace mudline {
 /// at compile time, and has one or both of the functions below. Both start from zero storages and fluxes.
 ///     struct Heat : Medium {
 ///       enum { temperature, scalars };  // indices of the scalar fields, and their number
-///       template <class C, class T>     // what is stored over the step, over its length
-///       void stored(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const;
-///       template <class C, class T>     // what flows
-///       void flows(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const;
+///       template <class C, class T>  // what is stored over the step, over its length
+///       KOKKOS_INLINE_FUNCTION void stored(int row, const PointFields<C, scalars, T>& at,
+///                                          PointBalance<C, scalars, T>& out) const;
+///       template <class C, class T>  // what flows
+///       KOKKOS_INLINE_FUNCTION void flows(int row, const PointFields<C, scalars, T>& at,
+///                                         PointBalance<C, scalars, T>& out) const;
 ///     };
 /// stored_law() belongs to the end of the step (end_level), flow_law() to the level of balances.
 struct Medium {
@@ -29,7 +31,7 @@ struct StoredLaw : PointLaw {
   M medium;
 
   template <class C, int S, class T>
-  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     for (int k = 0; k < S; ++k) out.storage[k] = 0.0;
     medium.stored(row, at, out);
   }
@@ -42,7 +44,7 @@ struct FlowLaw : PointLaw {
   M medium;
 
   template <class C, int S, class T>
-  void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int row, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     for (int k = 0; k < S; ++k) {
       out.storage[k] = 0.0;
       for (int i = 0; i < C::dim; ++i) out.flux[k][i] = 0.0;

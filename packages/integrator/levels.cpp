@@ -55,6 +55,25 @@ LevelOfDof::Order order_of(const Field& field, const TimeScheme& scheme) {
   return scheme.incremental ? LevelOfDof::Order::first_over_step : LevelOfDof::Order::first;
 }
 
+/// Coordinates of the nodes at the end of the step and at the levels of momentum and of balances.
+struct Configurations {
+  Kokkos::View<int*> dof;  // by node: its first displacement; -1: the node does not move
+  ConstNodalView value_old, value_end;
+  ConstCoordinateView x_old;
+  CoordinateView x_end, x_momentum, x_balance;
+  double momentum, balance;  // weights of the step's displacement at the levels
+
+  KOKKOS_INLINE_FUNCTION void operator()(int node) const {
+    for (std::size_t i = 0; i < x_end.extent(1); ++i) {
+      const int at = dof(node);
+      const double change = at < 0 ? 0.0 : value_end(at + i) - value_old(at + i);
+      x_end(node, i) = x_old(node, i) + change;
+      x_momentum(node, i) = x_old(node, i) + momentum * change;
+      x_balance(node, i) = x_old(node, i) + balance * change;
+    }
+  }
+};
+
 }  // namespace
 
 Levels::Levels(const Space& space) : space_(space) {
@@ -109,22 +128,16 @@ void Levels::configurations(const StepView& view, const State& old, const State&
     for (const CoordinateView& x : {trial.coordinates, x_momentum_, x_balance_}) Kokkos::deep_copy(x, old.coordinates);
     return;
   }
-  const double momentum = view.momentum.geometry_weight, balance = view.balance.geometry_weight;
-  const int dimension = static_cast<int>(x_momentum_.extent(1));
-  const Kokkos::View<int*> dof = space_.node_dof(displacement);
-  const NodalView value_old = old.value, value_end = trial.value;
-  const CoordinateView x_old = old.coordinates, x_end = trial.coordinates, x_momentum = x_momentum_,
-                       x_balance = x_balance_;
-  Kokkos::parallel_for(
-      "configurations", Kokkos::RangePolicy<>(0, x_momentum_.extent(0)), KOKKOS_LAMBDA(int node) {
-        for (int i = 0; i < dimension; ++i) {
-          const int at = dof(node);  // -1: the node does not move
-          const double change = at < 0 ? 0.0 : value_end(at + i) - value_old(at + i);
-          x_end(node, i) = x_old(node, i) + change;
-          x_momentum(node, i) = x_old(node, i) + momentum * change;
-          x_balance(node, i) = x_old(node, i) + balance * change;
-        }
-      });
+  const Configurations at_levels{space_.node_dof(displacement),
+                                 old.value,
+                                 trial.value,
+                                 old.coordinates,
+                                 trial.coordinates,
+                                 x_momentum_,
+                                 x_balance_,
+                                 view.momentum.geometry_weight,
+                                 view.balance.geometry_weight};
+  Kokkos::parallel_for("configurations", Kokkos::RangePolicy<>(0, x_momentum_.extent(0)), at_levels);
 }
 
 void Levels::given_rates(const Constraints& constraints, const TimeScheme& scheme, double dt, const State& old,

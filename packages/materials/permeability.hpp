@@ -1,19 +1,88 @@
 #pragma once
 
+#include <Kokkos_Core.hpp>
+
+#include <cmath>
+
 #include "core/parameters.hpp"
 
 namespace mudline {
 
-/// Hydraulic conductivity k [m/s] of the soil as a function of its void ratio e.
-class Permeability {
- public:
-  virtual ~Permeability() = default;
+class Permeability;
+
+/// Hydraulic conductivity k of soil as a function of its void ratio e, as a value that a kernel can hold.
+struct Conductivity {
   struct Value {
     double k;      // [m/s]
     double dk_de;  // [m/s]
   };
+  enum class Form {
+    constant,       // k = k0
+    kozeny_carman,  // k = k0 c(e)/c(e0) with c(e) = e^3/(1+e); 0 where e is not positive
+    log_linear,     // k = k0 10^((e - e0)/Ck)
+    law             // a law of a plugin, which the host can ask and a device cannot
+  };
+  Form form = Form::constant;
+  double k0 = 1e-9;  // [m/s] at the reference void ratio
+  double e0 = 0;     // [-] reference void ratio; 0: the one of the point at the start
+  double ck = 0.5;   // [-] change of void ratio for a tenfold conductivity
+  const Permeability* asked = nullptr;
+
+  /// `initial_void_ratio`: that of the point at the start.
+  KOKKOS_INLINE_FUNCTION Value operator()(double e, double initial_void_ratio) const;
+};
+
+/// Hydraulic conductivity k [m/s] of the soil as a function of its void ratio e.
+class Permeability {
+ public:
+  using Value = Conductivity::Value;
+  virtual ~Permeability() = default;
   /// `initial_void_ratio`: that of the point at the start, to which reference values refer unless the deck gives one.
   virtual Value conductivity(double void_ratio, double initial_void_ratio) const = 0;
+  /// The same law as a value; it is valid as long as this object.
+  virtual Conductivity in_kernels() const {
+    Conductivity result;
+    result.form = Conductivity::Form::law;
+    result.asked = this;
+    return result;
+  }
 };
+
+/// A law that has a form of its own among those of Conductivity.
+class PermeabilityOfForm : public Permeability {
+ public:
+  Value conductivity(double void_ratio, double initial_void_ratio) const final {
+    return law_(void_ratio, initial_void_ratio);
+  }
+  Conductivity in_kernels() const final { return law_; }
+
+ protected:
+  explicit PermeabilityOfForm(Conductivity::Form form) { law_.form = form; }
+  Conductivity law_;
+};
+
+KOKKOS_INLINE_FUNCTION Conductivity::Value Conductivity::operator()(double e, double initial_void_ratio) const {
+  const double reference = e0 > 0.0 ? e0 : initial_void_ratio;
+  switch (form) {
+    case Form::constant:
+      break;
+    case Form::kozeny_carman: {
+      if (!(e > 0.0)) return {0.0, 0.0};
+      const double factor = k0 * (1.0 + reference) / (reference * reference * reference);
+      return {factor * e * e * e / (1.0 + e), factor * e * e * (3.0 + 2.0 * e) / ((1.0 + e) * (1.0 + e))};
+    }
+    case Form::log_linear: {
+      const double rate = std::log(10.0) / ck, k = k0 * std::exp(rate * (e - reference));
+      return {k, k * rate};
+    }
+    case Form::law:
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+      Kokkos::abort("the permeability of a plugin runs on the host only");
+#else
+      return asked->conductivity(e, initial_void_ratio);
+#endif
+  }
+  return {k0, 0.0};
+}
 
 }  // namespace mudline

@@ -122,7 +122,7 @@ struct ConstantElasticity {
   double bulk, shear;  // [Pa]
 
   static constexpr bool trapezoidal = false;
-  static constexpr SixComponents space{};
+  SixComponents space = {};  // a member, because nvcc knows no static objects on a device
   template <class T>
   KOKKOS_INLINE_FUNCTION double hardening_measure(int, const T&) const {
     return 1.0;

@@ -20,11 +20,11 @@ inline int place_of_scalar(const FieldBlock& block, int field) {
 /// the step. T: double or a dual number.
 struct Mixture {
   double alpha, grain_density, fluid_density, fluid_compliance, grain_compliance, grain_expansion, fluid_expansion,
-      reference;                     // [degC]
-  const Permeability* permeability;  // of saturated soil, else null
-  double unit_weight;                // unit weight of its fluid [N/m3]
-  bool viscosity_follows;            // whether the viscosity of the water depends on the temperature
-  int pressure, temperature;         // indices among the scalar fields of the block that is looped over; -1: absent
+      reference;              // [degC]
+  Conductivity conductivity;  // of saturated soil
+  double unit_weight;         // unit weight of its fluid [N/m3]
+  bool viscosity_follows;     // whether the viscosity of the water depends on the temperature
+  int pressure, temperature;  // indices among the scalar fields of the block that is looped over; -1: absent
 
   Mixture() = default;
   /// The mixture of material `number` in block b. `fields`: the block that is looped over, the soil's own or another
@@ -40,7 +40,7 @@ struct Mixture {
     grain_expansion = soil.grain_expansion.empty() ? 0.0 : soil.grain_expansion[number];
     fluid_expansion = soil.water_expansion;
     reference = soil.reference_temperature;
-    permeability = material.permeability.get();
+    if (material.permeability) conductivity = material.permeability->in_kernels();
     unit_weight = fluid ? fluid->unit_weight() : 0.0;
     viscosity_follows = soil.viscosity_follows;
     pressure = place_of_scalar(fields, soil.pressure);

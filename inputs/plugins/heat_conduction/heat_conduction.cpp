@@ -24,7 +24,7 @@ struct Heat : PointLaw {
   HeatParameters values;
 
   template <class C, int S, class T>
-  void operator()(int, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int, const PointFields<C, S, T>& at, PointBalance<C, S, T>& out) const {
     out.storage[0] = values.capacity * at.rate[0];
     for (int i = 0; i < C::dim; ++i) out.flux[0][i] = values.conductivity * at.gradient[0][i];
   }

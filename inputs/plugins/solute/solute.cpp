@@ -29,13 +29,15 @@ struct SoluteInWater : Medium {
   double dt, theta;
 
   template <class C, class T>  // with a water content between those of the step's start and end
-  void stored(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void stored(int row, const PointFields<C, scalars, T>& at,
+                                     PointBalance<C, scalars, T>& out) const {
     const double e = darcy.void_ratio(row, 0);
     const T water = (1 - theta) * darcy.porosity(row, at) + theta * e / (1 + e) / at.volume_ratio;
     out.storage[concentration] = values(row).retardation / dt * water * at.change[concentration];
   }
   template <class C, class T>
-  void flows(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void flows(int row, const PointFields<C, scalars, T>& at,
+                                    PointBalance<C, scalars, T>& out) const {
     T minus_flow[C::dim];
     darcy.minus_discharge(row, at, minus_flow);
     for (int i = 0; i < C::dim; ++i) {

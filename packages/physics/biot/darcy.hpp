@@ -22,28 +22,30 @@ struct Darcy {
         const LoopLevel& level);
 
   template <class C, int S, class T>
-  T porosity(int row, const PointFields<C, S, T>& at) const {
+  KOKKOS_INLINE_FUNCTION T porosity(int row, const PointFields<C, S, T>& at) const {
     return mixture(row).porosity(void_ratio(row, 0), at, elsewhere.extent(0) > 0 ? elsewhere(row, 1) : 0.0);
   }
   /// Whether the model has a temperature.
-  bool warm(const Mixture& here) const { return here.temperature >= 0 || elsewhere.extent(0) > 0; }
+  KOKKOS_INLINE_FUNCTION bool warm(const Mixture& here) const {
+    return here.temperature >= 0 || elsewhere.extent(0) > 0;
+  }
   /// Temperature of a warm model [degC].
   template <class C, int S, class T>
-  T temperature(int row, const PointFields<C, S, T>& at) const {
+  KOKKOS_INLINE_FUNCTION T temperature(int row, const PointFields<C, S, T>& at) const {
     const Mixture& here = mixture(row);
     return here.temperature >= 0 ? at.value[here.temperature] : T(elsewhere(row, 0));
   }
   /// Mobility k/gamma_w [m2/(Pa s)] at a porosity and at the viscosity for which the conductivity is given.
   template <class T>
-  T mobility(int row, const T& n) const {
+  KOKKOS_INLINE_FUNCTION T mobility(int row, const T& n) const {
     const T e = n / (1.0 - n);
     const Mixture& here = mixture(row);
-    const Permeability::Value k = here.permeability->conductivity(value(e), void_ratio(row, 1));
+    const Conductivity::Value k = here.conductivity(value(e), void_ratio(row, 1));
     return chain(e, k.k, k.dk_de) * (1 / here.unit_weight);
   }
   /// Minus the discharge, kappa (grad p - rho_f g) [m/s]. It has no acceleration of the fluid.
   template <class C, int S, class T>
-  void minus_discharge(int row, const PointFields<C, S, T>& at, T (&w)[C::dim]) const {
+  KOKKOS_INLINE_FUNCTION void minus_discharge(int row, const PointFields<C, S, T>& at, T (&w)[C::dim]) const {
     const Mixture& here = mixture(row);
     T kappa = mobility(row, porosity(row, at)), weight = here.fluid_density - lift;
     if (warm(here)) {

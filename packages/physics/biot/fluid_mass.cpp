@@ -15,7 +15,8 @@ struct PoreWater : Medium {
   Darcy darcy;
 
   template <class C, class T>
-  void flows(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void flows(int row, const PointFields<C, scalars, T>& at,
+                                    PointBalance<C, scalars, T>& out) const {
     const T n = darcy.porosity(row, at), mobility = darcy.mobility(row, n);
     const Mixture& mixture = darcy.mixture(row);
     const double density = mixture.fluid_density, weight = density - darcy.lift;

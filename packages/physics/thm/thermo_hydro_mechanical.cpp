@@ -24,10 +24,10 @@ struct WarmSoil {
   WaterHeat water;
   double grain_capacity, conductivity;
 
-  double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
+  KOKKOS_INLINE_FUNCTION double water_capacity() const { return water.capacity * mixture.fluid_density; }  // [J/(m3 K)]
   /// Density of water over that at the reference temperature and zero pressure [-].
   template <class T>
-  T density(const T& p, const T& t) const {
+  KOKKOS_INLINE_FUNCTION T density(const T& p, const T& t) const {
     return exponential(p * mixture.fluid_compliance - water.expansion * (t - mixture.reference));
   }
 };
@@ -41,7 +41,8 @@ struct WaterAndHeat : Medium {
   double dt, theta;
 
   template <class C, class T>
-  void stored(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void stored(int row, const PointFields<C, scalars, T>& at,
+                                     PointBalance<C, scalars, T>& out) const {
     const WarmSoil& soil = soils(row);
     const double e = darcy.void_ratio(row, 0), old_n = e / (1 + e),
                  old_p = value(at.value[pore_pressure] - at.change[pore_pressure]),
@@ -57,7 +58,8 @@ struct WaterAndHeat : Medium {
   }
 
   template <class C, class T>
-  void flows(int row, const PointFields<C, scalars, T>& at, PointBalance<C, scalars, T>& out) const {
+  KOKKOS_INLINE_FUNCTION void flows(int row, const PointFields<C, scalars, T>& at,
+                                    PointBalance<C, scalars, T>& out) const {
     const WarmSoil& soil = soils(row);
     const T& t = at.value[temperature];
     const T density = soil.density(at.value[pore_pressure], t);
